@@ -23,6 +23,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -147,8 +148,13 @@ final class BridgeOptions {
   }
 
   private static Map<String, List<Track>> tracks(String file) {
+    Scenario scenario = ScenarioReader.read(Path.of(file), name -> true, warning -> {});
+    if (scenario.hasHeights()) {
+      throw new InputException(
+          "tracks is '" + file + "', which has heights, expected a flat scenario: CamSim has none");
+    }
     Map<String, List<Track>> tracks =
-        ScenarioReader.read(Path.of(file), name -> true, warning -> {})
+        scenario
             .events(ScenarioEvent.AddTarget.class)
             .map(ScenarioEvent.AddTarget::target)
             .filter(target -> target.track().isPresent())

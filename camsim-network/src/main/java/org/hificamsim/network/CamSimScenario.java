@@ -41,6 +41,10 @@ public final class CamSimScenario {
                 warning -> err.println("warning: " + Place.printable(warning)))
             .with(Scenario.ORDER, StepOrder.CAMSIM);
     warnAboutDefaults(file, scenario, settings, err);
+    if (scenario.hasHeights()) {
+      err.println("warning: " + file + ": CamSim's world is flat, heights are left out");
+      scenario = scenario.flat();
+    }
     if (!zooming) {
       scenario = scenario.with(Scenario.ZOOMS, List.of());
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
@@ -12,6 +13,9 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.visibility.Body;
+import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
@@ -36,8 +40,68 @@ final class DetectionHints {
             smallReach(scenario, used, catalogue),
             lens(scenario, used),
             extrapolation(scenario, used),
-            overridden(scenario, used))
+            overridden(scenario, used),
+            flatRule(scenario, used),
+            emptyFootprints(scenario, used, catalogue))
         .flatMap(Optional::stream);
+  }
+
+  private static Optional<String> flatRule(Scenario scenario, Detection used) {
+    return scenario.hasHeights() && used.model().flat()
+        ? Optional.of(
+            "'%s' is a rule of CamSim, whose world is flat: it gets distances over the ground, not those from where cameras hang"
+                .formatted(used.name()))
+        : Optional.empty();
+  }
+
+  /** A warning of views of cameras with heights that see no place at all. */
+  private static Optional<String> emptyFootprints(
+      Scenario scenario, Detection used, Catalogue catalogue) {
+    if (!scenario.hasHeights()) {
+      return Optional.empty();
+    }
+    World world = new World(scenario, catalogue.movements(), 0);
+    world.sightLines().require(used.model().seen());
+    Visibility visibility = Visibility.of(used);
+    List<Body> bodies =
+        IntStream.range(0, world.targets().count())
+            .mapToObj(world.targets()::body)
+            .distinct()
+            .toList();
+    Cameras cameras = world.cameras();
+    List<String> blind = new ArrayList<>();
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      int its = camera;
+      List<ZoomLevel> levels =
+          IntStream.range(0, cameras.views(camera))
+              .mapToObj(view -> cameras.zoom(its, view))
+              .distinct()
+              .filter(
+                  level -> bodies.stream().allMatch(body -> visibility.at(level, body).isBlind()))
+              .toList();
+      if (!levels.isEmpty()) {
+        blind.add(
+            "'%s' at %s"
+                .formatted(
+                    cameras.name(camera),
+                    levels.stream()
+                            .limit(MAX_LEVELS)
+                            .map(
+                                level ->
+                                    "hfov %s tilt %s"
+                                        .formatted(
+                                            Numbers.plain(Math.toDegrees(level.viewingAngle())),
+                                            Numbers.plain(Math.toDegrees(level.vertical().tilt()))))
+                            .collect(Collectors.joining(", "))
+                        + (levels.size() > MAX_LEVELS ? ", ..." : "")));
+      }
+    }
+    return blind.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "no target can be seen anywhere by camera "
+                + String.join("; ", blind)
+                + ": expected another tilt or height, or less of a target that has to be seen");
   }
 
   /** How far a target is detected at each zoom level; by chance, half of the time. */

@@ -21,6 +21,7 @@ public final class Detection {
   private final Map<Pair, DetectedDistances> found = new ConcurrentHashMap<>();
   private final Map<Pair, ChanceTable> tables = new ConcurrentHashMap<>();
   private final Map<Pair, DistanceTable> values = new ConcurrentHashMap<>();
+  private final Map<InSpace, Detection> inSpace = new ConcurrentHashMap<>();
 
   private Detection(
       String name,
@@ -82,6 +83,20 @@ public final class Detection {
             + model.name()
             + "' has no rmse, from which detect=chance draws: expected a model that has one,"
             + " detect=probability or detect=threshold");
+  }
+
+  /**
+   * The same where a camera looks from above or below, asked by distances over the ground.
+   *
+   * @param rise from what has to be seen to the camera, metres
+   * @param foreshortened whether what is seen from above looks shorter
+   */
+  public Detection inSpace(double rise, boolean foreshortened) {
+    return model.flat()
+        ? this
+        : inSpace.computeIfAbsent(
+            new InSpace(model, rise, foreshortened),
+            its -> new Detection(name, its, rule, threshold, chance));
   }
 
   /** The name in result files. */

@@ -57,6 +57,19 @@ public interface DetectionModel {
   }
 
   /**
+   * Whether distances are measured over the ground, also where cameras have a height: the rules of
+   * CamSim, whose world is flat. All others get the distance in space.
+   */
+  default boolean flat() {
+    return false;
+  }
+
+  /** What of a target has to be seen where the scenario does not say. */
+  default Seen seen() {
+    return Seen.WHOLE;
+  }
+
+  /**
    * How confidences that were measured scatter about the model's values, where that is known: what
    * {@link DetectionRule.Chance} draws from.
    */

@@ -12,6 +12,7 @@ package org.hificamsim.core.detection;
  * @param angleOfView what the lens has in its picture from side to side, radians, (0, pi]; NaN
  *     where the scenario names no lens, and each model has to find its own (Eqs 3.1 and 3.2)
  * @param pixels the picture's width; 0 where the scenario does not say
+ * @param vertical how the camera looks up and down
  */
 public record ZoomLevel(
     double radius,
@@ -20,7 +21,28 @@ public record ZoomLevel(
     double mountHeight,
     double viewingAngle,
     double angleOfView,
-    int pixels) {
+    int pixels,
+    VerticalView vertical) {
+  /** A level in a flat world. */
+  public ZoomLevel(
+      double radius,
+      double narrowestRadius,
+      double widestRadius,
+      double mountHeight,
+      double viewingAngle,
+      double angleOfView,
+      int pixels) {
+    this(
+        radius,
+        narrowestRadius,
+        widestRadius,
+        mountHeight,
+        viewingAngle,
+        angleOfView,
+        pixels,
+        VerticalView.FLAT);
+  }
+
   /** A level of a camera whose lens is not known. */
   public ZoomLevel(
       double radius,
@@ -29,6 +51,19 @@ public record ZoomLevel(
       double mountHeight,
       double viewingAngle) {
     this(radius, narrowestRadius, widestRadius, mountHeight, viewingAngle, Double.NaN, 0);
+  }
+
+  /** The same level of a camera that looks up and down another way. */
+  public ZoomLevel with(VerticalView other) {
+    return new ZoomLevel(
+        radius,
+        narrowestRadius,
+        widestRadius,
+        mountHeight,
+        viewingAngle,
+        angleOfView,
+        pixels,
+        other);
   }
 
   /** Whether the camera sees all round. */

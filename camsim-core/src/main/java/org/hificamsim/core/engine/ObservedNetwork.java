@@ -11,6 +11,7 @@ import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -224,6 +225,11 @@ final class ObservedNetwork implements OracleView {
   @Override
   public Obstacles obstacles() {
     return lines.obstacles();
+  }
+
+  @Override
+  public Body body(double size) {
+    return sight.body(size);
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
@@ -19,8 +20,8 @@ import org.hificamsim.core.world.World;
  * time. Between two calls of {@link #beginStep} or {@link #locate} any number of threads may ask.
  *
  * <p>What a camera sees at a zoom level is found when the level is first met, once for each size of
- * targets. Where targets are many, a camera looks at those in the cells of a grid that its reach
- * touches.
+ * targets, and where cameras have heights, for what of them has to be seen. Where targets are many,
+ * a camera looks at those in the cells of a grid that its reach touches.
  *
  * <p>Whether a target is near enough is a coin toss that a processor's guess of a branch loses half
  * of the time. So the sign bit of a difference of squared distances says it, and a camera that
@@ -40,10 +41,10 @@ final class Sight {
   private final SightLines lines;
   private final boolean open;
   private final Visibility visibility;
-  private final double[] sizes;
-  private final int[] sizeClass; // of each target
+  private final Body[] bodies; // the smallest first
+  private final int[] kind; // of each target: its body's number
   private final PointGrid grid;
-  private LevelSight[] levels = {}; // by the zoom level's number, then by size class
+  private LevelSight[] levels = {}; // by the zoom level's number, then by body
   private double[] outside = {}; // by number: from this squared distance on nothing is detected
   private double[] reach = {}; // by number: beyond this distance, metres, nothing is detected
   private boolean[] whole = {}; // by number: whatever is nearer is detected
@@ -64,11 +65,12 @@ final class Sight {
     this.lines = world.sightLines();
     this.open = lines.open();
     this.visibility = visibility;
-    double[] all = new double[targets.count()];
-    Arrays.setAll(all, targets::size);
-    this.sizes = Arrays.stream(all).sorted().distinct().toArray();
-    this.sizeClass = new int[all.length];
-    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, all[target]));
+    lines.require(visibility.detection().model().seen());
+    Body[] all = new Body[targets.count()];
+    Arrays.setAll(all, lines.flat() ? target -> Body.flat(targets.size(target)) : targets::body);
+    this.bodies = Arrays.stream(all).sorted(Body.ORDER).distinct().toArray(Body[]::new);
+    this.kind = new int[all.length];
+    Arrays.setAll(kind, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
     findLevels();
     Field field = world.scenario().field();
     this.grid = Double.isNaN(side) ? grid(field) : over(field, side);
@@ -84,7 +86,7 @@ final class Sight {
 
   private PointGrid over(Field field, double side) {
     return PointGrid.over(
-        field.minX(), field.minY(), field.width(), field.height(), side, sizeClass.length);
+        field.minX(), field.minY(), field.width(), field.height(), side, kind.length);
   }
 
   /** How far a camera sees, metres. */
@@ -124,18 +126,18 @@ final class Sight {
   private void findLevel(int number, int camera, int view) {
     if (number >= outside.length) {
       int length = Math.max(number + 1, 2 * outside.length);
-      levels = Arrays.copyOf(levels, length * sizes.length);
+      levels = Arrays.copyOf(levels, length * bodies.length);
       outside = Arrays.copyOf(outside, length);
       reach = Arrays.copyOf(reach, length);
       whole = Arrays.copyOf(whole, length);
     }
     double farthest = -1;
-    for (int size = 0; size < sizes.length; size++) {
-      LevelSight level = visibility.at(cameras.zoom(camera, view), sizes[size]);
-      levels[number * sizes.length + size] = level;
+    for (int body = 0; body < bodies.length; body++) {
+      LevelSight level = visibility.at(cameras.zoom(camera, view), bodies[body]);
+      levels[number * bodies.length + body] = level;
       farthest = Math.max(farthest, level.farthest());
       reach[number] = Math.max(reach[number], level.reach());
-      whole[number] = sizes.length == 1 && level.isDisc() && level.byDistance() && open;
+      whole[number] = bodies.length == 1 && level.isDisc() && level.byDistance() && open;
     }
     outside[number] = Math.nextUp(farthest);
     allWhole &= whole[number];
@@ -147,7 +149,7 @@ final class Sight {
    */
   void locate() {
     grid.clear();
-    for (int target = 0; target < sizeClass.length; target++) {
+    for (int target = 0; target < kind.length; target++) {
       double x = targets.x(target);
       double y = targets.y(target);
       if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
@@ -163,7 +165,7 @@ final class Sight {
   }
 
   private LevelSight level(int camera, int view, int target) {
-    return levels[cameras.zoomNumber(camera, view) * sizes.length + sizeClass[target]];
+    return levels[cameras.zoomNumber(camera, view) * bodies.length + kind[target]];
   }
 
   private double transmittance(int camera, int target) {
@@ -187,6 +189,11 @@ final class Sight {
               + visibility.detection().name()
               + "' looks at where in the picture a target is, expected one that looks at its"
               + " distance alone for cameras that turn freely");
+    }
+    if (!lines.flat()) {
+      throw new InputException(
+          "the scenario has heights, expected a flat one, or views alone, for cameras that turn"
+              + " freely");
     }
     return detects(camera, view, target, cameras.pose(camera), true);
   }
@@ -227,7 +234,7 @@ final class Sight {
       int number = cameras.zoomNumber(camera, view);
       chances[view] = 0;
       if (squared < outside[number] && transmittance > 0) {
-        LevelSight level = levels[number * sizes.length + nearest];
+        LevelSight level = levels[number * bodies.length + nearest];
         chances[view] = level.chance(cameras.pose(camera, view), x, y, transmittance);
         any |= chances[view] > 0;
       }
@@ -236,11 +243,17 @@ final class Sight {
   }
 
   private int nearestSize(double size) {
-    int nearest = sizes.length - 1;
-    while (nearest > 0 && size - sizes[nearest - 1] <= sizes[nearest] - size) {
+    int nearest = bodies.length - 1;
+    while (nearest > 0 && size - bodies[nearest - 1].size() <= bodies[nearest].size() - size) {
       nearest--;
     }
     return nearest;
+  }
+
+  /** As {@link org.hificamsim.core.policy.NetworkView#body}. */
+  Body body(double size) {
+    int nearest = nearestSize(size);
+    return nearest < 0 ? Body.flat(size) : bodies[nearest];
   }
 
   /** The model's value for a target, as it would be with nothing in between; 0 out of view. */
@@ -264,9 +277,9 @@ final class Sight {
     if (view == other || lines.partial()) {
       return view == other;
     }
-    for (int size = 0; size < sizes.length; size++) {
-      LevelSight mine = levels[cameras.zoomNumber(camera, view) * sizes.length + size];
-      LevelSight its = levels[cameras.zoomNumber(camera, other) * sizes.length + size];
+    for (int body = 0; body < bodies.length; body++) {
+      LevelSight mine = levels[cameras.zoomNumber(camera, view) * bodies.length + body];
+      LevelSight its = levels[cameras.zoomNumber(camera, other) * bodies.length + body];
       if (!mine.byDistance() || !mine.includes(its)) {
         return false;
       }

@@ -10,11 +10,18 @@ import java.util.List;
  * corners: a line of sight that touches it is blocked or dimmed.
  *
  * <p>Whether it is touched is decided exactly for the coordinates given, each taken as the rational
- * number that the double is. Coordinates are metres between -1e100 and 1e100.
+ * number that the double is. Coordinates are metres between -1e100 and 1e100. In space an obstacle
+ * is upright, from its base to its height, and a sight line is rounded to where it is as high.
  */
 public sealed interface Obstacle {
   /** The part of the light that passes, in [0, 1]; 0 blocks. */
   double transmittance();
+
+  /** The height of its underside above the ground, metres, 0 or more. */
+  double base();
+
+  /** The height of its top, metres, above the base; infinite where nothing looks over it. */
+  double height();
 
   /** Whether the closed segment between two points, which may be one, has a point of it. */
   boolean touches(double x1, double y1, double x2, double y2);
@@ -24,14 +31,53 @@ public sealed interface Obstacle {
     return touches(x, y, x, y);
   }
 
+  /**
+   * Whether it meets a sight line in space: any from a point at height z to what is between two
+   * heights of an upright line. These lines fill a triangle; the part of it that is as high as the
+   * obstacle has a segment of the plan below it, which has to touch.
+   *
+   * @param low the least height of what is looked at, metres
+   * @param high the greatest, metres
+   */
+  default boolean touches(
+      double x1, double y1, double z, double x2, double y2, double low, double high) {
+    double start = Slab.start(z, low, high, base(), height());
+    double end = Slab.end(z, low, high, base(), height());
+    return start <= end
+        && touches(
+            Slab.at(x1, x2, start),
+            Slab.at(y1, y2, start),
+            Slab.at(x1, x2, end),
+            Slab.at(y1, y2, end));
+  }
+
+  /** The same from the ground to any height. */
+  Obstacle flat();
+
+  /** Whether it reaches from the ground to any height. */
+  default boolean full() {
+    return base() == 0 && height() == Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether it stands in the way of whoever walks: nobody walks into one with a base above 0. */
+  default boolean standing() {
+    return solid() && base() == 0;
+  }
+
   /** Whether nothing passes. */
   default boolean solid() {
     return transmittance() == 0;
   }
 
   /** A straight wall without thickness. */
-  record Wall(double x1, double y1, double x2, double y2, double transmittance)
+  record Wall(
+      double x1, double y1, double x2, double y2, double transmittance, double base, double height)
       implements Obstacle {
+    /** A wall that nothing looks over. */
+    public Wall(double x1, double y1, double x2, double y2, double transmittance) {
+      this(x1, y1, x2, y2, transmittance, 0, Double.POSITIVE_INFINITY);
+    }
+
     /**
      * Checks the shape.
      *
@@ -43,6 +89,7 @@ public sealed interface Obstacle {
       requireCoordinate(x2);
       requireCoordinate(y2);
       requireTransmittance(transmittance);
+      Shapes.requireHeights(base, height);
       Shapes.require(
           x1 != x2 || y1 != y2,
           () -> "both ends are (" + x1 + ", " + y1 + "), expected two points");
@@ -52,6 +99,11 @@ public sealed interface Obstacle {
     public boolean touches(double x1, double y1, double x2, double y2) {
       return Segments.touch(x1, y1, x2, y2, this.x1, this.y1, this.x2, this.y2);
     }
+
+    @Override
+    public Wall flat() {
+      return new Wall(x1, y1, x2, y2, transmittance);
+    }
   }
 
   /**
@@ -59,7 +111,13 @@ public sealed interface Obstacle {
    *
    * @param points 3 or more, in either direction; the first is not repeated
    */
-  record Polygon(List<Point> points, double transmittance) implements Obstacle {
+  record Polygon(List<Point> points, double transmittance, double base, double height)
+      implements Obstacle {
+    /** An area that nothing looks over. */
+    public Polygon(List<Point> points, double transmittance) {
+      this(points, transmittance, 0, Double.POSITIVE_INFINITY);
+    }
+
     /**
      * Checks the shape.
      *
@@ -70,11 +128,17 @@ public sealed interface Obstacle {
       points = List.copyOf(points);
       Shapes.requireSimple(points);
       requireTransmittance(transmittance);
+      Shapes.requireHeights(base, height);
     }
 
     @Override
     public boolean touches(double x1, double y1, double x2, double y2) {
       return Shapes.touches(points, x1, y1, x2, y2) || Shapes.surrounds(points, x1, y1);
+    }
+
+    @Override
+    public Polygon flat() {
+      return new Polygon(points, transmittance);
     }
   }
 
@@ -85,7 +149,13 @@ public sealed interface Obstacle {
    * @param y of its centre
    * @param radius metres, above 0
    */
-  record Pillar(double x, double y, double radius, double transmittance) implements Obstacle {
+  record Pillar(double x, double y, double radius, double transmittance, double base, double height)
+      implements Obstacle {
+    /** A pillar that nothing looks over. */
+    public Pillar(double x, double y, double radius, double transmittance) {
+      this(x, y, radius, transmittance, 0, Double.POSITIVE_INFINITY);
+    }
+
     /**
      * Checks the shape.
      *
@@ -96,11 +166,17 @@ public sealed interface Obstacle {
       requireCoordinate(y);
       Shapes.requireRadius(radius);
       requireTransmittance(transmittance);
+      Shapes.requireHeights(base, height);
     }
 
     @Override
     public boolean touches(double x1, double y1, double x2, double y2) {
       return Discs.touch(x, y, radius, x1, y1, x2, y2);
+    }
+
+    @Override
+    public Pillar flat() {
+      return new Pillar(x, y, radius, transmittance);
     }
   }
 }

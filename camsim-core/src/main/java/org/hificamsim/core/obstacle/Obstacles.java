@@ -49,11 +49,29 @@ public final class Obstacles {
     return product;
   }
 
-  /** Whether no solid obstacle is touched. */
+  /**
+   * The same in space: from a point at a height to what is between two heights of an upright line;
+   * an obstacle that any of these lines touches counts.
+   *
+   * @param z the height of the first point, metres
+   * @param low the least height of what is looked at, metres
+   * @param high the greatest, metres
+   */
+  public double transmittance(
+      double x1, double y1, double z, double x2, double y2, double low, double high) {
+    double product = 1;
+    for (int i = 0; i < obstacles.size() && product > 0; i++) {
+      Obstacle obstacle = obstacles.get(i);
+      product *= obstacle.touches(x1, y1, z, x2, y2, low, high) ? obstacle.transmittance() : 1;
+    }
+    return product;
+  }
+
+  /** Whether one may walk straight: no solid obstacle that stands on the ground is touched. */
   public boolean clear(double x1, double y1, double x2, double y2) {
     for (int i = 0; i < obstacles.size(); i++) {
       if (!pieces.apart(i, x1, y1, x2, y2)
-          && obstacles.get(i).solid()
+          && obstacles.get(i).standing()
           && obstacles.get(i).touches(x1, y1, x2, y2)) {
         return false;
       }
@@ -76,8 +94,15 @@ public final class Obstacles {
     return obstacles.toString();
   }
 
-  /** The first solid obstacle that a point is inside or on the border of. */
+  /** The first solid obstacle on the ground that a place is inside or on the border of. */
   public Optional<Obstacle> containing(double x, double y) {
-    return obstacles.stream().filter(o -> o.solid() && o.contains(x, y)).findFirst();
+    return obstacles.stream().filter(o -> o.standing() && o.contains(x, y)).findFirst();
+  }
+
+  /** The first solid obstacle that a point in space is inside or on the border of. */
+  public Optional<Obstacle> containing(double x, double y, double z) {
+    return obstacles.stream()
+        .filter(o -> o.solid() && z >= o.base() && z <= o.height() && o.contains(x, y))
+        .findFirst();
   }
 }

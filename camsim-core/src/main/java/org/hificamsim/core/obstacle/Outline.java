@@ -81,7 +81,7 @@ final class Outline {
 
   /** Leaves out what dims, also where the standpoint is in it. */
   private boolean blocks(int met) {
-    return !RegionSweep.atStandpoint(met) && pieces.solid(met);
+    return !RegionSweep.atStandpoint(met) && pieces.hides(met);
   }
 
   private void aimAtPiece(int piece) {

@@ -29,6 +29,9 @@ final class Pieces {
   /** By obstacle. */
   final double[] transmittance;
 
+  /** By obstacle: whether it reaches from the ground to any height. */
+  final boolean[] full;
+
   /** By obstacle: its first piece; one more is their number. */
   final int[] first;
 
@@ -38,9 +41,11 @@ final class Pieces {
   Pieces(List<Obstacle> obstacles) {
     List<double[]> pieces = new ArrayList<>();
     transmittance = obstacles.stream().mapToDouble(Obstacle::transmittance).toArray();
+    full = new boolean[obstacles.size()];
     first = new int[obstacles.size() + 1];
     for (int i = 0; i < obstacles.size(); i++) {
       add(obstacles.get(i), pieces);
+      full[i] = obstacles.get(i).full();
       first[i + 1] = pieces.size();
     }
     x1 = column(pieces, 0);
@@ -108,8 +113,9 @@ final class Pieces {
     return x1.length;
   }
 
-  boolean solid(int piece) {
-    return transmittance[obstacle[piece]] == 0;
+  /** Whether it hides all that is behind it, from any height. */
+  boolean hides(int piece) {
+    return transmittance[obstacle[piece]] == 0 && full[obstacle[piece]];
   }
 
   /** Whether a closed segment has a point of a piece; of a polygon's edge, not of its inside. */

@@ -90,7 +90,7 @@ final class RegionSweep {
     int piece = pieces.first[obstacle];
     for (int sector = 0; sector < sectors; sector++) {
       note(sector, ~piece, -1);
-      if (pieces.solid(piece)) {
+      if (pieces.hides(piece)) {
         lower(sector, VisibleRegion.HIDDEN, -1);
       }
     }
@@ -106,12 +106,12 @@ final class RegionSweep {
 
   private void see(int piece) {
     sight.look(piece, sectors);
-    boolean solid = pieces.solid(piece);
+    boolean hides = pieces.hides(piece);
     for (int i = sight.firstSector(); i <= sight.lastSector(); i++) {
       sight.enter(i);
       int sector = i & sectors - 1;
       note(sector, piece, Math.nextDown((float) sight.near()));
-      if (solid && sight.spans()) {
+      if (hides && sight.spans()) {
         lower(sector, VisibleRegion.HIDDEN, Math.nextUp((float) sight.far()));
       }
     }

@@ -27,6 +27,17 @@ final class Shapes {
         () -> "transmittance is " + value + ", expected a number between 0 and 1");
   }
 
+  static void requireHeights(double base, double height) {
+    require(
+        base >= 0 && base <= FARTHEST && height > base,
+        () ->
+            "base is "
+                + base
+                + " and height "
+                + height
+                + ", expected 0 or more, and a height above");
+  }
+
   static void requireRadius(double value) {
     require(
         value > 0 && value <= FARTHEST,

@@ -30,19 +30,72 @@ public final class TargetOcclusion {
     for (int i = 0; i < count; i++) {
       if (square(x[i] - cameraX, y[i] - cameraY) < distance
           && i != target
-          && hides(cameraX, cameraY, x[target], y[target], x[i], y[i], radius[i])) {
+          && hides(cameraX, cameraY, x[target], y[target], x[i], y[i], radius[i], true)) {
         return true;
       }
     }
     return false;
   }
 
-  /** Whether one disc hides a point that is farther away than the disc's centre. */
+  /**
+   * The same in space, where a target reaches from the ground to its height: whether one that is as
+   * near hides any of what is between two heights of the target.
+   *
+   * @param cameraZ metres
+   * @param height of each target, metres
+   * @param low the least height of what is looked at, metres
+   * @param high the greatest, metres
+   */
+  public static boolean hidden(
+      double cameraX,
+      double cameraY,
+      double cameraZ,
+      int target,
+      double[] x,
+      double[] y,
+      double[] radius,
+      double[] height,
+      double low,
+      double high) {
+    double distance = square(x[target] - cameraX, y[target] - cameraY);
+    for (int i = 0; i < x.length; i++) {
+      double start = Slab.start(cameraZ, low, high, 0, height[i]);
+      double end = Slab.end(cameraZ, low, high, 0, height[i]);
+      if (start <= end
+          && square(x[i] - cameraX, y[i] - cameraY) < distance
+          && i != target
+          && hides(
+              Slab.at(cameraX, x[target], start),
+              Slab.at(cameraY, y[target], start),
+              Slab.at(cameraX, x[target], end),
+              Slab.at(cameraY, y[target], end),
+              x[i],
+              y[i],
+              radius[i],
+              start == 0)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Whether a disc is between two points, the farther of which is farther away than its centre.
+   *
+   * @param atCamera whether the first point is the camera's, which may be in the disc
+   */
   private static boolean hides(
-      double cameraX, double cameraY, double x, double y, double atX, double atY, double radius) {
+      double fromX,
+      double fromY,
+      double toX,
+      double toY,
+      double atX,
+      double atY,
+      double radius,
+      boolean atCamera) {
     return radius > 0
-        && Discs.touch(atX, atY, radius, cameraX, cameraY, x, y)
-        && !Discs.contains(atX, atY, radius, cameraX, cameraY);
+        && Discs.touch(atX, atY, radius, fromX, fromY, toX, toY)
+        && !(atCamera && Discs.contains(atX, atY, radius, fromX, fromY));
   }
 
   private static double square(double dx, double dy) {

@@ -25,6 +25,7 @@ public final class VisibleRegion {
   final double atX;
   final double atY;
   final Pieces pieces;
+  private final Obstacles obstacles;
   private final double sectorsPerMeasure;
   private final int lastSector;
   private final float[] limits;
@@ -35,8 +36,9 @@ public final class VisibleRegion {
   /** What is met, see {@link RegionSweep}. */
   final int[] met;
 
-  private VisibleRegion(Pieces pieces, double x, double y, RegionSweep sweep) {
-    this.pieces = pieces;
+  private VisibleRegion(Obstacles obstacles, double x, double y, RegionSweep sweep) {
+    this.obstacles = obstacles;
+    this.pieces = obstacles.pieces();
     this.atX = x;
     this.atY = y;
     this.limits = sweep.limits();
@@ -58,8 +60,7 @@ public final class VisibleRegion {
    * @param reach metres, 0 or more
    */
   public static VisibleRegion of(Obstacles obstacles, double x, double y, double reach) {
-    Pieces pieces = obstacles.pieces();
-    return new VisibleRegion(pieces, x, y, new RegionSweep(obstacles, x, y, reach));
+    return new VisibleRegion(obstacles, x, y, new RegionSweep(obstacles, x, y, reach));
   }
 
   /** Whether the region is seen from this very point. */
@@ -69,6 +70,18 @@ public final class VisibleRegion {
 
   /** As {@link Obstacles#transmittance} from the standpoint to a point. */
   public double transmittance(double x, double y) {
+    return transmittance(x, y, Double.NaN, 0, 0);
+  }
+
+  /**
+   * As {@link Obstacles#transmittance(double, double, double, double, double, double, double)} from
+   * the standpoint.
+   *
+   * @param z the height of the eye, metres; NaN in a flat world
+   * @param low the least height of what is looked at, metres
+   * @param high the greatest, metres
+   */
+  public double transmittance(double x, double y, double z, double low, double high) {
     double dx = x - atX;
     double dy = y - atY;
     int sector = sector(dx, dy);
@@ -76,26 +89,31 @@ public final class VisibleRegion {
     if (square < limits[LIMITS * sector + TOUCHED]) {
       return 1;
     }
-    return square > limits[LIMITS * sector + HIDDEN] ? 0 : product(sector, x, y);
+    return square > limits[LIMITS * sector + HIDDEN] ? 0 : product(sector, x, y, z, low, high);
+  }
+
+  /** An obstacle that is not full is asked as a whole: a line may come down inside of it. */
+  private double product(int sector, double x, double y, double z, double low, double high) {
+    double product = 1;
+    int tested = -1;
+    for (int i = ends[sector]; i < ends[sector + 1] && product > 0; i++) {
+      int obstacle = pieces.obstacle[RegionSweep.piece(met[i])];
+      if (obstacle != tested) {
+        boolean full = pieces.full[obstacle];
+        boolean touched =
+            full
+                ? RegionSweep.atStandpoint(met[i]) || pieces.touches(met[i], atX, atY, x, y)
+                : obstacles.all().get(obstacle).touches(atX, atY, z, x, y, low, high);
+        product *= touched ? pieces.transmittance[obstacle] : 1;
+        tested = touched || !full ? obstacle : tested;
+      }
+    }
+    return product;
   }
 
   /** The sector of a direction; the first where there is none. */
   int sector(double dx, double dy) {
     return (int) (Sector.measure(dx, dy) * sectorsPerMeasure) & lastSector;
-  }
-
-  private double product(int sector, double x, double y) {
-    double product = 1;
-    int counted = -1;
-    for (int i = ends[sector]; i < ends[sector + 1] && product > 0; i++) {
-      int obstacle = pieces.obstacle[RegionSweep.piece(met[i])];
-      boolean inside = RegionSweep.atStandpoint(met[i]);
-      if (obstacle != counted && (inside || pieces.touches(met[i], atX, atY, x, y))) {
-        product *= pieces.transmittance[obstacle];
-        counted = obstacle;
-      }
-    }
-    return product;
   }
 
   /**

@@ -9,6 +9,7 @@ import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.visibility.Body;
 
 /**
  * The camera network at one step, read only: the same for every camera, so that all decide from one
@@ -18,8 +19,10 @@ import org.hificamsim.core.scenario.Field;
  * include those that a later event adds, which are not online (not present) until then, and stay so
  * after an event removes them. A camera's views are each of its zoom levels at each of its pan
  * angles: all levels of the first angle, from the narrowest, then those of the next; a camera that
- * cannot turn has its levels alone. What was detected is what the last observation saw: at a
- * decision that is the step before (0 everywhere at the first).
+ * cannot turn has its levels alone. One that tilts has each pan angle at each of its tilts, as if
+ * it were another angle; a view's tilt is in its {@linkplain ZoomLevel#vertical zoom level}. What
+ * was detected is what the last observation saw: at a decision that is the step before (0
+ * everywhere at the first).
  *
  * <p>This is what cameras know between them, with what is known to whoever installs them: the map
  * of the site, how long moves take, and what a lens and a detection model make of a place.
@@ -117,6 +120,15 @@ public interface NetworkView extends CoveredTargets, Stations {
   /** The site's map: what blocks or dims lines of sight, known to whoever installs a camera. */
   default Obstacles obstacles() {
     return Obstacles.NONE;
+  }
+
+  /**
+   * What cameras have to see of a target where they have heights.
+   *
+   * @param size of the target, metres; the nearest of those that the scenario has counts
+   */
+  default Body body(double size) {
+    return Body.flat(size);
   }
 
   /** The rectangle that targets move in, also known; by default one that holds all cameras. */

@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 
@@ -12,6 +13,7 @@ final class CameraReader {
   private final Type<Double> across;
   private final Type<Double> along;
   private final Type<OpticsSpec> optics;
+  private final OptionalDouble mountHeight;
   private final Clearing clearing;
   private final AgentCheck agents;
   private final Consumer<String> warnings;
@@ -22,6 +24,7 @@ final class CameraReader {
    */
   CameraReader(
       Field field,
+      OptionalDouble mountHeight,
       Clearing clearing,
       Map<String, OpticsSpec> optics,
       AgentCheck agents,
@@ -29,6 +32,7 @@ final class CameraReader {
     this.across = inField(field.minX(), field.maxX());
     this.along = inField(field.minY(), field.maxY());
     this.optics = oneOf(optics);
+    this.mountHeight = mountHeight;
     this.clearing = clearing;
     this.agents = agents;
     this.warnings = warnings;
@@ -57,7 +61,9 @@ final class CameraReader {
     if (!names.add(camera.name())) {
       throw attributes.invalid(CameraSpec.NAME, "a camera name that is not taken");
     }
-    clearing.requireFree(xml, camera.x(), camera.y());
+    checkHeights(camera, attributes);
+    OptionalDouble z = camera.z().isPresent() ? camera.z() : mountHeight;
+    clearing.requireFree(xml, camera.x(), camera.y(), z);
     agents.check(camera, as == CameraSpec.ADDED, xml::invalid);
     attributes.warnOfUnknown(warnings);
     return camera;
@@ -77,6 +83,24 @@ final class CameraReader {
     return camera
         .with(CameraSpec.VIEWING_ANGLE, camera.find(CameraSpec.VIEWING_ANGLE).orElse(widest))
         .with(CameraSpec.RANGE, camera.find(CameraSpec.RANGE).orElse(reach));
+  }
+
+  private void checkHeights(CameraSpec camera, Attributes<CameraSpec> attributes) {
+    if (camera.z().isPresent()
+        && mountHeight.isPresent()
+        && camera.z().getAsDouble() != mountHeight.getAsDouble()) {
+      throw attributes.invalid(
+          CameraSpec.Z, "the scenario's mount_height, " + mountHeight.getAsDouble() + ", or none");
+    }
+    List<Double> tilts = camera.optics().map(OpticsSpec::tilts).orElse(List.of(0.0));
+    if (camera.optics().filter(one -> one.law() == OpticsLaw.PINHOLE).isEmpty()) {
+      attributes.refuse(CameraSpec.TILT, "none without optics that have law=\"pinhole\"");
+    }
+    if (!tilts.stream().allMatch(one -> Range.TILT.contains(camera.tilt() + one))) {
+      throw attributes.invalid(
+          CameraSpec.TILT,
+          "with each tilt of its optics, " + tilts + ", a sum of " + Range.TILT.expected());
+    }
   }
 
   /** Expects an event that changes a camera to leave it in the field. */

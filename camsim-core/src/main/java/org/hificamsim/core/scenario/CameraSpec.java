@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** A camera as the scenario gives it. */
 public final class CameraSpec extends Spec<CameraSpec> {
@@ -20,6 +21,9 @@ viewing_angle: full opening angle, degrees, above 0, at most 360; of no effect o
 range: reach, m, 0 or more; of no effect where there is a zoom list or a lens \
 | required; of a camera with a lens, its reach
 optics: the name of its [optics](#optics) (ours) | none
+z: [height](world.md#heights) of the lens above the ground, m (ours) \
+| the scenario's `mount_height`, else 0
+tilt: how far a lens looks down, degrees, -90 to 90 (ours)
 ai_algorithm: class name of an auction schedule of CamSim's network
 comm: communication policy in the network: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, \
 4 the class of `customcom`
@@ -40,6 +44,9 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
   public static final Property<CameraSpec, Double> RANGE = ELEMENT.optional("range", Type.LENGTH);
   public static final Property<CameraSpec, OpticsSpec> OPTICS =
       ELEMENT.optional("optics", OpticsSpec.BY_NAME);
+  public static final Property<CameraSpec, Double> Z = ELEMENT.optional("z", Type.LENGTH);
+  public static final Property<CameraSpec, Double> TILT =
+      ELEMENT.attribute("tilt", Type.number(Range.TILT), 0.0).quiet();
   public static final Property<CameraSpec, String> ALGORITHM =
       ELEMENT.optional("ai_algorithm", Type.TEXT);
   public static final Property<CameraSpec, Integer> COMM =
@@ -114,5 +121,25 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
 
   public Optional<OpticsSpec> optics() {
     return find(OPTICS);
+  }
+
+  /** Height above the ground, metres; empty where the scenario's mount height counts. */
+  public OptionalDouble z() {
+    return number(Z);
+  }
+
+  /** Degrees below the horizon, [-90, 90]. */
+  public double tilt() {
+    return get(TILT);
+  }
+
+  /** The same without heights. */
+  CameraSpec flat() {
+    return without(Z).with(TILT, 0).with(OPTICS, optics().map(OpticsSpec::flat));
+  }
+
+  /** Whether it says anything of heights. */
+  boolean hasHeights() {
+    return z().isPresent() || tilt() != 0 || optics().filter(OpticsSpec::hasHeights).isPresent();
   }
 }

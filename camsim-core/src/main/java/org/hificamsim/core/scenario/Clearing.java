@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -15,9 +16,18 @@ final class Clearing {
     this.warnings = warnings;
   }
 
+  /** The same for a camera: one with a height may be above or below an obstacle. */
+  void requireFree(XmlElement element, double x, double y, OptionalDouble z) {
+    require(element, x, y, obstacles.containing(x, y, z.orElse(0)).isPresent());
+  }
+
   /** An error at the attribute {@code x} for what stands in an obstacle. */
   void requireFree(XmlElement element, double x, double y) {
-    if (obstacles.containing(x, y).isPresent()) {
+    require(element, x, y, obstacles.containing(x, y).isPresent());
+  }
+
+  private static void require(XmlElement element, double x, double y, boolean inside) {
+    if (inside) {
       throw element.invalid(
           "x", "a place off all obstacles; (" + x + ", " + y + ") is in or on a solid one");
     }

@@ -27,7 +27,7 @@ final class ObstacleElements {
     wall.required("y1", Type.COORDINATE);
     wall.required("x2", Type.COORDINATE);
     wall.required("y2", Type.COORDINATE);
-    return withTransmittance(wall);
+    return withLight(wall);
   }
 
   private static Element<Polygon> polygon() {
@@ -41,7 +41,7 @@ final class ObstacleElements {
             first, and sides may not touch but at corners they share
             """);
     polygon.required("points", Type.POINTS);
-    return withTransmittance(polygon);
+    return withLight(polygon);
   }
 
   private static Element<Pillar> pillar() {
@@ -57,18 +57,26 @@ final class ObstacleElements {
     pillar.required("x", Type.COORDINATE);
     pillar.required("y", Type.COORDINATE);
     pillar.required("radius", Type.POSITIVE_LENGTH);
-    return withTransmittance(pillar);
+    return withLight(pillar);
   }
 
   private static <O extends Record> Element<O> element(String name, Class<O> type, String doc) {
     return Element.ofRecord(
         name,
         type,
-        doc + "transmittance: the part of the light that passes, 0 to 1; 0 is *solid*\n");
+        doc
+            + """
+              transmittance: the part of the light that passes, 0 to 1; 0 is *solid*
+              base: [height](world.md#heights) of its underside, m; targets walk below a base \
+              above 0 (ours)
+              height: height of its top, m, above the base (ours) | it hides everything
+              """);
   }
 
-  private static <O> Element<O> withTransmittance(Element<O> element) {
+  private static <O> Element<O> withLight(Element<O> element) {
     element.attribute("transmittance", Type.PROPORTION, 0.0).quiet();
+    element.attribute("base", Type.LENGTH, 0.0).quiet();
+    element.attribute("height", Type.POSITIVE_LENGTH, Double.POSITIVE_INFINITY).quiet();
     return element;
   }
 }

@@ -1,14 +1,19 @@
 package org.hificamsim.core.scenario;
 
 import static org.hificamsim.core.scenario.OpticsSpec.ANGLES_OF_VIEW;
+import static org.hificamsim.core.scenario.OpticsSpec.ASPECT;
 import static org.hificamsim.core.scenario.OpticsSpec.FOCAL_LENGTHS;
 import static org.hificamsim.core.scenario.OpticsSpec.REACH;
 import static org.hificamsim.core.scenario.OpticsSpec.SENSOR_WIDTH;
+import static org.hificamsim.core.scenario.OpticsSpec.TILTS;
+import static org.hificamsim.core.scenario.OpticsSpec.VERTICAL_ANGLES;
 
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
+import org.hificamsim.core.Spelling;
 
 /** Reads the optics that cameras name. */
 final class OpticsReader {
@@ -36,8 +41,10 @@ final class OpticsReader {
     // In place of optics that have a fault, so that cameras that name them have none.
     known.put(name, new OpticsSpec(name).with(ANGLES_OF_VIEW, List.of(1.0)));
     checkLaw(attributes);
+    checkHeights(attributes);
     OpticsSpec optics = withAngles(attributes.read());
-    if ((long) optics.pans().size() * Math.max(1, optics.anglesOfView().size()) > MAX_VIEWS) {
+    long directions = (long) optics.pans().size() * optics.tilts().size();
+    if (directions * Math.max(1, optics.anglesOfView().size()) > MAX_VIEWS) {
       throw attributes.invalid(
           OpticsSpec.PANS, "at most " + MAX_VIEWS + " views, angles times levels");
     }
@@ -47,6 +54,26 @@ final class OpticsReader {
     }
     attributes.warnOfUnknown(warnings);
     known.put(name, optics);
+  }
+
+  /** A picture has an upper and a lower edge where a lens makes it. */
+  private static void checkHeights(Attributes<OpticsSpec> attributes) {
+    OpticsLaw law = attributes.get(OpticsSpec.LAW);
+    if (law != OpticsLaw.PINHOLE) {
+      for (Property<OpticsSpec, ?> one : List.of(VERTICAL_ANGLES, ASPECT, TILTS)) {
+        attributes.refuse(one, "none with law=\"" + Spelling.of(law) + "\", which has no lens");
+      }
+    }
+    if (attributes.has(VERTICAL_ANGLES)) {
+      attributes.refuse(ASPECT, "none together with vfov");
+      int levels =
+          Math.max(
+              attributes.get(ANGLES_OF_VIEW).size(),
+              Optional.ofNullable(attributes.get(FOCAL_LENGTHS)).map(List::size).orElse(0));
+      if (attributes.get(VERTICAL_ANGLES).size() != levels) {
+        throw attributes.invalid(VERTICAL_ANGLES, "one for each level, " + levels);
+      }
+    }
   }
 
   private static void checkLaw(Attributes<OpticsSpec> attributes) {

@@ -9,6 +9,9 @@ import java.util.OptionalDouble;
  * With a name alone they are a lens without angles of view that looks ahead and moves at once.
  */
 public final class OpticsSpec extends Spec<OpticsSpec> {
+  /** Width over height of a picture in high definition. */
+  private static final double USUAL_ASPECT = 16.0 / 9;
+
   /** As cameras say which they have; the reader finds the optics. */
   static final Type<OpticsSpec> BY_NAME = Type.named("", OpticsSpec::new, OpticsSpec::name);
 
@@ -29,10 +32,14 @@ hfov: horizontal angles of view, degrees, one for each zoom level, in any order;
 `pinhole` below 180, with `constant-area` at most 180 | required, but with `round`
 focal_length: in place of `hfov`: focal lengths, in the unit of `sensor_width` (Eq 3.1)
 sensor_width: width of the sensor; required with `focal_length`
+vfov: vertical angles of view, degrees, below 180, one for each of `hfov`; with `pinhole` alone, \
+in a scenario with [heights](world.md#heights) | from `aspect`
+aspect: width of the picture over its height, above 0; in place of `vfov` | 16/9
 reach: m; with `constant-area` (required) of the narrowest level, with `pinhole` of all \
 levels | `pinhole`: no end
 pan: angles off the camera's heading, degrees, clockwise
-pan_speed: degrees a second | it turns at once
+tilt: angles off the camera's `tilt`, degrees, downwards; with `pinhole` alone
+pan_speed: degrees a second, also of `tilt` | it turns at once
 zoom_time: seconds from the first level to the last, spread evenly over the levels between
 moving: what is seen on the way: `blind` nothing, `sees` the nearest of its views
 """);
@@ -53,6 +60,12 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
       ELEMENT.optional("reach", Type.POSITIVE_LENGTH);
   public static final Property<OpticsSpec, List<Double>> PANS =
       ELEMENT.attribute("pan", Type.numbers(Range.TURN), List.of(0.0));
+  public static final Property<OpticsSpec, List<Double>> TILTS =
+      ELEMENT.attribute("tilt", Type.numbers(Range.TURN), List.of(0.0)).quiet();
+  public static final Property<OpticsSpec, List<Double>> VERTICAL_ANGLES =
+      ELEMENT.attribute("vfov", Type.numbers(Range.BELOW_180), List.<Double>of()).quiet();
+  public static final Property<OpticsSpec, Double> ASPECT =
+      ELEMENT.optional("aspect", Type.POSITIVE);
   public static final Property<OpticsSpec, Double> PAN_SPEED =
       ELEMENT.optional("pan_speed", Type.POSITIVE);
   public static final Property<OpticsSpec, Double> ZOOM_TIME =
@@ -92,6 +105,37 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
 
   public List<Double> pans() {
     return get(PANS);
+  }
+
+  /** Angles off the camera's own tilt, degrees, downwards. */
+  public List<Double> tilts() {
+    return get(TILTS);
+  }
+
+  /** Vertical angles of view, degrees, one for each of {@link #anglesOfView}. */
+  public List<Double> verticalAngles() {
+    List<Double> said = get(VERTICAL_ANGLES);
+    double aspect = find(ASPECT).orElse(USUAL_ASPECT);
+    return said.isEmpty()
+        ? anglesOfView().stream().map(angle -> angleOver(angle, aspect)).toList()
+        : said;
+  }
+
+  /** The angle, degrees, of a picture that is smaller than one of another angle by a factor. */
+  private static double angleOver(double angle, double factor) {
+    return 2 * Math.toDegrees(StrictMath.atan(StrictMath.tan(Math.toRadians(angle) / 2) / factor));
+  }
+
+  /** The same without heights. */
+  OpticsSpec flat() {
+    return with(VERTICAL_ANGLES, List.<Double>of()).without(ASPECT).with(TILTS, List.of(0.0));
+  }
+
+  /** Whether they say anything of heights. */
+  boolean hasHeights() {
+    return !get(VERTICAL_ANGLES).isEmpty()
+        || find(ASPECT).isPresent()
+        || !tilts().equals(List.of(0.0));
   }
 
   /** Degrees a second, above 0; none where a camera turns at once. */

@@ -19,6 +19,7 @@ record Range(String expected, double min, double max) {
   static final Range TIME = new Range("a number from 0 to 1e9 (s)", 0, 1e9);
   static final Range PROPORTION = new Range("a number from 0 to 1", 0, 1);
   static final Range TURN = new Range("degrees from -360 to 360", -360, 360);
+  static final Range TILT = new Range("degrees from -90 to 90", -90, 90);
   static final Range POSITIVE_LENGTH =
       new Range("a number above 0 and at most 1e9 (m)", ABOVE_0, 1e9);
   static final Range POSITIVE_TIME =

@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 
@@ -52,6 +53,9 @@ step: how long a step takes, s, above 0; it says how far a camera moves in one. 
 of targets are in metres a step whatever it is (ours)
 occlusion: `targets`: a target hides those behind it, as a disc of its width. `none`: \
 obstacles alone hide (ours)
+seen: what of a target has to be [seen](world.md#heights): `feet`, `head` or `whole` (ours) \
+| the detection model's: `head` to recognise, else `whole`
+foreshortening: `cosine`: what is seen from above [looks shorter](world.md#heights) (ours)
 channel: [what becomes of messages between cameras](channel.md), as \
 `loss=0.2,delay=2` (ours) | `perfect`
 floorplan: a PNG or JPEG that pictures and pages draw under the field; a path from the \
@@ -86,6 +90,12 @@ shows, m (ours) | the field's borders
       ELEMENT.attribute("step", Type.number(Range.POSITIVE_TIME), 1.0).quiet();
   public static final Property<Scenario, Occlusion> OCCLUSION =
       ELEMENT.attribute("occlusion", Type.choice(Occlusion.class), Occlusion.NONE).quiet();
+  public static final Property<Scenario, Seen> SEEN =
+      ELEMENT.optional("seen", Type.choice(Seen.class));
+  public static final Property<Scenario, Foreshortening> FORESHORTENING =
+      ELEMENT
+          .attribute("foreshortening", Type.choice(Foreshortening.class), Foreshortening.NONE)
+          .quiet();
   public static final Property<Scenario, ChannelModel> CHANNEL =
       ELEMENT
           .attribute(
@@ -331,6 +341,31 @@ shows, m (ours) | the field's borders
 
   private Scenario withEvents(UnaryOperator<ScenarioEvent> change) {
     return with(EVENTS, events().stream().map(change).toList());
+  }
+
+  /** Whether it says anything of heights; else its world is flat. */
+  public boolean hasHeights() {
+    return find(SEEN).isPresent()
+        || get(FORESHORTENING) != Foreshortening.NONE
+        || !obstacles().stream().allMatch(Obstacle::full)
+        || everyCamera().anyMatch(CameraSpec::hasHeights)
+        || everyTarget().anyMatch(target -> target.seen().isPresent());
+  }
+
+  /** The same scenario without heights: obstacles that stand hide everything, others are gone. */
+  public Scenario flat() {
+    return without(SEEN)
+        .with(FORESHORTENING, Foreshortening.NONE)
+        .with(
+            OBSTACLES,
+            obstacles().stream().filter(one -> one.base() == 0).map(Obstacle::flat).toList())
+        .withCameras(CameraSpec::flat)
+        .withTargets(target -> target.without(TargetSpec.SEEN));
+  }
+
+  /** How high a camera is, metres; NaN in a flat world. */
+  public double z(CameraSpec camera) {
+    return hasHeights() ? camera.z().orElse(mountHeight().orElse(0)) : Double.NaN;
   }
 
   /** The same scenario with another rule of detection; its threshold goes with the old one. */

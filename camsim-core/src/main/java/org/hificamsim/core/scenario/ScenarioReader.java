@@ -257,7 +257,8 @@ public final class ScenarioReader {
     Clearing clearing = new Clearing(scenario.obstacles(), warnings);
     Map<String, OpticsSpec> optics =
         new OpticsReader(warnings).all(all(OpticsSpec.ELEMENT), faults);
-    CameraReader cameraReader = new CameraReader(field, clearing, optics, agents, warnings);
+    CameraReader cameraReader =
+        new CameraReader(field, scenario.mountHeight(), clearing, optics, agents, warnings);
     TargetReader targetReader = new TargetReader(field, clearing, hasZooms(), movements, warnings);
     EventReader eventReader = new EventReader(cameraReader, targetReader, warnings);
     List<CameraSpec> cameras =

@@ -3,6 +3,7 @@ package org.hificamsim.core.scenario;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.hificamsim.core.detection.Seen;
 
 /** A target as the scenario gives it, and how it moves. */
 public final class TargetSpec extends Spec<TargetSpec> {
@@ -47,6 +48,8 @@ public final class TargetSpec extends Spec<TargetSpec> {
               size: edge of its bounding box, m, above 0 (ours)
               width, height: in place of `size`, both, m, above 0 (ours): its size is the root of \
               their product, and its width is what hides others
+              seen: what of it has to be [seen](world.md#heights): `feet`, `head`, `whole` (ours) \
+              | the scenario's
               mean, std: mean and standard deviation of a Brownian step, in x and y, m
               """)
           .holds("(waypoint, waypoint+)?");
@@ -68,6 +71,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
   static final Property<TargetSpec, Double> WIDTH = ELEMENT.optional("width", Type.POSITIVE_LENGTH);
   static final Property<TargetSpec, Double> HEIGHT =
       ELEMENT.optional("height", Type.POSITIVE_LENGTH);
+  static final Property<TargetSpec, Seen> SEEN = ELEMENT.optional("seen", Type.choice(Seen.class));
   public static final Property<TargetSpec, Double> MEAN =
       ELEMENT.attribute("mean", Type.COORDINATE, 0.0);
   public static final Property<TargetSpec, Double> STD = ELEMENT.attribute("std", Type.LENGTH, 1.0);
@@ -81,7 +85,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
           .like(
               "object_with_waypoints",
               "A target on a path, which starts on its first waypoint.",
-              List.of(FEATURES, SPEED, SIZE, WIDTH, HEIGHT))
+              List.of(FEATURES, SPEED, SIZE, WIDTH, HEIGHT, SEEN))
           .holds("waypoint, waypoint+");
 
   /** A target that an event adds. */
@@ -101,6 +105,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
                   SIZE,
                   WIDTH,
                   HEIGHT,
+                  SEEN,
                   MEAN,
                   STD))
           .holds(ELEMENT.content());
@@ -170,6 +175,16 @@ public final class TargetSpec extends Spec<TargetSpec> {
   /** How wide it is, seen from above, metres. */
   public double width() {
     return find(WIDTH).orElseGet(this::size);
+  }
+
+  /** How high it is, metres. */
+  public double height() {
+    return find(HEIGHT).orElseGet(this::size);
+  }
+
+  /** What of it has to be seen, where the file says it of this target. */
+  public Optional<Seen> seen() {
+    return find(SEEN);
   }
 
   /** The same target with another size, metres. */

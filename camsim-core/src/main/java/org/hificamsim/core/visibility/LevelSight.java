@@ -1,11 +1,13 @@
 package org.hificamsim.core.visibility;
 
+import java.util.Optional;
 import org.hificamsim.core.detection.ChanceTable;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DistanceTable;
 import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
@@ -27,7 +29,9 @@ public final class LevelSight {
   private final Detection detection;
   private final DetectionModel model;
   private final ZoomLevel zoom;
+  private final Body body;
   private final double size;
+  private final Footprint footprint; // null where nothing limits the view up and down
   private final boolean asInCamSim;
   private final boolean certain;
   private final boolean byDistance;
@@ -41,12 +45,19 @@ public final class LevelSight {
   private final ChanceTable chances; // null where the model is asked, or distances decide
   private DistanceTable values; // made when first asked for
 
-  LevelSight(Detection detection, boolean asInCamSim, ZoomLevel zoom, double size) {
-    this.detection = detection;
+  LevelSight(Detection planar, boolean asInCamSim, ZoomLevel zoom, Body body) {
+    VerticalView vertical = zoom.vertical();
+    this.detection =
+        vertical.flat()
+            ? planar
+            : planar.inSpace(vertical.z() - body.middle(), body.foreshortened());
     this.model = detection.model();
+    this.body = body;
+    this.size = body.size();
+    this.footprint =
+        Double.isNaN(vertical.angle()) ? null : Footprint.of(zoom, body.low(), body.high());
     this.asInCamSim = asInCamSim;
     this.zoom = zoom;
-    this.size = size;
     this.certain = detection.certain();
     this.byDistance = certain && !model.dependsOnBearing();
     this.allRound = zoom.allRound();
@@ -63,9 +74,24 @@ public final class LevelSight {
     this.chances = byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
   }
 
-  /** Whether this is the level's, for targets of a size. */
+  /** Whether this is the level's, for targets of a size in a flat world. */
   public boolean isOf(ZoomLevel level, double targetSize) {
     return zoom.equals(level) && size == targetSize;
+  }
+
+  /** What of targets has to be seen. */
+  public Body body() {
+    return body;
+  }
+
+  /** Where targets stand that are in the picture; empty where no upper and lower edge limit it. */
+  public Optional<Footprint> footprint() {
+    return Optional.ofNullable(footprint);
+  }
+
+  /** Whether no target is detected, wherever it stands. */
+  public boolean isBlind() {
+    return farthest < 0 || (footprint != null && footprint.isEmpty(reach()));
   }
 
   /** Whether distance and angle alone decide where nothing stands in between. */
@@ -96,7 +122,7 @@ public final class LevelSight {
    * one, wherever both stand; they look the same way, and nothing is half transparent.
    */
   public boolean includes(LevelSight other) {
-    return byDistance
+    return byDistance && footprint == null
         ? zoom.viewingAngle() >= other.zoom.viewingAngle() && distances.includes(other.distances)
         : zoom.equals(other.zoom);
   }
@@ -106,8 +132,11 @@ public final class LevelSight {
     return single ? squared <= farthest : distances.contains(squared);
   }
 
-  /** Whether a point is within the opening angle. */
+  /** Whether a point is within the opening angle; of a lens with a height, in its picture. */
   public boolean isInAngle(Pose camera, double x, double y) {
+    if (footprint != null) {
+      return footprint.contains(camera.along(x, y), camera.aside(x, y));
+    }
     if (allRound || !asInCamSim) {
       return allRound || camera.isInSector(cosine, x, y);
     }

@@ -48,6 +48,11 @@ public record Pose(double x, double y, double heading, double headingX, double h
     return dx * headingX + dy * headingY;
   }
 
+  /** How far to the right of the pose a point is, metres; below 0 to its left. */
+  double aside(double atX, double atY) {
+    return (atX - x) * headingY - (atY - y) * headingX;
+  }
+
   /** The cosine of {@link #offAxis}, as computed; NaN for the pose's own position. */
   public double cosine(double atX, double atY) {
     double dx = atX - x;

@@ -12,7 +12,8 @@ import org.hificamsim.core.detection.ZoomLevel;
  *
  * <ol>
  *   <li>Reach: the target is not farther away than the zoom level's radius.
- *   <li>Angle: it is {@linkplain LevelSight#isInAngle within the opening angle}.
+ *   <li>Angle: it is {@linkplain LevelSight#isInAngle within the opening angle}; where cameras have
+ *       heights, what has to be seen of it is in the lens's {@linkplain Footprint picture}.
  *   <li>Line of sight: what is in between lets something of the target through.
  *   <li>Confidence: the detection model's {@linkplain LevelSight#value value}.
  *   <li>Rule: the value, as much of it as gets through, is the threshold or more; or the
@@ -29,7 +30,7 @@ public final class Visibility {
   private final Luck luck;
   private final Map<Kind, LevelSight> levels = new ConcurrentHashMap<>();
 
-  private record Kind(ZoomLevel zoom, double size) {}
+  private record Kind(ZoomLevel zoom, Body body) {}
 
   private Visibility(Detection detection, boolean asInCamSim, long seed) {
     this.detection = detection;
@@ -70,13 +71,18 @@ public final class Visibility {
   }
 
   /**
-   * What a camera sees of targets of one size at a zoom level; found once for all that ask.
+   * The same as {@link #at(ZoomLevel, Body)} in a flat world.
    *
    * @param size of the targets, metres
    */
   public LevelSight at(ZoomLevel zoom, double size) {
+    return at(zoom, Body.flat(size));
+  }
+
+  /** What a camera sees of targets of one kind at a zoom level; found once for all that ask. */
+  public LevelSight at(ZoomLevel zoom, Body body) {
     return levels.computeIfAbsent(
-        new Kind(zoom, size), kind -> new LevelSight(detection, asInCamSim, zoom, size));
+        new Kind(zoom, body), kind -> new LevelSight(detection, asInCamSim, zoom, body));
   }
 
   /**

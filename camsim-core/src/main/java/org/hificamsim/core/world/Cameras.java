@@ -226,6 +226,16 @@ public final class Cameras {
         : mounts[camera].set().pan(ofView);
   }
 
+  /** Radians below the horizon, in one of the views. */
+  public double tilt(int camera, int ofView) {
+    return mounts[camera].set().tilt(ofView);
+  }
+
+  /** Height of the lens, metres; NaN in a flat world. */
+  public double z(int camera) {
+    return mounts[camera].zoom(0).vertical().z();
+  }
+
   /** Changes whenever a camera is added, moved, refitted or switched off. */
   public int revision() {
     return revision;

@@ -10,6 +10,7 @@ final class Motion {
   private final ViewSet[] views;
   private final double stepTime;
   private final double[] pan;
+  private final double[] tilt;
   private final double[] zoom;
   private final boolean[] moving;
   private final int[]
@@ -23,6 +24,7 @@ final class Motion {
     this.views = views;
     this.stepTime = stepTime;
     pan = new double[views.length];
+    tilt = new double[views.length];
     zoom = new double[views.length];
     moving = new boolean[views.length];
     passing = new int[views.length];
@@ -35,6 +37,7 @@ final class Motion {
   /** Puts a camera into a view at once. */
   void arrive(int camera, int view) {
     pan[camera] = views[camera].pan(view);
+    tilt[camera] = views[camera].tilt(view);
     zoom[camera] = views[camera].zoomOf(view);
     moving[camera] = false;
   }
@@ -56,9 +59,12 @@ final class Motion {
     ViewSet set = views[camera];
     moving[camera] = true;
     pan[camera] = towards(pan[camera], set.pan(goal), set.panSpeed() * stepTime);
+    tilt[camera] = towards(tilt[camera], set.tilt(goal), set.panSpeed() * stepTime);
     zoom[camera] = towards(zoom[camera], set.zoomOf(goal), set.zoomSpeed() * stepTime);
     passing[camera] =
-        set.moving() == Moving.BLIND ? Cameras.NO_VIEW : set.nearest(pan[camera], zoom[camera]);
+        set.moving() == Moving.BLIND
+            ? Cameras.NO_VIEW
+            : set.nearest(pan[camera], tilt[camera], zoom[camera]);
   }
 
   private static double towards(double from, double to, double most) {
@@ -70,13 +76,15 @@ final class Motion {
   boolean reaches(int camera, int view) {
     ViewSet set = views[camera];
     return isWithin(set.pan(view) - pan[camera], set.panSpeed())
+        && isWithin(set.tilt(view) - tilt[camera], set.panSpeed())
         && isWithin(set.zoomOf(view) - zoom[camera], set.zoomSpeed());
   }
 
   /** How many steps a camera moves towards a view before the one in which it comes to it. */
   int stepsTo(int camera, int view) {
     ViewSet set = views[camera];
-    double turning = Math.abs(set.pan(view) - pan[camera]) / set.panSpeed();
+    double panning = Math.abs(set.pan(view) - pan[camera]);
+    double turning = Math.max(panning, Math.abs(set.tilt(view) - tilt[camera])) / set.panSpeed();
     double zooming = Math.abs(set.zoomOf(view) - zoom[camera]) / set.zoomSpeed();
     return (int) Math.max(0, Math.ceil(Math.max(turning, zooming) / stepTime / (1 + 1e-6)) - 1);
   }

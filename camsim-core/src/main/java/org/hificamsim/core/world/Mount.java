@@ -1,6 +1,7 @@
 package org.hificamsim.core.world;
 
 import java.util.Arrays;
+import java.util.function.ToIntFunction;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.visibility.Pose;
 
@@ -16,12 +17,15 @@ final class Mount {
   private final Pose[] poses; // likewise
 
   /**
-   * @param numbers of the zoom levels
+   * @param number of a zoom level
    */
-  Mount(Pose pose, ViewSet set, int[] numbers) {
+  Mount(Pose pose, ViewSet set, ToIntFunction<ZoomLevel> number) {
     this(pose, set, new ZoomLevel[set.count()], new int[set.count()]);
-    Arrays.setAll(zooms, set::zoom);
-    Arrays.setAll(zoomNumbers, view -> numbers[set.zoomOf(view)]);
+    int each = set.tilts().size() * set.zooms().size(); // the same at each pan angle
+    for (int view = 0; view < zooms.length; view++) {
+      zooms[view] = view < each ? set.zoom(view) : zooms[view - each];
+      zoomNumbers[view] = view < each ? number.applyAsInt(zooms[view]) : zoomNumbers[view - each];
+    }
   }
 
   private Mount(Pose pose, ViewSet set, ZoomLevel[] zooms, int[] zoomNumbers) {

@@ -1,8 +1,11 @@
 package org.hificamsim.core.world;
 
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
+import org.hificamsim.core.scenario.Foreshortening;
 import org.hificamsim.core.scenario.Occlusion;
+import org.hificamsim.core.scenario.Scenario;
 
 /**
  * What stands between cameras and targets: obstacles, seen from where each camera stands, and other
@@ -11,6 +14,8 @@ import org.hificamsim.core.scenario.Occlusion;
  */
 public final class SightLines {
   private final Obstacles obstacles;
+  private final Scenario scenario;
+  private final boolean flat;
   private final boolean byTargets;
   private final Cameras cameras;
   private final Targets targets;
@@ -18,9 +23,11 @@ public final class SightLines {
   private final boolean partial;
   private int revision = -1;
 
-  SightLines(Obstacles obstacles, Occlusion occlusion, Cameras cameras, Targets targets) {
+  SightLines(Obstacles obstacles, Scenario scenario, Cameras cameras, Targets targets) {
     this.obstacles = obstacles;
-    this.byTargets = occlusion == Occlusion.TARGETS;
+    this.scenario = scenario;
+    this.flat = !scenario.hasHeights();
+    this.byTargets = scenario.occlusion() == Occlusion.TARGETS;
     this.cameras = cameras;
     this.targets = targets;
     this.regions = new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()];
@@ -50,6 +57,11 @@ public final class SightLines {
     return obstacles;
   }
 
+  /** Whether no camera has a height. */
+  public boolean flat() {
+    return flat;
+  }
+
   /** Whether nothing ever stands in between. */
   public boolean open() {
     return regions.length == 0 && !byTargets;
@@ -65,14 +77,31 @@ public final class SightLines {
    * between.
    */
   public double transmittance(int camera, int target) {
-    double through =
-        regions.length == 0
-            ? 1
-            : regions[camera].transmittance(targets.x(target), targets.y(target));
-    return byTargets
-            && through > 0
-            && targets.isHidden(target, cameras.x(camera), cameras.y(camera))
-        ? 0
-        : through;
+    double through = regions.length == 0 ? 1 : through(camera, target);
+    return byTargets && through > 0 && isHidden(camera, target) ? 0 : through;
+  }
+
+  private double through(int camera, int target) {
+    double x = targets.x(target);
+    double y = targets.y(target);
+    return flat
+        ? regions[camera].transmittance(x, y)
+        : regions[camera].transmittance(
+            x, y, cameras.z(camera), targets.low(target), targets.high(target));
+  }
+
+  private boolean isHidden(int camera, int target) {
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    return flat
+        ? targets.isHidden(target, x, y)
+        : targets.isHidden(target, x, y, cameras.z(camera));
+  }
+
+  /** Says what has to be seen of targets where the scenario does not. */
+  public void require(Seen usual) {
+    targets.require(
+        scenario.find(Scenario.SEEN).orElse(usual),
+        scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE);
   }
 }

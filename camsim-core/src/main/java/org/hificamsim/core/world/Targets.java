@@ -1,10 +1,13 @@
 package org.hificamsim.core.world;
 
 import java.util.Random;
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.TargetOcclusion;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.visibility.Body;
 
 /**
  * The targets' state, one array a quantity, sized once for all targets that will ever appear.
@@ -21,9 +24,13 @@ public final class Targets {
   private final double[] speed;
   private final double[] size;
   private final double[] width;
+  private final double[] height;
+  private final Seen[] seen; // null for what counts for all
   private final double[] radius; // of what hides others: 0 where the target is not present
   private final boolean[] present;
   private final boolean movesFirst;
+  private Seen usual = Seen.WHOLE;
+  private boolean foreshortened;
 
   Targets(Field field, Obstacles obstacles, StepOrder order, int count) {
     movesFirst = order == StepOrder.CAMSIM;
@@ -36,15 +43,19 @@ public final class Targets {
     speed = new double[count];
     size = new double[count];
     width = new double[count];
+    height = new double[count];
+    seen = new Seen[count];
     radius = new double[count];
     present = new boolean[count];
   }
 
   /** Not there yet. */
-  void define(int target, String name, double itsSize, double itsWidth) {
-    names[target] = name;
-    size[target] = itsSize;
-    width[target] = itsWidth;
+  void define(int target, TargetSpec spec) {
+    names[target] = spec.name();
+    size[target] = spec.size();
+    width[target] = spec.width();
+    height[target] = spec.height();
+    seen[target] = spec.seen().orElse(null);
     disappear(target);
     x[target] = 0;
     y[target] = 0;
@@ -109,6 +120,37 @@ public final class Targets {
   /** How wide it is, seen from above, metres. */
   public double width(int target) {
     return width[target];
+  }
+
+  /** Says what has to be seen of targets that say nothing. */
+  void require(Seen usual, boolean foreshortened) {
+    this.usual = usual;
+    this.foreshortened = foreshortened;
+  }
+
+  private Seen seen(int target) {
+    return seen[target] == null ? usual : seen[target];
+  }
+
+  /** The least height that has to be seen of the target, metres. */
+  public double low(int target) {
+    return seen(target).low(height[target]);
+  }
+
+  /** The greatest, metres. */
+  public double high(int target) {
+    return seen(target).high(height[target]);
+  }
+
+  /** What of the target a camera with a height has to see. */
+  public Body body(int target) {
+    return new Body(size[target], low(target), high(target), foreshortened);
+  }
+
+  /** The same from a height. */
+  boolean isHidden(int target, double fromX, double fromY, double fromZ) {
+    return TargetOcclusion.hidden(
+        fromX, fromY, fromZ, target, x, y, radius, height, low(target), high(target));
   }
 
   /** Whether another target hides this one from a point. */

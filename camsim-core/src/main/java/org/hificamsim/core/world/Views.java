@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
@@ -22,14 +23,17 @@ final class Views {
   private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
 
   /** All that views depend on: what {@link #make} reads of a camera has to be here. */
-  private record Kind(double range, double viewingAngle, Optional<OpticsSpec> optics) {}
+  private record Kind(
+      double range, double viewingAngle, Optional<OpticsSpec> optics, VerticalView mounted) {}
 
   private final Scenario scenario;
+  private final boolean flat;
   private final Map<Kind, ViewSet> made = new ConcurrentHashMap<>();
   private final Map<ZoomLevel, Integer> numbers = new HashMap<>();
 
   Views(Scenario scenario) {
     this.scenario = scenario;
+    this.flat = !scenario.hasHeights();
   }
 
   /** CamSim's rule for the range of a camera that is created (behaviour 6.3). */
@@ -52,7 +56,9 @@ final class Views {
    */
   ViewSet of(double range, double viewingAngle, CameraSpec camera) {
     double own = scenario.inCoverageDialect() ? 0 : range;
-    return made.computeIfAbsent(new Kind(own, viewingAngle, camera.optics()), this::make);
+    double z = flat ? Double.NaN : scenario.z(camera);
+    VerticalView mounted = new VerticalView(z, Math.toRadians(camera.tilt()), Double.NaN);
+    return made.computeIfAbsent(new Kind(own, viewingAngle, camera.optics(), mounted), this::make);
   }
 
   /** How a camera is mounted as the scenario gives it. */
@@ -62,7 +68,7 @@ final class Views {
 
   /** A camera with these views. */
   Mount mount(Pose pose, ViewSet set) {
-    return new Mount(pose, set, set.zooms().stream().mapToInt(this::number).toArray());
+    return new Mount(pose, set, this::number);
   }
 
   /** Equal zoom levels have one number, whichever cameras have them. */
@@ -82,7 +88,8 @@ final class Views {
         ? ViewSet.ofLens(
             optics,
             Math.hypot(scenario.field().width(), scenario.field().height()),
-            scenario.mountHeight().orElse(Double.NaN))
+            scenario.mountHeight().orElse(Double.NaN),
+            kind.mounted)
         : ViewSet.of(optics, round(kind, optics.pixels().orElse(0)));
   }
 
@@ -95,7 +102,14 @@ final class Views {
         .map(
             radius ->
                 new ZoomLevel(
-                    radius, narrowest, widest, height, kind.viewingAngle, Double.NaN, pixels))
+                    radius,
+                    narrowest,
+                    widest,
+                    height,
+                    kind.viewingAngle,
+                    Double.NaN,
+                    pixels,
+                    kind.mounted))
         .toList();
   }
 }

@@ -50,7 +50,7 @@ public final class World {
     targets = new Targets(scenario.field(), obstacles, scenario.order(), count);
     movements = new Movement[count];
     start();
-    sightLines = new SightLines(obstacles, scenario.occlusion(), cameras, targets);
+    sightLines = new SightLines(obstacles, scenario, cameras, targets);
   }
 
   /**
@@ -260,7 +260,7 @@ public final class World {
     cameras.startMotion(scenario().stepTime());
     for (int target = 0; target < movements.length; target++) {
       TargetSpec spec = targetSpec(target);
-      targets.define(target, spec.name(), spec.size(), spec.width());
+      targets.define(target, spec);
       movements[target] = registry.create(movementName(spec));
     }
   }

@@ -165,7 +165,12 @@ class WorldElementsTest {
         "hfov='5' moving='shut'|<optics> moving is 'shut', expected one of blind, sees",
         "focal_length='0.05'|<optics> has no sensor_width, expected",
         "focal_length='0.05' hfov='5'|expected none together with focal_length",
-        "hfov='0.1:100:0.1' pan='0:100:0.5'|at most 10000 views"
+        "hfov='0.1:100:0.1' pan='0:100:0.5'|at most 10000 views",
+        "hfov='5 50' vfov='4'|<optics> vfov is '4', expected one for each level, 2",
+        "hfov='5' vfov='4' aspect='1'|<optics> aspect is '1', expected none together with vfov",
+        "hfov='5' aspect='0'|<optics> aspect is '0', expected a number above 0",
+        "law='constant-area' hfov='5' reach='9' tilt='0 10'|expected none with law",
+        "hfov='5' tilt='80 100'|<camera> has no tilt, expected with each tilt of its optics"
       })
   void opticsThatMakeNoSenseAreRefused(String attributes, String message) {
     assertRefused(
@@ -188,12 +193,80 @@ class WorldElementsTest {
         "<polygon points='1;5 2,5 3,6'/>|<polygon> points is '1;5 2,5 3,6', expected corners",
         "<pillar x='1' y='2' radius='1'/>|expected a place off all obstacles; (1.0, 2.0) is in or"
             + " on",
-        "<wall x1='0' y1='2' x2='2' y2='2'/>|expected a place off all obstacles"
+        "<wall x1='0' y1='2' x2='2' y2='2'/>|expected a place off all obstacles",
+        "<wall x1='1' y1='5' x2='1' y2='6' base='2' height='1'/>|base is 2.0 and height 1.0",
+        "<wall x1='1' y1='5' x2='1' y2='6' height='0'/>|<wall> height is '0', expected a number"
+            + " above 0"
       })
   void obstaclesThatMakeNoSenseAreRefused(String obstacle, String message) {
     assertRefused(
         "<obstacles>" + obstacle + "</obstacles><cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT,
         message);
+  }
+
+  @Test
+  void heightsAreRead() throws IOException {
+    String world =
+        "<obstacles><wall x1='1' y1='3' x2='3' y2='4' height='1.8'/>"
+            + "<pillar x='1' y='2' radius='0.5' base='3.5'/></obstacles><cameras>"
+            + PTZ.replace("pan=", "aspect='1.5' tilt='-10:20:10' pan=")
+            + CAMERA.replace("optics", "z='3' tilt='15' optics")
+            + "</cameras>"
+            + OBJECT.replace("speed", "seen='head' width='0.5' height='1.7' speed");
+    Scenario scenario = read("seen='feet' foreshortening='cosine'", world);
+    assertTrue(scenario.hasHeights());
+    CameraSpec camera = scenario.cameras().get(0);
+    assertEquals(3, scenario.z(camera));
+    assertEquals(15, camera.tilt());
+    OpticsSpec optics = camera.optics().orElseThrow();
+    assertEquals(List.of(-10.0, 0.0, 10.0, 20.0), optics.tilts());
+    double upright = 2 * Math.toDegrees(Math.atan(Math.tan(Math.toRadians(29)) / 1.5));
+    assertEquals(upright, optics.verticalAngles().get(4), 1e-12);
+    assertEquals(1.8, scenario.obstacles().get(0).height());
+    Path written = folder.resolve("test.xml");
+    Files.writeString(written, ScenarioWriter.write(scenario));
+    assertEquals(scenario, ScenarioReader.read(written, name -> true, AgentCheck.NONE, w -> {}));
+    assertTrue(!scenario.flat().hasHeights());
+    assertEquals(1, scenario.flat().obstacles().size(), "nobody looks at what is overhead");
+  }
+
+  @Test
+  void theMountHeightIsTheHeightOfCamerasThatSayNone() {
+    String camera = "<cameras>" + PTZ + CAMERA.replace("optics", "tilt='9' optics") + "</cameras>";
+    Scenario scenario = read("mount_height='4'", camera + OBJECT);
+    assertEquals(4, scenario.z(scenario.cameras().get(0)));
+    InputException error =
+        assertThrows(
+            InputException.class,
+            () -> read("mount_height='4'", camera.replace("tilt", "z='3' tilt") + OBJECT));
+    assertTrue(
+        error.getMessage().contains("z is '3', expected the scenario's mount_height, 4.0, or none"),
+        error::getMessage);
+  }
+
+  @Test
+  void aTiltWithoutALensIsRefused() {
+    assertRefused(
+        "<cameras><camera name='a' x='1' y='2' heading='3' tilt='5' range='4'"
+            + " viewing_angle='9'/></cameras>"
+            + OBJECT,
+        "<camera> tilt is '5', expected none without optics that have law=\"pinhole\"");
+  }
+
+  @Test
+  void aCameraAboveAShelfStandsFree() {
+    String above = CAMERA.replace("optics", "z='3' optics");
+    String shelf = "<obstacles><pillar x='1' y='2' radius='0.5' height='2'/></obstacles>";
+    String object = OBJECT.replace("x='1'", "x='4'");
+    assertTrue(read(shelf + "<cameras>" + PTZ + above + "</cameras>" + object).hasHeights());
+    assertRefused(
+        shelf
+            + "<cameras>"
+            + PTZ
+            + above.replace("'3' optics", "'2' optics")
+            + "</cameras>"
+            + object,
+        "expected a place off all obstacles");
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.hificamsim.agents.cooperative;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.visibility.Body;
 
 /**
  * What cameras would see by the map that they have of the site: exact sight, past the obstacles
@@ -39,7 +40,9 @@ final class SiteSight {
   /** As {@link NetworkView#chancesAt}, past the obstacles of the map. */
   boolean chances(
       NetworkView network, int camera, double x, double y, double size, double[] chances) {
-    double through = regions[camera].transmittance(x, y);
+    double z = network.zoom(camera, 0).vertical().z();
+    Body body = network.body(size);
+    double through = regions[camera].transmittance(x, y, z, body.low(), body.high());
     return through > 0 && network.chancesAt(camera, x, y, size, through, chances);
   }
 

@@ -2,6 +2,7 @@ package org.hificamsim.hifi.density;
 
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
@@ -125,6 +126,11 @@ public final class DensityDetections {
     public double defaultThreshold() {
       return 1;
     }
+
+    @Override
+    public Seen seen() {
+      return demanded >= Dori.RECOGNISE.pixelsPerMetre ? Seen.HEAD : Seen.WHOLE;
+    }
   }
 
   /**
@@ -139,6 +145,11 @@ public final class DensityDetections {
     @Override
     public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
       return probability(size * density(zoom, optics, distance) / 2 / halfCycles);
+    }
+
+    @Override
+    public Seen seen() {
+      return halfCycles >= AcquisitionTask.RECOGNISE.cycles ? Seen.HEAD : Seen.WHOLE;
     }
   }
 

@@ -2,9 +2,11 @@ package org.hificamsim.runs.heat;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
@@ -86,7 +88,9 @@ final class ViewCells {
       regions[camera] = VisibleRegion.of(obstacles, cameraX, cameraY);
     }
     VisibleRegion region = regions[camera]; // null where there are no obstacles
-    LevelSight sight = visibility.at(network.zoom(camera, view), size);
+    ZoomLevel zoom = network.zoom(camera, view);
+    Body body = network.body(size);
+    LevelSight sight = visibility.at(zoom, body);
     double reach = sight.reach();
     int left = cells.column(pose.x() - reach);
     int right = cells.column(pose.x() + reach);
@@ -99,7 +103,10 @@ final class ViewCells {
         int cell = row * cells.columns() + column;
         double x = cells.x(cell);
         double y = cells.y(cell);
-        double through = region == null ? 1 : region.transmittance(x, y);
+        double through =
+            region == null
+                ? 1
+                : region.transmittance(x, y, zoom.vertical().z(), body.low(), body.high());
         double chance = through == 0 ? 0 : sight.chance(pose, x, y, through);
         numbers[count] = cell;
         chances[count] = chance;

@@ -31,4 +31,9 @@ public final class CamSimRangeDetection implements DetectionModel {
   public double defaultThreshold() {
     return THRESHOLD;
   }
+
+  @Override
+  public boolean flat() {
+    return true;
+  }
 }

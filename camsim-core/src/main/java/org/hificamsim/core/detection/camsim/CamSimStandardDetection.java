@@ -22,4 +22,9 @@ public final class CamSimStandardDetection implements DetectionModel {
   public double defaultThreshold() {
     return CamSimRangeDetection.THRESHOLD;
   }
+
+  @Override
+  public boolean flat() {
+    return true;
+  }
 }

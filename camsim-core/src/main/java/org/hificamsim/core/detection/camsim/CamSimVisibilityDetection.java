@@ -47,4 +47,9 @@ public final class CamSimVisibilityDetection implements DetectionModel {
   public double reported(double value) {
     return value;
   }
+
+  @Override
+  public boolean flat() {
+    return true;
+  }
 }
