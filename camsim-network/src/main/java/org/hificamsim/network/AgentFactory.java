@@ -53,6 +53,12 @@ final class AgentFactory {
   }
 
   private void readRoles() {
+    int strategies = settings.strategies().size();
+    if (strategies > Math.max(1, fromFile)) {
+      throw new InputException(
+          "there are %d strategies, expected one, or one for each of the %d cameras"
+              .formatted(strategies, fromFile));
+    }
     RoleReader reader = new RoleReader(settings, world.scenario().inCoverageDialect());
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       String name = world.cameras().name(camera);

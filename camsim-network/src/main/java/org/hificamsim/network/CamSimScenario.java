@@ -109,11 +109,12 @@ public final class CamSimScenario {
   private static void warnAboutDefaults(
       Path file, Scenario scenario, NetworkSettings settings, PrintWriter err) {
     List<String> missing = new ArrayList<>();
-    if (settings.schedule().isEmpty()
+    boolean named = !settings.strategies().isEmpty();
+    if (!named && settings.schedule().isEmpty()
         && lacks(scenario, camera -> camera.find(CameraSpec.ALGORITHM).isEmpty())) {
       missing.add("ai_algorithm, taken as Active");
     }
-    if (settings.comm().isEmpty()
+    if (!named && settings.comm().isEmpty()
         && lacks(scenario, camera -> camera.find(CameraSpec.COMM).isEmpty())) {
       missing.add("comm, taken as 0");
     }

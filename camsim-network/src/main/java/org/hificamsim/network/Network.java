@@ -7,6 +7,7 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
@@ -52,6 +53,7 @@ public final class Network implements Cooperation, WorldObserver {
   private int appeared;
   private long step;
   private StepFigures last;
+  private StepFigures total = StepFigures.NONE;
 
   /**
    * The network at its start; it listens to the events of the world from now on. Its random streams
@@ -135,6 +137,7 @@ public final class Network implements Cooperation, WorldObserver {
       }
     }
     last = tally.end(step++);
+    total = total.plus(last);
   }
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
@@ -172,6 +175,24 @@ public final class Network implements Cooperation, WorldObserver {
   /** How many bits all messages had that were sent so far. */
   public long bits() {
     return queue.bits();
+  }
+
+  /** What the steps so far add up to. */
+  public StepFigures total() {
+    return total;
+  }
+
+  @Override
+  public NetworkSums sums() {
+    return new NetworkSums(
+        total.utility(),
+        total.communication(),
+        bits(),
+        total.attempts(),
+        total.handovers(),
+        total.overlap(),
+        total.confidence(),
+        total.proportion());
   }
 
   /** The figures of the last step. */

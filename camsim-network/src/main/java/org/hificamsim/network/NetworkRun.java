@@ -27,7 +27,6 @@ public final class NetworkRun {
   private final ZoomPolicy policy;
   private final long seed;
   private final List<StepListener> listeners = new ArrayList<>();
-  private StepFigures sums = StepFigures.NONE;
   private Simulation simulation;
 
   /**
@@ -49,7 +48,6 @@ public final class NetworkRun {
     this.seed = seed;
     world = new World(scenario, movements, seed);
     network = new Network(world, detection, settings, seed);
-    listen((view, coverage) -> sums = sums.plus(network.figures()));
   }
 
   /** The first run of a plan. */
@@ -77,13 +75,13 @@ public final class NetworkRun {
 
   /** What the steps so far add up to. */
   public StepFigures sums() {
-    return sums;
+    return network.total();
   }
 
   /** What the cameras sent: of messages StartSearch alone, as CamSim counts; the bits of all. */
   public Traffic traffic() {
     long bits = network.bits() + policy.bits();
-    return new Traffic(sums.communication(), bits, 0).over(simulation().network().channel());
+    return new Traffic(sums().communication(), bits, 0).over(simulation().network().channel());
   }
 
   /** The loop over the steps; who is to watch them has been named before. */
@@ -98,6 +96,6 @@ public final class NetworkRun {
   /** Runs this many steps; returns what they add up to. */
   public StepFigures run(long steps) {
     simulation().run(steps);
-    return sums;
+    return sums();
   }
 }

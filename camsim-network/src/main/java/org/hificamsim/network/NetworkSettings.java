@@ -2,6 +2,7 @@ package org.hificamsim.network;
 
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.core.scenario.AgentCheck;
@@ -13,6 +14,8 @@ import org.hificamsim.network.bandit.BanditParameters;
 /**
  * How a scenario's network is run, apart from what the scenario itself says (behaviour 12.1).
  *
+ * @param strategies of all cameras of the file: one for all, or one for each; where it is empty,
+ *     schedule and comm
  * @param schedule for all cameras of the file; else what each camera asks for
  * @param comm policy for all cameras of the file; else what each camera asks for
  * @param bandit for all cameras; else what each camera asks for
@@ -21,6 +24,7 @@ import org.hificamsim.network.bandit.BanditParameters;
  * @param quirks those that are reproduced
  */
 public record NetworkSettings(
+    List<Strategy> strategies,
     Optional<ScheduleKind> schedule,
     Optional<Comm> comm,
     Optional<BanditAlgorithm> bandit,
@@ -57,6 +61,7 @@ public record NetworkSettings(
   /** CamSim's own defaults, and all its quirks. */
   public static final NetworkSettings CAMSIM =
       new NetworkSettings(
+          List.of(),
           Optional.empty(),
           Optional.empty(),
           Optional.empty(),
@@ -72,6 +77,7 @@ public record NetworkSettings(
 
   /** Copies what could change. */
   public NetworkSettings {
+    strategies = List.copyOf(strategies);
     quirks = Set.copyOf(quirks);
   }
 
@@ -85,18 +91,19 @@ public record NetworkSettings(
     return new RoleReader(this, false)::read;
   }
 
+  /**
+   * What a camera of the file does, if the settings say so.
+   *
+   * @param camera its place in the file
+   */
+  Optional<Strategy> strategy(int camera) {
+    int place = strategies.size() == 1 ? 0 : camera;
+    return strategies.stream().skip(place).findFirst();
+  }
+
   /** The same settings with these quirks, and no others. */
   public NetworkSettings withQuirks(Set<Quirk> newQuirks) {
-    return new NetworkSettings(
-        schedule,
-        comm,
-        bandit,
-        graph,
-        errorLevel,
-        resetLevel,
-        banditParameters,
-        historicalParameters,
-        newQuirks);
+    return with(strategies, schedule, comm, bandit, banditParameters, newQuirks);
   }
 
   /**
@@ -105,15 +112,49 @@ public record NetworkSettings(
    * @param number of the policy, 0 to 3
    */
   public NetworkSettings withAll(ScheduleKind newSchedule, int number) {
-    return new NetworkSettings(
+    return with(
+        List.of(),
         Optional.of(newSchedule),
         Comm.of(number, Optional.empty()),
         bandit,
+        banditParameters,
+        quirks);
+  }
+
+  /** The same settings with these strategies, one for all cameras of the file or one for each. */
+  public NetworkSettings withStrategies(List<Strategy> newStrategies) {
+    return with(
+        newStrategies, Optional.empty(), Optional.empty(), bandit, banditParameters, quirks);
+  }
+
+  /** The same settings with a bandit for all cameras, and its weight of utility. */
+  public NetworkSettings withBandit(BanditAlgorithm algorithm, double alpha) {
+    return with(
+        strategies,
+        schedule,
+        comm,
+        Optional.of(algorithm),
+        banditParameters.withAlpha(alpha),
+        quirks);
+  }
+
+  private NetworkSettings with(
+      List<Strategy> newStrategies,
+      Optional<ScheduleKind> newSchedule,
+      Optional<Comm> newComm,
+      Optional<BanditAlgorithm> newBandit,
+      BanditParameters newParameters,
+      Set<Quirk> newQuirks) {
+    return new NetworkSettings(
+        newStrategies,
+        newSchedule,
+        newComm,
+        newBandit,
         graph,
         errorLevel,
         resetLevel,
-        banditParameters,
+        newParameters,
         historicalParameters,
-        quirks);
+        newQuirks);
   }
 }

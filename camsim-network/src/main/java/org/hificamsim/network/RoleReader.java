@@ -26,6 +26,8 @@ final class RoleReader {
   private final NetworkSettings settings;
   private final boolean zooming;
   private ScheduleKind schedule = ScheduleKind.ACTIVE;
+  private int ofFile;
+  private Optional<Strategy> strategy = Optional.empty();
 
   /**
    * @param zooming whether cameras choose from a zoom list, and no bandit could set their ranges
@@ -44,6 +46,8 @@ final class RoleReader {
    */
   CameraRole read(CameraSpec camera, boolean added, Fault fault) {
     if (!added) {
+      strategy = settings.strategy(ofFile++);
+      requireStrategy(fault);
       schedule = schedule(camera, fault);
     }
     if (schedule == ScheduleKind.BANDIT_ZOOM) {
@@ -51,6 +55,14 @@ final class RoleReader {
     }
     return new CameraRole(
         schedule, comm(camera, added, fault), camera.get(CameraSpec.LIMIT), bandit(camera, fault));
+  }
+
+  private void requireStrategy(Fault fault) {
+    if (strategy.isEmpty() && !settings.strategies().isEmpty()) {
+      throw fault.in(
+          "ai_algorithm",
+          "a strategy for each camera, or one for all; there are " + settings.strategies().size());
+    }
   }
 
   /** A zoom list and a lens have reaches of their own, whatever range a bandit sets. */
@@ -66,8 +78,9 @@ final class RoleReader {
   }
 
   private ScheduleKind schedule(CameraSpec camera, Fault fault) {
-    return settings
-        .schedule()
+    return strategy
+        .map(Strategy::schedule)
+        .or(settings::schedule)
         .or(
             () ->
                 find(ScheduleKind.class, camera.find(CameraSpec.ALGORITHM), "ai_algorithm", fault))
@@ -75,6 +88,9 @@ final class RoleReader {
   }
 
   private Comm comm(CameraSpec camera, boolean added, Fault fault) {
+    if (!added && strategy.isPresent()) {
+      return Comm.of(strategy.get().comm(), Optional.empty()).orElseThrow();
+    }
     if (!added && settings.comm().isPresent()) {
       return settings.comm().get();
     }

@@ -8,6 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.camsim.CamSimDetections;
+import org.hificamsim.core.engine.NetworkModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
@@ -26,7 +27,8 @@ public record Catalogue(
     Registry<DetectionModel> detections,
     Registry<ZoomPolicy> policies,
     Registry<Movement> movements,
-    Registry<StepListener> listeners) {
+    Registry<StepListener> listeners,
+    Registry<NetworkModel> networks) {
   /** The catalogue of this class path. */
   public static Catalogue load() {
     Registry<DetectionModel> detections = new Registry<>("detection");
@@ -41,7 +43,9 @@ public record Catalogue(
     policies.registerServices(ZoomPolicy.class, ZoomPolicy::name, ZoomPolicy::configure);
     Registry<StepListener> listeners = new Registry<>("listener");
     listeners.registerServices(StepListener.class, StepListener::name, (listener, options) -> {});
-    return new Catalogue(detections, policies, Movements.registry(), listeners);
+    Registry<NetworkModel> networks = new Registry<>("network");
+    networks.registerServices(NetworkModel.class, NetworkModel::name, NetworkModel::configure);
+    return new Catalogue(detections, policies, Movements.registry(), listeners, networks);
   }
 
   /**

@@ -41,6 +41,17 @@ final class BatchRun {
     R write(OutputFolder folder, List<CaseResult> results) throws IOException;
   }
 
+  /**
+   * Runs what a command needs, and writes its own files.
+   *
+   * @param <R> what its summary is made of
+   */
+  @FunctionalInterface
+  interface Work<R> {
+    /** Adds them to a folder's; the engine keeps finished runs for {@code --resume}. */
+    R write(OutputFolder folder, RunEngine engine) throws IOException;
+  }
+
   private final Screen screen;
   private final BatchOptions options;
   private final Catalogue catalogue;
@@ -67,20 +78,50 @@ final class BatchRun {
    */
   <R> int execute(List<RunPlan> plans, Files<R> files, BiConsumer<PrintWriter, R> summary)
       throws IOException {
-    plans.forEach(new RunExecutor(catalogue)::check);
-    Optional<Shard> shard = options.shard();
     List<RunPlan> all = references.with(plans);
+    long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
+    Work<R> work =
+        (folder, engine) -> {
+          List<CaseResult> results = Comparison.run(plans, references, engine);
+          warnOfFewSeeds(plans.get(0).repeats());
+          results.forEach(this::warnOfUnproven);
+          return files.write(folder, results);
+        };
+    return execute(all, all, steps, true, work, summary);
+  }
+
+  /**
+   * Checks that every plan can start, then has the work done, or a part of its runs.
+   *
+   * @param all whose runs a shard has a part of
+   * @param inputs plans with each scenario and detection, for the files about what was run
+   * @param steps of all runs, at most
+   * @param page whether the page is made too
+   * @return the exit code
+   * @throws org.hificamsim.core.InputException when a plan cannot start; nothing was written then
+   */
+  <R> int execute(
+      List<RunPlan> all,
+      List<RunPlan> inputs,
+      long steps,
+      boolean page,
+      Work<R> work,
+      BiConsumer<PrintWriter, R> summary)
+      throws IOException {
+    all.forEach(new RunExecutor(catalogue)::check);
+    Optional<Shard> shard = options.shard();
     RunEngine engine = options.engine(catalogue, all);
     if (shard.isPresent()) {
       part(shard.get(), engine, all);
     } else {
-      summary.accept(screen.out(), whole(engine, plans, all, files));
+      summary.accept(screen.out(), whole(engine, inputs, steps, page, work));
     }
     screen.out().println("files: " + options.out());
     return 0;
   }
 
-  private <R> R whole(RunEngine engine, List<RunPlan> plans, List<RunPlan> all, Files<R> files)
+  private <R> R whole(
+      RunEngine engine, List<RunPlan> inputs, long steps, boolean page, Work<R> work)
       throws IOException {
     try (OutputFolder folder = screen.folder(options.out());
         Journal journal = Journal.open(folder, Journal.NAME, options.resume())) {
@@ -90,31 +131,22 @@ final class BatchRun {
               ResultFolder.MANIFEST,
               ResultFolder.CRATE,
               ResultFolder.REPORT));
-      List<CaseResult> results = results(plans, all, engine, journal);
-      R written = files.write(folder, results);
-      InputFiles.write(folder, all);
-      manifest(folder, all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum());
-      folder.write(
-          ResultFolder.REPORT, Report.html(folder.drafts(), ResultFolder.name(folder.path())));
-      CrateFile.write(folder, all);
+      warnOfDamage(journal);
+      R written;
+      try (Progress progress = progress(steps / inputs.get(0).steps())) {
+        written = work.write(folder, new JournalledEngine(engine, journal, progress));
+      }
+      InputFiles.write(folder, inputs);
+      manifest(folder, steps);
+      if (page) {
+        folder.write(
+            ResultFolder.REPORT, Report.html(folder.drafts(), ResultFolder.name(folder.path())));
+      }
+      CrateFile.write(folder, inputs);
       ResultFolder.commit(folder, List.of());
       journal.finish(); // until here, --resume has all runs
       return written;
     }
-  }
-
-  private List<CaseResult> results(
-      List<RunPlan> plans, List<RunPlan> all, RunEngine engine, Journal journal)
-      throws IOException {
-    warnOfDamage(journal);
-    List<CaseResult> results;
-    try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
-      RunEngine journalled = new JournalledEngine(engine, journal, progress);
-      results = Comparison.run(plans, references, journalled);
-    }
-    warnOfFewSeeds(plans.get(0).repeats());
-    results.forEach(this::warnOfUnproven);
-    return results;
   }
 
   private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
@@ -130,7 +162,7 @@ final class BatchRun {
     screen.out().printf("shard %s: %s runs%n", shard, tasks.size());
   }
 
-  private void warnOfFewSeeds(int seeds) {
+  void warnOfFewSeeds(int seeds) {
     if (seeds < Estimate.ENOUGH_SEEDS) {
       screen
           .err()

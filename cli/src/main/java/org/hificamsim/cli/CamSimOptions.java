@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -13,6 +14,7 @@ import org.hificamsim.network.Comm;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.NetworkSettings.GraphUse;
 import org.hificamsim.network.Quirk;
+import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.agent.ScheduleKind;
@@ -39,6 +41,14 @@ final class CamSimOptions {
       paramLabel = "CLASS",
       description = "The policy where -c is 4.")
   private Optional<String> customComm;
+
+  @Option(
+      names = "--strategies",
+      paramLabel = "A0-P2-...",
+      description =
+          "Schedule and policy of each camera, or of all: A, P, HA or HP for Active, Passive, ...,"
+              + " and the policy's number as -c has it.")
+  private Optional<String> strategies;
 
   @Option(
       names = {"-b", "--bandit"},
@@ -88,7 +98,11 @@ final class CamSimOptions {
   /** Reads the options, and warns on {@code err} of what is odd. */
   NetworkSettings settings(PrintWriter err) {
     ParameterFile file = parameters.map(ParameterFile::read).orElse(ParameterFile.DEFAULT);
+    if (strategies.isPresent() && (schedule.isPresent() || comm.isPresent())) {
+      throw new InputException("--strategies is given beside -a or -c, expected one of them");
+    }
     return new NetworkSettings(
+        strategies.map(Strategy::list).orElse(List.of()),
         named(ScheduleKind.class, "-a", schedule),
         comm(err),
         named(BanditAlgorithm.class, "-b", bandit),

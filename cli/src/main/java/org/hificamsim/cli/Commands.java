@@ -18,6 +18,7 @@ final class Commands {
           ReproduceCommand.class,
           SensitivityCommand.class,
           LadderCommand.class,
+          TradeoffCommand.class,
           PlotCommand.class,
           GenerateCommand.class,
           ImportCommand.class,

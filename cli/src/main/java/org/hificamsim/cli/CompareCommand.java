@@ -80,7 +80,7 @@ final class CompareCommand implements Callable<Integer> {
   @Mixin private Screen screen;
 
   @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY, Setting.NETWORK);
 
   @Override
   public Integer call() throws IOException {

@@ -123,9 +123,11 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   /** Counts what was done before: it takes no time, and says nothing of the speed. */
   @Override
   public synchronized void resume(long units) {
-    done.set(units);
-    already = units;
-    started = clock.getAsLong();
+    done.addAndGet(units);
+    already += units;
+    if (units > 0) {
+      started = clock.getAsLong();
+    }
     next = Math.max(next, started + QUIET);
   }
 

@@ -29,6 +29,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
@@ -104,7 +105,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private Screen screen;
 
-  @Mixin private final SettingOptions settings = SettingOptions.all();
+  @Mixin private final SettingOptions settings = SettingOptions.all().open(Setting.NETWORK);
 
   @Override
   public Integer call() throws IOException {

@@ -52,7 +52,7 @@ final class ViewCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
+  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT, Setting.NETWORK);
 
   @Override
   public Integer call() throws IOException, InterruptedException {

@@ -41,7 +41,7 @@ record Request(Settings asked, Environment own) {
    * of repeats. A setting without an effect on episodes has to be left out here.
    */
   static final Set<Setting> SETTINGS =
-      EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT));
+      EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT, Setting.NETWORK));
 
   /** What the Python package says by arguments of its own. */
   private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads");

@@ -2,6 +2,7 @@ package org.hificamsim.runs;
 
 import java.util.Optional;
 import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
@@ -12,6 +13,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * metrics} are computed from.
  *
  * @param traffic what the cameras sent each other
+ * @param network what the cameras did together
  * @param proof what the policy proved; empty under one that does not claim to be the best
  * @param expectedGap what the least expected coverage might gain, over all steps; NaN where none is
  *     known
@@ -20,22 +22,28 @@ public record Measured(
     RunCoverage coverage,
     Objective objective,
     Traffic traffic,
+    NetworkSums network,
     Optional<Proof> proof,
     double expectedGap) {
   /** A repeat under a policy. */
   static Measured of(
-      RunCoverage coverage, Objective objective, ZoomPolicy policy, Channel channel) {
+      RunCoverage coverage,
+      Objective objective,
+      ZoomPolicy policy,
+      Channel channel,
+      NetworkSums network) {
     double gap =
         policy instanceof ProvingZoomPolicy proving && proving.ofExpectation()
             ? proving.gap()
             : Double.NaN;
-    return new Measured(coverage, objective, Traffic.of(policy, channel), Proof.of(policy), gap);
+    Traffic traffic = Traffic.of(policy, channel).with(network);
+    return new Measured(coverage, objective, traffic, network, Proof.of(policy), gap);
   }
 
   /** A repeat that others ran. */
   public Measured(
       RunCoverage coverage, Objective objective, Traffic traffic, Optional<Proof> proof) {
-    this(coverage, objective, traffic, proof, Double.NaN);
+    this(coverage, objective, traffic, NetworkSums.NONE, proof, Double.NaN);
   }
 
   /** The number of steps that are not proven; NaN without a claim. */

@@ -147,7 +147,32 @@ public enum Metric {
       "with `compare --yardsticks bound` alone: score over [a bound](objectives.md#a-bound) on the"
           + " optimum's of the same scenario, detection model and seed, so that it is at least this"
           + " share of what is possible; empty where the bound is 0",
-      compared(ScoredRun::bound, ScoredRun::proportionOfBound));
+      compared(ScoredRun::bound, ScoredRun::proportionOfBound)),
+  UTILITY(
+      "",
+      "of CamSim's network alone, as the next five: the visibility of the targets that cameras own,"
+          + " weighed by range, summed over cameras and steps",
+      measured(run -> run.network().utility())),
+  INVITATIONS(
+      "number",
+      "messages that invite a camera to bid, sent or tried; `messages` has those that arrived",
+      measured(run -> run.network().counted(run.network().invitations()))),
+  HANDOVERS(
+      "number",
+      "targets that were sold to another camera",
+      measured(run -> run.network().counted(run.network().handovers()))),
+  OVERLAP(
+      "m2 x steps",
+      "of fields of view by CamSim's formula",
+      measured(run -> run.network().overlap())),
+  CONFIDENCE(
+      "",
+      "relative confidences, summed over cameras and steps",
+      measured(run -> run.network().confidence())),
+  TRACKED(
+      "share x steps",
+      "of targets, that their owner sees",
+      measured(run -> run.network().tracked()));
 
   private static final String EXPECTED = "EXPECTED_";
 

@@ -59,10 +59,13 @@ public final class RunExecutor {
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
-    Simulation simulation = simulation(plan, run, policy, all);
+    World world = new World(plan.scenario(), catalogue.movements(), plan.seed(run));
+    Cooperation cooperation = cooperation(plan, run, world);
+    Simulation simulation = simulation(plan, run, world, policy, cooperation, all);
     run(simulation, plan, run);
     Channel channel = simulation.network().channel();
-    Measured measured = Measured.of(coverage, plan.objective(), policy, channel);
+    Measured measured =
+        Measured.of(coverage, plan.objective(), policy, channel, cooperation.sums());
     return RunResult.of(run, plan.seed(run), measured);
   }
 
@@ -93,9 +96,28 @@ public final class RunExecutor {
 
   private Simulation simulation(
       RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
-    long seed = plan.seed(run);
-    World world = new World(plan.scenario(), catalogue.movements(), seed);
+    World world = new World(plan.scenario(), catalogue.movements(), plan.seed(run));
+    return simulation(plan, run, world, policy, cooperation(plan, run, world), listeners);
+  }
+
+  private Simulation simulation(
+      RunPlan plan,
+      int run,
+      World world,
+      ZoomPolicy policy,
+      Cooperation cooperation,
+      List<StepListener> listeners) {
     return new Simulation(
-        world, plan.detection(), policy, Cooperation.NONE, seed, listeners, workers);
+        world, plan.detection(), policy, cooperation, plan.seed(run), listeners, workers);
+  }
+
+  /** The network that the plan names; of cameras that work each for itself where it names none. */
+  private Cooperation cooperation(RunPlan plan, int run, World world) {
+    return plan.network().isEmpty()
+        ? Cooperation.NONE
+        : catalogue
+            .networks()
+            .create(plan.network())
+            .begin(world, plan.detection(), plan.seed(run));
   }
 }

@@ -52,6 +52,11 @@ public record RunPlan(
     return own.get(Setting.POLICY);
   }
 
+  /** The network of the cameras with its options; empty where each works for itself. */
+  public String network() {
+    return own.get(Setting.NETWORK);
+  }
+
   /** The number of steps of each run. */
   public int steps() {
     return Integer.parseInt(own.get(Setting.STEPS));
@@ -80,6 +85,11 @@ public record RunPlan(
   /** The same plan under another policy. */
   public RunPlan withPolicy(String policy) {
     return with(Setting.POLICY, policy);
+  }
+
+  /** The same plan with another network. */
+  public RunPlan withNetwork(String network) {
+    return with(Setting.NETWORK, network);
   }
 
   /** The same plan with another number of steps. */

@@ -117,7 +117,14 @@ public enum Setting {
       "degrees|as-radians",
       null,
       choice(Headings.class, Scenario.HEADINGS),
-      "How targets' headings are read; as-radians is the coverage study's way.");
+      "How targets' headings are read; as-radians is the coverage study's way."),
+  NETWORK(
+      Kind.TEXT,
+      "NAME[:key=value,...]",
+      "",
+      own((name, text) -> {}),
+      "The network of the cameras, such as camsim:strategies=A0-P2; without it each works for"
+          + " itself. See docs/camsim-studies.md.");
 
   /** What the values are. */
   public enum Kind {
@@ -253,7 +260,9 @@ public enum Setting {
 
   /** The value in a plan; empty where it does not apply. */
   public Optional<String> of(RunPlan plan) {
-    return isOwn() ? Optional.of(plan.own().get(this)) : Optional.ofNullable(holder.of.apply(plan));
+    return isOwn()
+        ? Optional.of(plan.own().get(this)).filter(value -> !value.isEmpty())
+        : Optional.ofNullable(holder.of.apply(plan));
   }
 
   /**

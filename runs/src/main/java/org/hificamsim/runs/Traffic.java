@@ -1,5 +1,6 @@
 package org.hificamsim.runs;
 
+import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -22,6 +23,11 @@ public record Traffic(long messages, long bits, double dropped) {
   /** The same over the channel that it went over. */
   public Traffic over(Channel channel) {
     return new Traffic(messages, bits, channel.isPerfect() ? Double.NaN : channel.dropped());
+  }
+
+  /** This, and what a network sent of the same run. */
+  Traffic with(NetworkSums network) {
+    return new Traffic(messages + network.messages(), bits + network.bits(), dropped);
   }
 
   /** This, and more of the same run. */

@@ -41,4 +41,9 @@ public interface Cooperation {
 
   /** Called after the observation. */
   default void cooperate() {}
+
+  /** What came of it so far. */
+  default NetworkSums sums() {
+    return NetworkSums.NONE;
+  }
 }

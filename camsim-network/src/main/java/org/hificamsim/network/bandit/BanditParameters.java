@@ -14,6 +14,11 @@ public record BanditParameters(
   /** CamSim's defaults. */
   public static final BanditParameters DEFAULT = new BanditParameters(0.1, 0.5, 0.5, 0, 1);
 
+  /** The same with another weight of performance. */
+  public BanditParameters withAlpha(double newAlpha) {
+    return new BanditParameters(epsilon, newAlpha, beta, gamma, interval);
+  }
+
   /** What an algorithm takes of them: two know neither beta nor gamma. */
   BanditParameters of(BanditAlgorithm algorithm) {
     boolean dropped =

@@ -11,6 +11,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.SettingsFile;
@@ -19,7 +20,7 @@ import org.hificamsim.runs.output.Table;
 /** The tables of all cases of a comparison: what {@code compare} and others like it write. */
 public final class ComparisonFiles {
   /** Which case a row is about. */
-  static final List<Column<RunPlan>> CASE =
+  public static final List<Column<RunPlan>> CASE =
       List.of(
           Column.ofText(
               "scenario",
@@ -28,10 +29,11 @@ public final class ComparisonFiles {
           Column.ofText("detection", "the detection's name", plan -> plan.detection().name()),
           Column.ofText("policy", "the zoom policy with its options", RunPlan::policy));
 
-  /** One run of a case. */
-  record Run(CaseResult of, ScoredRun run) {
-    RunPlan plan() {
-      return of.plan();
+  /** One run of a plan. */
+  public record Run(RunPlan plan, CaseResult of, ScoredRun run) {
+    /** A run beside which no yardstick was run. */
+    public static Run alone(RunPlan plan, RunResult result) {
+      return new Run(plan, null, new ScoredRun(result, Double.NaN, Double.NaN, Double.NaN));
     }
 
     double value(Metric metric) {
@@ -200,7 +202,7 @@ public final class ComparisonFiles {
   }
 
   private static Stream<Run> runs(List<CaseResult> cases) {
-    return cases.stream().flatMap(one -> one.runs().stream().map(run -> new Run(one, run)));
+    return cases.stream().flatMap(one -> one.runs().stream().map(run -> new Run(one.plan(), one, run)));
   }
 
   /** Of the first policy of each scenario and detection: they are the same of all. */

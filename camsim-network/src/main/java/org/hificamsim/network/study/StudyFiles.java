@@ -1,0 +1,184 @@
+package org.hificamsim.network.study;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.network.study.StudyGroup.Members;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.output.Column;
+import org.hificamsim.runs.output.SettingsFile;
+import org.hificamsim.runs.output.Table;
+
+/** The tables of a study. */
+public final class StudyFiles {
+  private static final List<Column<RunPlan>> GROUP = ComparisonFiles.CASE.subList(0, 2);
+
+  /** One run of a network. */
+  record StudyRun(StudyPlan of, RunResult result) {
+    ComparisonFiles.Run asRun() {
+      return ComparisonFiles.Run.alone(of.plan(), result);
+    }
+  }
+
+  /** A network of a group. */
+  record Place(StudyGroup group, int network) {
+    StudyPlan of() {
+      return group.plans().get(network);
+    }
+  }
+
+  /** The front of a set of networks of a group. */
+  public record SetFront(StudyGroup group, Members members) {}
+
+  private static final List<Column<StudyPlan>> NETWORK =
+      List.of(
+          Column.<StudyPlan>ofText(
+                  "kind",
+                  "of `tradeoff` alone, as all that follows: `homogeneous`, `heterogeneous` or"
+                      + " `bandit`",
+                  plan -> Spelling.of(plan.kind()))
+              .later(),
+          Column.<StudyPlan>ofText(
+                  "network",
+                  "schedule and policy of all cameras or of each, `A0-P2`: Active, Passive,"
+                      + " HistActive or HistPassive with 0 Broadcast, 1 Smooth, 2 Step, 3 Fix; of"
+                      + " bandits name and alpha, `UCB1@0.5`",
+                  StudyPlan::label)
+              .later());
+
+  /** A row per run. */
+  public static final Table<StudyRun> RESULTS =
+      Table.<StudyRun>of(ComparisonFiles.RESULTS.file())
+          .with(ComparisonFiles.RESULTS.columns(), StudyRun::asRun)
+          .with(NETWORK, StudyRun::of)
+          .with(
+              StudyResults.KEPT.stream()
+                  .filter(metric -> metric.ordinal() >= Metric.UTILITY.ordinal()
+                      || metric == Metric.MESSAGES
+                      || metric == Metric.BITS)
+                  .map(StudyFiles::metric)
+                  .toList());
+
+  /** A row per network. */
+  public static final Table<Place> NETWORKS =
+      Table.<Place>of("networks.csv")
+          .with(GROUP, row -> row.group.plan())
+          .with(NETWORK, Place::of)
+          .with(
+              Column.ofEstimate(
+                  "utility",
+                  "utility_low",
+                  "utility_high",
+                  "",
+                  "the mean over the seeds",
+                  row -> row.group.utility(row.network)))
+          .with(
+              Column.ofEstimate(
+                  "cost",
+                  "cost_low",
+                  "cost_high",
+                  "number",
+                  "messages or, if asked for, invitations; the mean over the seeds",
+                  row -> row.group.cost(row.network)))
+          .with(
+              Column.ofDouble(
+                  "utility_share",
+                  "share",
+                  "of the largest utility of the scenario's networks",
+                  row -> row.group.utilityShare(row.network)),
+              Column.ofDouble(
+                  "cost_share",
+                  "share",
+                  "of the largest cost",
+                  row -> row.group.costShare(row.network)),
+              Column.ofDouble(
+                  "below_front",
+                  "share",
+                  "of the largest utility, that a network of strategies that never change has more"
+                      + " at no more cost; 0 on their front, below 0 beyond it",
+                  row -> row.group.below(row.network)));
+
+  /** A row per scenario, detection and set of networks. */
+  public static final Table<SetFront> FRONTS =
+      Table.<SetFront>of("fronts.csv")
+          .with(GROUP, row -> row.group.plan())
+          .with(
+              Column.ofText(
+                  "networks",
+                  "`homogeneous`; `static`, these and the heterogeneous ones; `bandit`; `all`",
+                  row -> Spelling.of(row.members)),
+              Column.ofInt("count", "", "how many", row -> row.group.members(row.members).length),
+              Column.ofInt(
+                  "on_front", "", "how many none beats", row -> row.group.front(row.members).length))
+          .with(
+              Column.ofEstimate(
+                  "hypervolume",
+                  "hypervolume_low",
+                  "hypervolume_high",
+                  "share",
+                  "of the rectangle from no utility at the largest cost to the largest utility at no"
+                      + " cost, that the front beats; intervals by the jackknife over seeds",
+                  row -> row.group.hypervolume(row.members)))
+          .with(
+              Column.ofEstimate(
+                  "gain",
+                  "gain_low",
+                  "gain_high",
+                  "share",
+                  "this less that of the homogeneous networks",
+                  row -> row.group.gain(row.members)))
+          .with(
+              Column.ofText(
+                  "front",
+                  "the networks on it, by rising cost, up to a hundred",
+                  row ->
+                      Arrays.stream(row.group.front(row.members))
+                          .limit(100)
+                          .mapToObj(i -> row.group.plans().get(i).label())
+                          .collect(java.util.stream.Collectors.joining(" "))));
+
+  private StudyFiles() {}
+
+  /**
+   * Adds {@code settings.json} and the tables to a folder's files.
+   *
+   * @return the fronts of sets that have networks
+   */
+  public static List<SetFront> write(OutputFolder folder, StudyResults results, Metric cost)
+      throws IOException {
+    List<StudyPlan> plans = results.plans();
+    RESULTS.write(
+        folder,
+        IntStream.range(0, plans.size())
+            .boxed()
+            .flatMap(i -> results.runs(i).map(run -> new StudyRun(plans.get(i), run))));
+    List<StudyGroup> groups = StudyGroup.of(results, cost);
+    SettingsFile.write(folder, groups.stream().map(StudyGroup::plan).toList());
+    NETWORKS.write(
+        folder,
+        groups.stream()
+            .flatMap(
+                group ->
+                    IntStream.range(0, group.plans().size()).mapToObj(i -> new Place(group, i))));
+    List<SetFront> fronts =
+        groups.stream()
+            .flatMap(group -> Stream.of(Members.values()).map(set -> new SetFront(group, set)))
+            .filter(row -> row.group.members(row.members).length > 0)
+            .toList();
+    FRONTS.write(folder, fronts.stream());
+    return fronts;
+  }
+
+  private static Column<StudyRun> metric(Metric metric) {
+    return Column.<StudyRun>ofPlain(
+            metric.label(), metric.unit(), metric.meaning(), row -> row.result.value(metric))
+        .later();
+  }
+}

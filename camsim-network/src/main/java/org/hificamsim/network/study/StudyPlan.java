@@ -1,0 +1,10 @@
+package org.hificamsim.network.study;
+
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * One network of a study, in one scenario under one detection.
+ *
+ * @param label its strategies, {@code A0-P2}, or its bandit and alpha, {@code UCB1@0.5}
+ */
+public record StudyPlan(RunPlan plan, NetworkKind kind, String label) {}

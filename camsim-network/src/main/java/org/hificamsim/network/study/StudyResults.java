@@ -1,0 +1,89 @@
+package org.hificamsim.network.study;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.compare.RunEngine;
+import org.hificamsim.runs.compare.RunTask;
+
+/** What the runs of a study measured: a hundred bytes a run, whatever its length. */
+public final class StudyResults {
+  /** What is kept of a run. */
+  static final List<Metric> KEPT =
+      List.of(
+          Metric.PERFORMANCE,
+          Metric.COVERED_0,
+          Metric.COVERED_1,
+          Metric.COVERED_K,
+          Metric.SCORE,
+          Metric.UTILITY,
+          Metric.MESSAGES,
+          Metric.INVITATIONS,
+          Metric.HANDOVERS,
+          Metric.OVERLAP,
+          Metric.CONFIDENCE,
+          Metric.TRACKED,
+          Metric.BITS);
+
+  private final List<StudyPlan> plans = new ArrayList<>();
+  private final List<double[]> figures = new ArrayList<>(); // by plan: repeat by repeat
+
+  /** Runs further networks, every repeat; seed by seed, so that all make headway together. */
+  public void run(List<StudyPlan> further, RunEngine engine) throws IOException {
+    List<RunPlan> all = further.stream().map(StudyPlan::plan).toList();
+    List<RunTask> tasks = new ArrayList<>();
+    int first = plans.size();
+    for (StudyPlan plan : further) {
+      plans.add(plan);
+      figures.add(new double[plan.plan().repeats() * KEPT.size()]);
+    }
+    for (int repeat = 0; repeat < all.get(0).repeats(); repeat++) {
+      for (int plan = 0; plan < all.size(); plan++) {
+        tasks.add(new RunTask(plan, repeat));
+      }
+    }
+    engine.run(
+        all, tasks, (task, run) -> keep(first + task.plan(), task.repeat(), run.result()));
+  }
+
+  /** Runs write into parts of their own. */
+  private void keep(int plan, int repeat, RunResult result) {
+    for (int i = 0; i < KEPT.size(); i++) {
+      figures.get(plan)[repeat * KEPT.size() + i] = result.value(KEPT.get(i));
+    }
+  }
+
+  /** The networks, in the order in which they were run. */
+  public List<StudyPlan> plans() {
+    return plans;
+  }
+
+  /** A metric's values of a network, one for each seed. */
+  public double[] values(int plan, Metric metric) {
+    int place = KEPT.indexOf(metric);
+    return IntStream.range(0, plans.get(plan).plan().repeats())
+        .mapToDouble(repeat -> figures.get(plan)[repeat * KEPT.size() + place])
+        .toArray();
+  }
+
+  /** Every run of a network. */
+  Stream<RunResult> runs(int plan) {
+    RunPlan of = plans.get(plan).plan();
+    return IntStream.range(0, of.repeats()).mapToObj(repeat -> run(plan, repeat, of.seed(repeat)));
+  }
+
+  private RunResult run(int plan, int repeat, long seed) {
+    Map<Metric, Double> values = new EnumMap<>(Metric.class);
+    for (int i = 0; i < KEPT.size(); i++) {
+      values.put(KEPT.get(i), figures.get(plan)[repeat * KEPT.size() + i]);
+    }
+    return RunResult.of(repeat, seed, values);
+  }
+}

@@ -1,0 +1,230 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.Strategy;
+import org.hificamsim.network.agent.Named;
+import org.hificamsim.network.bandit.BanditAlgorithm;
+import org.hificamsim.network.study.NetworkChoice;
+import org.hificamsim.network.study.StudyFiles;
+import org.hificamsim.network.study.StudyFiles.SetFront;
+import org.hificamsim.network.study.StudyPlan;
+import org.hificamsim.network.study.StudyResults;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.compare.ReferencePolicies;
+import org.hificamsim.runs.output.TextTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code hificamsim tradeoff}: CamSim's studies of utility against messages. */
+@Command(
+    name = "tradeoff",
+    description = {
+      "Runs CamSim's network with every strategy over seeds, and with other networks that are",
+      "asked for: how much utility for how many messages, and which networks none beats."
+    })
+final class TradeoffCommand implements Callable<Integer> {
+  private static final Pattern HETEROGENEOUS =
+      Pattern.compile("(none|all)|(sample|search):([1-9]\\d{0,6})");
+
+  @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
+  private List<Path> files;
+
+  @Option(
+      names = "--of",
+      paramLabel = "A0,A1,...",
+      description =
+          "The strategies of cameras: A, P, HA or HP (Active, Passive, HistActive, HistPassive)"
+              + " with 0 Broadcast, 1 Smooth, 2 Step or 3 Fix.")
+  private String of;
+
+  @Option(
+      names = "--heterogeneous",
+      paramLabel = "none|all|sample:N|search:N",
+      description =
+          "Networks whose cameras have strategies of their own: all, N that are drawn (all where"
+              + " there are no more), or N that an evolutionary search finds.")
+  private String heterogeneous;
+
+  @Option(
+      names = "--bandits",
+      paramLabel = "none|all|A,B",
+      description = "Networks whose cameras choose by EpsilonGreedy, UCB1, UCB2, SoftMax, ...")
+  private String bandits;
+
+  @Option(
+      names = "--alphas",
+      paramLabel = "X,Y",
+      description = "Weights of utility against messages for bandits, 0 to 1.")
+  private String alphas;
+
+  @Option(
+      names = "--cost",
+      paramLabel = "messages|invitations",
+      description = "What utility is traded for: invitations that arrive, or all that are sent.")
+  private String cost;
+
+  @Mixin private CamSimOptions options;
+
+  @Mixin private BatchOptions batch;
+
+  @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings =
+      SettingOptions.of(
+          Setting.DETECTION,
+          Setting.THRESHOLD,
+          Setting.DETECT,
+          Setting.CHANNEL,
+          Setting.STEPS,
+          Setting.SEED,
+          Setting.REPEAT);
+
+  @Override
+  public Integer call() throws IOException {
+    Metric paid = cost();
+    Catalogue catalogue = Catalogue.load();
+    NetworkSettings shared = options.settings(screen.err());
+    NetworkChoice choice = choice(shared);
+    CamSimPlans plans =
+        new CamSimPlans(settings.settings(), Optional.empty(), shared, catalogue, screen.err());
+    List<RunPlan> bases = files.stream().map(plans::plan).toList();
+    NameLists.requireDistinct(
+        "the scenarios' names", bases.stream().map(base -> base.scenario().name()).toList());
+    List<StudyPlan> networks = networks(choice, bases);
+    List<RunPlan> all = networks.stream().map(StudyPlan::plan).toList();
+    long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
+    BatchRun run = new BatchRun(screen, batch, catalogue, ReferencePolicies.parse("", "none"));
+    return run.execute(
+        all,
+        bases,
+        steps,
+        false,
+        (folder, engine) -> {
+          StudyResults results = new StudyResults();
+          results.run(networks, engine);
+          run.warnOfFewSeeds(bases.get(0).repeats());
+          return StudyFiles.write(folder, results, paid);
+        },
+        TradeoffCommand::print);
+  }
+
+  private Metric cost() {
+    return Spelling.require(Cost.class, "--cost", cost) == Cost.MESSAGES
+        ? Metric.MESSAGES
+        : Metric.INVITATIONS;
+  }
+
+  /** What utility is traded for. */
+  private enum Cost {
+    MESSAGES,
+    INVITATIONS
+  }
+
+  private NetworkChoice choice(NetworkSettings shared) {
+    List<String> names = words(of);
+    NameLists.requireDistinct("--of", names);
+    return new NetworkChoice(
+        shared,
+        names.stream().map(TradeoffCommand::strategy).toList(),
+        bandits(),
+        words(alphas).stream()
+            .map(text -> Numbers.within("--alphas", number("--alphas", text), 0, 1))
+            .toList());
+  }
+
+  private static Strategy strategy(String text) {
+    List<Strategy> one = Strategy.list(text);
+    if (one.size() != 1) {
+      throw new InputException("--of has '" + text + "', expected one strategy, such as A0");
+    }
+    return one.get(0);
+  }
+
+  private static double number(String option, String text) {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw new InputException(option + " has '" + text + "', expected numbers from 0 to 1", e);
+    }
+  }
+
+  private List<BanditAlgorithm> bandits() {
+    return switch (bandits) {
+      case "none" -> List.of();
+      case "all" -> List.of(BanditAlgorithm.values());
+      default ->
+          words(bandits).stream()
+              .map(
+                  name ->
+                      Named.find(BanditAlgorithm.class, name)
+                          .orElseThrow(
+                              () ->
+                                  new InputException(
+                                      "--bandits has '%s', expected none, all or some of %s"
+                                          .formatted(
+                                              name, Named.expected(BanditAlgorithm.class)))))
+              .toList();
+    };
+  }
+
+  private static List<String> words(String list) {
+    return Arrays.stream(list.split(",", -1)).map(String::strip).toList();
+  }
+
+  private List<StudyPlan> networks(NetworkChoice choice, List<RunPlan> bases) {
+    Matcher form = HETEROGENEOUS.matcher(heterogeneous);
+    if (!form.matches()) {
+      throw new InputException(
+          "--heterogeneous is '"
+              + heterogeneous
+              + "', expected none, all, sample:N or search:N with N from 1 to 9999999");
+    }
+    List<StudyPlan> networks = new ArrayList<>();
+    for (RunPlan base : bases) {
+      networks.addAll(choice.homogeneous(base));
+      if (heterogeneous.equals("all")) {
+        networks.addAll(choice.all(base));
+      } else if (heterogeneous.startsWith("sample")) {
+        networks.addAll(choice.sample(base, Integer.parseInt(form.group(3))));
+      }
+      networks.addAll(choice.bandits(base));
+    }
+    return networks;
+  }
+
+  private static void print(PrintWriter out, List<SetFront> fronts) {
+    TextTable table =
+        new TextTable(
+            3, List.of("scenario", "detection", "networks", "on front", "hypervolume", "gain"));
+    for (SetFront one : fronts) {
+      RunPlan plan = one.group().plan();
+      table.row(
+          List.of(
+              plan.scenario().name(),
+              plan.detection().name(),
+              Spelling.of(one.members()),
+              Integer.toString(one.group().front(one.members()).length),
+              one.group().hypervolume(one.members()).text("%.3f"),
+              one.group().gain(one.members()).text("%+.3f")));
+    }
+    table.print(out);
+  }
+}
