@@ -56,7 +56,7 @@ final class AgentFactory {
     int strategies = settings.strategies().size();
     if (strategies > Math.max(1, fromFile)) {
       throw new InputException(
-          "there are %d strategies, expected one, or one for each of the %d cameras"
+          "there are %s strategies, expected one, or one for each of the %s cameras"
               .formatted(strategies, fromFile));
     }
     RoleReader reader = new RoleReader(settings, world.scenario().inCoverageDialect());

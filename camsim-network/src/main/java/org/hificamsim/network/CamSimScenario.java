@@ -110,11 +110,13 @@ public final class CamSimScenario {
       Path file, Scenario scenario, NetworkSettings settings, PrintWriter err) {
     List<String> missing = new ArrayList<>();
     boolean named = !settings.strategies().isEmpty();
-    if (!named && settings.schedule().isEmpty()
+    if (!named
+        && settings.schedule().isEmpty()
         && lacks(scenario, camera -> camera.find(CameraSpec.ALGORITHM).isEmpty())) {
       missing.add("ai_algorithm, taken as Active");
     }
-    if (!named && settings.comm().isEmpty()
+    if (!named
+        && settings.comm().isEmpty()
         && lacks(scenario, camera -> camera.find(CameraSpec.COMM).isEmpty())) {
       missing.add("comm, taken as 0");
     }

@@ -9,8 +9,8 @@ import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.ScheduleKind;
 
 /**
- * What a camera does in CamSim's studies: when it advertises, and whom it asks. As text the capitals
- * of the schedule and the policy's number, {@code A0} for Active and Broadcast.
+ * What a camera does in CamSim's studies: when it advertises, and whom it asks. As text the
+ * capitals of the schedule and the policy's number, {@code A0} for Active and Broadcast.
  *
  * @param comm the policy's number, 0 to 3
  */
@@ -50,9 +50,7 @@ public record Strategy(ScheduleKind schedule, int comm) {
 
   /** In words, such as {@code Active Broadcast}. */
   public String words() {
-    return schedule.names().get(0)
-        + " "
-        + CommunicationPolicy.values()[comm].names().get(0);
+    return schedule.names().get(0) + " " + CommunicationPolicy.values()[comm].names().get(0);
   }
 
   @Override

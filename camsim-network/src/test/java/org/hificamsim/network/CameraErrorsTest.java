@@ -54,6 +54,7 @@ class CameraErrorsTest {
     chosen.addAll(List.of(quirks));
     NetworkSettings settings =
         new NetworkSettings(
+            List.of(),
             Optional.empty(),
             Optional.empty(),
             Optional.empty(),

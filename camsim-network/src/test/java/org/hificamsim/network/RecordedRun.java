@@ -23,6 +23,7 @@ record RecordedRun(CamSimCommand command) {
   NetworkSettings settings(Set<Quirk> quirks) {
     NetworkSettings camsim = NetworkSettings.CAMSIM;
     return new NetworkSettings(
+        java.util.List.of(),
         command.option("-a").map(name -> Named.find(ScheduleKind.class, name).orElseThrow()),
         command.number("-c").map(c -> Comm.of(c, command.option("-u")).orElseThrow()),
         command.option("-b").map(name -> Named.find(BanditAlgorithm.class, name).orElseThrow()),

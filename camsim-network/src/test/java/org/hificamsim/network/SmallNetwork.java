@@ -172,6 +172,7 @@ final class SmallNetwork {
   private void start() {
     NetworkSettings settings =
         new NetworkSettings(
+            List.of(),
             Optional.empty(),
             Optional.empty(),
             bandit,

@@ -3,23 +3,22 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.StandingObjects;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.statistics.StepFigures;
-import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
-import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -36,8 +35,8 @@ final class CamSimCommand implements Callable<Integer> {
   /** CamSim's own default. */
   private static final int USUAL_STEPS = 100;
 
-  @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
-  private Path file;
+  @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
+  private List<Path> files;
 
   @Option(
       names = {"-o", "--output"},
@@ -56,6 +55,16 @@ final class CamSimCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "Seed.")
   private int seed;
+
+  @Option(
+      names = "--repeat",
+      paramLabel = "N",
+      description = {
+        "Runs of each scenario; run i has the seed -s + i. Where there are several runs,"
+            + " -SCENARIO-SEED",
+        "is added to the names of outputs, and -SCENARIO to that of the summary."
+      })
+  private int repeat;
 
   @Option(
       names = {"-t", "--time"},
@@ -113,62 +122,81 @@ final class CamSimCommand implements Callable<Integer> {
 
   private int write(Path to) throws IOException {
     OutputFile target = destination.inFolder("--for-camsim", to);
-    Catalogue catalogue = Catalogue.load();
-    Scenario scenario =
-        StandingObjects.of(plan(catalogue, options.settings(screen.err())).scenario());
-    target.write(ScenarioWriter.write(scenario));
+    if (files.size() > 1) {
+      throw new InputException("--for-camsim has " + files.size() + " scenarios, expected one");
+    }
+    CamSimPlans plans = plans(options.settings(screen.err()), Catalogue.load());
+    target.write(ScenarioWriter.write(StandingObjects.of(plans.plan(files.get(0)).scenario())));
     screen.out().println(to);
     return 0;
   }
 
   private int run() throws IOException {
-    Instant started = Instant.now();
     Catalogue catalogue = Catalogue.load();
     NetworkSettings camSims = options.settings(screen.err());
-    RunPlan plan = plan(catalogue, camSims);
-    NetworkRun run = NetworkRun.of(plan, camSims, catalogue);
-    CamSimFiles.Places places = places();
-    try (CamSimFiles files = new CamSimFiles(places, plan, run);
-        Progress progress = screen.progress(plan.scenario().name(), " steps", plan.steps())) {
-      run.listen((view, measured) -> progress.advance()).run(plan.steps());
-      files.commit(screen.words(), started);
-      print(plan, run.sums());
+    CamSimPlans plans = plans(camSims, catalogue);
+    steps.ifPresent(asked -> Numbers.inRange("-t", asked, 0, Scenario.MAX_STEPS));
+    Numbers.inRange("--repeat", repeat, 1, Integer.MAX_VALUE - Math.max(0, seed));
+    List<RunPlan> bases = files.stream().map(plans::plan).toList();
+    NameLists.requireDistinct(
+        "the scenarios' names", bases.stream().map(base -> base.scenario().name()).toList());
+    for (int i = 0; i < bases.size(); i++) {
+      for (int run = 0; run < repeat; run++) {
+        run(files.get(i), plan(bases.get(i), seed + run), camSims, catalogue);
+      }
     }
     return 0;
   }
 
-  private CamSimFiles.Places places() throws IOException {
-    destination.requireNoInput("-o", output);
-    destination.requireNoInput("-f", summary.orElse(output));
-    if (extra.isPresent()) {
-      destination.file("--extra-out", extra.get());
+  private CamSimPlans plans(NetworkSettings camSims, Catalogue catalogue) {
+    return new CamSimPlans(settings.settings(), movement, camSims, catalogue, screen.err());
+  }
+
+  private RunPlan plan(RunPlan base, int ofRun) {
+    int most = steps.or(() -> base.scenario().find(Scenario.STEPS)).orElse(USUAL_STEPS);
+    return new RunPlan(base.scenario(), base.detection(), base.policy(), most, ofRun, 1);
+  }
+
+  private void run(Path file, RunPlan plan, NetworkSettings camSims, Catalogue catalogue)
+      throws IOException {
+    Instant started = Instant.now();
+    NetworkRun run = NetworkRun.of(plan, camSims, catalogue);
+    CamSimFiles.Places places = places(file, plan);
+    try (CamSimFiles written = new CamSimFiles(places, plan, run);
+        Progress progress = screen.progress(plan.scenario().name(), " steps", plan.steps())) {
+      run.listen((view, measured) -> progress.advance()).run(plan.steps());
+      written.commit(screen.words(), started);
+      print(plan, places.output(), run.sums());
     }
-    return new CamSimFiles.Places(file, output, summary, extra, coverage, destination.force());
   }
 
-  /** Checks every option before anything is written. */
-  private RunPlan plan(Catalogue catalogue, NetworkSettings camSims) {
-    steps.ifPresent(asked -> Numbers.inRange("-t", asked, 0, Scenario.MAX_STEPS));
-    Settings asked = settings.settings();
-    Scenario scenario =
-        asked.scenario(
-            CamSimScenario.read(
-                file,
-                movement.orElse(null),
-                asked.asked(Setting.POLICY).isPresent(),
-                camSims,
-                catalogue,
-                screen.err()));
-    return new RunPlan(
-        scenario,
-        DetectionSpec.of(asked, scenario, file, catalogue),
-        asked.asked(Setting.POLICY).orElse("zoom-out"),
-        steps.or(() -> scenario.find(Scenario.STEPS)).orElse(USUAL_STEPS),
-        seed,
-        1);
+  private CamSimFiles.Places places(Path file, RunPlan plan) throws IOException {
+    boolean several = files.size() > 1 || repeat > 1;
+    String scenario = several ? "-" + plan.scenario().name() : "";
+    String one = several ? scenario + "-" + plan.seed() : "";
+    Path steps = named(output, one);
+    Optional<Path> sums =
+        several
+            ? Optional.of(named(summary.orElse(output.resolveSibling("summary.csv")), scenario))
+            : summary;
+    destination.requireNoInput("-o", steps);
+    destination.requireNoInput("-f", sums.orElse(steps));
+    Optional<Path> more = extra.map(path -> named(path, one));
+    if (more.isPresent()) {
+      destination.file("--extra-out", more.get());
+    }
+    Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + one));
+    return new CamSimFiles.Places(file, steps, sums, more, covered, destination.force());
   }
 
-  private void print(RunPlan plan, StepFigures sums) {
+  /** A file's path with something before the ending of its name. */
+  private static Path named(Path path, String more) {
+    String name = path.getFileName().toString();
+    int dot = name.lastIndexOf('.') < 1 ? name.length() : name.lastIndexOf('.');
+    return path.resolveSibling(name.substring(0, dot) + more + name.substring(dot));
+  }
+
+  private void print(RunPlan plan, Path to, StepFigures sums) {
     screen
         .out()
         .printf(
@@ -176,11 +204,11 @@ final class CamSimCommand implements Callable<Integer> {
             "%s: %d steps, seed %d: utility %.4f, %d messages, %d handovers, %.4f tracked; %s%n",
             plan.scenario().name(),
             plan.steps(),
-            seed,
+            plan.seed(),
             sums.utility(),
             sums.communication(),
             sums.handovers(),
             sums.meanProportion(),
-            output);
+            to);
   }
 }

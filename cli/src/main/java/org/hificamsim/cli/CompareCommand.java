@@ -80,7 +80,8 @@ final class CompareCommand implements Callable<Integer> {
   @Mixin private Screen screen;
 
   @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY, Setting.NETWORK);
+  private final SettingOptions settings =
+      SettingOptions.allBut(Setting.DETECTION, Setting.POLICY, Setting.NETWORK);
 
   @Override
   public Integer call() throws IOException {

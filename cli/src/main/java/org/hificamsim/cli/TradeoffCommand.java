@@ -80,6 +80,11 @@ final class TradeoffCommand implements Callable<Integer> {
       description = "What utility is traded for: invitations that arrive, or all that are sent.")
   private String cost;
 
+  @Option(
+      names = "--camsim-files",
+      description = "Write CamSim's summary of each network too, for scripts that read it.")
+  private boolean camSimFiles;
+
   @Mixin private CamSimOptions options;
 
   @Mixin private BatchOptions batch;
@@ -121,6 +126,9 @@ final class TradeoffCommand implements Callable<Integer> {
           StudyResults results = new StudyResults();
           results.run(networks, engine);
           run.warnOfFewSeeds(bases.get(0).repeats());
+          if (camSimFiles) {
+            StudyFiles.writeSummaries(folder, results);
+          }
           return StudyFiles.write(folder, results, paid);
         },
         TradeoffCommand::print);
@@ -179,8 +187,7 @@ final class TradeoffCommand implements Callable<Integer> {
                               () ->
                                   new InputException(
                                       "--bandits has '%s', expected none, all or some of %s"
-                                          .formatted(
-                                              name, Named.expected(BanditAlgorithm.class)))))
+                                          .formatted(name, Named.expected(BanditAlgorithm.class)))))
               .toList();
     };
   }

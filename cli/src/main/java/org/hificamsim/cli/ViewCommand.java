@@ -52,7 +52,8 @@ final class ViewCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT, Setting.NETWORK);
+  private final SettingOptions settings =
+      SettingOptions.allBut(Setting.STEPS, Setting.REPEAT, Setting.NETWORK);
 
   @Override
   public Integer call() throws IOException, InterruptedException {

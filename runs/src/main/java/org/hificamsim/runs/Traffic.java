@@ -1,7 +1,7 @@
 package org.hificamsim.runs;
 
-import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**

@@ -84,7 +84,12 @@ class MixedModelsTest {
     Registry<DetectionModel> here = new Registry<>("detection");
     here.register("geometric", "blind", Blind::new);
     Catalogue changed =
-        new Catalogue(here, CATALOGUE.policies(), CATALOGUE.movements(), CATALOGUE.listeners(), CATALOGUE.networks());
+        new Catalogue(
+            here,
+            CATALOGUE.policies(),
+            CATALOGUE.movements(),
+            CATALOGUE.listeners(),
+            CATALOGUE.networks());
     try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
       InputException fault =
           assertThrows(InputException.class, () -> compare(changed, plan(new Blind()), out));

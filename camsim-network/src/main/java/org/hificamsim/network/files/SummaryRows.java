@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
@@ -17,7 +18,7 @@ import org.hificamsim.network.statistics.StepFigures;
  * CamSim's summary file (behaviour 10.5): one row is appended per run, under a lock and in one
  * write, so that parallel runs may share it.
  */
-final class SummaryRows {
+public final class SummaryRows {
   /** The columns. Those without CUMULATIVE in front are of a step that never began, hence 0. */
   private static final String HEADER =
       "SEED,TIME,GLOBAL_UTILITY,CUMULATIVE_UTILITY,COMMUNICATION,CUMULATIVE_COMM,HANDOVER,"
@@ -60,6 +61,15 @@ final class SummaryRows {
         lock.release();
       }
     }
+  }
+
+  /** The file that runs leave which begin one after the other, each with the next seed. */
+  public static String of(long firstSeed, List<StepFigures> runs) {
+    StringBuilder text = new StringBuilder(HEADER).append(System.lineSeparator());
+    for (int i = 0; i < runs.size(); i++) {
+      text.append(row(firstSeed + i, runs.get(i))).append(System.lineSeparator());
+    }
+    return text.toString();
   }
 
   private static String row(long seed, StepFigures sums) {

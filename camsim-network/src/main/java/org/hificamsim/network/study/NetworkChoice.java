@@ -53,7 +53,7 @@ public record NetworkChoice(
   public List<StudyPlan> all(RunPlan base) {
     if (count(base) > MAX_ALL) {
       throw new InputException(
-          "scenario '%s' has %s cameras, %.3g networks: expected --heterogeneous sample:N or search:N"
+          "scenario '%s' has %s cameras, %s networks: expected --heterogeneous sample:N or search:N"
               .formatted(base.scenario().name(), cameras(base), count(base)));
     }
     List<StudyPlan> plans = new ArrayList<>();
@@ -76,8 +76,7 @@ public record NetworkChoice(
     Set<List<Integer>> drawn = new LinkedHashSet<>();
     List<StudyPlan> plans = new ArrayList<>();
     while (plans.size() < size) {
-      List<Integer> genes =
-          random.ints(cameras(base), 0, strategies.size()).boxed().toList();
+      List<Integer> genes = random.ints(cameras(base), 0, strategies.size()).boxed().toList();
       if (drawn.add(genes)) {
         add(plans, base, genes);
       }

@@ -1,12 +1,16 @@
 package org.hificamsim.network.study;
 
 import java.io.IOException;
+import java.io.Writer;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.network.files.SummaryRows;
+import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.network.study.StudyGroup.Members;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
@@ -53,6 +57,9 @@ public final class StudyFiles {
                   StudyPlan::label)
               .later());
 
+  private static final List<String> IN_RESULTS =
+      ComparisonFiles.RESULTS.columns().stream().map(Column::name).toList();
+
   /** A row per run. */
   public static final Table<StudyRun> RESULTS =
       Table.<StudyRun>of(ComparisonFiles.RESULTS.file())
@@ -60,9 +67,7 @@ public final class StudyFiles {
           .with(NETWORK, StudyRun::of)
           .with(
               StudyResults.KEPT.stream()
-                  .filter(metric -> metric.ordinal() >= Metric.UTILITY.ordinal()
-                      || metric == Metric.MESSAGES
-                      || metric == Metric.BITS)
+                  .filter(metric -> !IN_RESULTS.contains(metric.label()))
                   .map(StudyFiles::metric)
                   .toList());
 
@@ -116,15 +121,18 @@ public final class StudyFiles {
                   row -> Spelling.of(row.members)),
               Column.ofInt("count", "", "how many", row -> row.group.members(row.members).length),
               Column.ofInt(
-                  "on_front", "", "how many none beats", row -> row.group.front(row.members).length))
+                  "on_front",
+                  "",
+                  "how many none beats",
+                  row -> row.group.front(row.members).length))
           .with(
               Column.ofEstimate(
                   "hypervolume",
                   "hypervolume_low",
                   "hypervolume_high",
                   "share",
-                  "of the rectangle from no utility at the largest cost to the largest utility at no"
-                      + " cost, that the front beats; intervals by the jackknife over seeds",
+                  "of the rectangle from no utility at the largest cost to the largest utility at"
+                      + " no cost, that the front beats; intervals by the jackknife over seeds",
                   row -> row.group.hypervolume(row.members)))
           .with(
               Column.ofEstimate(
@@ -142,7 +150,7 @@ public final class StudyFiles {
                       Arrays.stream(row.group.front(row.members))
                           .limit(100)
                           .mapToObj(i -> row.group.plans().get(i).label())
-                          .collect(java.util.stream.Collectors.joining(" "))));
+                          .collect(Collectors.joining(" "))));
 
   private StudyFiles() {}
 
@@ -174,6 +182,38 @@ public final class StudyFiles {
             .toList();
     FRONTS.write(folder, fronts.stream());
     return fronts;
+  }
+
+  /**
+   * Adds a file for each network as CamSim's scripts read them: its summary, a row for each seed,
+   * with the bytes that {@code camsim --repeat} writes.
+   */
+  public static void writeSummaries(OutputFolder folder, StudyResults results) throws IOException {
+    for (int i = 0; i < results.plans().size(); i++) {
+      StudyPlan plan = results.plans().get(i);
+      String name = "summary-" + plan.plan().scenario().name() + "-" + plan.label() + ".csv";
+      int steps = plan.plan().steps();
+      try (Writer out = folder.open(name)) {
+        out.write(
+            SummaryRows.of(
+                plan.plan().seed(), results.runs(i).map(run -> figures(steps, run)).toList()));
+      }
+    }
+  }
+
+  private static StepFigures figures(int steps, RunResult run) {
+    return new StepFigures(
+        steps,
+        run.value(Metric.UTILITY),
+        (long) run.value(Metric.MESSAGES),
+        0,
+        0,
+        (long) run.value(Metric.INVITATIONS),
+        run.value(Metric.OVERLAP),
+        run.value(Metric.CONFIDENCE),
+        run.value(Metric.TRACKED),
+        (long) run.value(Metric.HANDOVERS),
+        0);
   }
 
   private static Column<StudyRun> metric(Metric metric) {

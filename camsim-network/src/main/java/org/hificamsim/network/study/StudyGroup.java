@@ -150,8 +150,7 @@ public final class StudyGroup {
   /** By how much more than homogeneous networks. */
   public Estimate gain(Members members) {
     return jackknife(
-        without ->
-            hypervolume(members, without) - hypervolume(Members.HOMOGENEOUS, without));
+        without -> hypervolume(members, without) - hypervolume(Members.HOMOGENEOUS, without));
   }
 
   private double hypervolume(Members members, int without) {

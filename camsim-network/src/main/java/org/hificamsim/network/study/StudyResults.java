@@ -49,8 +49,7 @@ public final class StudyResults {
         tasks.add(new RunTask(plan, repeat));
       }
     }
-    engine.run(
-        all, tasks, (task, run) -> keep(first + task.plan(), task.repeat(), run.result()));
+    engine.run(all, tasks, (task, run) -> keep(first + task.plan(), task.repeat(), run.result()));
   }
 
   /** Runs write into parts of their own. */

@@ -202,7 +202,8 @@ public final class ComparisonFiles {
   }
 
   private static Stream<Run> runs(List<CaseResult> cases) {
-    return cases.stream().flatMap(one -> one.runs().stream().map(run -> new Run(one.plan(), one, run)));
+    return cases.stream()
+        .flatMap(one -> one.runs().stream().map(run -> new Run(one.plan(), one, run)));
   }
 
   /** Of the first policy of each scenario and detection: they are the same of all. */

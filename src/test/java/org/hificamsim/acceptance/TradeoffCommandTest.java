@@ -1,0 +1,215 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code tradeoff}: each of its runs is one of CamSim's, and its front that of all pairs. */
+class TradeoffCommandTest {
+  private static final Path SASO = Cli.ROOT.resolve("../shared/reference/camsim/scenarios/SASO");
+  private static final Path OWN = Cli.scenario("tutorial-camsim");
+  private static final List<String> STRATEGIES = List.of("A0", "A1", "A2", "P0", "P1", "P2");
+
+  @TempDir Path folder;
+
+  @Test
+  void eachNetworkHasTheBytesOfCamSimWithTheSameOptions() throws IOException {
+    String[] more = {"--heterogeneous", "sample:12", "--bandits", "all", "--alphas", "0.2,0.9"};
+    Path out = study(List.of(OWN), 90, 4, more);
+    List<String> networks = networks(out);
+    assertEquals(6 + 12 + 12, networks.size());
+    for (String network : networks) {
+      assertSameAsCamSim(out, OWN, network, 90, 4);
+    }
+  }
+
+  @Test
+  void theScenariosOfSasoHaveTheBytesOfCamSim() throws IOException {
+    assumeTrue(Files.isDirectory(SASO), "without CamSim's scenarios in " + SASO);
+    List<Path> files =
+        IntStream.rangeClosed(1, 11).mapToObj(i -> SASO.resolve("scenario" + i + ".xml")).toList();
+    Path out = study(files, 60, 2, "--heterogeneous", "sample:5", "--bandits", "UCB1,SoftMax");
+    int compared = 0;
+    for (Path file : files) {
+      List<String> networks = new ArrayList<>(networks(out, name(file)));
+      Collections.shuffle(networks, new Random(compared));
+      for (String network : networks.subList(0, 10)) {
+        assertSameAsCamSim(out, file, network, 60, 2);
+        compared += 2;
+      }
+    }
+    assertTrue(compared >= 200, compared + " runs compared");
+  }
+
+  @Test
+  void shardsAndOtherThreadsGiveTheSameBytes() throws IOException {
+    Path whole = study(List.of(OWN), 30, 3, "--heterogeneous", "sample:5", "--threads", "1");
+    Object[] words = words(List.of(OWN), 30, 3, "--heterogeneous", "sample:5");
+    List<Object> parts = new ArrayList<>();
+    for (int i = 1; i <= 2; i++) {
+      parts.add(folder.resolve("part" + i));
+      run(words, "--shard", i + "/2", "--out", parts.get(i - 1));
+    }
+    Path merged = folder.resolve("merged");
+    run(words, "--out", merged, "--merge", parts.get(0), parts.get(1));
+    for (String name : List.of("results.csv", "networks.csv", "fronts.csv", "settings.json")) {
+      assertArrayEquals(
+          Files.readAllBytes(whole.resolve(name)), Files.readAllBytes(merged.resolve(name)), name);
+    }
+  }
+
+  @Test
+  void aResumedStudyTakesTheRunsThatAreThereAndNoOthers() throws IOException {
+    Path out = study(List.of(OWN), 30, 2);
+    Path resumed = folder.resolve("resumed");
+    Object[] words = words(List.of(OWN), 30, 2, "--out", resumed);
+    run(words, "--shard", "1/2");
+    Path journal = resumed.resolve(".compare.journal");
+    List<String> lines = Files.readAllLines(resumed.resolve("runs.jsonl"));
+    assertEquals(6, lines.size());
+    String altered = lines.get(0).replaceFirst("strategies=[AP]", "strategies=HA");
+    assertFalse(altered.equals(lines.get(0)));
+    Files.write(journal, Stream.concat(lines.stream().skip(1), Stream.of(altered)).toList());
+    Cli again = run(words, "--resume");
+    assertTrue(again.err().contains("the line is damaged"), again.err());
+    assertArrayEquals(
+        Files.readAllBytes(out.resolve("results.csv")),
+        Files.readAllBytes(resumed.resolve("results.csv")));
+  }
+
+  @Test
+  void aFrontIsThatOfAllPairs() throws IOException {
+    Path out = study(List.of(OWN), 60, 3, "--heterogeneous", "all");
+    List<String[]> rows = rows(out.resolve("networks.csv"));
+    assertEquals(216, rows.size());
+    List<String> front =
+        rows.stream()
+            .filter(row -> rows.stream().noneMatch(other -> beats(other, row)))
+            .map(row -> row[3])
+            .sorted()
+            .toList();
+    String[] all = rows(out.resolve("fronts.csv")).get(1);
+    assertEquals("static", all[2]);
+    assertEquals(front, Stream.of(all[11].split(" ")).sorted().toList());
+    for (String[] row : rows) {
+      assertTrue(!front.contains(row[3]) || Double.parseDouble(row[12]) <= 0, row[3]);
+    }
+  }
+
+  @Test
+  void aChannelAndRealDetectionChangeWhatIsMeasured() throws IOException {
+    Path plain = study(List.of(OWN), 60, 2);
+    Path real = study(List.of(OWN), 60, 2, "--detection", "hifi:orb-lin", "--detect", "chance");
+    Path lossy = study(List.of(OWN), 60, 2, "--channel", "loss=0.5,delay=2");
+    assertFalse(values(plain).equals(values(real)));
+    assertFalse(values(plain).equals(values(lossy)));
+    assertSameAsCamSim(lossy, OWN, "P1", 60, 2, "--channel", "loss=0.5,delay=2");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--of A0,A7 | strategies are 'A7', expected A, P, HA or HP",
+        "--of A0,A0 | 'A0' twice",
+        "--heterogeneous some | --heterogeneous is 'some', expected none, all, sample:N",
+        "--bandits Greedy | --bandits has 'Greedy', expected none, all or some of",
+        "--alphas 2 | --alphas is 2.0, expected",
+        "--cost money | --cost is 'money', expected one of messages, invitations",
+        "--detection nothing | unknown detection 'nothing'",
+      })
+  void refusesInOneLine(String options, String expected) {
+    Cli.assertRefuses(options, expected, folder.resolve("out"), "tradeoff", OWN);
+  }
+
+  private Path study(List<Path> files, int steps, int seeds, String... more) throws IOException {
+    Path out = Files.createTempDirectory(folder, "study").resolve("out");
+    run(words(files, steps, seeds, more), "--out", out, "--camsim-files");
+    return out;
+  }
+
+  private static Object[] words(List<Path> files, int steps, int seeds, Object... more) {
+    Stream<Object> command =
+        Stream.of("tradeoff", "--steps", steps, "--repeat", seeds, "--seed", 5);
+    return Stream.of(command, files.stream(), Arrays.stream(more))
+        .flatMap(words -> words)
+        .toArray();
+  }
+
+  private static Cli run(Object[] words, Object... more) {
+    Cli run = Cli.run(Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray());
+    assertEquals(0, run.exit(), run.err());
+    return run;
+  }
+
+  private void assertSameAsCamSim(
+      Path out, Path file, String network, int steps, int seeds, String... more)
+      throws IOException {
+    Path own = Files.createTempDirectory(folder, "camsim");
+    List<Object> words =
+        new ArrayList<>(
+            List.of("camsim", file, "-s", 5, "--repeat", seeds, "-o", own.resolve("output.csv")));
+    words.addAll(List.of("-t", steps, "-f", own.resolve("summary.csv")));
+    if (network.contains("@")) {
+      Path parameters = own.resolve("parameters");
+      Files.writeString(parameters, "Alpha=" + network.split("@")[1]);
+      words.addAll(List.of("-b", network.split("@")[0], "-p", parameters));
+    } else if (STRATEGIES.contains(network)) {
+      words.addAll(List.of("-a", network.startsWith("A") ? "Active" : "Passive"));
+      words.addAll(List.of("-c", network.substring(1)));
+    } else {
+      words.addAll(List.of("--strategies", network));
+    }
+    run(words.toArray(), (Object[]) more);
+    assertArrayEquals(
+        Files.readAllBytes(own.resolve("summary-" + name(file) + ".csv")),
+        Files.readAllBytes(out.resolve("summary-" + name(file) + "-" + network + ".csv")),
+        name(file) + " " + network);
+  }
+
+  private static String name(Path file) {
+    return file.getFileName().toString().replace(".xml", "");
+  }
+
+  private static boolean beats(String[] one, String[] other) {
+    double utility = Double.parseDouble(one[4]) - Double.parseDouble(other[4]);
+    double cost = Double.parseDouble(other[7]) - Double.parseDouble(one[7]);
+    return utility >= 0 && cost >= 0 && utility + cost > 0;
+  }
+
+  private static List<String> networks(Path out) throws IOException {
+    return rows(out.resolve("networks.csv")).stream().map(row -> row[3]).toList();
+  }
+
+  private static List<String> networks(Path out, String scenario) throws IOException {
+    return rows(out.resolve("networks.csv")).stream()
+        .filter(row -> row[0].equals(scenario))
+        .map(row -> row[3])
+        .toList();
+  }
+
+  private static List<String> values(Path out) throws IOException {
+    return rows(out.resolve("networks.csv")).stream().map(row -> row[4] + " " + row[7]).toList();
+  }
+
+  private static List<String[]> rows(Path file) throws IOException {
+    return Files.readAllLines(file).stream().skip(1).map(line -> line.split(",", -1)).toList();
+  }
+}
