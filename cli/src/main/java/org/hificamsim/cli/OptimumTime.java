@@ -6,31 +6,44 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.Yardstick;
 
-/** Says before a comparison how long its optima will take, where that is long. */
+/**
+ * Says before a comparison how long its optima will take, where that is long. Some steps of a run
+ * take a hundred times as long as others, so it tries steps of the whole run, each with few search
+ * nodes.
+ */
 final class OptimumTime {
   private static final double ENOUGH = 1; // seconds of a trial
-  private static final int MOST_STEPS = 16;
-  private static final double LONG = 600; // seconds
+  private static final double MOST = 4; // seconds of a trial
+  private static final int MOST_SAMPLES = 64;
+  private static final int FIRST_STEPS = 1024; // of those, where a run has more
+  private static final int NODES = 2_000; // of a step that is tried
+  private static final double FULL = 500; // times as many has a step of the optimum
+  private static final double LONG = 120; // seconds
   private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
 
-  private final RunExecutor executor;
+  private final Catalogue catalogue;
   private final int threads;
 
   OptimumTime(Catalogue catalogue, int threads) {
-    this.executor = new RunExecutor(catalogue);
+    this.catalogue = catalogue;
     this.threads = threads;
   }
 
-  /** How long the runs of an optimum take, by its first steps; seconds. */
-  private record Slow(RunPlan plan, double perStep) {
-    double all() {
+  /** Seconds that a step of an optimum takes; the same twice where the trial had nodes enough. */
+  private record Slow(RunPlan plan, double least, double most) {
+    double all(double perStep) {
       return perStep * plan.steps() * plan.repeats();
     }
   }
@@ -41,36 +54,98 @@ final class OptimumTime {
     List<Slow> optima =
         all.subList(asked.size(), all.size()).stream()
             .filter(plan -> plan.policy().equals(Yardstick.OPTIMAL.policy()))
-            .map(plan -> new Slow(plan, perStep(plan)))
+            .map(this::slow)
             .toList();
-    double seconds = optima.stream().mapToDouble(Slow::all).sum() / threads;
-    Optional<Slow> slowest = optima.stream().max(Comparator.comparingDouble(Slow::all));
-    if (seconds > LONG) {
-      err.println(line(slowest.orElseThrow(), Duration.ofSeconds((long) seconds)));
+    double least = optima.stream().mapToDouble(one -> one.all(one.least)).sum() / threads;
+    double most = optima.stream().mapToDouble(one -> one.all(one.most)).sum() / threads;
+    Optional<Slow> slowest =
+        optima.stream().max(Comparator.comparingDouble(one -> one.all(one.most)));
+    if (most > LONG) {
+      err.println(line(slowest.orElseThrow(), least, most));
     }
   }
 
-  private static String line(Slow slowest, Duration all) {
+  private static String line(Slow slowest, double least, double most) {
     return String.format(
         Locale.ROOT,
-        "the optimum of %s takes about %.2g s a step, all optima about %d:%02d hours;"
+        "the optimum of %s takes %s s a step, all optima %s hours;"
             + " --yardsticks bound takes a small part of it",
         slowest.plan.scenario().name(),
-        slowest.perStep,
-        all.toHours(),
-        all.toMinutesPart());
+        range(String.format("%.2g", slowest.least), String.format("%.2g", slowest.most)),
+        range(hours(least), hours(most)));
   }
 
-  /** Of ever more steps, until a trial is long enough: the first ones are not yet compiled. */
-  private double perStep(RunPlan plan) {
-    double perStep = 0;
-    double took = 0;
-    for (int steps = 1; took < ENOUGH && steps <= MOST_STEPS && steps <= plan.steps(); steps *= 4) {
-      long start = System.nanoTime();
-      executor.repeat(plan.withSteps(steps), 0, List.of());
-      took = (System.nanoTime() - start) / NANOS;
-      perStep = took / steps;
+  private static String range(String least, String most) {
+    return least.equals(most) ? "about " + most : least + " to " + most;
+  }
+
+  private static String hours(double seconds) {
+    Duration time = Duration.ofSeconds((long) seconds);
+    return "%d:%02d".formatted(time.toHours(), time.toMinutesPart());
+  }
+
+  /** By ever more steps, until a trial is long enough: the first ones are not yet compiled. */
+  private Slow slow(RunPlan plan) {
+    Trial trial;
+    int samples = 1;
+    do {
+      samples *= 4;
+      trial = new Trial(plan.steps(), samples);
+      trial.run(plan);
+    } while (trial.least < ENOUGH && samples < MOST_SAMPLES);
+    return new Slow(plan, trial.least / trial.tried, trial.most / trial.tried);
+  }
+
+  /** Cameras that stay, and an optimum that is searched now and then. */
+  private final class Trial implements ZoomPolicy {
+    private final ProvingZoomPolicy optimal =
+        (ProvingZoomPolicy)
+            catalogue.policies().create(Yardstick.OPTIMAL.policy() + ":nodes=" + NODES);
+    private final int steps;
+    private final int every;
+    private int tried;
+    private double least;
+    private double most;
+
+    Trial(int steps, int samples) {
+      this.steps = Math.min(steps, FIRST_STEPS);
+      this.every = Math.max(1, this.steps / samples);
     }
-    return perStep;
+
+    void run(RunPlan plan) {
+      World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
+      Simulation run = new Simulation(world, plan.detection(), this, plan.seed(), List.of());
+      long start = System.nanoTime();
+      for (int step = 0; step < steps && since(start) < MOST; step++) {
+        run.step();
+      }
+    }
+
+    @Override
+    public String name() {
+      return optimal.name();
+    }
+
+    @Override
+    public void begin(NetworkView network, SplittableRandom random) {
+      optimal.begin(network, random);
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {
+      if (network.step() % every == 0) {
+        long start = System.nanoTime();
+        long unproven = optimal.unprovenSteps();
+        optimal.decide(network, views.clone());
+        double took = since(start);
+        tried++;
+        least += took;
+        most += optimal.unprovenSteps() > unproven ? FULL * took : took;
+      }
+    }
+  }
+
+  private static double since(long start) {
+    return (System.nanoTime() - start) / NANOS;
   }
 }
