@@ -57,7 +57,8 @@ class ComparisonPageTest {
       for (String row : Files.readAllLines(out.resolve("summary.csv"))) {
         String[] cells = row.split(",", -1);
         if (cells[3].equals(metric)) {
-          expected.add(String.join(",", List.of(cells).subList(5, 8)));
+          String low = cells[6].startsWith("-") ? "0" : cells[6]; // no share is below it
+          expected.add(String.join(",", cells[5], low, cells[7]));
           assertTrue(said.contains(cells[2]));
         }
       }
@@ -92,6 +93,32 @@ class ComparisonPageTest {
     assertTrue(
         browser.text(".answer").contains("cameras on the target with the fewest (k_min) in ring"),
         browser.text(".answer"));
+  }
+
+  @Test
+  void theChoicesOfBothDetectionsAreJudgedByTheLast() throws IOException {
+    open();
+    List<String> rows = Files.readAllLines(out.resolve("choices.csv"));
+    assertEquals(5, rows.size(), rows.toString());
+    for (String row : rows.subList(1, 5)) {
+      assertTrue(row.contains(",hifi:orb-lin,"), row);
+    }
+    String[] last = rows.get(2).split(",");
+    assertEquals(last[3], last[7], "the judge achieves what it predicts");
+    List<String> titles =
+        browser.findAll("section.card h2").stream().map(WebElement::getText).toList();
+    assertTrue(titles.contains("What each detection model’s choice of policy achieves"));
+  }
+
+  @Test
+  void aResearcherHasTheCurvesFirstAndTheBrowserRemembersIt() {
+    open();
+    new Select(browser.find("#reader")).selectByValue("researcher");
+    open();
+    assertEquals("Score over time", browser.text("section.card h2"));
+    new Select(browser.find("#reader")).selectByValue("planner");
+    assertEquals("Side by side", browser.text("section.card h2"));
+    browser.assertQuietConsole();
   }
 
   @Test

@@ -56,6 +56,8 @@ class ImportCommandTest {
     assertTrue(imported.out().contains("hificamsim view "), imported::out);
     String question = "question: covered:k=1 by oodpcvs-2025:level=discern in 30 steps";
     assertTrue(imported.out().contains(question), imported::out);
+    Cli validated = Cli.run("validate", out.resolve("people.xml"));
+    assertTrue(validated.out().contains(" 50 samples of 2 targets, "), validated::out);
   }
 
   @Test

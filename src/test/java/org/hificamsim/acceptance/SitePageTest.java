@@ -130,9 +130,9 @@ class SitePageTest {
     double density = ((Number) browser.run(place.formatted("view.density / 5"))).doubleValue();
     String told = (String) browser.run(FieldScripts.TOLD, x, y);
     assertEquals(density, Double.parseDouble(told.split(" ")[0]), 0.06);
-    String zone = density >= 250 ? "identify" : density >= 125 ? "recognise" : "observe";
+    String zone = density >= 250 ? "characterise" : density >= 125 ? "perceive" : "discern";
     assertTrue(told.endsWith("px/m: " + zone), told);
-    assertTrue(browser.text(".legend").contains("observe 62.5"));
+    assertTrue(browser.text(".legend").contains("discern 80"));
   }
 
   @Test

@@ -19,6 +19,7 @@ import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Choice;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.ReferencePolicies;
@@ -98,6 +99,7 @@ final class CompareCommand implements Callable<Integer> {
             (folder, results) -> {
               List<CaseResult> asked = results.subList(0, plans.size());
               ComparisonFiles.write(folder, asked, results);
+              Choice.write(folder, asked);
               ComparisonFigures.write(folder, results, width, batch.threads());
               AggregateFiles.write(folder, asked, batch.threads());
               if (latex) {
@@ -156,6 +158,12 @@ final class CompareCommand implements Callable<Integer> {
     List<PolicyScores> policies =
         PolicyScores.of(cases.stream().filter(one -> !one.isOptimum()).toList());
     SummaryTables.atLeast(cases).forEach(out::println);
+    List<Choice> choices = Choice.of(cases);
+    if (!choices.isEmpty()) {
+      out.println();
+      out.println("what the policy that each detection chooses achieves, mean score of a step:");
+      Choice.table(choices).print(out);
+    }
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     if (yardstick.isPresent() && policies.stream().anyMatch(one -> one.cases().size() > 1)) {
       out.println();

@@ -1,8 +1,11 @@
 package org.hificamsim.cli;
 
+import java.util.List;
 import java.util.Locale;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.TargetSpec;
 
 /** One-line descriptions for people. */
 final class Descriptions {
@@ -14,12 +17,34 @@ final class Descriptions {
         Locale.ROOT,
         "%s, %s, %s, field %s x %s m, %s, %s order",
         count(scenario.cameras().size(), "camera"),
-        count(scenario.targets().size(), "target"),
+        targets(scenario),
         count(scenario.events().size(), "event"),
         plain(scenario.field().width()),
         plain(scenario.field().height()),
         views(scenario),
         Spelling.of(scenario.order()));
+  }
+
+  /** Those of tracks are counted once each, however often they come and go. */
+  private static String targets(Scenario scenario) {
+    List<TargetSpec> recorded =
+        scenario
+            .events(ScenarioEvent.AddTarget.class)
+            .map(ScenarioEvent.AddTarget::target)
+            .filter(target -> target.track().isPresent())
+            .toList();
+    String others = count(scenario.targets().size(), "target");
+    if (recorded.isEmpty()) {
+      return others;
+    }
+    long samples =
+        recorded.stream().mapToLong(target -> target.track().orElseThrow().samples()).sum();
+    int tracked = (int) recorded.stream().map(TargetSpec::features).distinct().count();
+    String found =
+        String.format(Locale.ROOT, "%,d sample%s", samples, samples == 1 ? "" : "s")
+            + " of "
+            + count(tracked, "target");
+    return scenario.targets().isEmpty() ? found : others + ", " + found;
   }
 
   /** Old files say it as ever. */

@@ -71,7 +71,7 @@ final class OptimumTime {
         "the optimum of %s takes %s s a step, all optima %s hours;"
             + " --yardsticks bound takes a small part of it",
         slowest.plan.scenario().name(),
-        range(String.format("%.2g", slowest.least), String.format("%.2g", slowest.most)),
+        range(seconds(slowest.least), seconds(slowest.most)),
         range(hours(least), hours(most)));
   }
 
@@ -79,9 +79,13 @@ final class OptimumTime {
     return least.equals(most) ? "about " + most : least + " to " + most;
   }
 
+  private static String seconds(double seconds) {
+    return String.format(Locale.ROOT, "%.2g", seconds);
+  }
+
   private static String hours(double seconds) {
     Duration time = Duration.ofSeconds((long) seconds);
-    return "%d:%02d".formatted(time.toHours(), time.toMinutesPart());
+    return String.format(Locale.ROOT, "%d:%02d", time.toHours(), time.toMinutesPart());
   }
 
   /** By ever more steps, until a trial is long enough: the first ones are not yet compiled. */

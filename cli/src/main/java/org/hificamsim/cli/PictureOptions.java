@@ -76,7 +76,7 @@ final class PictureOptions {
   @Option(
       names = "--density",
       paramLabel = "CAMERA",
-      description = "Show the pixel density zones (EN 62676-4:2014) of this camera in pictures.")
+      description = "Show the pixel density zones (IEC 62676-4:2025) of this camera in pictures.")
   private Optional<String> density;
 
   @Option(

@@ -114,7 +114,8 @@ final class SummaryTable {
   }
 
   private void figure(String label, Metric metric, String format, String unit) {
-    String text = Estimate.of(results, metric).text(format);
+    double[] figures = results.stream().mapToDouble(run -> run.value(metric)).toArray();
+    String text = metric.shown(figures).text(format);
     line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
   }
 

@@ -265,6 +265,13 @@ public enum Metric {
     return source.compared == null ? run.result().value(this) : source.compared.applyAsDouble(run);
   }
 
+  /** The mean over runs as people read it: its interval is held to what the metric can be. */
+  public Estimate shown(double[] figures) {
+    Estimate mean = Estimate.mean(figures);
+    double most = unit.startsWith("share") ? Math.max(1, mean.mean()) : Double.POSITIVE_INFINITY;
+    return this == REGRET ? mean : mean.within(0, most);
+  }
+
   /** The name in files. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);

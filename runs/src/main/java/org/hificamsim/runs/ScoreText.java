@@ -12,10 +12,15 @@ public final class ScoreText {
    * @param scores of runs of the plan, summed over their steps
    */
   public static String of(RunPlan plan, double[] scores) {
+    return of(plan, Estimate.mean(scores).times(1.0 / plan.steps()));
+  }
+
+  /** The same of what was made of such scores, of one step. */
+  public static String of(RunPlan plan, Estimate score) {
     boolean share = plan.objective().isShare();
     double factor = share ? 100 : 1;
-    return Estimate.mean(scores)
-        .times(factor / plan.steps())
+    return score
+        .times(factor)
         .within(0, share ? factor : Double.POSITIVE_INFINITY)
         .text(share ? "%.1f %%" : "%.3f");
   }

@@ -18,17 +18,19 @@ import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
-/** k_min over time of all cases, in few enough points for a page. */
+/** The score over time of all cases, in few enough points for a page. */
 final class CaseCurves {
   private static final int MAX_POINTS_OF_A_CASE = 1_000;
   private static final int MAX_POINTS = 150_000;
+  private static final String SCORE = "score";
   private static final double ROUNDING = 1e4;
 
   private CaseCurves() {}
 
   /**
    * The curves: {@code steps} that each point is a mean over, and a list {@code cases} of {@code
-   * scenario}, {@code detection}, {@code policy}, {@code k_min}.
+   * scenario}, {@code detection}, {@code policy}, {@code score}: k_min where a folder of version
+   * 0.1.0 has no other.
    *
    * @param folder whose table of steps, which may be too large to hold, is read
    * @param settings of the plans: how many steps each has
@@ -50,7 +52,9 @@ final class CaseCurves {
               cases.computeIfAbsent(key, any -> new double[(length + group - 1) / group]);
           int point = (int) row.numberOrNaN("step") / group;
           if (point >= 0 && point < sums.length) {
-            sums[point] += row.numberOrNaN("k_min") / Math.min(group, length - point * group);
+            sums[point] +=
+                row.numberOrNaN(row.has(SCORE) ? SCORE : "k_min")
+                    / Math.min(group, length - point * group);
           }
         });
     return node(cases, group);
@@ -94,7 +98,7 @@ final class CaseCurves {
           Arrays.setAll(means, i -> Math.round(means[i] * ROUNDING) / ROUNDING);
           ObjectNode one = list.addObject();
           one.put("scenario", key.get(0)).put("detection", key.get(1)).put("policy", key.get(2));
-          one.putPOJO("k_min", means);
+          one.putPOJO(SCORE, means);
         });
     return node;
   }

@@ -20,6 +20,7 @@ import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.replay.Deflated;
 import org.hificamsim.runs.compare.AggregateFiles;
+import org.hificamsim.runs.compare.Choice;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
@@ -32,6 +33,7 @@ final class ComparisonReport {
   /** The tables that stand on the page as they are, in its order. */
   private static final List<String> OTHERS =
       List.of(
+          Choice.FILE.file(),
           "adapting.csv",
           "readings.csv",
           "verdicts.csv",
@@ -47,6 +49,7 @@ final class ComparisonReport {
   private static final int MAX_PICTURES = 3_000_000; // bytes
   private static final double ROUNDING = 1e-9;
   private static final int MAX_ROWS = 5_000;
+  private static final int MAX_DRAWN_ROWS = 50_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
 
   private final Path folder;
@@ -102,6 +105,11 @@ final class ComparisonReport {
     check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
+    for (Table<?> table : List.of(ComparisonFiles.LEVELS, ComparisonFiles.YARDSTICKS)) {
+      if (table.isIn(folder)) {
+        write(data.putObject(table.file().replace(".csv", "")), table.read(folder), MAX_DRAWN_ROWS);
+      }
+    }
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
     data.set("names", MetricNames.json());

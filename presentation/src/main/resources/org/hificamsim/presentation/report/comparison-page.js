@@ -1,10 +1,11 @@
-// The page of a comparison: cases side by side with their intervals, k_min over time, all runs, pictures and settings.
+// The page of a comparison: cases side by side with their intervals, the score over time, all runs, pictures and settings.
 import { el, onThemeChange, rem, style } from './dom.js';
 import { inflate } from './inflate.js';
 import { movingMean } from './smooth.js';
 import { rowsOf, sortable } from './table.js';
-import { besideUnit, isShare, scoreNumber, spelled, tipped, told, words } from './names.js';
-import { decimals } from './numbers.js';
+import { besideUnit, held, isShare, scoreNumber, spelled, tipped, told, words } from './names.js';
+import { decimals, percent } from './numbers.js';
+import { Readers } from './readers.js';
 
 /** The metrics that a comparison begins with: the first one that is not 0 or missing everywhere. */
 const FAVOURITES = ['proportion_of_optimal', 'proportion_of_bound', 'performance', 'covered_k', 'mean_k', 'covered_1', 'covered_0'];
@@ -13,23 +14,26 @@ const OPTIMAL = 'optimal';
 
 /** The page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
-  root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data)));
-  if (kind(data) === 'Comparison') root.append(...answers(data));
   const adapting = data.tables.find(table => table.name === 'adapting.csv');
-  if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
-  const cases = [data.summary && comparison(data), data.curves && curves(data)];
+  const table = data.summary && comparison(data);
+  const course = data.curves && curves(data);
   const tables = data.tables.map(table => card(titleOf(table.name), plainTable(table, data.names)));
   const figures = data.pictures.length && await pictures(data.pictures);
-  const order = kind(data) === 'Ladder' ? [figures, ...tables, ...cases] : [...cases, ...tables, figures];
-  root.append(...order.filter(Boolean));
-  if (data.results) root.append(folded(`All runs (${data.results.count})`, () => plainTable(data.results, data.names)));
-  if (data.settings) root.append(settings(data.settings));
-  root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
+  const made = [data.results && folded(`All runs (${data.results.count})`, () => plainTable(data.results, data.names)),
+    data.settings && settings(data.settings),
+    card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`))];
+  const ladder = kind(data) === 'Ladder';
+  const readers = new Readers({planner: ladder ? [figures, ...tables, table, course, ...made] : [table, figures, ...tables, course, ...made],
+    researcher: ladder ? [...tables, figures, course, table, ...made] : [course, table, ...tables, figures, ...made]});
+  root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data), readers.control));
+  if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
+  if (kind(data) === 'Comparison') root.append(...answers(data));
+  root.append(readers.element);
   root.dataset.ready = '';
 }
 
 const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
-const TITLES = {'aggregate.csv': 'All scenarios together', 'improvement.csv': 'Probability that one policy beats another',
+const TITLES = {'choices.csv': 'What each detection model’s choice of policy achieves', 'aggregate.csv': 'All scenarios together', 'improvement.csv': 'Probability that one policy beats another',
   'pairs.csv': 'Differences between policies, paired by seed'};
 const titleOf = name => TITLES[name] ?? name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
@@ -47,7 +51,7 @@ function answers({summary, settings}) {
   if (!summary || !settings?.[0]?.score_words) return [];
   const scores = rowsOf(summary).filter(({metric, mean}) => metric === 'score' && mean !== '');
   return distinct(scores, 'scenario').slice(0, ANSWERS).flatMap(scenario => {
-    const of = scores.filter(row => row.scenario === scenario && row.detection === scores.at(-1).detection && !YARDSTICKS.includes(row.policy));
+    const of = scores.filter(row => row.scenario === scenario && row.detection === scores.findLast(one => one.scenario === scenario).detection && !YARDSTICKS.includes(row.policy));
     return of.length ? [answer(of.reduce((best, row) => (Number(row.mean) > Number(best.mean) ? row : best)), of, settings)] : [];
   });
 }
@@ -55,6 +59,7 @@ function answers({summary, settings}) {
 function answer(best, cases, settings) {
   const {steps, score_words: title, score_unit: unit, objective} = settings.find(({scenario}) => scenario === best.scenario);
   const number = sum => scoreNumber(Number(sum) / steps, {share: unit === 'share'});
+  best = {...best, ...held('score', '', best)};
   const interval = best.low !== best.high ? ` (95 % interval ${number(best.low)} to ${number(best.high)})` : '';
   return el('p', {class: 'answer'}, el('b', {}, number(best.mean)), ' ', tipped(title, objective), ` in ${best.scenario}: `, tipped(spelled(best.policy), best.policy),
     `${cases.length > 1 ? `, the best of ${cases.length} policies` : ''}, ${spelled(best.detection)}, the mean of ${steps} steps${interval}`);
@@ -79,7 +84,7 @@ function badges({summary, settings}) {
 
 /** The cases of one metric, each with its interval drawn to one scale. */
 function comparison({summary, settings, colours, names}) {
-  const rows = rowsOf(summary);
+  const rows = rowsOf(summary).map(row => ({...row, ...held(row.metric, names[row.metric]?.unit, row)}));
   const metrics = distinct(rows, 'metric');
   const asked = settings?.some(({objective}) => objective !== 'kmin') ? ['score', ...FAVOURITES] : FAVOURITES;
   const pick = choice('metric', metrics, asked.find(name => tells(rows, name)) || metrics[0], () => fill(), name => names[name]?.title ?? words(name));
@@ -87,9 +92,11 @@ function comparison({summary, settings, colours, names}) {
   const place = el('div', {class: 'scroll'});
 
   function fill() {
-    const shown = rows.filter(row => row.metric === pick.value && (scenarios.value === 'all' || row.scenario === scenarios.value));
-    const words = settings?.find(({scenario}) => scenario === shown[0]?.scenario)?.score_words;
-    const {title, unit, meaning} = pick.value === 'score' && words ? {...names.score, title: `score: ${words}`, unit: 'sum over the steps'} : names[pick.value] ?? {title: pick.value, unit: ''};
+    const found = rows.filter(row => row.metric === pick.value && (scenarios.value === 'all' || row.scenario === scenarios.value));
+    const plans = pick.value === 'score' && settings?.[0]?.score_words ? distinct(found, 'scenario').map(name => settings.find(({scenario}) => scenario === name)) : [];
+    const shown = plans.length ? found.map(row => perStep(row, plans.find(({scenario}) => scenario === row.scenario).steps)) : found;
+    const {title, unit, meaning} = plans.length ? {...names.score, title: `score, mean of the steps: ${distinct(plans, 'score_words').join('; ')}`,
+      unit: plans.every(one => one.score_unit === 'share') ? 'share' : ''} : names[pick.value] ?? {title: pick.value, unit: ''};
     place.replaceChildren(sortable(`${title}${unit ? ` (${isShare(unit) ? `% ${besideUnit(unit)}`.trim() : unit})` : ''}: mean and 95 % interval over seeds`, summaryColumns(shown, colours, unit), shown));
     place.title = `${pick.value}: ${meaning ?? ''}`;
   }
@@ -97,6 +104,10 @@ function comparison({summary, settings, colours, names}) {
   fill();
   return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), asked === FAVOURITES ? blank(rows, pick.value, names) : null, shortened(summary), place);
 }
+
+/** The figures of a score, which is a sum, for one step. */
+const perStep = (row, steps) => Object.fromEntries(Object.entries(row).map(([name, text]) => [name, FIGURES.test(name) && text !== '' ? String(Number(text) / steps) : text]));
+const FIGURES = /^(mean|low|high|difference(_low|_high)?)$/;
 
 /** Whether some case has another value than 0. */
 const tells = (rows, metric) => rows.some(row => row.metric === metric && Number(row.mean) !== 0);
@@ -150,58 +161,107 @@ function choice(name, values, chosen, onchange, nameOf = value => value) {
 /** What tells detection models apart: the lines, and their pieces in the legend. */
 const DASHES = [{line: [], piece: 'solid'}, {line: [8, 4], piece: 'dashed'}, {line: [2, 4], piece: 'dotted'}, {line: [10, 3, 2, 3], piece: 'double'}];
 
-/** k_min over time of a scenario's cases: policies by colour, detection models by dashes. */
-function curves({curves: {cases, steps}, colours}) {
+/** The score over time of a scenario's cases: policies by colour, detection models by dashes, intervals as bands, yardsticks named at their ends. */
+function curves({curves: {cases, steps}, colours, settings, levels, yardsticks}) {
   const pick = choice('scenario', distinct(cases, 'scenario'), cases[0].scenario, () => draw());
-  const widths = [1, 5, 25, 101].filter(width => width === 1 || width < Math.max(...cases.map(one => one.k_min.length)) / 3);
+  const widths = [1, 5, 25, 101].filter(width => width === 1 || width < Math.max(...cases.map(one => one.score.length)) / 3);
   const width = choice('mean over points', widths.map(String), String(widths[Math.min(2, widths.length - 1)]), () => draw());
-  const box = el('div', {class: 'lines', role: 'img', 'aria-label': 'k_min over time by case; the tables have the numbers'});
+  const box = el('div', {class: 'lines', role: 'img', 'aria-label': 'score over time by case; the tables have the numbers'});
   const detections = distinct(cases, 'detection');
+  const parts = levels ? rowsOf(levels) : [];
   let plot;
 
   function draw() {
     const shown = cases.filter(one => one.scenario === pick.value);
-    const longest = Math.max(...shown.map(one => one.k_min.length));
+    const longest = Math.max(...shown.map(one => one.score.length));
     const x = Array.from({length: longest}, (none, i) => i * steps);
+    const {score_words: title, score_unit: unit} = settings?.find(({scenario}) => scenario === pick.value) ?? {};
+    const share = unit === 'share';
+    const half = (Number(width.value) - 1) / 2;
+    const bands = shown.map(one => ends(parts.filter(row => sameCase(row, one)), one.score.length, half));
+    const levelled = horizontal(yardsticks, settings, shown, detections);
+    const most = Math.max(...bands.flatMap(band => band?.high ?? []), ...levelled.map(({level}) => level));
     plot?.destroy();
     plot = new uPlot({
-      width: box.clientWidth || 600, height: 26 * rem(), padding: [8, (shown.some(({policy}) => YARDSTICKS.includes(policy)) ? 5.5 : 1) * rem(), 0, 0], cursor: {drag: {x: true, y: false}},
-      scales: {x: {time: false}, y: {range: (any, low, high) => [0, (high || 1) * 1.05]}},
-      axes: [axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step', labelSize: 1.4 * rem(), labelFont: font()}), axis({size: 3.5 * rem(), space: 2 * rem(), label: 'k_min (cameras)', labelSize: 1.4 * rem(), labelFont: font()})],
-      hooks: {draw: [plot => nameYardsticks(plot, shown)]},
-      series: [{label: 'step'}, ...shown.map(one => series(one))],
+      width: box.clientWidth || 600, height: 26 * rem(), padding: [8, (levelled.length || shown.some(({policy}) => policy === OPTIMAL) ? 5.5 : 1) * rem(), 0, 0], cursor: {drag: {x: true, y: false}},
+      scales: {x: {time: false}, y: {range: (any, low, high) => [0, share ? Math.min(1, 1.05 * Math.max(high, most) || 1) : 1.05 * Math.max(high, most) || 1]}},
+      axes: [axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step', labelSize: 1.4 * rem(), labelFont: font()}), axis({size: 3.5 * rem(), space: 2 * rem(), label: title ?? 'k_min (cameras)', labelSize: 1.4 * rem(), labelFont: font(),
+        values: (any, ticks) => ticks.map(tick => (share ? percent(tick) : tick))})],
+      hooks: {drawAxes: [plot => drawBands(plot, bands)], draw: [plot => nameYardsticks(plot, shown, levelled)]},
+      series: [{label: 'step'}, ...shown.map(one => series(one, share))],
       legend: {markers: {dash: (any, i) => DASHES[Math.max(0, detections.indexOf(shown[i - 1]?.detection)) % DASHES.length].piece}},
-    }, [x, ...shown.map(one => movingMean(one.k_min, (Number(width.value) - 1) / 2))], box);
+    }, [x, ...shown.map(one => movingMean(one.score, half))], box);
   }
 
-  const series = ({policy, detection}) => ({
+  const series = ({policy, detection}, share) => ({
     label: `${spelled(policy)}; ${spelled(detection)}`, stroke: policy === OPTIMAL ? () => style('--ink') : colours[policy], width: 0.12 * rem(),
     dash: DASHES[detections.indexOf(detection) % DASHES.length].line, points: {show: false},
-    value: (any, value) => (value == null ? '' : decimals(value, SHORT)),
+    value: (any, value) => (value == null ? '' : share ? percent(value) : decimals(value, SHORT)),
   });
   new ResizeObserver(() => requestAnimationFrame(() => {
     if (!plot) draw();
     else if (box.clientWidth) plot.setSize({width: box.clientWidth, height: 26 * rem()});
   })).observe(box);
   onThemeChange(() => plot?.redraw());
-  const note = 'Mean over the seeds' + (steps > 1 ? `; a point is ${steps} steps` : '; a point is a step') +
+  const note = 'Mean over the seeds' + (parts.length ? ', with its 95 % interval as a band' : '') + (steps > 1 ? `; a point is ${steps} steps` : '; a point is a step') +
     '. Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
-  return card('k_min over time', el('p', {class: 'pick'}, pick.label, width.label), box, el('p', {class: 'note'}, note));
+  return card('Score over time', el('p', {class: 'pick'}, pick.label, width.label), box, el('p', {class: 'note'}, note));
 }
 
-/** What no policy of a network can run, and the others are measured by: a line that is named at its end. */
-const YARDSTICKS = [OPTIMAL, 'best-fixed'];
+/** What no policy of a network can run, and the others are measured by. */
+const YARDSTICKS = [OPTIMAL, 'best-fixed', 'bound'];
 
-function nameYardsticks({ctx, data, bbox, series, valToPos}, shown) {
+const sameCase = (row, one) => row.scenario === one.scenario && row.detection === one.detection && row.policy === one.policy;
+
+/** The ends of a case's interval at each of its points, smoothed as its curve is; null where a single seed has none. */
+function ends(rows, points, half) {
+  if (!rows.length || rows[0].low === '') return null;
+  const side = name => movingMean(Array.from({length: points}, (none, i) => Math.max(0, Number(rows[Math.floor((i * rows.length) / points)][name]))), half);
+  return {low: side('low'), high: side('high')};
+}
+
+function drawBands({ctx, data: [x], series, valToPos}, bands) {
+  ctx.save();
+  ctx.globalAlpha = 0.15;
+  bands.forEach((band, i) => {
+    if (!band || !series[i + 1].show) return;
+    const at = (value, j) => ctx.lineTo(valToPos(x[j], 'x', true), valToPos(value, 'y', true));
+    ctx.fillStyle = series[i + 1].stroke();
+    ctx.beginPath();
+    band.high.forEach(at);
+    for (let j = band.low.length - 1; j >= 0; j--) at(band.low[j], j);
+    ctx.fill();
+  });
+  ctx.restore();
+}
+
+/** The yardsticks without a curve: what each came to per step, the mean over the seeds. */
+function horizontal(yardsticks, settings, shown, detections) {
+  const rows = yardsticks && settings ? rowsOf(yardsticks).filter(row => row.scenario === shown[0].scenario && row.yardstick !== OPTIMAL) : [];
+  const {steps} = settings?.find(({scenario}) => scenario === shown[0].scenario) ?? {};
+  return distinct(rows, 'yardstick').flatMap(name => distinct(rows, 'detection').map(detection => {
+    const scores = rows.filter(row => row.yardstick === name && row.detection === detection).map(row => Number(row.score) / steps);
+    return {name, level: scores.reduce((sum, score) => sum + score, 0) / scores.length, dash: DASHES[detections.indexOf(detection) % DASHES.length].line};
+  }));
+}
+
+/** Names lines at their ends, each below the one before where they would meet. */
+function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, levelled) {
   ctx.save();
   ctx.font = `${0.8 * rem() * devicePixelRatio}px sans-serif`;
   ctx.textBaseline = 'middle';
   ctx.textAlign = 'left';
-  ctx.fillStyle = style('--ink');
-  shown.forEach(({policy}, i) => {
-    const last = data[i + 1].at(-1);
-    if (YARDSTICKS.includes(policy) && series[i + 1].show && last != null) ctx.fillText(policy, bbox.left + bbox.width + 5, valToPos(last, 'y', true));
-  });
+  ctx.fillStyle = ctx.strokeStyle = style('--ink');
+  const curved = shown.flatMap(({policy}, i) => (policy === OPTIMAL && series[i + 1].show && data[i + 1].at(-1) != null ? [{name: policy, level: data[i + 1].at(-1)}] : []));
+  let last = -Infinity;
+  for (const {name, level, dash} of [...curved, ...levelled].sort((a, b) => b.level - a.level)) {
+    const y = valToPos(level, 'y', true);
+    if (dash) {
+      ctx.setLineDash(dash.length ? dash : [1, 0]);
+      ctx.strokeRect(bbox.left, y, bbox.width, 0);
+    }
+    ctx.fillText(name, bbox.left + bbox.width + 5, (last = Math.max(y, last + rem() * devicePixelRatio)));
+  }
   ctx.restore();
 }
 

@@ -27,6 +27,10 @@ export const withUnit = (value, unit = '') => (!Number.isFinite(value) ? '–' :
 
 export const isShare = unit => /^share\b/.test(unit);
 
+/** The low and high end of a metric's interval, held to what the metric can be. */
+export const held = (name, unit, {mean, low, high}) => (name === 'regret' || low === '' ? {low, high}
+  : {low: low < 0 ? 0 : low, high: isShare(unit) && high > Math.max(1, mean) ? 1 : high});
+
 /** What a unit says next to a number that has its percent sign. */
 export const besideUnit = (unit = '') => (isShare(unit) ? unit.replace(/^share ?/, '') : unit);
 

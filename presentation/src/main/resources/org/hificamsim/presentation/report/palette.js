@@ -27,12 +27,14 @@ export function shape(path, kind, x, y, r) {
   }
 }
 
-/** Zones of pixel density, EN 62676-4:2014, nearest first; `least` in pixels per metre. Pale is far: one shade differs from the next for every eye. */
+/** Zones of pixel density, IEC 62676-4:2025 as vendors report them, nearest first; `least` in pixels per metre. Pale is far: one shade differs from the next for every eye. */
 export const ZONES = [
-  {name: 'identify', least: 250, colour: '#56204a'},
-  {name: 'recognise', least: 125, colour: '#96487a'},
-  {name: 'observe', least: 62.5, colour: '#cc79a7'},
-  {name: 'detect', least: 25, colour: '#e7b7d3'},
+  {name: 'validate', least: 500, colour: '#2e0f28'},
+  {name: 'characterise', least: 250, colour: '#56204a'},
+  {name: 'perceive', least: 125, colour: '#96487a'},
+  {name: 'discern', least: 80, colour: '#cc79a7'},
+  {name: 'outline', least: 40, colour: '#e7b7d3'},
+  {name: 'overview', least: 20, colour: '#f5e1ee'},
 ];
 
 // Dark to light: viridis, which people with colour blindness read alike.

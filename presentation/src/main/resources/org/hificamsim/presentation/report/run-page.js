@@ -7,7 +7,7 @@ import { Controls } from './controls.js';
 import { Player } from './player.js';
 import { blindSpots, unpackHeat } from './heat.js';
 import { Readers } from './readers.js';
-import { besideUnit, scoreNumber, spelled, tipped, told, withUnit, words } from './names.js';
+import { besideUnit, held, scoreNumber, spelled, tipped, told, withUnit, words } from './names.js';
 import { decimals, percent } from './numbers.js';
 
 const SPOTS = 5;
@@ -69,7 +69,8 @@ function header({replay: {setup, runs, repeat}, settings}, open, reader) {
 
 /** The score of the whole run in the objective's words, which is what was asked for. */
 function answer({objective, summary: {repeat, metrics, settings}}) {
-  const {mean, low, high} = metrics.score ?? metrics.performance;
+  const score = metrics.score ?? metrics.performance;
+  const {mean, low, high} = {mean: score.mean, ...held('score', '', score)};
   const number = sum => scoreNumber(sum / settings.steps, objective);
   const interval = repeat > 1 && low !== high ? ` (95 % interval ${number(low)} to ${number(high)}, ${repeat} repeats)` : '';
   return el('p', {class: 'answer'}, el('b', {data: {name: 'score-of-run'}}, number(mean)), ' ', tipped(objective.title, objective.text),
@@ -100,7 +101,8 @@ function details({summary, names, objective, command, version}) {
   const repeated = summary.repeat > 1;
   const metrics = Object.entries(summary.metrics).sort(([a], [b]) => (b === 'score') - (a === 'score'));
   names.score.unit = objective.share ? 'shares x steps' : objective.text.startsWith('sum') ? 'detections' : 'cameras x steps';
-  const rows = metrics.map(([name, {mean, low, high}]) => row(name, names[name].title, `${name}: ${names[name].meaning}`,
+  const shown = metrics.map(([name, one]) => [name, {...one, ...held(name, names[name].unit, one)}]);
+  const rows = shown.map(([name, {mean, low, high}]) => row(name, names[name].title, `${name}: ${names[name].meaning}`,
     el('td', {data: {name: `summary-${name}`}}, withUnit(mean, names[name].unit)),
     repeated ? el('td', {}, low === high ? '' : `${withUnit(low, names[name].unit)} to ${withUnit(high, names[name].unit)}`) : null,
     el('td', {class: 'unit'}, besideUnit(names[name].unit))));

@@ -89,4 +89,4 @@ export function densityAt(view, x, y) {
 }
 
 /** What may be done at a density. */
-export const zoneAt = density => ZONES.find(({least}) => density >= least)?.name ?? 'less than detect';
+export const zoneAt = density => ZONES.find(({least}) => density >= least)?.name ?? 'less than overview';

@@ -19,6 +19,7 @@ import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.RungScores;
 import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.Table;

@@ -11,6 +11,7 @@ import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.RungScores;
 import org.hificamsim.runs.statistics.Bootstrap;
 
 /**

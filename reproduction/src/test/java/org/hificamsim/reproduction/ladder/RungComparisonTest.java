@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import org.hificamsim.reproduction.ladder.LadderResult.RungComparison;
+import org.hificamsim.runs.compare.RungScores;
 import org.junit.jupiter.api.Test;
 
 /** Order, choice and regret of made-up policies, one seed unless said. */

@@ -1,6 +1,7 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -172,6 +173,37 @@ public final class ComparisonFiles {
                       row -> row.of.meanScore()[row.step])
                   .later());
 
+  /** A part of the run of a case, of {@link FinishedRun#levels equal parts}. */
+  record CasePart(CaseResult of, int part) {
+    int step() {
+      return FinishedRun.start(part, of.levels()[0].length, of.plan().steps());
+    }
+
+    Estimate score() {
+      return Estimate.mean(Arrays.stream(of.levels()).mapToDouble(run -> run[part]).toArray());
+    }
+  }
+
+  /** A row per case and part of its runs: what the intervals of curves are made of. */
+  public static final Table<CasePart> LEVELS =
+      Table.<CasePart>of("levels.csv")
+          .with(CASE, row -> row.of.plan())
+          .with(
+              Column.ofInt(
+                  "step",
+                  "steps",
+                  "at which the part begins: one of fifty equal parts, or a step where there are"
+                      + " fewer",
+                  CasePart::step))
+          .with(
+              Column.ofEstimate(
+                  "score",
+                  "low",
+                  "high",
+                  "that of `score`, of a step",
+                  "the mean score of the part, and of that over the seeds",
+                  CasePart::score));
+
   private ComparisonFiles() {}
 
   /**
@@ -192,6 +224,13 @@ public final class ComparisonFiles {
         folder,
         all.stream()
             .flatMap(one -> one.metrics().stream().map(metric -> CaseMetric.of(one, metric, all))));
+    LEVELS.write(
+        folder,
+        all.stream()
+            .flatMap(
+                one ->
+                    IntStream.range(0, one.levels()[0].length)
+                        .mapToObj(part -> new CasePart(one, part))));
     STEPS.write(
         folder,
         all.stream()

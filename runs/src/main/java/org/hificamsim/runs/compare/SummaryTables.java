@@ -189,7 +189,7 @@ public final class SummaryTables {
     return count
         + (figure.format == null
             ? ScoreText.of(one.plan(), figures)
-            : Estimate.mean(figures).text(figure.format));
+            : figure.metric.shown(figures).text(figure.format));
   }
 
   /** The cases of each scenario together: the optima come last otherwise. */

@@ -65,6 +65,11 @@ public enum Yardstick {
     return Arrays.stream(values()).filter(one -> one.isIn(cases)).findFirst();
   }
 
+  /** Whether a policy is one of them, and none that a network could choose. */
+  static boolean isOne(String policy) {
+    return Arrays.stream(values()).anyMatch(one -> one.policy.equals(policy));
+  }
+
   /** The metric by which the policies of some cases are compared. */
   static Metric metric(List<CaseResult> cases) {
     return of(cases).map(Yardstick::share).orElse(Metric.SCORE);

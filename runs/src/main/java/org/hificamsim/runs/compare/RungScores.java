@@ -1,4 +1,4 @@
-package org.hificamsim.reproduction.ladder;
+package org.hificamsim.runs.compare;
 
 import java.util.Arrays;
 import java.util.List;
@@ -6,18 +6,18 @@ import java.util.stream.IntStream;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoredRun;
-import org.hificamsim.runs.compare.CaseResult;
 
 /**
- * What one rung says of the policies in one scenario: their mean score by the scenario's objective.
- * Of k_min by chance it is the expectation, which has no luck in it: a policy that knows the luck
- * gains nothing by it here.
+ * What one rung, or one detection of a comparison, says of the policies in one scenario: their mean
+ * score by the scenario's objective. Of k_min by chance it is the expectation, which has no luck in
+ * it: a policy that knows the luck gains nothing by it here.
  *
  * @param score by policy, then by seed
  * @param optimum the mean score of the exact optimum, by seed; by chance it knows the luck
  */
-record RungScores(double[][] score, double[] optimum) {
-  static RungScores of(List<CaseResult> cases) {
+public record RungScores(double[][] score, double[] optimum) {
+  /** The scores of some policies; all cases have the same scenario, detection and seeds. */
+  public static RungScores of(List<CaseResult> cases) {
     return new RungScores(
         cases.stream().map(RungScores::score).toArray(double[][]::new),
         cases.get(0).runs().stream()
@@ -39,17 +39,18 @@ record RungScores(double[][] score, double[] optimum) {
         : run.result().value(Metric.EXPECTED_PERFORMANCE) / plan.steps();
   }
 
-  int seeds() {
+  /** The number of seeds. */
+  public int seeds() {
     return optimum.length;
   }
 
   /** The mean of each policy over some seeds, each given by its number, perhaps repeatedly. */
-  double[] means(int[] seeds) {
+  public double[] means(int[] seeds) {
     return Arrays.stream(score).mapToDouble(one -> mean(one, seeds)).toArray();
   }
 
   /** The mean of each policy over all seeds. */
-  double[] means() {
+  public double[] means() {
     return means(all());
   }
 
@@ -58,19 +59,19 @@ record RungScores(double[][] score, double[] optimum) {
   }
 
   /** The policies with the best mean over all seeds: more than one where they tie. */
-  int[] best() {
+  public int[] best() {
     return best(all());
   }
 
   /** The policies with the best mean over some seeds. */
-  int[] best(int[] seeds) {
+  public int[] best(int[] seeds) {
     double[] means = means(seeds);
     double best = Arrays.stream(means).max().orElseThrow();
     return IntStream.range(0, means.length).filter(policy -> means[policy] == best).toArray();
   }
 
   /** Each policy's place, 1 for the best; those that tie share the better one. */
-  int[] ranks() {
+  public int[] ranks() {
     double[] means = means();
     return Arrays.stream(means)
         .mapToInt(own -> 1 + (int) Arrays.stream(means).filter(other -> other > own).count())
@@ -78,15 +79,22 @@ record RungScores(double[][] score, double[] optimum) {
   }
 
   /** The mean over some policies and seeds: what to expect of picking any of them. */
-  double mean(int[] policies, int[] seeds) {
+  public double mean(int[] policies, int[] seeds) {
     return Arrays.stream(policies)
         .mapToDouble(policy -> mean(score[policy], seeds))
         .average()
         .orElseThrow();
   }
 
+  /** The mean over some policies, by seed. */
+  double[] bySeed(int[] policies) {
+    return IntStream.range(0, seeds())
+        .mapToDouble(seed -> mean(policies, new int[] {seed}))
+        .toArray();
+  }
+
   /** The mean of the optimum over some seeds. */
-  double optimum(int[] seeds) {
+  public double optimum(int[] seeds) {
     return mean(optimum, seeds);
   }
 

@@ -1,0 +1,126 @@
+package org.hificamsim.runs.compare;
+
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.toList;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.ScoreText;
+import org.hificamsim.runs.output.Column;
+import org.hificamsim.runs.output.Table;
+import org.hificamsim.runs.output.TextTable;
+
+/**
+ * The policy that is best under one detection, and what it achieves under the last one, the most
+ * real of a list: scores under two detections are of two worlds, and have no difference.
+ *
+ * @param plan of the detection that chose
+ * @param chosen the policies with its best score, several where they tie
+ * @param predicted their mean score of a step under that detection
+ * @param judge the last detection's name
+ * @param achieved their mean score of a step under that one
+ */
+public record Choice(
+    RunPlan plan, List<String> chosen, Estimate predicted, String judge, Estimate achieved) {
+  /** A row per scenario and detection, where there are several detections. */
+  public static final Table<Choice> FILE =
+      Table.<Choice>of("choices.csv")
+          .with(ComparisonFiles.CASE.subList(0, 2), Choice::plan)
+          .with(
+              Column.ofText(
+                  "chosen",
+                  "the policy with the best score under the detection; several, with a bar between,"
+                      + " where they tie",
+                  Choice::policies))
+          .with(
+              Column.ofEstimate(
+                  "predicted",
+                  "predicted_low",
+                  "predicted_high",
+                  "that of `score`, of a step",
+                  "its score under that detection",
+                  Choice::predicted))
+          .with(
+              Column.ofText(
+                  "judge", "the last detection, by which choices are judged", Choice::judge))
+          .with(
+              Column.ofEstimate(
+                  "achieved",
+                  "achieved_low",
+                  "achieved_high",
+                  "that of `score`, of a step",
+                  "the chosen policy's score under that one",
+                  Choice::achieved));
+
+  /** The choices of all detections in each scenario; none with one detection or policy. */
+  public static List<Choice> of(List<CaseResult> cases) {
+    Map<String, Map<String, List<CaseResult>>> scenarios =
+        cases.stream()
+            .filter(one -> !Yardstick.isOne(one.plan().policy()))
+            .collect(
+                groupingBy(
+                    one -> one.plan().scenario().name(),
+                    LinkedHashMap::new,
+                    groupingBy(
+                        one -> one.plan().detection().name(), LinkedHashMap::new, toList())));
+    return scenarios.values().stream().flatMap(one -> of(one).stream()).toList();
+  }
+
+  private static List<Choice> of(Map<String, List<CaseResult>> detections) {
+    List<Choice> choices = new ArrayList<>();
+    List<String> names = List.copyOf(detections.keySet());
+    String judge = names.get(names.size() - 1);
+    RungScores top = RungScores.of(detections.get(judge));
+    if (names.size() > 1 && top.score().length > 1) {
+      detections.values().forEach(own -> choices.add(of(own, judge, top)));
+    }
+    return choices;
+  }
+
+  private static Choice of(List<CaseResult> cases, String judge, RungScores top) {
+    RungScores own = RungScores.of(cases);
+    int[] best = own.best();
+    return new Choice(
+        cases.get(0).plan(),
+        Arrays.stream(best).mapToObj(i -> cases.get(i).plan().policy()).toList(),
+        Estimate.mean(own.bySeed(best)),
+        judge,
+        Estimate.mean(top.bySeed(best)));
+  }
+
+  /** Adds the table to a folder's files, where there are choices. */
+  public static void write(OutputFolder folder, List<CaseResult> cases) throws IOException {
+    List<Choice> choices = of(cases);
+    if (!choices.isEmpty()) {
+      FILE.write(folder, choices.stream());
+    }
+  }
+
+  /** One row per choice, as people read it. */
+  public static TextTable table(List<Choice> choices) {
+    String achieves = "achieves under " + choices.get(0).judge;
+    TextTable table =
+        new TextTable(3, List.of("scenario", "detection", "chooses", "predicts", achieves));
+    for (Choice one : choices) {
+      table.row(
+          List.of(
+              one.plan.scenario().name(),
+              one.plan.detection().name(),
+              one.policies(),
+              ScoreText.of(one.plan, one.predicted),
+              ScoreText.of(one.plan, one.achieved)));
+    }
+    return table;
+  }
+
+  private String policies() {
+    return String.join(" | ", chosen);
+  }
+}
