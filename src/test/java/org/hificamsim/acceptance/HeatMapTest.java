@@ -183,7 +183,7 @@ class HeatMapTest {
     open();
     choose("mean-k");
     browser.find("[name=tracks]").sendKeys(" ");
-    Accessibility.lookAt(browser, "heat");
+    Accessibility.checkWidths(browser);
   }
 
   @Test
@@ -199,7 +199,7 @@ class HeatMapTest {
       browser.until(
           "return hificamsim.players[0].field.heat.heat.steps > arguments[0]"
               .replace("arguments[0]", "3"));
-      Accessibility.lookAt(browser, "heat-view");
+      Accessibility.checkWidths(browser);
       browser.run("hificamsim.send({command: 'drag', camera: 3, x: 20, y: 2})");
       browser.until("return hificamsim.players[0].field.heat.heat.first > 20");
       browser.find("#compare").click();

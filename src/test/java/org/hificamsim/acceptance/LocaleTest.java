@@ -18,9 +18,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The same bytes under every locale: with a decimal comma, and with digits of its own. */
+/**
+ * The same bytes under every locale: one whose decimal sign and digits are its own shows whatever a
+ * decimal comma would.
+ */
 class LocaleTest {
-  private static final List<String> LOCALES = List.of("en-US", "de-DE", "ar-EG");
+  private static final List<String> LOCALES = List.of("en-US", "ar-EG");
   private static final List<String> OF_A_MOMENT =
       List.of("manifest.json", "ro-crate-metadata.json", ".hificamsim.sha256"); // times differ
 
@@ -44,7 +47,7 @@ class LocaleTest {
     Path lab =
         Cli.lab(
             folder,
-            "--scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8");
+            "--scale 0.05 --objects 3 --focal-lengths 0.010,0.035 --distances 1,2,4,8");
     assertEquals(0, Cli.run("profile", "measure", lab).exit());
     for (String locale : LOCALES) {
       Path own = folder.resolve(locale);
