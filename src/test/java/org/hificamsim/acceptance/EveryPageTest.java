@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,6 +14,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** The page of a run on each site, as a scenario without options asks for it. */
 class EveryPageTest {
+  /** With walls, a floor plan, turning cameras and a score of its own; the others repeat these. */
+  private static final Set<String> CHECKED = Set.of("border", "mate-4v8-9", "museum", "street");
+
   @TempDir static Path folder;
   private static Browser browser;
 
@@ -51,7 +55,9 @@ class EveryPageTest {
         new ObjectMapper().readTree(out.resolve("summary.json").toFile()).path("score").asDouble();
     assertEquals(
         100 * score / 5, Double.parseDouble(browser.text(".answer b").replace(" %", "")), 0.051);
-    Accessibility.check(browser);
+    if (CHECKED.contains(site)) {
+      Accessibility.check(browser);
+    }
     Accessibility.assertNothingSticksOut(browser, 400);
     browser.dark(false);
     browser.assertQuietConsole();
