@@ -45,9 +45,7 @@ class LocaleTest {
   @BeforeAll
   static void runAllCommandsUnderEachLocale() throws Exception {
     Path lab =
-        Cli.lab(
-            folder,
-            "--scale 0.05 --objects 3 --focal-lengths 0.010,0.035 --distances 1,2,4,8");
+        Cli.lab(folder, "--scale 0.05 --objects 3 --focal-lengths 0.010,0.035 --distances 1,2,4,8");
     assertEquals(0, Cli.run("profile", "measure", lab).exit());
     for (String locale : LOCALES) {
       Path own = folder.resolve(locale);
