@@ -10,6 +10,7 @@ interface Agreement {
     GREEDY,
     CBBA,
     LOG_LINEAR,
+    MAX_SUM,
     NONE;
 
     Agreement make(Parameters parameters, NetworkView network, SplittableRandom random) {
@@ -17,6 +18,7 @@ interface Agreement {
         case GREEDY -> new SequentialGreedy(parameters.rounds());
         case CBBA -> new ConsensusAuction(network.cameras());
         case LOG_LINEAR -> new LogLinearLearning(parameters.rounds(), random);
+        case MAX_SUM -> new MaxSum(parameters, network);
         case NONE -> new PlanningForAll(parameters.rounds());
       };
     }

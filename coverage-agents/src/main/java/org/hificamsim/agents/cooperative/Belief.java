@@ -20,17 +20,23 @@ final class Belief {
   private final TargetTracks tracks;
   private final SearchMap map;
   private final LearnedSight learned;
+  private final LearnedValues values;
+  private final Association association; // null where reports name targets
   private final double[] chances; // room for those of a camera
   private SightingReport[] arrived = new SightingReport[FIRST_REPORTS];
   private long[] sentAt = new long[FIRST_REPORTS]; // step
   private int reports;
 
-  Belief(Parameters parameters, Site site, NetworkView network) {
+  Belief(Parameters parameters, Worth worth, Site site, NetworkView network) {
     this.site = site;
-    tracks = new TargetTracks(parameters, site.sight(), network.targets());
-    learned = new LearnedSight(parameters.learn(), site.grid(), network.cameras());
+    tracks = new TargetTracks(parameters, site.sight(), parameters.named() ? network.targets() : 0);
+    association = parameters.named() ? null : new Association(site.grid(), tracks);
+    boolean sight = parameters.learn() == Parameters.Learn.SIGHT;
+    learned = new LearnedSight(sight, site.grid(), network.cameras());
+    int[] views = IntStream.range(0, network.cameras()).map(network::views).toArray();
+    values = new LearnedValues(parameters, worth, views);
     map = new SearchMap(parameters, site.grid(), site.free(), network.cameras());
-    chances = new double[IntStream.range(0, network.cameras()).map(network::views).max().orElse(0)];
+    chances = new double[IntStream.of(views).max().orElse(0)];
   }
 
   /** A step begins: targets have gone on. */
@@ -44,7 +50,9 @@ final class Belief {
    *
    * @param sent the step in which it said it
    */
-  void receive(NetworkView network, SightingReport report, long sent) {
+  void receive(NetworkView network, SightingReport arrival, long sent) {
+    SightingReport report =
+        association == null ? arrival : association.name(arrival, sent, network.step());
     for (int i = 0; i < report.count(); i++) {
       double size = report.size(i) > 0 ? report.size(i) : UNKNOWN_SIZE;
       if (tracks.see(report.target(i), sent, network.step(), report.x(i), report.y(i), size)) {
@@ -96,9 +104,23 @@ final class Belief {
       if (site.sight().chances(network, camera, x, y, tracks.size(track), chances)) {
         double chance = chances[report.view()];
         miss(track, chance * learned.share(camera, x, y), step);
-        learned.see(camera, x, y, chance * tracks.weight(track), report.has(track));
+        boolean seen = report.has(track);
+        learned.see(camera, x, y, chance * tracks.weight(track), seen);
+        if (values.learns()) {
+          int others = seenBy(track) - (seen ? 1 : 0);
+          values.see(camera, chance, tracks.weight(track), others, seen);
+        }
       }
     }
+    values.learn(report.camera(), report.view());
+  }
+
+  private int seenBy(int track) {
+    int cameras = 0;
+    for (int i = 0; i < reports; i++) {
+      cameras += arrived[i].has(track) ? 1 : 0;
+    }
+    return cameras;
   }
 
   private void miss(int track, double chance, long step) {
@@ -120,6 +142,11 @@ final class Belief {
   /** How much of what the map lets a camera see in cells it does see. */
   LearnedSight learned() {
     return learned;
+  }
+
+  /** What views have been worth beyond what the map says. */
+  LearnedValues values() {
+    return values;
   }
 
   /** Tells a listener what is believed. */

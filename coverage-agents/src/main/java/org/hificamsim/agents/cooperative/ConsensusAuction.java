@@ -38,7 +38,7 @@ final class ConsensusAuction implements Agreement {
         if (before != Plan.NONE) {
           plan.choose(camera, before); // until it wins
         }
-        team.bid(network, camera);
+        team.bid(network, camera, 1);
         any = true;
       }
     }

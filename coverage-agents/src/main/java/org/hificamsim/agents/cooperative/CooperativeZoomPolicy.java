@@ -72,7 +72,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     reports = new SightingReport[network.cameras()];
-    Arrays.setAll(reports, camera -> new SightingReport());
+    Arrays.setAll(reports, camera -> new SightingReport(parameters.named()));
     agreement = rule.make(parameters, network, random);
     Obstacles known = map.equals(SITE) ? network.obstacles() : other;
     Site site = new Site(network, known, parameters.cells());

@@ -23,7 +23,7 @@ final class Mind {
   private final long[] heardAt; // the step in which it was made
 
   Mind(Parameters parameters, Worth worth, Site site, NetworkView network) {
-    belief = new Belief(parameters, site, network);
+    belief = new Belief(parameters, worth, site, network);
     plan = new Plan(parameters, worth, network.cameras());
     heard = new int[network.cameras()];
     heardAt = new long[heard.length];

@@ -15,7 +15,8 @@ import org.hificamsim.core.registry.Options;
  * @param cells of the search map, about
  * @param relax part of the way from a cell's expectation to its learned occupancy in each step
  * @param prior number of looks that the mean occupancy counts as
- * @param learn whether cameras learn where they see less than their map says
+ * @param learn what cameras learn where their model is wrong
+ * @param named whether reports say which target is which
  */
 record Parameters(
     int horizon,
@@ -28,7 +29,8 @@ record Parameters(
     int cells,
     double relax,
     double prior,
-    boolean learn) {
+    Learn learn,
+    boolean named) {
   private static final int MAX_HORIZON = 1000;
   private static final int MAX_CELLS = 1_000_000;
   private static final double MANY = 1e9;
@@ -45,13 +47,25 @@ record Parameters(
         options.integer("cells", 2000, 1, MAX_CELLS, "cells of the search map, about"),
         options.number("relax", 0.15, 0, 1, "how fast the search map goes to the learned one"),
         options.number("prior", 50, 1e-6, MANY, "looks that the mean occupancy counts as"),
-        options.choice("learn", Learn.SIGHT, "sight: where less is seen than the map says; none")
-            == Learn.SIGHT);
+        options.choice(
+            "learn",
+            Learn.SIGHT,
+            "where the model is wrong: sight (by place), bandit, sarsa (by view), none"),
+        options.choice(
+                "identity", Identity.KNOWN, "known: targets are told apart; none: reports name none")
+            == Identity.KNOWN);
   }
 
   /** What cameras learn beyond where targets are. */
-  private enum Learn {
+  enum Learn {
     NONE,
-    SIGHT
+    SIGHT,
+    BANDIT,
+    SARSA
+  }
+
+  private enum Identity {
+    KNOWN,
+    NONE
   }
 }

@@ -25,7 +25,9 @@ final class Plan {
   private double[] unseen = {}; // by cell: targets that nobody looks at, if all do as planned
   private double[] gains = {};
   private CellSight cells;
+  private TargetTracks tracks;
   private LearnedSight learned;
+  private LearnedValues values;
 
   Plan(Parameters parameters, Worth worth, int cameras) {
     this.parameters = parameters;
@@ -38,10 +40,12 @@ final class Plan {
 
   /** Begins a plan in which no camera has a view yet, from what is believed now. */
   void begin(NetworkView network, Belief belief) {
-    forecast.update(belief.tracks());
+    tracks = belief.tracks();
+    forecast.update(tracks);
     coverage.clear(forecast.slots());
     cells = belief.site().cells();
     learned = belief.learned();
+    values = belief.values();
     double[] expected = belief.map().unseen();
     unseen = unseen.length == expected.length ? unseen : new double[expected.length];
     System.arraycopy(expected, 0, unseen, 0, unseen.length);
@@ -92,12 +96,20 @@ final class Plan {
     gains = gains.length < views ? new double[views] : gains;
     outlooks[camera].gains(forecast, coverage, gains);
     for (int view = 0; view < views; view++) {
-      int delay = outlooks[camera].delay(view);
-      if (delay < forecast.horizon()) {
-        gains[view] += parameters.search() * forecast.weightFrom(delay) * unseen(camera, view);
-      }
+      gains[view] = Math.max(0, gains[view] + beyond(camera, view));
     }
     return gains;
+  }
+
+  /** What a view adds beyond known targets: those that nobody sees, and what was learned. */
+  private double beyond(int camera, int view) {
+    int delay = outlooks[camera].delay(view);
+    if (delay >= forecast.horizon()) {
+      return 0;
+    }
+    double steps = forecast.weightFrom(delay);
+    return parameters.search() * steps * unseen(camera, view)
+        + values.correction(camera, view, steps);
   }
 
   private double unseen(int camera, int view) {
@@ -108,6 +120,38 @@ final class Plan {
       sum += unseen[seen[i]] * chances[i] * learned.share(camera, seen[i]);
     }
     return sum;
+  }
+
+  /** What views of a camera add beyond known targets. */
+  void search(NetworkView network, int camera, double[] into) {
+    int before = planned[camera];
+    withdraw(camera);
+    for (int view = 0; view < network.views(camera); view++) {
+      into[view] = beyond(camera, view);
+    }
+    if (before != NONE) {
+      choose(camera, before);
+    }
+  }
+
+  /** What a camera would detect. */
+  ViewForecast outlook(int camera) {
+    return outlooks[camera];
+  }
+
+  /** The target of a slot. */
+  int target(int slot) {
+    return tracks.at(slot / forecast.horizon());
+  }
+
+  /** How many steps from now a slot is. */
+  int step(int slot) {
+    return forecast.step(slot);
+  }
+
+  /** What it is worth that k cameras detect what is in a slot. */
+  double worth(int slot, int k) {
+    return forecast.weight(slot) * coverage.worth(k);
   }
 
   /** What a view adds, of the camera that was last asked for. */
@@ -121,7 +165,11 @@ final class Plan {
    * time, the first of these.
    */
   int best(NetworkView network, int camera) {
-    double[] gain = gains(network, camera);
+    return best(network, camera, gains(network, camera));
+  }
+
+  /** The view of a camera for which a number is highest; of equal ones as above. */
+  int best(NetworkView network, int camera, double[] gain) {
     int best = network.view(camera);
     for (int view = 0; view < network.views(camera); view++) {
       double more = gain[view] - gain[best];

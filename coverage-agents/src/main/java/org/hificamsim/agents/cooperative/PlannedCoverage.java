@@ -65,6 +65,15 @@ final class PlannedCoverage {
     return sum;
   }
 
+  /** What a target is worth that k cameras detect. */
+  double worth(int k) {
+    double sum = 0;
+    for (int i = 0; i < Math.min(k, most); i++) {
+      sum += worth.added(i);
+    }
+    return sum;
+  }
+
   private double atLeast(int slot, int k) {
     return k <= certain[slot] ? 1 : atLeast[slot * most + k - certain[slot] - 1];
   }

@@ -9,6 +9,10 @@ import org.hificamsim.core.policy.SeenPairs;
  * What a camera tells the others in each step: the view that it looks through, and what it sees.
  */
 final class SightingReport {
+  /** In place of the number of a target that is not told apart. */
+  static final int UNNAMED = -1;
+
+  private final boolean named;
   private int camera;
   private int view;
   private int count;
@@ -16,6 +20,13 @@ final class SightingReport {
   private double[] x = {};
   private double[] y = {};
   private double[] sizes = {};
+
+  /**
+   * @param named whether it says which target is which
+   */
+  SightingReport(boolean named) {
+    this.named = named;
+  }
 
   /** Begins a report of a camera that has seen nothing yet. */
   void begin(NetworkView network, int newCamera) {
@@ -34,7 +45,7 @@ final class SightingReport {
     double aheadY = Math.cos(axis);
     double ahead = pairs.ahead(pair);
     double right = pairs.right(pair);
-    targets[count] = pairs.target(pair);
+    targets[count] = named ? pairs.target(pair) : UNNAMED;
     sizes[count] = network.targetSize(pairs.target(pair));
     x[count] = network.cameraX(camera) + ahead * aheadX + right * aheadY;
     y[count++] = network.cameraY(camera) + ahead * aheadY - right * aheadX;
@@ -42,11 +53,16 @@ final class SightingReport {
 
   /** The same as it is now: the others may have it later. */
   SightingReport copy() {
-    SightingReport copy = new SightingReport();
+    return copy(targets);
+  }
+
+  /** The same with other numbers of its targets, or more numbers than it has targets. */
+  SightingReport copy(int[] numbers) {
+    SightingReport copy = new SightingReport(named);
     copy.camera = camera;
     copy.view = view;
     copy.count = count;
-    copy.targets = Arrays.copyOf(targets, count);
+    copy.targets = Arrays.copyOf(numbers, count);
     copy.x = Arrays.copyOf(x, count);
     copy.y = Arrays.copyOf(y, count);
     copy.sizes = Arrays.copyOf(sizes, count);
@@ -55,7 +71,7 @@ final class SightingReport {
 
   /** Its length: the view, or none, and each target with its place and size. */
   int bits(NetworkView network) {
-    int ofTarget = MessageBits.of(network.targets()) + 3 * MessageBits.REAL;
+    int ofTarget = (named ? MessageBits.of(network.targets()) : 0) + 3 * MessageBits.REAL;
     return MessageBits.address(network.cameras())
         + MessageBits.of(network.views(camera) + 1L)
         + count * ofTarget;

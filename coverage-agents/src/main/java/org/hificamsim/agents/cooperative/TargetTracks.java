@@ -1,5 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
+import java.util.Arrays;
+
 /**
  * Targets that were seen lately: where each one is now, as far as is known, and how it moves. While
  * nobody sees them they go on as they went, up to the next obstacle.
@@ -9,35 +11,51 @@ final class TargetTracks {
 
   private final Parameters parameters;
   private final SiteSight sight;
-  private final boolean[] known;
-  private final int[] list; // of those that are known
+  private boolean[] known = {};
+  private int[] list = {}; // of those that are known
   private int count;
-  private final double[] x;
-  private final double[] y;
-  private final double[] wayX; // of a step
-  private final double[] wayY;
-  private final double[] seenX;
-  private final double[] seenY;
-  private final long[] seenAt; // step
-  private final double[] size;
-  private final double[] weight;
+  private double[] x = {};
+  private double[] y = {};
+  private double[] wayX = {}; // of a step
+  private double[] wayY = {};
+  private double[] seenX = {};
+  private double[] seenY = {};
+  private long[] seenAt = {}; // step
+  private double[] size = {};
+  private double[] weight = {};
   private double ways;
   private long steps;
 
   TargetTracks(Parameters parameters, SiteSight sight, int capacity) {
     this.parameters = parameters;
     this.sight = sight;
-    known = new boolean[capacity];
-    list = new int[capacity];
-    x = new double[capacity];
-    y = new double[capacity];
-    wayX = new double[capacity];
-    wayY = new double[capacity];
-    seenX = new double[capacity];
-    seenY = new double[capacity];
-    seenAt = new long[capacity];
-    size = new double[capacity];
-    weight = new double[capacity];
+    grow(capacity);
+  }
+
+  private void grow(int capacity) {
+    known = Arrays.copyOf(known, capacity);
+    list = Arrays.copyOf(list, capacity);
+    x = Arrays.copyOf(x, capacity);
+    y = Arrays.copyOf(y, capacity);
+    wayX = Arrays.copyOf(wayX, capacity);
+    wayY = Arrays.copyOf(wayY, capacity);
+    seenX = Arrays.copyOf(seenX, capacity);
+    seenY = Arrays.copyOf(seenY, capacity);
+    seenAt = Arrays.copyOf(seenAt, capacity);
+    size = Arrays.copyOf(size, capacity);
+    weight = Arrays.copyOf(weight, capacity);
+  }
+
+  /** A number that no target has, from one on. */
+  int unused(int from) {
+    int track = from;
+    while (track < known.length && known[track]) {
+      track++;
+    }
+    if (track == known.length) {
+      grow(Math.max(1, 2 * track));
+    }
+    return track;
   }
 
   /** All go on by a step. */

@@ -122,9 +122,9 @@ final class Team {
     chosen[camera] = plan(camera).view(camera);
   }
 
-  /** A camera tells the others a number. */
-  void bid(NetworkView network, int camera) {
-    int length = MessageBits.address(chosen.length) + MessageBits.REAL;
+  /** A camera tells the others so many numbers. */
+  void bid(NetworkView network, int camera, int numbers) {
+    int length = MessageBits.address(chosen.length) + numbers * MessageBits.REAL;
     count(length);
     if (each()) {
       boolean sent = channel.send(camera, length);

@@ -55,6 +55,25 @@ final class ViewForecast {
     rows += most > 0 ? 1 : 0;
   }
 
+  int views() {
+    return views;
+  }
+
+  /** How many targets and steps there are that the camera detects in some view. */
+  int rows() {
+    return rows;
+  }
+
+  /** One of them, as a slot of the forecast. */
+  int slot(int row) {
+    return slots[row];
+  }
+
+  /** How likely it is detected in a view. */
+  double chance(int row, int view) {
+    return chances[row * views + view];
+  }
+
   /** How many steps pass before the camera sees through a view. */
   int delay(int view) {
     return delays[view];

@@ -44,17 +44,24 @@ class CooperativeZoomPolicyTest {
   }
 
   @TestFactory
-  Stream<DynamicNode> everyAgreementKeepsTheContract() {
-    return Stream.of("cbba", "log-linear", "none")
+  Stream<DynamicNode> everyAgreementAndEveryLearnerKeepsTheContract() {
+    return Stream.of(
+            "agree=cbba",
+            "agree=log-linear",
+            "agree=max-sum",
+            "agree=none",
+            "learn=none",
+            "learn=bandit",
+            "learn=sarsa")
         .map(
-            rule ->
+            options ->
                 DynamicContainer.dynamicContainer(
-                    rule,
-                    new ZoomPolicyContract(() -> policy("agree=" + rule, false), false).tests()));
+                    options,
+                    new ZoomPolicyContract(() -> policy(options, false), false).tests()));
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"greedy", "cbba", "log-linear", "none"})
+  @ValueSource(strings = {"greedy", "cbba", "log-linear", "max-sum", "none"})
   void mindsOfTheirOwnChooseTheSameOverAPerfectChannel(String rule) {
     List<Integer> together = views(policy("agree=" + rule, false), SITE);
     assertEquals(together, views(policy("agree=" + rule, true), SITE));
@@ -74,6 +81,36 @@ class CooperativeZoomPolicyTest {
     Simulation simulation = RealWorld.run(site, policy("search=0", false), 1);
     simulation.run(5);
     assertEquals(2, simulation.network().coverage(0));
+  }
+
+  @Test
+  void doesAsWellWhereReportsNameNoTarget() {
+    double named = covered("identity=known");
+    double unnamed = covered("identity=none");
+    assertTrue(named > 100, named + " steps covered of 4 targets in 200 steps");
+    assertEquals(named, unnamed, 0.1 * named);
+  }
+
+  private static double covered(String options) {
+    Simulation simulation = RealWorld.run(SITE, policy(options, false), 7);
+    double covered = 0;
+    for (int step = 0; step < 200; step++) {
+      simulation.step();
+      for (int target = 0; target < simulation.network().targets(); target++) {
+        covered += simulation.network().coverage(target) > 0 ? 1 : 0;
+      }
+    }
+    return covered;
+  }
+
+  @Test
+  void camerasThatSpeakOfTargetsMustTellThemApart() {
+    Simulation[] none = new Simulation[1];
+    InputException error =
+        assertThrows(
+            InputException.class,
+            () -> none[0] = RealWorld.run(SITE, policy("agree=max-sum,identity=none", false), 1));
+    assertTrue(error.getMessage().contains("identity"), error.getMessage());
   }
 
   /** A wall that is not on its map hides a target from one of two cameras. */
