@@ -63,12 +63,13 @@ class ChannelCommandTest {
         steps(run("deaf", "--policy qb-sarsa --channel loss=1")));
   }
 
-  @Test
-  void losesAndDelaysAlikeOnAnyNumberOfThreads() throws IOException {
-    String options = "--policy qb-sarsa --channel loss=0.3,burst=4,delay=0..3,range=8 --threads ";
-    Path one = run("one", options + 1);
-    assertEquals(steps(one), steps(run("three", options + 3)));
-    assertNotEquals(steps(one), steps(run("plain", "--policy qb-sarsa")));
+  @ParameterizedTest
+  @ValueSource(strings = {"qb-sarsa", "cooperative:cells=200"})
+  void losesAndDelaysAlikeOnAnyNumberOfThreads(String policy) throws IOException {
+    String channel = " --channel loss=0.3,burst=4,delay=0..3,range=8 --threads ";
+    Path one = run("one", "--policy " + policy + channel + 1);
+    assertEquals(steps(one), steps(run("three", "--policy " + policy + channel + 3)));
+    assertNotEquals(steps(one), steps(run("plain", "--policy " + policy)));
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.hificamsim.bridge.run;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
+import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
@@ -168,9 +169,17 @@ final class Run {
     if (step == 0) {
       scenario = ScenarioFile.with(network.cameraNames());
       scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
+      scenario.map(ScenarioFile::channel).filter(told -> !told.isEmpty()).ifPresent(Run::tell);
     }
     steering.ifPresent(policy -> policy.decide(network));
     network.forget();
+  }
+
+  private static void tell(String channel) {
+    FaultLine.note(
+        "channel is '"
+            + channel
+            + "' in the scenario, which has no effect in CamSim: messages arrive at once");
   }
 
   private RunPlan plan(int steps) {

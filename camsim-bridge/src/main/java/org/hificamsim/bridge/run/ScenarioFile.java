@@ -24,8 +24,10 @@ import javax.xml.stream.XMLStreamReader;
  * @param cameras names of the cameras of the start, in order
  * @param allCameras how many cameras there will ever be
  * @param allTargets how many targets there will ever be
+ * @param channel what becomes of messages; empty where it says nothing
  */
-record ScenarioFile(String name, List<String> cameras, int allCameras, int allTargets) {
+record ScenarioFile(
+    String name, List<String> cameras, int allCameras, int allTargets, String channel) {
   private static final String ENDING = ".xml";
   private static final Set<String> TARGETS = Set.of("object", "object_with_waypoints");
 
@@ -71,9 +73,12 @@ record ScenarioFile(String name, List<String> cameras, int allCameras, int allTa
     List<String> cameras = new ArrayList<>();
     int cameraEvents = 0;
     int targets = 0;
+    String channel = "";
     while (xml.hasNext()) {
       if (xml.next() == XMLStreamConstants.START_ELEMENT) {
         String tag = xml.getLocalName();
+        String told = tag.equals("simulation") ? xml.getAttributeValue(null, "channel") : null;
+        channel = told == null ? channel : told;
         if (tag.equals("camera")) {
           cameras.add(String.valueOf(xml.getAttributeValue(null, "name")));
         }
@@ -81,7 +86,7 @@ record ScenarioFile(String name, List<String> cameras, int allCameras, int allTa
         targets += TARGETS.contains(tag) || adds(xml, "object") ? 1 : 0;
       }
     }
-    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets);
+    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets, channel);
   }
 
   private static boolean adds(XMLStreamReader xml, String participant) {

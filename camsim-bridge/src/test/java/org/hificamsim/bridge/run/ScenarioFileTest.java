@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ScenarioFileTest {
   private static final String TEXT =
       """
-      <root><simulation>
+      <root><simulation channel="loss=0.2">
         <cameras><camera name="A"/><camera name="B"/></cameras>
         <objects><object/><object_with_waypoints><waypoint/></object_with_waypoints></objects>
         <events>
@@ -32,7 +32,7 @@ class ScenarioFileTest {
   @Test
   void countsWhoIsThereAndWhoIsToCome() throws IOException {
     ScenarioFile read = read(TEXT);
-    assertEquals(new ScenarioFile("some", List.of("A", "B"), 3, 3), read);
+    assertEquals(new ScenarioFile("some", List.of("A", "B"), 3, 3, "loss=0.2"), read);
   }
 
   @Test

@@ -20,7 +20,6 @@ final class MaxSum implements Agreement {
   private static final double ABSENT = -MUCH;
 
   private final int rounds;
-  private final int horizon;
   private final double[][] losses; // by camera, target and step: what others gain it by, negative
   private final double[] sorted; // room for those of one slot, the least loss first
   private double[] totals = {}; // by view of one camera
@@ -33,8 +32,7 @@ final class MaxSum implements Agreement {
               + " targets");
     }
     rounds = parameters.rounds();
-    horizon = parameters.horizon();
-    losses = new double[network.cameras()][network.targets() * horizon];
+    losses = new double[network.cameras()][network.targets() * parameters.horizon()];
     sorted = new double[network.cameras()];
   }
 
@@ -54,7 +52,7 @@ final class MaxSum implements Agreement {
     for (int camera = 0; camera < losses.length; camera++) {
       if (network.online(camera)) {
         weigh(network, team, camera);
-        team.choose(network, camera, best(network, team.plan(camera), camera));
+        team.choose(network, camera, team.plan(camera).best(network, camera, totals));
       }
     }
   }
@@ -63,12 +61,13 @@ final class MaxSum implements Agreement {
   private void weigh(NetworkView network, Team team, int camera) {
     Plan plan = team.plan(camera);
     ViewForecast outlook = plan.outlook(camera);
-    totals = totals.length < outlook.views() ? new double[outlook.views()] : totals;
+    int views = network.views(camera);
+    totals = totals.length < views ? new double[views] : totals;
     worths = worths.length < outlook.rows() ? new double[2 * outlook.rows()] : worths;
     plan.search(network, camera, totals);
     for (int row = 0; row < outlook.rows(); row++) {
       worths[row] = worth(team, plan, camera, outlook.slot(row));
-      for (int view = 0; view < outlook.views(); view++) {
+      for (int view = 0; view < views; view++) {
         totals[view] += outlook.chance(row, view) * worths[row];
       }
     }
@@ -78,7 +77,7 @@ final class MaxSum implements Agreement {
   private double worth(Team team, Plan plan, int camera, int slot) {
     int others = 0;
     for (int other = 0; other < losses.length; other++) {
-      double loss = losses[other][plan.target(slot) * horizon + plan.step(slot)];
+      double loss = losses[other][plan.key(slot)];
       if (other != camera && loss > ABSENT && team.hears(camera, other)) {
         sorted[others++] = -loss;
       }
@@ -102,22 +101,18 @@ final class MaxSum implements Agreement {
     for (int row = 0; row < outlook.rows(); row++) {
       double on = -MUCH;
       double off = -MUCH;
-      for (int view = 0; view < outlook.views(); view++) {
+      for (int view = 0; view < network.views(camera); view++) {
         double chance = outlook.chance(row, view);
         double rest = totals[view] - chance * worths[row];
         on = chance >= 0.5 ? Math.max(on, rest) : on;
         off = chance >= 0.5 ? off : Math.max(off, rest);
       }
-      int key = plan.target(outlook.slot(row)) * horizon + plan.step(outlook.slot(row));
+      int key = plan.key(outlook.slot(row));
       double before = losses[camera][key];
       double now = Math.max(ABSENT, Math.min(MUCH, on - off));
       boolean fresh = before == ABSENT || now == ABSENT;
       losses[camera][key] = fresh ? now : DAMPING * before + (1 - DAMPING) * now;
     }
     team.bid(network, camera, outlook.rows());
-  }
-
-  private int best(NetworkView network, Plan plan, int camera) {
-    return plan.best(network, camera, totals);
   }
 }

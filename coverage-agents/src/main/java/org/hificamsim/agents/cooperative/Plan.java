@@ -139,14 +139,9 @@ final class Plan {
     return outlooks[camera];
   }
 
-  /** The target of a slot. */
-  int target(int slot) {
-    return tracks.at(slot / forecast.horizon());
-  }
-
-  /** How many steps from now a slot is. */
-  int step(int slot) {
-    return forecast.step(slot);
+  /** The number of a slot's target and step, the same in all plans. */
+  int key(int slot) {
+    return tracks.at(slot / forecast.horizon()) * forecast.horizon() + forecast.step(slot);
   }
 
   /** What it is worth that k cameras detect what is in a slot. */

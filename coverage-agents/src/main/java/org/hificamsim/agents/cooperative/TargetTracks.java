@@ -9,20 +9,24 @@ import java.util.Arrays;
 final class TargetTracks {
   private static final double FEW = 0.05; // what is left of a track that is given up
 
+  private static final class Track {
+    private boolean known;
+    private double x;
+    private double y;
+    private double wayX; // of a step
+    private double wayY;
+    private double seenX;
+    private double seenY;
+    private long seenAt; // step
+    private double size;
+    private double weight;
+  }
+
   private final Parameters parameters;
   private final SiteSight sight;
-  private boolean[] known = {};
+  private Track[] of = {}; // by number
   private int[] list = {}; // of those that are known
   private int count;
-  private double[] x = {};
-  private double[] y = {};
-  private double[] wayX = {}; // of a step
-  private double[] wayY = {};
-  private double[] seenX = {};
-  private double[] seenY = {};
-  private long[] seenAt = {}; // step
-  private double[] size = {};
-  private double[] weight = {};
   private double ways;
   private long steps;
 
@@ -33,26 +37,18 @@ final class TargetTracks {
   }
 
   private void grow(int capacity) {
-    known = Arrays.copyOf(known, capacity);
+    of = Arrays.copyOf(of, capacity);
     list = Arrays.copyOf(list, capacity);
-    x = Arrays.copyOf(x, capacity);
-    y = Arrays.copyOf(y, capacity);
-    wayX = Arrays.copyOf(wayX, capacity);
-    wayY = Arrays.copyOf(wayY, capacity);
-    seenX = Arrays.copyOf(seenX, capacity);
-    seenY = Arrays.copyOf(seenY, capacity);
-    seenAt = Arrays.copyOf(seenAt, capacity);
-    size = Arrays.copyOf(size, capacity);
-    weight = Arrays.copyOf(weight, capacity);
+    Arrays.setAll(of, track -> of[track] == null ? new Track() : of[track]);
   }
 
   /** A number that no target has, from one on. */
   int unused(int from) {
     int track = from;
-    while (track < known.length && known[track]) {
+    while (track < of.length && of[track].known) {
       track++;
     }
-    if (track == known.length) {
+    if (track == of.length) {
       grow(Math.max(1, 2 * track));
     }
     return track;
@@ -62,16 +58,16 @@ final class TargetTracks {
   void step() {
     for (int i = 0; i < count; i++) {
       move(list[i]);
-      weight[list[i]] *= parameters.decay();
+      of[list[i]].weight *= parameters.decay();
     }
   }
 
   private void move(int track) {
-    double toX = x[track] + wayX[track];
-    double toY = y[track] + wayY[track];
-    if (sight.isWay(x[track], y[track], toX, toY)) {
-      x[track] = toX;
-      y[track] = toY;
+    double toX = of[track].x + of[track].wayX;
+    double toY = of[track].y + of[track].wayY;
+    if (sight.isWay(of[track].x, of[track].y, toX, toY)) {
+      of[track].x = toX;
+      of[track].y = toY;
     }
   }
 
@@ -83,36 +79,36 @@ final class TargetTracks {
    * @return whether that is new
    */
   boolean see(int track, long step, long now, double atX, double atY, double itsSize) {
-    if (known[track] && seenAt[track] >= step) {
+    if (of[track].known && of[track].seenAt >= step) {
       return false;
     }
-    if (known[track]) {
-      turn(track, step - seenAt[track], atX - seenX[track], atY - seenY[track]);
+    if (of[track].known) {
+      turn(track, step - of[track].seenAt, atX - of[track].seenX, atY - of[track].seenY);
     } else {
-      known[track] = true;
+      of[track].known = true;
       list[count++] = track;
-      wayX[track] = 0;
-      wayY[track] = 0;
+      of[track].wayX = 0;
+      of[track].wayY = 0;
     }
-    seenX[track] = atX;
-    seenY[track] = atY;
-    seenAt[track] = step;
-    size[track] = itsSize;
+    of[track].seenX = atX;
+    of[track].seenY = atY;
+    of[track].seenAt = step;
+    of[track].size = itsSize;
     place(track, now - step);
     return true;
   }
 
   private void turn(int track, long passed, double dx, double dy) {
-    wayX[track] = dx / passed;
-    wayY[track] = dy / passed;
+    of[track].wayX = dx / passed;
+    of[track].wayY = dy / passed;
     ways += Math.sqrt(dx * dx + dy * dy);
     steps += passed;
   }
 
   private void place(int track, long passed) {
-    x[track] = seenX[track];
-    y[track] = seenY[track];
-    weight[track] = Math.pow(parameters.decay(), (double) passed);
+    of[track].x = of[track].seenX;
+    of[track].y = of[track].seenY;
+    of[track].weight = Math.pow(parameters.decay(), (double) passed);
     for (long step = 0; step < passed; step++) {
       move(track);
     }
@@ -126,10 +122,10 @@ final class TargetTracks {
    * @return by how much
    */
   double miss(int track, double chance) {
-    double before = weight[track];
+    double before = of[track].weight;
     double seen = before * chance;
-    weight[track] = seen >= 1 ? 0 : (before - seen) / (1 - seen);
-    return before - weight[track];
+    of[track].weight = seen >= 1 ? 0 : (before - seen) / (1 - seen);
+    return before - of[track].weight;
   }
 
   /** Forgets targets that were last seen long ago, or are hardly there; the map takes them. */
@@ -137,11 +133,11 @@ final class TargetTracks {
     int kept = 0;
     for (int i = 0; i < count; i++) {
       int track = list[i];
-      known[track] = now - seenAt[track] <= parameters.memory() && weight[track] >= FEW;
-      if (known[track]) {
+      of[track].known = now - of[track].seenAt <= parameters.memory() && of[track].weight >= FEW;
+      if (of[track].known) {
         list[kept++] = track;
       } else {
-        map.absorb(x[track], y[track], weight[track]);
+        map.absorb(of[track].x, of[track].y, of[track].weight);
       }
     }
     count = kept;
@@ -149,13 +145,13 @@ final class TargetTracks {
 
   /** Says where a target is going to be in each step of a forecast, from a slot on. */
   void follow(int track, Forecast forecast, int firstSlot) {
-    double atX = x[track];
-    double atY = y[track];
+    double atX = of[track].x;
+    double atY = of[track].y;
     for (int step = 0; step < forecast.horizon(); step++) {
-      forecast.set(firstSlot + step, atX, atY, size[track], weight[track]);
-      if (sight.isWay(atX, atY, atX + wayX[track], atY + wayY[track])) {
-        atX += wayX[track];
-        atY += wayY[track];
+      forecast.set(firstSlot + step, atX, atY, of[track].size, of[track].weight);
+      if (sight.isWay(atX, atY, atX + of[track].wayX, atY + of[track].wayY)) {
+        atX += of[track].wayX;
+        atY += of[track].wayY;
       }
     }
   }
@@ -171,34 +167,34 @@ final class TargetTracks {
   }
 
   double x(int track) {
-    return x[track];
+    return of[track].x;
   }
 
   double y(int track) {
-    return y[track];
+    return of[track].y;
   }
 
   /** Where it was some steps ago, metres, as far as is known. */
   double x(int track, long ago) {
-    return x[track] - ago * wayX[track];
+    return of[track].x - ago * of[track].wayX;
   }
 
   double y(int track, long ago) {
-    return y[track] - ago * wayY[track];
+    return of[track].y - ago * of[track].wayY;
   }
 
   double size(int track) {
-    return size[track];
+    return of[track].size;
   }
 
   /** How likely it still is where it is believed to be, (0, 1]. */
   double weight(int track) {
-    return weight[track];
+    return of[track].weight;
   }
 
   /** The step in which it was last seen. */
   long seenAt(int track) {
-    return seenAt[track];
+    return of[track].seenAt;
   }
 
   /** How far a target goes in a step on average, metres; 0 before any was seen twice. */

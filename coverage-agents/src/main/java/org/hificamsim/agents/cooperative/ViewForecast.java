@@ -55,10 +55,6 @@ final class ViewForecast {
     rows += most > 0 ? 1 : 0;
   }
 
-  int views() {
-    return views;
-  }
-
   /** How many targets and steps there are that the camera detects in some view. */
   int rows() {
     return rows;
