@@ -5,9 +5,9 @@ import org.hificamsim.agents.cooperative.Parameters.Learn;
 
 /**
  * What each view of a camera has been worth a step beyond what the model says, in the units of the
- * objective: the values that a bandit or SARSA without states learns from the model's errors (residual reinforcement
- * learning: Johannink and others, 2019). A view behind a wall that is not on the map has a negative
- * one.
+ * objective: the values that a bandit or SARSA without states learns from the model's errors
+ * (residual reinforcement learning: Johannink and others, 2019). A view behind a wall that is not
+ * on the map has a negative one.
  */
 final class LearnedValues {
   private static final double RATE = 0.1; // of SARSA

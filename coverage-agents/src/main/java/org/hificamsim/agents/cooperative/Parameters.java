@@ -52,7 +52,9 @@ record Parameters(
             Learn.SIGHT,
             "where the model is wrong: sight (by place), bandit, sarsa (by view), none"),
         options.choice(
-                "identity", Identity.KNOWN, "known: targets are told apart; none: reports name none")
+                "identity",
+                Identity.KNOWN,
+                "known: targets are told apart; none: reports name none")
             == Identity.KNOWN);
   }
 

@@ -56,8 +56,7 @@ class CooperativeZoomPolicyTest {
         .map(
             options ->
                 DynamicContainer.dynamicContainer(
-                    options,
-                    new ZoomPolicyContract(() -> policy(options, false), false).tests()));
+                    options, new ZoomPolicyContract(() -> policy(options, false), false).tests()));
   }
 
   @ParameterizedTest

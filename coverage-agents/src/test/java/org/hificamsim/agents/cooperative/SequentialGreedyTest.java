@@ -51,7 +51,9 @@ class SequentialGreedyTest {
     for (int seed = 0; seed < 200; seed++) {
       RandomSets network = new RandomSets(seed, false);
       double best = best(network, plan(network), 0, 0);
-      assertTrue(agreed(network, new SequentialGreedy(5)) >= best / 2 - 1e-9, "seed " + seed + ": " + best);
+      assertTrue(
+          agreed(network, new SequentialGreedy(5)) >= best / 2 - 1e-9,
+          "seed " + seed + ": " + best);
     }
   }
 
