@@ -22,6 +22,7 @@ final class Commands {
           PlotCommand.class,
           GenerateCommand.class,
           ImportCommand.class,
+          PlaceCommand.class,
           ReportCommand.class,
           ViewCommand.class,
           ValidateCommand.class,

@@ -135,6 +135,9 @@ shows, m (ours) | the field's borders
   /** In file order. */
   public static final Property<Scenario, List<Obstacle>> OBSTACLES = ELEMENT.property(List.of());
 
+  /** In file order, with unique names. */
+  public static final Property<Scenario, List<Zone>> ZONES = ELEMENT.property(List.of());
+
   static final Element<Scenario> ROOT =
       Element.<Scenario>of("root", "A scenario.").holds("simulation");
   static final Element<Scenario> OBSTACLES_HOLDER =
@@ -143,6 +146,9 @@ shows, m (ours) | the field's borders
               "What hides targets from cameras; where `transmittance` is 0 no target walks (ours).")
           .holds(
               ObstacleElements.ALL.stream().map(Element::name).collect(joining(" | ", "(", ")*")));
+  static final Element<Scenario> ZONES_HOLDER =
+      Element.<Scenario>of("zones", "What is demanded of the cameras, and where (ours).")
+          .holds("zone*");
   static final Element<Scenario> CAMERAS_HOLDER =
       Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera+");
   static final Element<Scenario> TARGETS_HOLDER =
@@ -152,7 +158,7 @@ shows, m (ours) | the field's borders
       Element.<Scenario>of("events", "What happens when.").holds("event*");
 
   static {
-    ELEMENT.holds("obstacles? & zoom? & cameras & objects? & events? & visiongraph?");
+    ELEMENT.holds("obstacles? & zones? & zoom? & cameras & objects? & events? & visiongraph?");
   }
 
   private Scenario(Spec<Scenario> said) {
@@ -170,6 +176,8 @@ shows, m (ours) | the field's borders
     all.addAll(ObstacleElements.ALL);
     all.addAll(
         List.of(
+            ZONES_HOLDER,
+            Zone.ELEMENT,
             CAMERAS_HOLDER,
             OpticsSpec.ELEMENT,
             ZoomListReader.ELEMENT,
@@ -273,6 +281,10 @@ shows, m (ours) | the field's borders
 
   public List<Obstacle> obstacles() {
     return get(OBSTACLES);
+  }
+
+  public List<Zone> zones() {
+    return get(ZONES);
   }
 
   public List<Double> zooms() {

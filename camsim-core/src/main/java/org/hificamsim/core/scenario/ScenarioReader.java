@@ -3,10 +3,12 @@ package org.hificamsim.core.scenario;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
@@ -108,7 +110,10 @@ public final class ScenarioReader {
     faults.check(() -> checkThreshold(said, attributes));
     Scenario shown = faults.or(said, () -> withFloorplan(said, attributes));
     Scenario scenario = faults.or(shown, () -> withDetection(shown, attributes));
-    scenario = scenario.with(Scenario.OBSTACLES, obstacles());
+    scenario =
+        scenario
+            .with(Scenario.OBSTACLES, obstacles())
+            .with(Scenario.ZONES, zones(scenario.field()));
     scenario = withStory(withZooms(scenario, attributes));
     if (faults.none()) {
       requireSome(simulation, scenario);
@@ -223,6 +228,25 @@ public final class ScenarioReader {
         ObstacleElements.ALL.stream().collect(Collectors.toMap(Element::name, one -> one));
     List<XmlElement> elements = root.below().filter(xml -> kinds.containsKey(xml.name())).toList();
     return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name()), warnings));
+  }
+
+  private List<Zone> zones(Field field) {
+    Set<String> names = new HashSet<>();
+    return faults.each(
+        all(Zone.ELEMENT),
+        xml -> {
+          Zone zone = Attributes.read(xml, Zone.ELEMENT, warnings);
+          if (!names.add(zone.name())) {
+            throw xml.invalid("name", "a name that no other zone has");
+          }
+          if (!zone.points().stream().allMatch(point -> field.contains(point.x(), point.y()))) {
+            throw xml.invalid(
+                "points",
+                "points inside the field, %s to %s and %s to %s"
+                    .formatted(field.minX(), field.maxX(), field.minY(), field.maxY()));
+          }
+          return zone;
+        });
   }
 
   private <T> T said(

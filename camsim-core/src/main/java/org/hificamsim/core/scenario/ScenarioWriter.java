@@ -59,6 +59,12 @@ public final class ScenarioWriter {
           Map.of(),
           () -> scenario.obstacles().forEach(this::obstacle));
     }
+    if (!scenario.zones().isEmpty()) {
+      xml.element(
+          Scenario.ZONES_HOLDER.name(),
+          Map.of(),
+          () -> scenario.zones().forEach(zone -> member(Zone.ELEMENT, zone)));
+    }
     xml.element(Scenario.CAMERAS_HOLDER.name(), Map.of(), this::cameras);
     xml.element(Scenario.TARGETS_HOLDER.name(), Map.of(), this::targets);
     List<ScenarioEvent> events = eventsWithoutTracks();

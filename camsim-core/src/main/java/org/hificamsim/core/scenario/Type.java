@@ -50,6 +50,14 @@ record Type<T>(
           text -> items(text).map(Type::point).toList(),
           points -> listed(points.stream().map(point -> point.x() + "," + point.y())));
 
+  /** Any number of points. */
+  static final Type<List<Point>> PLACES =
+      new Type<>(
+          "points as in 0,0 4,0 4,3; each coordinate " + Range.COORDINATE.expected(),
+          STRING + " pattern=(\\s*@,@)*\\s*".replace("@", DECIMAL),
+          text -> text.isBlank() ? List.of() : POINTS.parser.apply(text),
+          POINTS.writer);
+
   /** Any text, even none. */
   static Type<String> text(String expected) {
     return named(expected, text -> text, text -> text);

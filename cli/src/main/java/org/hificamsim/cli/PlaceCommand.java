@@ -1,0 +1,401 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.Function;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.Zone;
+import org.hificamsim.placement.cover.CoverInstance;
+import org.hificamsim.placement.cover.CoverPlan;
+import org.hificamsim.placement.cover.CoverSearch;
+import org.hificamsim.placement.cover.Goal;
+import org.hificamsim.placement.cover.InstanceFile;
+import org.hificamsim.placement.output.PlanCheck;
+import org.hificamsim.placement.output.PlanFiles;
+import org.hificamsim.placement.site.CameraKind;
+import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.MountPoints;
+import org.hificamsim.placement.site.PlacementProblem;
+import org.hificamsim.placement.site.CoverageReading;
+import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.Visits;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.output.ManifestFile;
+import org.hificamsim.runs.output.ResultFolder;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code hificamsim place}: where to put the cameras, and how good that is. */
+@Command(
+    name = "place",
+    description = {
+      "Plans where to put cameras on a site: the most of what is to be seen by N cameras or for a",
+      "budget, or all of it for the least; with a bound that no plan of the candidates passes."
+    })
+final class PlaceCommand implements Callable<Integer> {
+  private static final int MAX_CAMERAS = 100_000;
+  private static final int ROUNDS = 60; // without a better plan
+  private static final int USUAL_CELLS = 60;
+  private static final double USUAL_PLACES = 40; // along the longer side of the field
+
+  @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
+  private Path file;
+
+  @Option(names = "--cameras", paramLabel = "N", description = "Plan this many new cameras.")
+  private Optional<Integer> cameras;
+
+  @Option(
+      names = "--budget",
+      paramLabel = "EUR",
+      description = "Plan cameras for this much, as the catalogue has prices.")
+  private Optional<Double> budget;
+
+  @Option(names = "--cover", description = "Plan the cheapest cameras that see everything.")
+  private boolean cover;
+
+  @Option(
+      names = "--reading",
+      paramLabel = "fixed|any",
+      description = {
+        "What covers a place: the fixed view of a camera, or any view of one that turns and zooms,",
+        "which it has not at once."
+      })
+  private String reading;
+
+  @Option(
+      names = "--catalogue",
+      paramLabel = "FILE.csv",
+      description =
+          "Cameras that can be bought: generic, site (those that the site has, each for 1), or a"
+              + " table of name, pixels, hfov_min, hfov_max, pan and price.")
+  private String kinds;
+
+  @Option(
+      names = "--candidates",
+      paramLabel = "every=M|FILE.csv",
+      description =
+          "Where cameras can be: along walls, pillars and the field's border every M metres, with"
+              + " every=M,ceiling on a grid as well, or at the x and y of a table; default: 40 along"
+              + " the field's longer side.")
+  private Optional<String> candidates;
+
+  @Option(
+      names = "--keep",
+      paramLabel = "all|A,B",
+      description = "Cameras of the site that stay; the new ones add to them.")
+  private Optional<String> keep;
+
+  @Option(
+      names = "--forbid",
+      paramLabel = "ZONE,ZONE",
+      description = "Zones of the site in which no camera may be mounted.")
+  private Optional<String> forbid;
+
+  @Option(
+      names = "--redundancy",
+      paramLabel = "K",
+      description = "How many cameras each place needs, in place of what the zones say: 1 to 100.")
+  private Optional<Integer> redundancy;
+
+  @Option(
+      names = "--demand",
+      paramLabel = "zones|tracks",
+      description =
+          "What is to be seen: the zones all over, or weighed by how often targets are where, in"
+              + " the scenario's steps.")
+  private String demand;
+
+  @Option(
+      names = "--cells",
+      paramLabel = "N",
+      description = "Cells along the field's longer side: 1 to 200; default: 60.")
+  private Optional<Integer> cells;
+
+  @Option(
+      names = "--time",
+      paramLabel = "S",
+      description = "Seconds after which the best plan so far is taken; Ctrl-C takes it at once.")
+  private double time;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where the files go; default: out/<scenario>-plan/.")
+  private Optional<Path> out;
+
+  @Option(
+      names = "--verify",
+      paramLabel = "DIR",
+      description = "Check the plan of a folder, and its bound, by simulating; nothing else.")
+  private Optional<Path> verify;
+
+  @Option(
+      names = "--instance",
+      paramLabel = "FILE",
+      description = "Solve a set cover instance in place of a site.")
+  private Optional<Path> instance;
+
+  @Option(
+      names = "--form",
+      paramLabel = "scp|candidates",
+      description =
+          "Of --instance: OR-Library's scp, or a row per candidate; of a site, write it as"
+              + " instance.txt too.")
+  private Optional<String> form;
+
+  @Mixin private ThreadsOption threads;
+  @Mixin private ScenarioOptions scenarioOptions;
+  @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.SEED);
+
+  @Override
+  public Integer call() throws IOException {
+    Instant started = Instant.now();
+    if (verify.isPresent()) {
+      return verify(verify.get());
+    }
+    if ((file == null) == instance.isEmpty()) {
+      throw new InputException("expected one of SITE.xml, --instance FILE and --verify DIR");
+    }
+    Goal goal = goal();
+    Numbers.within("--time", time, 0, 1e9);
+    if (instance.isPresent()) {
+      return solve(instance.get(), goal);
+    }
+    Path folder = out.orElseGet(() -> Path.of("out", name(file) + "-plan"));
+    PlacementProblem problem = problem(goal);
+    Interrupt interrupt = new Interrupt(time);
+    SitePlan plan =
+        problem.solve(seed(), ROUNDS, interrupt::isDue, null, watcher(goal, "%.2f %%", 100));
+    try (OutputFolder output = screen.folder(folder)) {
+      PlanFiles.write(output, plan);
+      if (form.isPresent()) {
+        try (Writer writer = output.open("instance.txt")) {
+          InstanceFile.write(writer, problem.left(), instanceForm());
+        }
+      }
+      ManifestFile.write(output, screen.words(), started, 0);
+      ResultFolder.commit(output, List.of("instance.txt"));
+    }
+    tell(plan, folder);
+    return 0;
+  }
+
+  private static String name(Path path) {
+    return path.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+  }
+
+  private long seed() {
+    return settings.settings().seed();
+  }
+
+  private Goal goal() {
+    int asked = (cameras.isPresent() ? 1 : 0) + (budget.isPresent() ? 1 : 0) + (cover ? 1 : 0);
+    if (asked != 1 && !(asked == 0 && instance.isPresent())) {
+      throw new InputException("expected one of --cameras N, --budget EUR and --cover");
+    }
+    cameras.ifPresent(n -> Numbers.inRange("--cameras", n, 1, MAX_CAMERAS));
+    budget.ifPresent(price -> Numbers.within("--budget", price, 1e-9, 1e12));
+    return cameras.map(n -> new Goal(n)).or(() -> budget.map(Goal::new)).orElse(Goal.ALL);
+  }
+
+  private PlacementProblem problem(Goal goal) throws IOException {
+    Catalogue catalogue = Catalogue.load();
+    Settings asked = settings.settings();
+    Scenario site = scenarioOptions.read(file, asked, catalogue, screen.err());
+    Detection detection = DetectionSpec.of(asked, site, file, catalogue);
+    FieldCells grid =
+        FieldCells.of(
+            site.field(),
+            Numbers.inRange("--cells", cells.orElse(USUAL_CELLS), 1, FieldCells.MAX));
+    redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
+    Of of = Spelling.require(Of.class, "--demand", demand);
+    Demand all =
+        Demand.of(
+            site,
+            grid,
+            redundancy,
+            detection,
+            detections(catalogue),
+            of == Of.TRACKS ? Optional.of(Visits.of(site, grid, catalogue)) : Optional.empty());
+    CoverageReading read = Spelling.require(CoverageReading.class, "--reading", reading);
+    return PlacementProblem.of(
+        all,
+        places(site),
+        CameraKind.catalogue(kinds, site),
+        read,
+        kept(site),
+        goal,
+        cameras.isPresent(),
+        catalogue,
+        threads.count());
+  }
+
+  private enum Of {
+    ZONES,
+    TRACKS
+  }
+
+  private static Function<String, Detection> detections(Catalogue catalogue) {
+    return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
+  }
+
+  private List<Point> places(Scenario site) {
+    List<String> names = forbid.map(text -> List.of(text.split(","))).orElse(List.of());
+    List<Zone> forbidden =
+        names.stream()
+            .map(
+                name ->
+                    site.zones().stream()
+                        .filter(zone -> zone.name().equals(name))
+                        .findFirst()
+                        .orElseThrow(() -> unknown("--forbid", name, "zone")))
+            .toList();
+    double longer = Math.max(site.field().width(), site.field().height());
+    String text = candidates.orElse("every=" + longer / USUAL_PLACES);
+    if (!text.startsWith("every=")) {
+      return MountPoints.read(Path.of(text), site, forbidden);
+    }
+    boolean ceiling = text.endsWith(",ceiling");
+    String number = text.substring("every=".length()).replaceFirst(",ceiling$", "");
+    try {
+      double every =
+          Numbers.within("--candidates every", Double.parseDouble(number), longer / 1000, longer);
+      return MountPoints.of(site, every, ceiling, forbidden);
+    } catch (NumberFormatException e) {
+      throw new InputException(
+          "--candidates is '" + text + "', expected every=M, every=M,ceiling or a table", e);
+    }
+  }
+
+  private List<CameraSpec> kept(Scenario site) {
+    List<String> names = keep.map(text -> List.of(text.split(","))).orElse(List.of());
+    if (names.equals(List.of("all"))) {
+      return site.cameras();
+    }
+    return names.stream()
+        .map(
+            name ->
+                site.cameras().stream()
+                    .filter(camera -> camera.name().equals(name))
+                    .findFirst()
+                    .orElseThrow(() -> unknown("--keep", name, "camera")))
+        .toList();
+  }
+
+  private static InputException unknown(String option, String name, String kind) {
+    return new InputException(
+        "%s: the site has no %s '%s', expected the name of one".formatted(option, kind, name));
+  }
+
+  private CoverSearch.Watcher watcher(Goal goal, String form, double scale) {
+    long started = System.nanoTime();
+    String shown = goal.isAll() ? "%.2f" : form;
+    double by = goal.isAll() ? 1 : scale;
+    return (score, bound) ->
+        screen
+            .err()
+            .printf(
+                Locale.ROOT,
+                "%6.1f s: plan " + shown + ", bound " + shown + ", gap %.2f %%%n",
+                (System.nanoTime() - started) / 1e9,
+                by * score,
+                by * bound,
+                100 * Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score)));
+  }
+
+  private void tell(SitePlan plan, Path folder) {
+    Demand all = plan.demand();
+    CoverPlan found = plan.plan();
+    Object[] numbers = {
+      plan.cameras().size(), plan.problem().kept().size(), plan.price(), 100 * plan.share()
+    };
+    print("%d cameras, %d of them stay, price %.2f: %.2f %% of the demand is met", numbers);
+    print("  %s", plan.problem().reading().words());
+    if (plan.problem().goal().isAll()) {
+      print("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());
+      print("  all candidates together meet %.2f %%", 100 * plan.bound());
+    } else {
+      print("  no plan of these meets more than %.2f %%", 100 * plan.bound());
+      print("  gap %.2f %%", 100 * (plan.bound() - plan.share()) / plan.bound());
+    }
+    print(
+        "  %d candidates, %d samples, cells of %.2f m, %.1f s",
+        plan.problem().candidates().all().size(),
+        all.samples().size(),
+        all.cells().width(),
+        found.seconds());
+    print(
+        "  the site's own %d cameras meet %.2f %%", all.site().cameras().size(), 100 * plan.today());
+    for (Demand.Watched zone : all.zones()) {
+      print(
+          "  zone %s: %.2f %% by %s, k = %d",
+          zone.name(), 100 * all.share(zone, plan.counts(), false), zone.detection().name(), zone.k());
+    }
+    if (!plan.blindSpots().isEmpty()) {
+      print("  seen by no camera: %s", String.join(", ", plan.blindSpots()));
+    }
+    print("%s; under policies: ./hificamsim compare %s", folder, folder.resolve(PlanFiles.SCENARIO));
+  }
+
+  private void print(String form, Object... values) {
+    screen.out().println(String.format(Locale.ROOT, form, values));
+  }
+
+  private InstanceFile.Form instanceForm() {
+    return Spelling.require(InstanceFile.Form.class, "--form", form.orElse("scp"));
+  }
+
+  private int solve(Path path, Goal goal) throws IOException {
+    CoverInstance read = InstanceFile.read(path, instanceForm());
+    CoverInstance all = goal.isAll() ? read.coverable() : read;
+    CoverPlan plan =
+        CoverSearch.solve(
+            all, goal, seed(), ROUNDS, new Interrupt(time)::isDue, null, watcher(goal, "%.2f", 1));
+    print(
+        "%d of %d candidates, price %.2f, see %.0f of %d samples",
+        plan.chosen().length,
+        all.candidates(),
+        all.price(plan.chosen()),
+        all.worth(all.counts(plan.chosen())),
+        all.samples());
+    print(
+        "score %.2f, bound %.2f, gap %.3f %%, %.1f s",
+        plan.score(), plan.bound(), 100 * plan.gap(), plan.seconds());
+    return 0;
+  }
+
+  private int verify(Path folder) throws IOException {
+    Catalogue catalogue = Catalogue.load();
+    Path file = folder.resolve(PlanFiles.SCENARIO);
+    if (!Files.isRegularFile(file)) {
+      throw new InputException("no file '" + file + "', expected a folder that 'place' wrote");
+    }
+    Scenario plan = scenarioOptions.read(file, Settings.NONE, catalogue, screen.err());
+    PlanCheck.check(folder, plan, catalogue, detections(catalogue))
+        .forEach(line -> screen.out().println(line));
+    return 0;
+  }
+}

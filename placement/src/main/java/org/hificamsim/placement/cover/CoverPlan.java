@@ -1,0 +1,20 @@
+package org.hificamsim.placement.cover;
+
+/**
+ * A plan, and how much better any other could be.
+ *
+ * @param chosen candidates, rising
+ * @param score what it is worth; where everything is to be seen, what it costs
+ * @param bound no plan has a better score; where everything is to be seen, costs less
+ * @param proof the multipliers from which {@link Duals#value} makes the bound, by sample, unless
+ *     exact search proved a better one; for the candidates that none {@link Dominance dominates}
+ * @param seconds that it took
+ */
+public record CoverPlan(
+    int[] chosen, double score, double bound, double[] proof, double seconds) {
+  /** The difference between bound and score, as a share of the larger, 0 for a proven best. */
+  public double gap() {
+    double most = Math.max(Math.abs(bound), Math.abs(score));
+    return most == 0 ? 0 : Math.max(0, Math.abs(bound - score)) / most;
+  }
+}

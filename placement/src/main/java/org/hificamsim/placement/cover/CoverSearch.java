@@ -1,0 +1,195 @@
+package org.hificamsim.placement.cover;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+
+/**
+ * Finds a plan and a bound: candidates that others dominate are left out; greedy by gains and by
+ * gains for a price, the better one (Khuller, Moss and Naor 1999: at least half of 1 - 1/e of the
+ * best, together with the best single candidate, which exchange finds); exchanges of one candidate
+ * for another; and again from the best plan with some of it taken away. The bound is {@link Duals}.
+ */
+public final class CoverSearch {
+  /** Told of a new best plan or bound. */
+  @FunctionalInterface
+  public interface Watcher {
+    /** The score and the bound, now. */
+    void improved(double score, double bound);
+  }
+
+  private static final int STEPS = 40; // of the bound, between two rounds
+  private static final double LEAST = 1e-3; // of a price, that remains of it
+  private static final double NOISE = 0.1;
+
+  private final CoverInstance instance;
+  private final Goal goal;
+  private final SplittableRandom random;
+  private final BooleanSupplier stop;
+  private final Chosen plan;
+  private int[] best = {};
+  private double score;
+
+  private CoverSearch(CoverInstance instance, Goal goal, long seed, BooleanSupplier stop) {
+    this.instance = instance;
+    this.goal = goal;
+    this.random = new SplittableRandom(seed);
+    this.stop = stop;
+    this.plan = new Chosen(instance);
+    this.score = goal.isAll() ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
+  }
+
+  /**
+   * Searches.
+   *
+   * @param all what is asked where everything is to be seen has to be {@link
+   *     CoverInstance#coverable}
+   * @param rounds without a better plan after which the search ends
+   * @param stop ends the search at the next opportunity; there is a plan whatever it says
+   * @param exact solves what is left, see {@link CpSat}; null for no exact search
+   */
+  public static CoverPlan solve(
+      CoverInstance all,
+      Goal goal,
+      long seed,
+      int rounds,
+      BooleanSupplier stop,
+      ExactSearch exact,
+      Watcher watcher) {
+    long started = System.nanoTime();
+    int[] left = Dominance.left(all);
+    CoverInstance instance = all.with(left);
+    CoverSearch search = new CoverSearch(instance, goal, seed, stop);
+    search.first();
+    Duals duals = new Duals(instance, goal, instance.counts(search.best));
+    watcher.improved(search.score, duals.bound());
+    search.rounds(rounds, duals, watcher);
+    double bound = duals.bound();
+    if (exact != null && !duals.isClosed(search.score)) {
+      int[] open = duals.open(search.score);
+      ExactSearch.Found found =
+          exact.search(instance.with(open), goal, within(search.best, open), stop);
+      search.keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
+      double proven =
+          goal.isAll()
+              ? Math.min(found.bound(), search.score)
+              : Math.max(found.bound(), search.score);
+      bound = goal.isAll() ? Math.max(proven, bound) : Math.min(proven, bound);
+      watcher.improved(search.score, bound);
+    }
+    int[] chosen = Arrays.stream(search.best).map(one -> left[one]).toArray();
+    return new CoverPlan(
+        chosen, search.score, bound, duals.proof(), (System.nanoTime() - started) / 1e9);
+  }
+
+  /** The numbers of a plan's candidates among those that are left; what is not is left out. */
+  private static int[] within(int[] plan, int[] open) {
+    return Arrays.stream(plan)
+        .map(one -> Arrays.binarySearch(open, one))
+        .filter(one -> one >= 0)
+        .toArray();
+  }
+
+  private void first() {
+    Greedy.fill(plan, instance, goal, any -> 1);
+    finish();
+    plan.set(new int[0]);
+    Greedy.fill(plan, instance, goal, one -> instance.prices()[one]);
+    finish();
+    plan.set(best);
+    exchange();
+  }
+
+  private void rounds(int patience, Duals duals, Watcher watcher) {
+    int idle = 0;
+    while (idle < patience && !stop.getAsBoolean() && !duals.isClosed(score)) {
+      double before = duals.bound();
+      if (!duals.isSpent()) {
+        duals.improve(STEPS, score, stop);
+      }
+      boolean better = again(duals);
+      idle = better || !duals.isSpent() ? 0 : idle + 1;
+      if (better || duals.bound() != before) {
+        watcher.improved(score, duals.bound());
+      }
+    }
+  }
+
+  /** From the best plan with some of it taken away; returns whether it became better. */
+  private boolean again(Duals duals) {
+    plan.set(best);
+    int away = 1 + random.nextInt(Math.max(1, best.length / 2));
+    for (int i = 0; i < away && best.length > 0; i++) {
+      int one = best[random.nextInt(best.length)];
+      if (plan.has(one)) {
+        plan.remove(one);
+      }
+    }
+    double[] weights = instance.prices().clone();
+    for (int one = 0; goal.isAll() && one < weights.length; one++) { // what the bound makes of them
+      double price = Math.max(LEAST * weights[one], duals.reducedPrice(one));
+      weights[one] = price * (1 + NOISE * random.nextDouble());
+    }
+    Greedy.fill(plan, instance, goal, one -> weights[one]);
+    double before = score;
+    finish();
+    if (!goal.isAll() && score == before && plan.worth() > 0.97 * score) {
+      exchange();
+    }
+    return score != before;
+  }
+
+  /** Leaves out what the plan does not need, the dearest first, and keeps it if it is the best. */
+  private void finish() {
+    IntStream.of(plan.candidates())
+        .boxed()
+        .sorted((one, other) -> Double.compare(instance.prices()[other], instance.prices()[one]))
+        .filter(one -> goal.isAll() && plan.isRedundant(one)) // each when its turn comes
+        .forEach(plan::remove);
+    keep(plan.candidates());
+  }
+
+  private void keep(int[] candidates) {
+    double found = goal.score(instance, candidates);
+    boolean better = goal.isAll() ? found < score - 1e-9 : found > score + 1e-9 * Math.abs(score);
+    boolean allowed = goal.isAll() ? isWhole(candidates) : goal.affords(instance.price(candidates));
+    if (allowed && (better || best.length == 0)) {
+      best = candidates;
+      score = found;
+    }
+  }
+
+  private boolean isWhole(int[] candidates) {
+    int[] counts = instance.counts(candidates);
+    return IntStream.range(0, counts.length).allMatch(s -> counts[s] >= instance.needs()[s]);
+  }
+
+  /** Puts another candidate in the place of one, while the plan becomes better. */
+  private void exchange() {
+    for (boolean better = !goal.isAll(); better && !stop.getAsBoolean(); ) {
+      better = false;
+      for (int out : plan.candidates()) {
+        better |= exchange(out);
+      }
+    }
+    keep(plan.candidates());
+  }
+
+  private boolean exchange(int out) {
+    double before = plan.worth();
+    plan.remove(out);
+    int in = out;
+    double most = plan.gain(out) * (1 + 1e-9);
+    for (int j = 0; j < instance.candidates(); j++) {
+      boolean possible = !plan.has(j) && goal.affords(plan.price() + instance.prices()[j]);
+      double gain = possible ? plan.gain(j) : 0;
+      if (gain > most) {
+        most = gain;
+        in = j;
+      }
+    }
+    plan.add(in);
+    return in != out && plan.worth() > before;
+  }
+}

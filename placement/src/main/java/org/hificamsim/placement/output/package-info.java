@@ -1,0 +1,2 @@
+/** Plans as files: tables, pages, pictures; and the check that they say what is true. */
+package org.hificamsim.placement.output;

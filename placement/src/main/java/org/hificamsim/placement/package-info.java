@@ -1,0 +1,2 @@
+/** Where to put the cameras. */
+package org.hificamsim.placement;

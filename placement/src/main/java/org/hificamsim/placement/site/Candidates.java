@@ -1,0 +1,141 @@
+package org.hificamsim.placement.site;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsSpec;
+
+/**
+ * Cameras that could be mounted, with the samples that each covers: every kind at every place in
+ * every heading and, where the fixed view counts, at every zoom level. Those that cover nothing are
+ * left out.
+ *
+ * @param all in the order of places
+ * @param columns by candidate: the samples that it covers, rising
+ */
+public record Candidates(List<Candidate> all, int[][] columns) {
+  /** Degrees from one heading to the next. */
+  private static final int TURN = 15;
+
+  /**
+   * A camera that could be mounted.
+   *
+   * @param heading degrees, from -180
+   */
+  public record Candidate(CameraKind kind, OpticsSpec optics, Point at, double heading) {
+    /** The camera as a scenario has it. */
+    public CameraSpec camera(String name) {
+      return new CameraSpec(name, at.x(), at.y(), optics.reach().orElse(0))
+          .with(CameraSpec.HEADING, heading)
+          .with(CameraSpec.VIEWING_ANGLE, Collections.max(optics.anglesOfView()))
+          .with(CameraSpec.OPTICS, optics);
+    }
+  }
+
+  private record Found(Candidate candidate, int[] covered) {}
+
+  /** All candidates of a site. */
+  public static Candidates of(
+      List<Point> places, List<CameraKind> kinds, CoverageReading reading, SampleSight sight, int threads) {
+    List<Found> found =
+        Parallel.map(places, threads, at -> at(at, kinds, reading, sight)).stream()
+            .flatMap(List::stream)
+            .toList();
+    return new Candidates(
+        found.stream().map(Found::candidate).toList(),
+        found.stream().map(Found::covered).toArray(int[][]::new));
+  }
+
+  /** By candidate: what it costs. */
+  public double[] prices() {
+    return all.stream().mapToDouble(one -> one.kind.price()).toArray();
+  }
+
+  private static List<Found> at(
+      Point at, List<CameraKind> kinds, CoverageReading reading, SampleSight sight) {
+    List<CameraSpec> scouts = new ArrayList<>(); // one of each kind that turns all round
+    for (CameraKind kind : kinds) {
+      OpticsSpec round = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
+      scouts.add(new Candidate(kind, round, at, 0).camera("scout " + scouts.size()));
+    }
+    int[][][] seen = sight.seen(scouts);
+    return IntStream.range(0, kinds.size())
+        .boxed()
+        .flatMap(i -> ofKind(at, kinds.get(i), reading, seen[i]))
+        .filter(one -> one.covered.length > 0)
+        .toList();
+  }
+
+  private static List<Double> headings() {
+    return IntStream.range(-180 / TURN, 180 / TURN).mapToObj(i -> (double) TURN * i).toList();
+  }
+
+  /** The pan angle of a camera's view in a heading. */
+  private static double angle(double heading, double pan) {
+    double angle = (heading + pan + 540) % 360 - 180;
+    return Math.rint(angle * 1e6) / 1e6;
+  }
+
+  /** All angles at which a kind looks in some heading, rising. */
+  private static List<Double> angles(OpticsSpec optics, CoverageReading reading) {
+    return reading == CoverageReading.FIXED
+        ? headings()
+        : headings().stream()
+            .flatMap(heading -> optics.pans().stream().map(pan -> angle(heading, pan)))
+            .distinct()
+            .sorted()
+            .toList();
+  }
+
+  private static Stream<Found> ofKind(Point at, CameraKind kind, CoverageReading reading, int[][] seen) {
+    OpticsSpec optics = kind.optics();
+    int levels = optics.anglesOfView().size();
+    if (reading == CoverageReading.FIXED) {
+      return headings().stream()
+          .flatMap(
+              heading ->
+                  IntStream.range(0, levels)
+                      .mapToObj(
+                          level ->
+                              new Found(
+                                  new Candidate(kind, fixed(optics, level), at, heading),
+                                  seen[headings().indexOf(heading) * levels + level])));
+    }
+    TreeMap<Double, int[]> byAngle = new TreeMap<>();
+    List<Double> angles = angles(optics, reading);
+    for (int i = 0; i < angles.size(); i++) {
+      int first = i * levels;
+      byAngle.put(
+          angles.get(i),
+          SampleSight.union(IntStream.range(first, first + levels).mapToObj(v -> seen[v])));
+    }
+    boolean round = angles(optics, CoverageReading.ANY).size() == optics.pans().size();
+    return (round ? List.of(0.0) : headings())
+        .stream()
+            .map(
+                heading ->
+                    new Found(
+                        new Candidate(kind, optics, at, heading),
+                        SampleSight.union(
+                            optics.pans().stream().map(p -> byAngle.get(angle(heading, p))))));
+  }
+
+  /** The same lens at one of its levels. */
+  private static OpticsSpec fixed(OpticsSpec optics, int level) {
+    double angle = optics.anglesOfView().get(level);
+    OpticsSpec still =
+        new OpticsSpec("%s at %s degrees".formatted(optics.name(), angle))
+            .with(OpticsSpec.LAW, optics.law())
+            .with(OpticsSpec.PIXELS, optics.pixels())
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(angle));
+    return optics.reach().isPresent()
+        ? still.with(OpticsSpec.REACH, optics.reach().getAsDouble())
+        : still;
+  }
+}

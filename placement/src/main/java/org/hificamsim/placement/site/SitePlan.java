@@ -1,0 +1,147 @@
+package org.hificamsim.placement.site;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import java.util.stream.IntStream;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.placement.cover.CoverPlan;
+
+/**
+ * Cameras for a site, and how good they are.
+ *
+ * @param cameras those that stay, then the new ones
+ * @param prices of each; 0 for those that stay
+ * @param covered by camera: the samples that it covers
+ * @param plan what the search found: candidates among those of {@code problem}
+ * @param bound the most of the demand that any plan of these candidates can meet, in [0, 1]
+ * @param today what the cameras of the site as it is meet, in [0, 1]
+ */
+public record SitePlan(
+    PlacementProblem problem,
+    List<CameraSpec> cameras,
+    List<Double> prices,
+    int[][] covered,
+    CoverPlan plan,
+    double bound,
+    double today) {
+
+  /** What was asked. */
+  public Demand demand() {
+    return problem.demand();
+  }
+
+  /** How many cameras cover each sample. */
+  public int[] counts() {
+    return countsWithout(-1);
+  }
+
+  /** The same after the failure of one. */
+  public int[] countsWithout(int failed) {
+    int[] counts = new int[demand().samples().size()];
+    for (int camera = 0; camera < covered.length; camera++) {
+      for (int sample : camera == failed ? new int[0] : covered[camera]) {
+        counts[sample]++;
+      }
+    }
+    return counts;
+  }
+
+  /** The share of the demand that is met where samples are covered by so many cameras. */
+  public double share(int[] counts) {
+    return problem.whole().worth(counts) / problem.whole().total();
+  }
+
+  /** The share of the demand that is met. */
+  public double share() {
+    return share(counts());
+  }
+
+  /** What all new cameras cost. */
+  public double price() {
+    return prices.stream().mapToDouble(Double::doubleValue).sum();
+  }
+
+  /** The samples that are covered by no camera. */
+  public int[] blind() {
+    int[] counts = counts();
+    return IntStream.range(0, counts.length).filter(sample -> counts[sample] == 0).toArray();
+  }
+
+  /** A point of the curve: how much is met by the first cameras, and could be at their price. */
+  public record Reached(int cameras, double price, double share, double bound) {}
+
+  /** The share over the number of new cameras, those that add most first. */
+  public List<Reached> curve() {
+    int kept = problem.kept().size();
+    int[] counts = new int[demand().samples().size()];
+    IntStream.range(0, kept).forEach(camera -> add(counts, camera));
+    List<Integer> left = new ArrayList<>(IntStream.range(kept, cameras.size()).boxed().toList());
+    List<Reached> curve = new ArrayList<>();
+    DoubleUnaryOperator most = problem.most(plan);
+    double price = 0;
+    curve.add(new Reached(0, 0, share(counts), share(counts)));
+    while (!left.isEmpty()) {
+      Integer next = left.get(0);
+      for (Integer one : left) {
+        next = worthWith(counts, one) > worthWith(counts, next) ? one : next;
+      }
+      left.remove(next);
+      add(counts, next);
+      price += problem.asked(prices.get(next));
+      int number = cameras.size() - kept - left.size();
+      double bound =
+          left.isEmpty() && !problem.goal().isAll() ? this.bound : most.applyAsDouble(price);
+      curve.add(new Reached(number, price, share(counts), Math.max(share(counts), bound)));
+    }
+    return curve;
+  }
+
+  private void add(int[] counts, int camera) {
+    for (int sample : covered[camera]) {
+      counts[sample]++;
+    }
+  }
+
+  private double worthWith(int[] counts, int camera) {
+    int[] with = counts.clone();
+    add(with, camera);
+    return problem.whole().worth(with);
+  }
+
+  /** The site under these cameras: it runs. What happened to the cameras before happens no more. */
+  public Scenario scenario() {
+    Scenario site = demand().site();
+    List<ScenarioEvent> events =
+        site.events().stream()
+            .filter(
+                event ->
+                    event instanceof ScenarioEvent.AddTarget
+                        || event instanceof ScenarioEvent.RemoveTarget)
+            .toList();
+    return site.with(Scenario.CAMERAS, cameras)
+        .with(Scenario.EVENTS, events)
+        .without(Scenario.VISION_GRAPH)
+        .with(Scenario.NAME, site.name() + "-plan");
+  }
+
+  /** The names of the zones that have a blind spot, with how many cells. */
+  public List<String> blindSpots() {
+    int[] counts = counts();
+    return demand().zones().stream()
+        .filter(zone -> Arrays.stream(counts, zone.first(), zone.end()).anyMatch(k -> k == 0))
+        .map(
+            zone ->
+                "%s (%s of %s cells)"
+                    .formatted(
+                        zone.name(),
+                        Arrays.stream(counts, zone.first(), zone.end())
+                            .filter(k -> k == 0)
+                            .count(),
+                        zone.count()))
+        .toList();
+  }
+}

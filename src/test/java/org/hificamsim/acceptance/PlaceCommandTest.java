@@ -1,0 +1,147 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code place}: plans, their check, instances, and what is refused. */
+class PlaceCommandTest {
+  private static final String WALL = "<wall x1=\"10\" y1=\"0\" x2=\"10\" y2=\"20\"/>";
+  private static final String DOOR =
+      "<zone name=\"door\" points=\"1,1 6,6\" detection=\"dori-2014:level=identify\" k=\"2\"/>";
+
+  @TempDir private Path folder;
+
+  /** Two rooms with one camera of two kinds each. */
+  private Path site(String walls, String zones) throws IOException {
+    return Files.writeString(
+        folder.resolve("rooms.xml"),
+        """
+        <root>
+          <simulation min_x="0" max_x="20" min_y="0" max_y="20" order="coverage"
+              detection="dori-2014:level=recognise" steps="5">
+            <obstacles>%s</obstacles>
+            <zones>%s</zones>
+            <cameras>
+              <optics name="wide" hfov="90 40" pixels="1920"/>
+              <optics name="turns" hfov="40" pixels="1920" pan="-60:60:30"/>
+              <camera name="A" x="1" y="1" heading="45" optics="wide"/>
+              <camera name="B" x="19" y="19" heading="225" optics="turns"/>
+            </cameras>
+            <objects><object x="5" y="5" heading="0" speed="1" features="1"/></objects>
+          </simulation>
+        </root>
+        """
+            .formatted(walls, zones));
+  }
+
+  private Cli place(Path site, String words) {
+    return Cli.run(
+        ("place " + site + " --cells 12 --candidates every=4 --threads 1 " + words).split(" "));
+  }
+
+  @Test
+  void plansThatRunAndThatTheCheckConfirms() throws IOException {
+    Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\"/>");
+    for (String words :
+        new String[] {
+          "--cameras 3 --catalogue site",
+          "--budget 900 --keep A --reading any",
+          "--cameras 2 --catalogue site --demand tracks --redundancy 1",
+          "--cover --catalogue site --reading any"
+        }) {
+      Path plan = folder.resolve("plan");
+      Cli made = place(site, words + " --out " + plan);
+      assertEquals(0, made.exit(), made.err());
+      assertTrue(made.out().contains("gap"), made.out());
+      Cli checked = Cli.run("place", "--verify", plan);
+      assertEquals(0, checked.exit(), words + checked.err());
+      assertTrue(checked.out().contains("holds"), checked.out());
+      Cli run = Cli.run("run", plan.resolve("plan.xml"), "--out", folder.resolve("run"));
+      assertEquals(0, run.exit(), run.err());
+    }
+  }
+
+  @Test
+  void theSameSeedGivesTheSamePlan() throws IOException {
+    Path site = site("", "");
+    place(site, "--cameras 3 --seed 4 --out " + folder.resolve("a"));
+    place(site, "--cameras 3 --seed 4 --out " + folder.resolve("b"));
+    for (String file : new String[] {"plan.xml", "summary.json", "samples.csv", "curve.csv"}) {
+      assertEquals(
+          -1L, Files.mismatch(folder.resolve("a").resolve(file), folder.resolve("b").resolve(file)));
+    }
+  }
+
+  @Test
+  void theCheckRefusesWhatIsNotSo() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site(WALL, ""), "--cameras 3 --out " + plan);
+    refusesWith(plan, "plan.xml", "heading=\"", "heading=\"1", "as a run|cover it in a run|expected");
+    refusesWith(plan, "summary.json", "\"share\" : 0", "\"share\" : 1", "share is");
+    refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "no bound that it passes");
+    refusesWith(plan, "samples.csv", "field,", "wood,", "no zone 'wood'");
+  }
+
+  private void refusesWith(Path plan, String file, String old, String broken, String message)
+      throws IOException {
+    Path path = plan.resolve(file);
+    String text = Files.readString(path);
+    assertTrue(text.contains(old), file);
+    Files.writeString(path, text.replace(old, broken));
+    Cli checked = Cli.run("place", "--verify", plan);
+    assertEquals(2, checked.exit(), file + checked.out());
+    assertTrue(checked.err().matches("(?s).*(" + message + ").*"), checked.err());
+    assertEquals(1, checked.err().lines().count());
+    Files.writeString(path, text);
+  }
+
+  @Test
+  void instancesAreSolvedAndWrittenInBothForms() throws IOException {
+    Path scp = Files.writeString(folder.resolve("scp.txt"), "3 4\n1 1 1 3\n2 1 4\n2 2 4\n2\n3 4\n");
+    Cli solved = Cli.run("place", "--instance", scp);
+    assertEquals(0, solved.exit(), solved.err());
+    assertTrue(solved.out().contains("score 3.00, bound 3.00, gap 0.000 %"), solved.out());
+    Path plan = folder.resolve("plan");
+    for (String form : new String[] {"scp", "candidates"}) {
+      place(site(WALL, ""), "--cover --catalogue site --form " + form + " --out " + plan);
+      Cli again = Cli.run("place", "--instance", plan.resolve("instance.txt"), "--form", form);
+      String price = "\"price\" : " + again.out().replaceAll("(?s).*price ([0-9]+).*", "$1");
+      assertTrue(Files.readString(plan.resolve("summary.json")).contains(price), again.out());
+    }
+  }
+
+  @Test
+  void saysInOneLineWhatIsWrong() throws IOException {
+    Path plain = site("", "");
+    refuses(plain, "", "expected one of --cameras N, --budget EUR and --cover");
+    refuses(plain, "--cameras 0", "--cameras is 0");
+    refuses(plain, "--budget 2", "the price of the cheapest camera");
+    refuses(plain, "--cameras 1 --keep C", "no camera 'C'");
+    refuses(plain, "--cameras 1 --forbid yard", "no zone 'yard'");
+    Path table = Files.writeString(folder.resolve("c.csv"), "name,pixels,hfov_min,hfov_max,pan,price\na,1920,60,60,0,dear\n");
+    refuses(plain, "--cameras 1 --catalogue " + table, "c.csv:2:16: price is 'dear'");
+    Path far = site(WALL, DOOR);
+    Files.writeString(folder.resolve("p.csv"), "x,y\n15,15\n");
+    refuses(far, "--cameras 1 --candidates " + folder.resolve("p.csv"), "zone 'door' is seen from none of 1 places: walls are in between");
+    refuses(site("", DOOR.replace("identify", "identify@2")), "--cameras 1", "threshold");
+    refuses(site("", DOOR.replace("6,6", "60,6")), "--cameras 1", "rooms.xml:");
+    refuses(site("", DOOR + DOOR), "--cameras 1", "a name that no other zone has");
+    Path broken = Files.writeString(folder.resolve("scp.txt"), "3 4\n1 1 1 3\n2 1 9\n");
+    Cli refused = Cli.run("place", "--instance", broken);
+    assertTrue(refused.err().contains("scp.txt:3:5: '9', expected a candidate"), refused.err());
+  }
+
+  private static void refuses(Path site, String words, String message) {
+    Cli refused = Cli.run(("place " + site + " " + words).strip().split(" "));
+    assertEquals(2, refused.exit(), refused.out());
+    assertTrue(refused.err().contains(message), refused.err());
+    assertFalse(refused.err().strip().contains("\n"), refused.err());
+  }
+}
