@@ -75,7 +75,8 @@ class PlaceCommandTest {
     place(site, "--cameras 3 --seed 4 --out " + folder.resolve("b"));
     for (String file : new String[] {"plan.xml", "summary.json", "samples.csv", "curve.csv"}) {
       assertEquals(
-          -1L, Files.mismatch(folder.resolve("a").resolve(file), folder.resolve("b").resolve(file)));
+          -1L,
+          Files.mismatch(folder.resolve("a").resolve(file), folder.resolve("b").resolve(file)));
     }
   }
 
@@ -83,9 +84,15 @@ class PlaceCommandTest {
   void theCheckRefusesWhatIsNotSo() throws IOException {
     Path plan = folder.resolve("plan");
     place(site(WALL, ""), "--cameras 3 --out " + plan);
-    refusesWith(plan, "plan.xml", "heading=\"", "heading=\"1", "as a run|cover it in a run|expected");
+    refusesWith(
+        plan, "plan.xml", "heading=\"", "heading=\"1", "as a run|cover it in a run|expected");
     refusesWith(plan, "summary.json", "\"share\" : 0", "\"share\" : 1", "share is");
-    refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "no bound that it passes");
+    refusesWith(
+        plan,
+        "summary.json",
+        "\"bound\" : ",
+        "\"bound\" : 0.0, \"x\" : ",
+        "no bound that it passes");
     refusesWith(plan, "samples.csv", "field,", "wood,", "no zone 'wood'");
   }
 
@@ -125,11 +132,17 @@ class PlaceCommandTest {
     refuses(plain, "--budget 2", "the price of the cheapest camera");
     refuses(plain, "--cameras 1 --keep C", "no camera 'C'");
     refuses(plain, "--cameras 1 --forbid yard", "no zone 'yard'");
-    Path table = Files.writeString(folder.resolve("c.csv"), "name,pixels,hfov_min,hfov_max,pan,price\na,1920,60,60,0,dear\n");
+    Path table =
+        Files.writeString(
+            folder.resolve("c.csv"),
+            "name,pixels,hfov_min,hfov_max,pan,price\na,1920,60,60,0,dear\n");
     refuses(plain, "--cameras 1 --catalogue " + table, "c.csv:2:16: price is 'dear'");
     Path far = site(WALL, DOOR);
     Files.writeString(folder.resolve("p.csv"), "x,y\n15,15\n");
-    refuses(far, "--cameras 1 --candidates " + folder.resolve("p.csv"), "zone 'door' is seen from none of 1 places: walls are in between");
+    refuses(
+        far,
+        "--cameras 1 --candidates " + folder.resolve("p.csv"),
+        "zone 'door' is seen from none of 1 places: walls are in between");
     refuses(site("", DOOR.replace("identify", "identify@2")), "--cameras 1", "threshold");
     refuses(site("", DOOR.replace("6,6", "60,6")), "--cameras 1", "rooms.xml:");
     refuses(site("", DOOR + DOOR), "--cameras 1", "a name that no other zone has");

@@ -27,10 +27,10 @@ import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
 import org.hificamsim.placement.site.CameraKind;
+import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.MountPoints;
 import org.hificamsim.placement.site.PlacementProblem;
-import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.placement.site.Visits;
 import org.hificamsim.runs.DetectionSpec;
@@ -94,8 +94,8 @@ final class PlaceCommand implements Callable<Integer> {
       paramLabel = "every=M|FILE.csv",
       description =
           "Where cameras can be: along walls, pillars and the field's border every M metres, with"
-              + " every=M,ceiling on a grid as well, or at the x and y of a table; default: 40 along"
-              + " the field's longer side.")
+              + " every=M,ceiling on a grid as well, or at the x and y of a table; default: 40"
+              + " along the field's longer side.")
   private Optional<String> candidates;
 
   @Option(
@@ -228,8 +228,7 @@ final class PlaceCommand implements Callable<Integer> {
     Detection detection = DetectionSpec.of(asked, site, file, catalogue);
     FieldCells grid =
         FieldCells.of(
-            site.field(),
-            Numbers.inRange("--cells", cells.orElse(USUAL_CELLS), 1, FieldCells.MAX));
+            site.field(), Numbers.inRange("--cells", cells.orElse(USUAL_CELLS), 1, FieldCells.MAX));
     redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
     Of of = Spelling.require(Of.class, "--demand", demand);
     Demand all =
@@ -348,16 +347,21 @@ final class PlaceCommand implements Callable<Integer> {
         all.cells().width(),
         found.seconds());
     print(
-        "  the site's own %d cameras meet %.2f %%", all.site().cameras().size(), 100 * plan.today());
+        "  the site's own %d cameras meet %.2f %%",
+        all.site().cameras().size(), 100 * plan.today());
     for (Demand.Watched zone : all.zones()) {
       print(
           "  zone %s: %.2f %% by %s, k = %d",
-          zone.name(), 100 * all.share(zone, plan.counts(), false), zone.detection().name(), zone.k());
+          zone.name(),
+          100 * all.share(zone, plan.counts(), false),
+          zone.detection().name(),
+          zone.k());
     }
     if (!plan.blindSpots().isEmpty()) {
       print("  seen by no camera: %s", String.join(", ", plan.blindSpots()));
     }
-    print("%s; under policies: ./hificamsim compare %s", folder, folder.resolve(PlanFiles.SCENARIO));
+    print(
+        "%s; under policies: ./hificamsim compare %s", folder, folder.resolve(PlanFiles.SCENARIO));
   }
 
   private void print(String form, Object... values) {

@@ -58,7 +58,8 @@ weight: what seeing a part of it is worth beside as large a part of others, 0 or
     ELEMENT.attribute("points", Type.PLACES, List.<Point>of()).quiet();
     ELEMENT.optional("detection", Type.TEXT);
     ELEMENT.optional("k", Type.whole(1, 100));
-    ELEMENT.attribute("weight", Type.number(new Range("a number from 0 to 1e9", 0, 1e9)), 1.0)
+    ELEMENT
+        .attribute("weight", Type.number(new Range("a number from 0 to 1e9", 0, 1e9)), 1.0)
         .quiet();
   }
 
@@ -89,8 +90,9 @@ weight: what seeing a part of it is worth beside as large a part of others, 0 or
   public boolean contains(double x, double y) {
     return switch (shape) {
       case FIELD -> true;
-      case RECTANGLE -> between(x, points.get(0).x(), points.get(1).x())
-          && between(y, points.get(0).y(), points.get(1).y());
+      case RECTANGLE ->
+          between(x, points.get(0).x(), points.get(1).x())
+              && between(y, points.get(0).y(), points.get(1).y());
       case POLYGON -> new Obstacle.Polygon(points, 1).contains(x, y);
       case POLYLINE -> isOnLine(x, y);
     };

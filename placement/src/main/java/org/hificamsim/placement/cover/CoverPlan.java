@@ -10,8 +10,7 @@ package org.hificamsim.placement.cover;
  *     exact search proved a better one; for the candidates that none {@link Dominance dominates}
  * @param seconds that it took
  */
-public record CoverPlan(
-    int[] chosen, double score, double bound, double[] proof, double seconds) {
+public record CoverPlan(int[] chosen, double score, double bound, double[] proof, double seconds) {
   /** The difference between bound and score, as a share of the larger, 0 for a proven best. */
   public double gap() {
     double most = Math.max(Math.abs(bound), Math.abs(score));

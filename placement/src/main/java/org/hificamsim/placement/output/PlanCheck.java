@@ -30,8 +30,8 @@ import org.hificamsim.data.CsvRow;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.Duals;
 import org.hificamsim.placement.cover.Goal;
-import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.CoverageReading;
+import org.hificamsim.placement.site.Demand;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
@@ -63,7 +63,8 @@ public final class PlanCheck {
     this.detections = detections;
     this.summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
     this.samples = PlanTables.SAMPLES.read(folder).rows();
-    this.reading = Spelling.require(CoverageReading.class, "reading", summary.path("reading").asText());
+    this.reading =
+        Spelling.require(CoverageReading.class, "reading", summary.path("reading").asText());
     this.units = new double[samples.size()];
     this.needs = new int[samples.size()];
     for (int s = 0; s < units.length; s++) {
@@ -99,7 +100,8 @@ public final class PlanCheck {
     CoverInstance all = new CoverInstance(units, needs, new int[0][], new double[0]);
     double share = all.worth(counts) / all.total();
     require("share", share);
-    lines.add("%s cameras cover %.3f %% of the demand".formatted(plan.cameras().size(), 100 * share));
+    lines.add(
+        "%s cameras cover %.3f %% of the demand".formatted(plan.cameras().size(), 100 * share));
     lines.add(bound(all, counts));
     return lines;
   }
@@ -176,12 +178,15 @@ public final class PlanCheck {
     return new CameraSpec("C" + number, row.numberOrNaN("x"), row.numberOrNaN("y"), 0)
         .with(CameraSpec.HEADING, row.numberOrNaN("heading"))
         .with(CameraSpec.VIEWING_ANGLE, angles.get(angles.size() - 1))
-        .with(CameraSpec.OPTICS, pixels > 0 ? optics.with(OpticsSpec.PIXELS, (int) pixels) : optics);
+        .with(
+            CameraSpec.OPTICS, pixels > 0 ? optics.with(OpticsSpec.PIXELS, (int) pixels) : optics);
   }
 
   private static List<Double> numbers(CsvRow row, String column) {
     try {
-      return Arrays.stream(CsvTable.original(row.text(column)).split(" ")).map(Double::valueOf).toList();
+      return Arrays.stream(CsvTable.original(row.text(column)).split(" "))
+          .map(Double::valueOf)
+          .toList();
     } catch (NumberFormatException e) {
       throw row.invalid(column, "degrees between spaces");
     }
@@ -202,8 +207,7 @@ public final class PlanCheck {
     int[][] columns = new int[seen.length][];
     for (int camera = 0; camera < seen.length; camera++) {
       boolean[] its = seen[camera];
-      columns[camera] =
-          IntStream.range(0, its.length).filter(sample -> its[sample]).toArray();
+      columns[camera] = IntStream.range(0, its.length).filter(sample -> its[sample]).toArray();
     }
     return columns;
   }
@@ -217,8 +221,7 @@ public final class PlanCheck {
     }
     throw new InputException(
         "%s: no zone '%s', expected those of %s"
-            .formatted(
-                folder.resolve(ResultFolder.SUMMARY), zone, PlanTables.SAMPLES.file()));
+            .formatted(folder.resolve(ResultFolder.SUMMARY), zone, PlanTables.SAMPLES.file()));
   }
 
   private void look(
@@ -228,8 +231,7 @@ public final class PlanCheck {
     List<TargetSpec> targets = new ArrayList<>();
     for (int sample : its) {
       CsvRow row = samples.get(sample);
-      TargetSpec one =
-          new TargetSpec(targets.size(), row.numberOrNaN("x"), row.numberOrNaN("y"));
+      TargetSpec one = new TargetSpec(targets.size(), row.numberOrNaN("x"), row.numberOrNaN("y"));
       targets.add(usual.extent().map(one::withExtent).orElse(one.withSize(usual.size())));
     }
     Scenario still =
@@ -251,7 +253,9 @@ public final class PlanCheck {
     } while (policy.goOn());
   }
 
-  /** Cameras stay as they start; or all look at their view of a number, one number after another. */
+  /**
+   * Cameras stay as they start; or all look at their view of a number, one number after another.
+   */
   private static final class Each implements ZoomPolicy {
     private final boolean all;
     private int view;

@@ -38,8 +38,7 @@ public final class PlanFiles {
         IntStream.range(0, counts.length)
             .mapToObj(
                 s ->
-                    new Covered(
-                        plan, demand.samples().get(s), counts[s], plan.plan().proof()[s])));
+                    new Covered(plan, demand.samples().get(s), counts[s], plan.plan().proof()[s])));
     PlanTables.ZONES.write(
         folder, demand.zones().stream().map(zone -> new Met(demand, zone, counts)));
     PlanTables.CURVE.write(folder, plan.curve().stream());

@@ -40,7 +40,8 @@ final class PlanTables {
           .with(Column.ofText("kind", "its name in the catalogue", one -> one.kind().name()))
           .with(camera(), one -> one.camera(""))
           .with(
-              Column.ofPlain("price", "as in the catalogue", "", (Candidate one) -> one.kind().price()));
+              Column.ofPlain(
+                  "price", "as in the catalogue", "", (Candidate one) -> one.kind().price()));
 
   /** A row per place that is to be seen. */
   static final Table<Covered> SAMPLES =
@@ -63,7 +64,8 @@ final class PlanTables {
       Table.<Met>of("zone-plan.csv")
           .with(
               Column.ofText("zone", "", row -> row.zone.name()),
-              Column.ofText("detection", "what has to see there", row -> row.zone.detection().name()),
+              Column.ofText(
+                  "detection", "what has to see there", row -> row.zone.detection().name()),
               Column.ofInt("k", "cameras", "that have to", row -> row.zone.k()),
               Column.ofInt("samples", "samples", "", row -> row.zone.count()),
               Column.ofDouble("share", "share of the demand", "met", row -> share(row, false)),
@@ -77,7 +79,8 @@ final class PlanTables {
               Column.ofInt("cameras", "cameras", "those that add most first", Reached::cameras),
               Column.ofPlain("price", "as asked", "of these", Reached::price),
               Column.ofDouble("share", "share of the demand", "met by them", Reached::share),
-              Column.ofDouble("bound", "share of the demand", "no plan meets more", Reached::bound));
+              Column.ofDouble(
+                  "bound", "share of the demand", "no plan meets more", Reached::bound));
 
   private PlanTables() {}
 
@@ -95,7 +98,8 @@ final class PlanTables {
         Column.ofDouble("x", "m", "", CameraSpec::x),
         Column.ofDouble("y", "m", "", CameraSpec::y),
         Column.ofDouble("heading", "degrees", "0 is +y, 90 is +x", CameraSpec::heading),
-        Column.ofText("law", "of its lens", one -> one.optics().map(o -> o.law().name()).orElse("")),
+        Column.ofText(
+            "law", "of its lens", one -> one.optics().map(o -> o.law().name()).orElse("")),
         Column.ofDouble("reach", "m", "of its lens, if it ends", one -> reach(one)),
         Column.ofInt("pixels", "pixels", "across", one -> pixels(one)),
         Column.ofText("hfov", "angles of view, " + LIST, one -> list(one, true)),

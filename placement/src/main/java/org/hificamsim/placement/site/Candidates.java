@@ -42,7 +42,11 @@ public record Candidates(List<Candidate> all, int[][] columns) {
 
   /** All candidates of a site. */
   public static Candidates of(
-      List<Point> places, List<CameraKind> kinds, CoverageReading reading, SampleSight sight, int threads) {
+      List<Point> places,
+      List<CameraKind> kinds,
+      CoverageReading reading,
+      SampleSight sight,
+      int threads) {
     List<Found> found =
         Parallel.map(places, threads, at -> at(at, kinds, reading, sight)).stream()
             .flatMap(List::stream)
@@ -93,7 +97,8 @@ public record Candidates(List<Candidate> all, int[][] columns) {
             .toList();
   }
 
-  private static Stream<Found> ofKind(Point at, CameraKind kind, CoverageReading reading, int[][] seen) {
+  private static Stream<Found> ofKind(
+      Point at, CameraKind kind, CoverageReading reading, int[][] seen) {
     OpticsSpec optics = kind.optics();
     int levels = optics.anglesOfView().size();
     if (reading == CoverageReading.FIXED) {

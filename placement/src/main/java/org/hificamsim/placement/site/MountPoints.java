@@ -40,8 +40,7 @@ public final class MountPoints {
    * @param forbidden zones in which no camera may be
    * @throws InputException where there is none
    */
-  public static List<Point> of(
-      Scenario site, double every, boolean ceiling, List<Zone> forbidden) {
+  public static List<Point> of(Scenario site, double every, boolean ceiling, List<Zone> forbidden) {
     MountPoints mounts = new MountPoints(site, forbidden);
     Field field = mounts.field;
     mounts.addRound(

@@ -88,8 +88,7 @@ public final class SampleSight {
     }
     for (int view = 0; view < seen[camera].length; view++) {
       int[] found =
-          BitSet.valueOf(Arrays.copyOfRange(masks, view * words, (view + 1) * words))
-              .stream()
+          BitSet.valueOf(Arrays.copyOfRange(masks, view * words, (view + 1) * words)).stream()
               .map(sample -> zone.first() + sample)
               .toArray();
       seen[camera][view] =

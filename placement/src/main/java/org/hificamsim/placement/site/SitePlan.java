@@ -138,9 +138,7 @@ public record SitePlan(
                 "%s (%s of %s cells)"
                     .formatted(
                         zone.name(),
-                        Arrays.stream(counts, zone.first(), zone.end())
-                            .filter(k -> k == 0)
-                            .count(),
+                        Arrays.stream(counts, zone.first(), zone.end()).filter(k -> k == 0).count(),
                         zone.count()))
         .toList();
   }

@@ -29,9 +29,11 @@ class CoverSearchTest {
     double best = goal.isAll() ? Double.POSITIVE_INFINITY : 0;
     for (int set = 0; set < 1 << instance.candidates(); set++) {
       int bits = set;
-      int[] plan = IntStream.range(0, instance.candidates()).filter(j -> (bits >> j & 1) == 1).toArray();
+      int[] plan =
+          IntStream.range(0, instance.candidates()).filter(j -> (bits >> j & 1) == 1).toArray();
       int[] counts = instance.counts(plan);
-      boolean whole = IntStream.range(0, counts.length).allMatch(s -> counts[s] >= instance.needs()[s]);
+      boolean whole =
+          IntStream.range(0, counts.length).allMatch(s -> counts[s] >= instance.needs()[s]);
       if (goal.isAll() && whole) {
         best = Math.min(best, instance.price(plan));
       } else if (!goal.isAll() && instance.price(plan) <= goal.budget()) {
@@ -55,8 +57,10 @@ class CoverSearchTest {
       double best = best(instance, goal);
       CoverPlan plan = solve(instance, goal);
       double margin = 1e-6;
-      assertTrue(goal.isAll() ? plan.bound() <= best + margin : plan.bound() >= best - margin, "" + i);
-      assertTrue(goal.isAll() ? plan.score() >= best - margin : plan.score() <= best + margin, "" + i);
+      assertTrue(
+          goal.isAll() ? plan.bound() <= best + margin : plan.bound() >= best - margin, "" + i);
+      assertTrue(
+          goal.isAll() ? plan.score() >= best - margin : plan.score() <= best + margin, "" + i);
       assertEquals(goal.score(instance, plan.chosen()), plan.score(), margin);
       CoverInstance left = instance.with(Dominance.left(instance));
       assertEquals(plan.bound(), Duals.value(left, goal, plan.proof()), margin, "" + i);
