@@ -47,7 +47,7 @@ public final class CoverSearch {
    *     CoverInstance#coverable}
    * @param rounds without a better plan after which the search ends
    * @param stop ends the search at the next opportunity; there is a plan whatever it says
-   * @param exact solves what is left, see {@link CpSat}; null for no exact search
+   * @param exact solves what is left; null for no exact search
    */
   public static CoverPlan solve(
       CoverInstance all,

@@ -101,7 +101,7 @@ public final class PlanCheck {
     double share = all.worth(counts) / all.total();
     require("share", share);
     lines.add(
-        "%s cameras cover %.3f %% of the demand".formatted(plan.cameras().size(), 100 * share));
+        plan.cameras().size() + " cameras meet " + share + " of the demand");
     lines.add(bound(all, counts));
     return lines;
   }

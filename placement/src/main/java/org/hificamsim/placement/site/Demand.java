@@ -79,7 +79,7 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
       watched.add(new Watched(zone.name(), own, k, first, samples.size()));
       if (zone.weight() > 0 && samples.size() == first && visits.isEmpty()) {
         throw new InputException(
-            "zone '%s' has no free cell of %.2f m, expected more of --cells, or a larger zone"
+            "zone '%s' has no free cell of %s m, expected more of --cells, or a larger zone"
                 .formatted(zone.name(), cells.width()));
       }
     }
