@@ -87,13 +87,8 @@ class PlaceCommandTest {
     refusesWith(
         plan, "plan.xml", "heading=\"", "heading=\"1", "as a run|cover it in a run|expected");
     refusesWith(plan, "summary.json", "\"share\" : 0", "\"share\" : 1", "share is");
-    refusesWith(
-        plan,
-        "summary.json",
-        "\"bound\" : ",
-        "\"bound\" : 0.0, \"x\" : ",
-        "no bound that it passes");
-    refusesWith(plan, "samples.csv", "field,", "wood,", "no zone 'wood'");
+    refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
+    refusesWith(plan, "samples.csv", "field,", "wood,", "zone is 'wood'");
   }
 
   private void refusesWith(Path plan, String file, String old, String broken, String message)

@@ -187,8 +187,7 @@ final class PlaceCommand implements Callable<Integer> {
     Path folder = out.orElseGet(() -> Path.of("out", name(file) + "-plan"));
     PlacementProblem problem = problem(goal);
     Interrupt interrupt = new Interrupt(time);
-    SitePlan plan =
-        problem.solve(seed(), ROUNDS, interrupt::isDue, null, watcher(goal, "%.2f %%", 100));
+    SitePlan plan = problem.solve(seed(), ROUNDS, interrupt::isDue, watcher(goal, "%.2f %%", 100));
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan);
       if (form.isPresent()) {
@@ -377,7 +376,7 @@ final class PlaceCommand implements Callable<Integer> {
     CoverInstance all = goal.isAll() ? read.coverable() : read;
     CoverPlan plan =
         CoverSearch.solve(
-            all, goal, seed(), ROUNDS, new Interrupt(time)::isDue, null, watcher(goal, "%.2f", 1));
+            all, goal, seed(), ROUNDS, new Interrupt(time)::isDue, watcher(goal, "%.2f", 1));
     print(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
@@ -393,12 +392,14 @@ final class PlaceCommand implements Callable<Integer> {
 
   private int verify(Path folder) throws IOException {
     Catalogue catalogue = Catalogue.load();
-    Path file = folder.resolve(PlanFiles.SCENARIO);
-    if (!Files.isRegularFile(file)) {
-      throw new InputException("no file '" + file + "', expected a folder that 'place' wrote");
+    if (!Files.isRegularFile(folder.resolve(PlanFiles.SCENARIO))) {
+      throw new InputException("no plan in '" + folder + "', expected a folder that 'place' wrote");
     }
-    Scenario plan = scenarioOptions.read(file, Settings.NONE, catalogue, screen.err());
-    PlanCheck.check(folder, plan, catalogue, detections(catalogue))
+    PlanCheck.check(
+            folder,
+            path -> scenarioOptions.read(path, Settings.NONE, catalogue, screen.err()),
+            catalogue,
+            detections(catalogue))
         .forEach(line -> screen.out().println(line));
     return 0;
   }

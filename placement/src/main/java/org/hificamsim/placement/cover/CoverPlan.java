@@ -6,8 +6,8 @@ package org.hificamsim.placement.cover;
  * @param chosen candidates, rising
  * @param score what it is worth; where everything is to be seen, what it costs
  * @param bound no plan has a better score; where everything is to be seen, costs less
- * @param proof the multipliers from which {@link Duals#value} makes the bound, by sample, unless
- *     exact search proved a better one; for the candidates that none {@link Dominance dominates}
+ * @param proof the multipliers by sample, from which {@link Duals#value} makes the bound for the
+ *     candidates that none {@link Dominance dominates}
  * @param seconds that it took
  */
 public record CoverPlan(int[] chosen, double score, double bound, double[] proof, double seconds) {

@@ -47,16 +47,9 @@ public final class CoverSearch {
    *     CoverInstance#coverable}
    * @param rounds without a better plan after which the search ends
    * @param stop ends the search at the next opportunity; there is a plan whatever it says
-   * @param exact solves what is left; null for no exact search
    */
   public static CoverPlan solve(
-      CoverInstance all,
-      Goal goal,
-      long seed,
-      int rounds,
-      BooleanSupplier stop,
-      ExactSearch exact,
-      Watcher watcher) {
+      CoverInstance all, Goal goal, long seed, int rounds, BooleanSupplier stop, Watcher watcher) {
     long started = System.nanoTime();
     int[] left = Dominance.left(all);
     CoverInstance instance = all.with(left);
@@ -65,30 +58,9 @@ public final class CoverSearch {
     Duals duals = new Duals(instance, goal, instance.counts(search.best));
     watcher.improved(search.score, duals.bound());
     search.rounds(rounds, duals, watcher);
-    double bound = duals.bound();
-    if (exact != null && !duals.isClosed(search.score)) {
-      int[] open = duals.open(search.score);
-      ExactSearch.Found found =
-          exact.search(instance.with(open), goal, within(search.best, open), stop);
-      search.keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
-      double proven =
-          goal.isAll()
-              ? Math.min(found.bound(), search.score)
-              : Math.max(found.bound(), search.score);
-      bound = goal.isAll() ? Math.max(proven, bound) : Math.min(proven, bound);
-      watcher.improved(search.score, bound);
-    }
     int[] chosen = Arrays.stream(search.best).map(one -> left[one]).toArray();
     return new CoverPlan(
-        chosen, search.score, bound, duals.proof(), (System.nanoTime() - started) / 1e9);
-  }
-
-  /** The numbers of a plan's candidates among those that are left; what is not is left out. */
-  private static int[] within(int[] plan, int[] open) {
-    return Arrays.stream(plan)
-        .map(one -> Arrays.binarySearch(open, one))
-        .filter(one -> one >= 0)
-        .toArray();
+        chosen, search.score, duals.bound(), duals.proof(), (System.nanoTime() - started) / 1e9);
   }
 
   private void first() {

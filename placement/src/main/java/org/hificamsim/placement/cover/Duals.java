@@ -217,18 +217,4 @@ public final class Duals {
   double reducedPrice(int candidate) {
     return instance.prices()[candidate] - sums[candidate] / Math.max(threshold, EPSILON);
   }
-
-  /** The candidates that a plan better than a score can have, by the best multipliers. */
-  int[] open(double score) {
-    double value = goBack();
-    int[] open = new int[sums.length];
-    int count = 0;
-    for (int j = 0; j < sums.length; j++) {
-      double loss = Math.max(0, threshold * instance.prices()[j] - sums[j]);
-      double with = goal.tightened(goal.isAll() ? value + loss : value - loss, quantum);
-      open[count] = j;
-      count += goal.closes(with, score) ? 0 : 1;
-    }
-    return Arrays.copyOf(open, count);
-  }
 }

@@ -10,7 +10,6 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.placement.output.PlanTables.Covered;
-import org.hificamsim.placement.output.PlanTables.Met;
 import org.hificamsim.placement.output.PlanTables.Planned;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.SitePlan;
@@ -22,6 +21,9 @@ public final class PlanFiles {
   /** The scenario of the plan. */
   public static final String SCENARIO = "plan.xml";
 
+  /** The site under all candidates at once, from which the bound can be made again. */
+  public static final String CANDIDATES = "candidates.xml";
+
   private PlanFiles() {}
 
   /** Adds the files to a folder's. */
@@ -32,15 +34,16 @@ public final class PlanFiles {
     Demand demand = plan.demand();
     PlanTables.CAMERAS.write(
         folder, IntStream.range(0, plan.cameras().size()).mapToObj(i -> planned(plan, i)));
-    PlanTables.CANDIDATES.write(folder, plan.problem().candidates().all().stream());
+    folder.write(CANDIDATES, ScenarioWriter.write(plan.candidates()));
     PlanTables.SAMPLES.write(
         folder,
         IntStream.range(0, counts.length)
             .mapToObj(
-                s ->
-                    new Covered(plan, demand.samples().get(s), counts[s], plan.plan().proof()[s])));
-    PlanTables.ZONES.write(
-        folder, demand.zones().stream().map(zone -> new Met(demand, zone, counts)));
+                s -> {
+                  Demand.Sample sample = demand.samples().get(s);
+                  Demand.Watched zone = demand.zones().get(sample.zone());
+                  return new Covered(zone, sample, counts[s], plan.plan().proof()[s]);
+                }));
     PlanTables.CURVE.write(folder, plan.curve().stream());
   }
 
@@ -66,6 +69,11 @@ public final class PlanFiles {
     json.put("kept", plan.problem().kept().size());
     json.put("cameras", plan.cameras().size());
     json.put("price", plan.price());
+    ObjectNode prices = json.putObject("prices");
+    plan.problem()
+        .candidates()
+        .all()
+        .forEach(one -> prices.put(one.kind().name(), one.kind().price()));
     json.put("samples", counts.length);
     json.put("cell", demand.cells().width());
     json.put("candidates", plan.problem().candidates().all().size());

@@ -104,6 +104,16 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
     return all.stream().max(Comparator.comparingLong(one -> counts.get(one.size()))).orElseThrow();
   }
 
+  /** A target that stands at a place, otherwise like another. */
+  public static TargetSpec target(TargetSpec like, int number, double x, double y) {
+    return like.with(TargetSpec.FEATURES, (double) number)
+        .with(TargetSpec.X, x)
+        .with(TargetSpec.Y, y)
+        .with(TargetSpec.SPEED, 0)
+        .with(TargetSpec.MOVE, "Straight")
+        .with(TargetSpec.WAYPOINTS, List.of());
+  }
+
   /** The samples of a zone. */
   List<Sample> samplesOf(Watched zone) {
     return samples.subList(zone.first(), zone.end());

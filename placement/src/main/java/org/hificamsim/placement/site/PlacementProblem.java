@@ -15,7 +15,6 @@ import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
 import org.hificamsim.placement.cover.Duals;
-import org.hificamsim.placement.cover.ExactSearch;
 import org.hificamsim.placement.cover.Goal;
 
 /**
@@ -136,8 +135,7 @@ public record PlacementProblem(
   }
 
   /** Searches for a plan. */
-  public SitePlan solve(
-      long seed, int rounds, BooleanSupplier stop, ExactSearch exact, CoverSearch.Watcher watcher) {
+  public SitePlan solve(long seed, int rounds, BooleanSupplier stop, CoverSearch.Watcher watcher) {
     CoverPlan plan =
         CoverSearch.solve(
             left(),
@@ -145,7 +143,6 @@ public record PlacementProblem(
             seed,
             rounds,
             stop,
-            exact,
             (score, bound) -> watcher.improved(shown(score), shown(bound)));
     List<CameraSpec> cameras = new ArrayList<>(kept);
     List<Double> prices = new ArrayList<>();

@@ -37,8 +37,7 @@ public final class SampleSight {
     for (Demand.Watched zone : demand.zones()) {
       List<TargetSpec> targets = new ArrayList<>();
       for (Demand.Sample sample : demand.samplesOf(zone)) {
-        TargetSpec one = new TargetSpec(targets.size(), sample.x(), sample.y());
-        targets.add(usual.extent().map(one::withExtent).orElse(one.withSize(usual.size())));
+        targets.add(Demand.target(usual, targets.size(), sample.x(), sample.y()));
       }
       worlds.add(
           demand
@@ -52,7 +51,7 @@ public final class SampleSight {
   }
 
   /** The world of a zone's samples under these cameras. */
-  World world(Demand.Watched zone, List<CameraSpec> cameras) {
+  public World world(Demand.Watched zone, List<CameraSpec> cameras) {
     Scenario site = worlds.get(demand.zones().indexOf(zone));
     return new World(site.with(Scenario.CAMERAS, cameras), catalogue.movements(), 0);
   }

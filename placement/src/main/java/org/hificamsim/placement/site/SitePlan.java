@@ -8,6 +8,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.placement.cover.CoverPlan;
 
 /**
@@ -126,6 +127,20 @@ public record SitePlan(
         .with(Scenario.EVENTS, events)
         .without(Scenario.VISION_GRAPH)
         .with(Scenario.NAME, site.name() + "-plan");
+  }
+
+  /** The site under all candidates, named by their kinds, and a target. */
+  public Scenario candidates() {
+    List<CameraSpec> all = new ArrayList<>();
+    for (Candidates.Candidate one : problem.candidates().all()) {
+      all.add(one.camera(one.kind().name() + "/" + all.size()));
+    }
+    Scenario site = scenario();
+    TargetSpec usual = Demand.usualTarget(site.everyTarget().toList());
+    Demand.Sample first = demand().samples().get(0);
+    return site.with(Scenario.CAMERAS, all)
+        .with(Scenario.EVENTS, List.of())
+        .with(Scenario.TARGETS, List.of(Demand.target(usual, 0, first.x(), first.y())));
   }
 
   /** The names of the zones that have a blind spot, with how many cells. */

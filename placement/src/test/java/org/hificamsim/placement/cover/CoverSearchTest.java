@@ -44,7 +44,7 @@ class CoverSearchTest {
   }
 
   private static CoverPlan solve(CoverInstance instance, Goal goal) {
-    return CoverSearch.solve(instance, goal, 1, 30, () -> false, null, (score, bound) -> {});
+    return CoverSearch.solve(instance, goal, 1, 30, () -> false, (score, bound) -> {});
   }
 
   @Test
@@ -90,8 +90,7 @@ class CoverSearchTest {
   @Test
   void hasAPlanWhenItIsStoppedAtOnce() {
     CoverInstance instance = random(new SplittableRandom(5), 50, 40, true).coverable();
-    CoverPlan plan =
-        CoverSearch.solve(instance, Goal.ALL, 1, 9, () -> true, null, (score, bound) -> {});
+    CoverPlan plan = CoverSearch.solve(instance, Goal.ALL, 1, 9, () -> true, (score, bound) -> {});
     int[] counts = instance.counts(plan.chosen());
     assertTrue(IntStream.range(0, 50).allMatch(s -> counts[s] >= instance.needs()[s]));
     assertTrue(Arrays.stream(plan.chosen()).count() > 0);
