@@ -73,7 +73,7 @@ public final class Duals {
   /**
    * The bound that multipliers prove.
    *
-   * @param multipliers by sample, 0 or more; where there is a budget, at most its unit
+   * @param multipliers by sample, 0 or more
    */
   public static double value(CoverInstance instance, Goal goal, double[] multipliers) {
     double value = value(instance, goal, multipliers, new double[instance.candidates()]);
@@ -84,7 +84,8 @@ public final class Duals {
       CoverInstance instance, Goal goal, double[] multipliers, double[] sums) {
     double value = 0;
     for (int s = 0; s < multipliers.length; s++) {
-      double each = goal.isAll() ? multipliers[s] : instance.units()[s] - multipliers[s];
+      double left = instance.units()[s] - multipliers[s];
+      double each = goal.isAll() ? multipliers[s] : Math.max(0, left);
       value += instance.needs()[s] * each;
     }
     for (int j = 0; j < sums.length; j++) {
