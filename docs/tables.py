@@ -172,7 +172,7 @@ def sites(*folders):
         moving = [learning[policy] for policy in ("independent-greedy", "one-hop") if policy in learning]
         best = max(moving, key=lambda row: number(row["mean"]))
         values.append(
-            [f"[{name}](../scenarios/{name}.xml)", adapting["runs"], f"{optimum:.2f}", f"**{interval(adapting, '.2f')}**", f"{interval(best, '.2f')} (`{best['policy']}`)"]
+            [f"[{name}](../scenarios/{name}.xml)", adapting["runs"], f"{optimum:.2f}", interval(adapting, ".2f"), f"{interval(best, '.2f')} (`{best['policy']}`)"]
         )
         for policy, row in means(folder, "proportion_of_optimal").items():
             if policy not in HIDDEN:
@@ -185,10 +185,36 @@ def sites(*folders):
     put("world.md", "shares", table(["", *names], lines))
 
 
+def rungs(*folders):
+    """Of each ladder of a world: tau and what the choice loses, in percent; and what a rung predicts."""
+    names = [pathlib.Path(folder).name.removeprefix("ladder-") for folder in folders]
+    found = {
+        name: {row["rung"]: row for row in rows(folder, "rungs.csv") if row["scenario"] != "all"}
+        for name, folder in zip(names, folders)
+    }
+    order = list(next(iter(found.values())))
+    losses, levels = [], []
+    for rung in order:
+        own = [found[name][rung] for name in names]
+        taus = [number(row["tau"]) for row in own if row["tau"]]
+        lost = [100 * number(row["share"]) for row in own]
+        mean = f"{sum(taus) / len(taus):.2f}; {sum(lost) / len(lost):.0f}"
+        losses.append([f"`{rung}`", *(loss(row) for row in own), mean])
+        levels.append([f"`{rung}`", *(f"{number(row['optimum']):.2f}" for row in own)])
+    put("world.md", "rungs", table(["rung", *names, "mean"], losses))
+    put("world.md", "rungs-optimum", table(["rung", *names], levels))
+
+
+def loss(row):
+    text = f"{number(row['tau']):.2f}; " if row["tau"] else f"{DASH}; "
+    low, share, high = (f"{100 * number(row[name]):.0f}" for name in ("share_low", "share", "share_high"))
+    return text + share + (f" [{low}, {high}]" if low != high else "")
+
+
 def steps_of(folder):
     with open(pathlib.Path(folder, "settings.json"), encoding="utf-8") as file:
         return json.load(file)[0]["steps"]
 
 
 if __name__ == "__main__":
-    {"reproduce": reproduce, "sensitivity": sensitivity, "sites": sites}[sys.argv[1]](*sys.argv[2:])
+    {"reproduce": reproduce, "sensitivity": sensitivity, "sites": sites, "rungs": rungs}[sys.argv[1]](*sys.argv[2:])

@@ -95,9 +95,10 @@ final class LabelledPhotoReader {
 
   private Path inside(String column) {
     try {
-      Path file = folder.resolve(row.text(column)).normalize();
-      if (!row.text(column).isEmpty() && file.startsWith(folder.normalize())) {
-        return file;
+      Path file = folder.resolve(row.text(column));
+      Path absolute = file.toAbsolutePath().normalize();
+      if (!row.text(column).isEmpty() && absolute.startsWith(folder.toAbsolutePath().normalize())) {
+        return file.normalize();
       }
     } catch (java.nio.file.InvalidPathException e) {
       // reported below
