@@ -72,6 +72,11 @@ final class BatchOptions {
     return shard.map(Shard::parse);
   }
 
+  /** Whether a part of the runs was asked for, or parts are put together. */
+  boolean isInParts() {
+    return shard.isPresent() || merge != null;
+  }
+
   /** The threads that were asked for, 1 or more. */
   int threads() {
     return threads.count();

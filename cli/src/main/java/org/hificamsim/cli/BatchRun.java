@@ -79,7 +79,7 @@ final class BatchRun {
   <R> int execute(List<RunPlan> plans, Files<R> files, BiConsumer<PrintWriter, R> summary)
       throws IOException {
     List<RunPlan> all = references.with(plans);
-    long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
+    long steps = all.stream().mapToLong(RunPlan::work).sum();
     Work<R> work =
         (folder, engine) -> {
           List<CaseResult> results = Comparison.run(plans, references, engine);

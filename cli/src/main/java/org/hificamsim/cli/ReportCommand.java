@@ -8,8 +8,12 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.FileRecord;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.presentation.figures.TradeoffFigure;
+import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.report.Report;
+import org.hificamsim.presentation.report.TradeoffReport;
 import org.hificamsim.runs.output.ResultFolder;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,6 +38,11 @@ final class ReportCommand implements Callable<Integer> {
       description = "The page; default: DIR/" + ResultFolder.REPORT + ".")
   private Path out;
 
+  @Option(
+      names = "--replays",
+      description = "Of a trade-off: record the networks on the fronts too, for the page to show.")
+  private boolean replays;
+
   @Mixin private Destination destination;
 
   @Mixin private PictureOptions pictures;
@@ -49,6 +58,12 @@ final class ReportCommand implements Callable<Integer> {
     List<String> changed = FileRecord.of(folder).changed(folder);
     if (pictures.asked()) {
       pictures.write(folder, destination, spec.commandLine().getOut());
+    }
+    if (replays) {
+      for (List<String> words : TradeoffReport.replays(folder)) {
+        CommandLine line = spec.commandLine();
+        Main.execute(line.getOut(), line.getErr(), words.toArray(String[]::new));
+      }
     }
     if (page != null) {
       page.write(html());
@@ -74,6 +89,9 @@ final class ReportCommand implements Callable<Integer> {
     String html = html();
     try (OutputFolder results = new OutputFolder(folder)) {
       results.write(ResultFolder.REPORT, html);
+      if (TradeoffReport.suits(folder)) {
+        FigureFile.write(results, "tradeoff", TradeoffFigure.of(folder));
+      }
       results.commit(List.of());
     }
     spec.commandLine().getOut().println(folder.resolve(ResultFolder.REPORT));

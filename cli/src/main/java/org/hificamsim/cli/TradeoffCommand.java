@@ -18,6 +18,7 @@ import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.study.NetworkChoice;
+import org.hificamsim.network.study.NetworkSearch;
 import org.hificamsim.network.study.StudyFiles;
 import org.hificamsim.network.study.StudyFiles.SetFront;
 import org.hificamsim.network.study.StudyPlan;
@@ -115,7 +116,10 @@ final class TradeoffCommand implements Callable<Integer> {
         "the scenarios' names", bases.stream().map(base -> base.scenario().name()).toList());
     List<StudyPlan> networks = networks(choice, bases);
     List<RunPlan> all = networks.stream().map(StudyPlan::plan).toList();
-    long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
+    int searched = searched();
+    long steps =
+        all.stream().mapToLong(RunPlan::work).sum()
+            + bases.stream().mapToLong(base -> searched * base.work()).sum();
     BatchRun run = new BatchRun(screen, batch, catalogue, ReferencePolicies.parse("", "none"));
     return run.execute(
         all,
@@ -125,6 +129,11 @@ final class TradeoffCommand implements Callable<Integer> {
         (folder, engine) -> {
           StudyResults results = new StudyResults();
           results.run(networks, engine);
+          if (searched > 0) {
+            for (RunPlan base : bases) {
+              new NetworkSearch(choice, base, results, engine, paid).run(searched);
+            }
+          }
           run.warnOfFewSeeds(bases.get(0).repeats());
           if (camSimFiles) {
             StudyFiles.writeSummaries(folder, results);
@@ -132,6 +141,17 @@ final class TradeoffCommand implements Callable<Integer> {
           return StudyFiles.write(folder, results, paid);
         },
         TradeoffCommand::print);
+  }
+
+  /** How many networks of each scenario a search runs; 0 without one. */
+  private int searched() {
+    Matcher form = HETEROGENEOUS.matcher(heterogeneous);
+    boolean search = form.matches() && heterogeneous.startsWith("search");
+    if (search && batch.isInParts()) {
+      throw new InputException(
+          "--heterogeneous search has no parts: expected sample:N beside --shard or --merge");
+    }
+    return search ? Integer.parseInt(form.group(3)) : 0;
   }
 
   private Metric cost() {

@@ -72,6 +72,11 @@ public record RunPlan(
     return Integer.parseInt(own.get(Setting.REPEAT));
   }
 
+  /** The steps of all runs together. */
+  public long work() {
+    return (long) repeats() * steps();
+  }
+
   /** The seed of one repeat. */
   public long seed(int run) {
     return seed() + run;

@@ -108,7 +108,9 @@ public final class StudyFiles {
                   "share",
                   "of the largest utility, that a network of strategies that never change has more"
                       + " at no more cost; 0 on their front, below 0 beyond it",
-                  row -> row.group.below(row.network)));
+                  row -> row.group.below(row.network)),
+              Column.ofText(
+                  "option", "what `run --network` takes", row -> row.of().plan().network()));
 
   /** A row per scenario, detection and set of networks. */
   public static final Table<SetFront> FRONTS =

@@ -176,7 +176,7 @@ final class ComparisonReport {
     policies.forEach(policy -> node.put(policy, Palette.hex(colors.of(policy))));
   }
 
-  private static void write(ObjectNode node, CsvRows table, int max) {
+  static void write(ObjectNode node, CsvRows table, int max) {
     node.put("name", table.file().getFileName().toString());
     node.put("count", table.rows().size());
     node.putPOJO("columns", table.columns());

@@ -22,6 +22,9 @@ public final class Report {
               + folder
               + "', expected one that 'hificamsim run --record' or 'hificamsim compare' wrote");
     }
+    if (TradeoffReport.suits(folder)) {
+      return TradeoffReport.of(folder, name).html();
+    }
     Page page =
         ComparisonReport.suits(folder) ? ComparisonReport.of(folder, name) : RunReport.of(folder);
     return page.html();

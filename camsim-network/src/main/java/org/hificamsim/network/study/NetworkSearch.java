@@ -1,0 +1,154 @@
+package org.hificamsim.network.study;
+
+import io.jenetics.Genotype;
+import io.jenetics.IntegerChromosome;
+import io.jenetics.IntegerGene;
+import io.jenetics.Mutator;
+import io.jenetics.Optimize;
+import io.jenetics.Phenotype;
+import io.jenetics.UniformCrossover;
+import io.jenetics.engine.Engine;
+import io.jenetics.ext.moea.NSGA2Selector;
+import io.jenetics.ext.moea.UFTournamentSelector;
+import io.jenetics.ext.moea.Vec;
+import io.jenetics.util.ISeq;
+import io.jenetics.util.RandomRegistry;
+import io.jenetics.util.Seq;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.RunEngine;
+
+/**
+ * Looks for networks with much utility for few messages where there are too many to run them all:
+ * NSGA-II (Deb et al. 2002) on Jenetics, from the homogeneous networks on. No network is run twice.
+ */
+public final class NetworkSearch {
+  private static final int POPULATION = 60;
+  private static final int ROUNDS = 20; // that a budget may take
+
+  private final NetworkChoice choice;
+  private final RunPlan base;
+  private final StudyResults results;
+  private final RunEngine engine;
+  private final Metric cost;
+  private final Map<List<Integer>, Vec<double[]>> known = new HashMap<>();
+  private int left;
+
+  /**
+   * @param results that the networks found join
+   * @param cost what utility is traded for
+   */
+  public NetworkSearch(
+      NetworkChoice choice, RunPlan base, StudyResults results, RunEngine engine, Metric cost) {
+    this.choice = choice;
+    this.base = base;
+    this.results = results;
+    this.engine = engine;
+    this.cost = cost;
+  }
+
+  /** Runs up to this many networks, beside the homogeneous ones; the same for the same seed. */
+  public void run(int budget) throws IOException {
+    left = budget + choice.strategies().size();
+    int genes = NetworkChoice.cameras(base);
+    List<Genotype<IntegerGene>> first =
+        IntStream.range(0, choice.strategies().size())
+            .mapToObj(one -> Genotype.of(IntegerChromosome.of(same(one, genes))))
+            .toList();
+    try {
+      RandomRegistry.with(new Random(base.seed()), random -> evolve(genes, ISeq.of(first), budget));
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+  }
+
+  private List<IntegerGene> same(int strategy, int genes) {
+    return IntStream.range(0, genes)
+        .mapToObj(i -> IntegerGene.of(strategy, 0, choice.strategies().size()))
+        .toList();
+  }
+
+  private long evolve(int genes, ISeq<Genotype<IntegerGene>> first, int budget) {
+    Genotype<IntegerGene> form =
+        Genotype.of(IntegerChromosome.of(0, choice.strategies().size(), genes));
+    return new Engine.Builder<IntegerGene, Vec<double[]>>(this::evaluate, form)
+            .optimize(Optimize.MAXIMUM)
+            .populationSize(POPULATION)
+            .alterers(new UniformCrossover<>(0.5), new Mutator<>(1.0 / genes))
+            .offspringSelector(UFTournamentSelector.ofVec())
+            .survivorsSelector(NSGA2Selector.ofVec())
+            .executor(Runnable::run)
+            .build()
+            .stream(first)
+            .takeWhile(generation -> left > 0)
+            .limit(ROUNDS + (long) ROUNDS * budget / POPULATION)
+            .count();
+  }
+
+  /** Runs the networks of a generation that are not known yet, all together. */
+  private ISeq<Phenotype<IntegerGene, Vec<double[]>>> evaluate(
+      Seq<Phenotype<IntegerGene, Vec<double[]>>> generation) {
+    Set<List<Integer>> asked = new LinkedHashSet<>();
+    generation.forEach(one -> asked.add(genes(one)));
+    List<List<Integer>> missing =
+        asked.stream().filter(genes -> !known.containsKey(genes)).limit(left).toList();
+    left -= missing.size();
+    try {
+      run(missing);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    Vec<double[]> nothing = Vec.of(0, Double.NEGATIVE_INFINITY); // beyond the budget
+    return generation.map(one -> one.withFitness(known.getOrDefault(genes(one), nothing))).asISeq();
+  }
+
+  private void run(List<List<Integer>> missing) throws IOException {
+    Map<String, Integer> places =
+        IntStream.range(0, results.plans().size())
+            .filter(i -> results.plans().get(i).plan().scenario() == base.scenario())
+            .boxed()
+            .collect(Collectors.toMap(i -> results.plans().get(i).label(), i -> i));
+    List<StudyPlan> plans = missing.stream().map(this::plan).toList();
+    List<StudyPlan> further = new ArrayList<>(plans);
+    further.removeIf(plan -> places.containsKey(plan.label()));
+    int next = results.plans().size();
+    if (!further.isEmpty()) {
+      results.run(further, engine);
+    }
+    for (int i = next; i < results.plans().size(); i++) {
+      places.put(results.plans().get(i).label(), i);
+    }
+    for (int i = 0; i < plans.size(); i++) {
+      int place = places.get(plans.get(i).label());
+      known.put(
+          missing.get(i),
+          Vec.of(mean(results.values(place, Metric.UTILITY)), -mean(results.values(place, cost))));
+    }
+  }
+
+  private StudyPlan plan(List<Integer> genes) {
+    return choice.plan(base, genes.stream().map(choice.strategies()::get).toList());
+  }
+
+  private List<Integer> genes(Phenotype<IntegerGene, Vec<double[]>> one) {
+    return one.genotype().chromosome().stream()
+        .map(gene -> Math.min(gene.allele(), choice.strategies().size() - 1))
+        .toList();
+  }
+
+  private static double mean(double[] values) {
+    return Arrays.stream(values).average().orElse(0);
+  }
+}

@@ -1,0 +1,100 @@
+package org.hificamsim.presentation.report;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
+import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.Table;
+
+/** The page of a study of CamSim's network, made from its folder alone. */
+public final class TradeoffReport {
+  private static final Table<?> NETWORKS = Table.of("networks.csv");
+  private static final String REPLAY = "replay-";
+
+  /** Settings that are options of {@code run}. */
+  private static final List<String> OPTIONS =
+      List.of("detection", "channel", "policy", "steps", "seed");
+
+  private TradeoffReport() {}
+
+  /** Whether a folder is that of a study. */
+  public static boolean suits(Path folder) {
+    return NETWORKS.isIn(folder);
+  }
+
+  static Page of(Path folder, String name) throws IOException {
+    ResultFolder files = new ResultFolder(folder);
+    ObjectNode data = new ObjectMapper().createObjectNode();
+    CsvRows networks = NETWORKS.read(folder);
+    ComparisonReport.write(data.putObject("networks"), networks, Integer.MAX_VALUE);
+    ComparisonReport.write(
+        data.putObject("fronts"), Table.of("fronts.csv").read(folder), Integer.MAX_VALUE);
+    ObjectNode cameras = data.putObject("cameras");
+    ObjectNode runs = data.putObject("runs");
+    for (JsonNode plan : files.json(ResultFolder.SETTINGS)) {
+      String scenario = plan.path("scenario").asText();
+      Path copy = folder.resolve("scenario-" + scenario + ".xml");
+      ArrayNode names = cameras.putArray(scenario);
+      ScenarioReader.read(copy, any -> true, warning -> {})
+          .cameras()
+          .forEach(camera -> names.add(camera.name()));
+      runs.put(scenario, "./hificamsim " + String.join(" ", run(plan, folder, "NETWORK")));
+    }
+    ArrayNode replays = data.putArray("replays");
+    for (CsvRow row : networks.rows()) {
+      String page = REPLAY + row.text("scenario") + "-" + row.text("network") + "/report.html";
+      if (Files.isRegularFile(folder.resolve(page))) {
+        replays
+            .addObject()
+            .put("scenario", row.text("scenario"))
+            .put("network", row.text("network"))
+            .put("page", page);
+      }
+    }
+    data.put("command", files.command());
+    data.put("version", files.version());
+    data.put("title", name);
+    return new Page(name, "tradeoff-page.js", "tradeoffPage", data.toString());
+  }
+
+  /** The commands that record the first seed of each network of the fronts, into folders beside. */
+  public static List<List<String>> replays(Path folder) throws IOException {
+    List<List<String>> commands = new ArrayList<>();
+    CsvRows networks = NETWORKS.read(folder);
+    for (JsonNode plan : new ResultFolder(folder).json(ResultFolder.SETTINGS)) {
+      String scenario = plan.path("scenario").asText();
+      for (CsvRow row : networks.rows()) {
+        if (row.text("scenario").equals(scenario) && row.numberOrNaN("below_front") <= 0) {
+          List<String> words = new ArrayList<>(run(plan, folder, row.text("option")));
+          String replay = REPLAY + scenario + "-" + row.text("network");
+          words.addAll(List.of("--quiet", "--out", folder.resolve(replay).toString()));
+          commands.add(words);
+        }
+      }
+    }
+    return commands;
+  }
+
+  /** The command that records the first seed of a network, as a plan's settings have it. */
+  private static List<String> run(JsonNode plan, Path folder, String network) {
+    String copy = "scenario-" + plan.path("scenario").asText() + ".xml";
+    List<String> words =
+        new ArrayList<>(
+            List.of("run", folder.resolve(copy).toString(), "--record", "--network", network));
+    for (String setting : OPTIONS) {
+      if (plan.has(setting)) {
+        words.addAll(List.of("--" + setting, plan.get(setting).asText()));
+      }
+    }
+    return words;
+  }
+}

@@ -1,0 +1,90 @@
+// The page of a study of CamSim's network: utility against cost of every network, the fronts, and who does what in the one that is chosen.
+import { el, style } from './dom.js';
+import { rowsOf, sortable } from './table.js';
+
+const KINDS = [['bandit', '--unseen', 4], ['heterogeneous', '--twice', 3], ['homogeneous', '--cameras', 5.5]];
+const SIZE = {width: 640, height: 460, left: 62, right: 16, top: 14, bottom: 48};
+const WORDS = {A: 'Active', P: 'Passive', HA: 'HistActive', HP: 'HistPassive'};
+const POLICIES = ['Broadcast', 'Smooth', 'Step', 'Fix'];
+const TICKS = [0, 0.25, 0.5, 0.75, 1];
+const percent = share => `${Math.round(100 * share)} %`;
+const estimate = (row, name, digits) => `${Number(row[name]).toFixed(digits)}${row[`${name}_low`] === '' ? '' : ` [${Number(row[`${name}_low`]).toFixed(digits)}, ${Number(row[`${name}_high`]).toFixed(digits)}]`}`;
+
+/** The page; `data` is what TradeoffReport wrote. */
+export async function tradeoffPage(root, data) {
+  root.append(el('header', {}, el('h1', {}, 'Trade-off', el('small', {}, data.title))));
+  const networks = rowsOf(data.networks);
+  const fronts = rowsOf(data.fronts);
+  for (const scenario of new Set(networks.map(row => row.scenario))) {
+    root.append(group(data, networks.filter(row => row.scenario === scenario), fronts.filter(row => row.scenario === scenario), scenario));
+  }
+  root.append(card('Fronts', el('div', {class: 'scroll'}, sortable('hypervolume and what it gains on the homogeneous networks, with 95 % intervals over seeds', [
+    {name: 'scenario'}, {name: 'detection'}, {name: 'networks'}, {name: 'count'}, {name: 'on_front', label: 'on the front'},
+    {name: 'hypervolume', show: (text, row) => estimate(row, 'hypervolume', 3)}, {name: 'gain', show: (text, row) => estimate(row, 'gain', 3)}], fronts))));
+  root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
+  root.dataset.ready = '';
+}
+
+const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
+
+function svg(tag, attributes, ...children) {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith('on')) element.addEventListener(name.slice(2), value);
+    else element.setAttribute(name, value);
+  }
+  element.append(...children);
+  return element;
+}
+
+function group(data, networks, fronts, scenario) {
+  const told = el('div', {class: 'note', 'aria-live': 'polite'}, 'Choose a point, or a network of the front, to see who does what.');
+  const show = row => told.replaceChildren(...details(data, row));
+  const front = names(fronts, 'static').map(name => networks.find(row => row.network === name)).filter(Boolean);
+  const buttons = front.map(row => el('button', {type: 'button', onclick: () => show(row)}, row.network));
+  return card(`${scenario}, ${networks[0].detection}`, picture(networks, front, show), legend(networks),
+    el('p', {}, 'On the front, by rising cost: ', ...buttons), told);
+}
+
+const names = (fronts, set) => (fronts.find(row => row.networks === set)?.front ?? '').split(' ');
+const x = row => SIZE.left + Number(row.cost_share) * (SIZE.width - SIZE.left - SIZE.right);
+const y = row => SIZE.height - SIZE.bottom - Number(row.utility_share) * (SIZE.height - SIZE.top - SIZE.bottom);
+
+function picture(networks, front, show) {
+  const at = share => ({cost_share: share, utility_share: share});
+  const ink = style('--text') || 'currentColor';
+  const axes = TICKS.flatMap(share => [
+    svg('line', {x1: x(at(share)), x2: x(at(share)), y1: y(at(0)), y2: y(at(1)), stroke: ink, 'stroke-opacity': 0.12}),
+    svg('line', {x1: x(at(0)), x2: x(at(1)), y1: y(at(share)), y2: y(at(share)), stroke: ink, 'stroke-opacity': 0.12}),
+    svg('text', {x: x(at(share)), y: y(at(0)) + 18, 'text-anchor': 'middle', fill: ink, 'font-size': 12}, percent(share)),
+    svg('text', {x: SIZE.left - 8, y: y(at(share)) + 4, 'text-anchor': 'end', fill: ink, 'font-size': 12}, percent(share))]);
+  const titles = [svg('text', {x: (SIZE.left + SIZE.width) / 2, y: SIZE.height - 8, 'text-anchor': 'middle', fill: ink, 'font-size': 13}, 'cost, of the largest'),
+    svg('text', {transform: `translate(16 ${SIZE.height / 2}) rotate(-90)`, 'text-anchor': 'middle', fill: ink, 'font-size': 13}, 'utility, of the largest')];
+  const steps = front.map((row, i) => (i ? `H ${x(row)} V ${y(row)}` : `M ${x(row)} ${y(row)}`)).join(' ');
+  const points = [...KINDS].sort((a, b) => a[2] - b[2]).flatMap(([kind, colour, r]) => networks.filter(row => row.kind === kind).map(row =>
+    svg('circle', {cx: x(row), cy: y(row), r, fill: style(colour), 'fill-opacity': kind === 'heterogeneous' ? 0.55 : 0.95, cursor: 'pointer', onclick: () => show(row)},
+      svg('title', {}, `${row.network}: utility ${percent(row.utility_share)}, cost ${percent(row.cost_share)}`))));
+  return svg('svg', {viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: 'img', 'aria-label': 'Utility against cost of all networks, with the front', style: 'max-width: 52rem; width: 100%'},
+    ...axes, ...titles, ...points, svg('path', {d: steps, fill: 'none', stroke: ink, 'stroke-width': 1.5, 'pointer-events': 'none'}));
+}
+
+function legend(networks) {
+  const there = KINDS.filter(([kind]) => networks.some(row => row.kind === kind));
+  const mark = colour => svg('svg', {width: 14, height: 12, 'aria-hidden': 'true'}, svg('circle', {cx: 6, cy: 6, r: 5, fill: style(colour)}));
+  return el('p', {class: 'note'}, ...there.flatMap(([kind, colour]) => [mark(colour), `${kind} `]), ' line: the front of strategies that never change');
+}
+
+const spelled = code => `${WORDS[code.slice(0, -1)] ?? code} ${POLICIES[code.slice(-1)] ?? ''}`;
+
+/** What a network is: each camera's strategy, its figures, its replay. */
+function details(data, row) {
+  const cameras = data.cameras[row.scenario] ?? [];
+  const codes = row.network.split('-');
+  const who = row.kind === 'bandit' ? `all cameras choose by ${row.network.replace('@', ', alpha ')}`
+    : codes.length === 1 ? `all cameras: ${spelled(codes[0])}` : codes.map((code, i) => `${cameras[i] ?? `camera ${i + 1}`}: ${spelled(code)}`).join('; ');
+  const replay = data.replays.find(one => one.scenario === row.scenario && one.network === row.network);
+  return [el('p', {}, el('b', {}, row.network), ` (${row.kind}): ${who}`),
+    el('p', {}, `utility ${estimate(row, 'utility', 2)}, cost ${estimate(row, 'cost', 0)}`),
+    replay ? el('p', {}, el('a', {href: replay.page}, 'Replay of the first seed')) : null,
+    el('pre', {tabindex: 0}, data.runs[row.scenario].replace('NETWORK', row.option))].filter(Boolean);
+}
