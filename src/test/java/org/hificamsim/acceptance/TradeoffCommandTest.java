@@ -114,6 +114,69 @@ class TradeoffCommandTest {
   }
 
   @Test
+  void aSearchFindsTheFrontWithATenthOfTheRuns() throws IOException {
+    List<Path> files = List.of(OWN, Cli.ROOT.resolve("scenarios/studies/yard.xml"));
+    Path all = study(files, 150, 3, "--heterogeneous", "all");
+    Path found = study(files, 150, 3, "--heterogeneous", "search:21");
+    for (Path file : files) {
+      List<String[]> full = of(all, file);
+      List<String[]> some = of(found, file);
+      assertTrue(some.size() <= 27, some.size() + " networks");
+      double share = hypervolume(some, full) / hypervolume(full, full);
+      assertTrue(share >= 0.99, file + ": " + share);
+    }
+    assertArrayEquals(
+        Files.readAllBytes(found.resolve("results.csv")),
+        Files.readAllBytes(
+            study(files, 150, 3, "--heterogeneous", "search:21", "--threads", "1")
+                .resolve("results.csv")));
+  }
+
+  private static List<String[]> of(Path out, Path file) throws IOException {
+    return rows(out.resolve("networks.csv")).stream()
+        .filter(row -> row[0].equals(name(file)))
+        .toList();
+  }
+
+  /** The share of a fine grid of utilities and costs that some network beats. */
+  private static double hypervolume(List<String[]> rows, List<String[]> scale) {
+    double utility = scale.stream().mapToDouble(row -> Double.parseDouble(row[4])).max().orElse(0);
+    double cost = scale.stream().mapToDouble(row -> Double.parseDouble(row[7])).max().orElse(0);
+    long beaten = 0;
+    for (int i = 0; i < 400 * 400; i++) {
+      int row400 = i / 400;
+      double u = (row400 + 0.5) / 400 * utility;
+      double c = (i % 400 + 0.5) / 400 * cost;
+      if (rows.stream()
+          .anyMatch(row -> Double.parseDouble(row[4]) >= u && Double.parseDouble(row[7]) <= c)) {
+        beaten++;
+      }
+    }
+    return beaten / (400.0 * 400);
+  }
+
+  @Test
+  void aReportHasAPictureAndReplaysThatAreTheRunsOfTheStudy() throws IOException {
+    Path out = study(List.of(OWN), 40, 2, "--channel", "loss=0.2");
+    Cli report = Cli.run("report", out, "--replays");
+    assertEquals(0, report.exit(), report.err());
+    assertTrue(Files.size(out.resolve("tradeoff.png")) > 3000);
+    String page = Files.readString(out.resolve("report.html"));
+    String front = rows(out.resolve("fronts.csv")).get(0)[11];
+    for (String network : front.split(" ")) {
+      String replay = "replay-tutorial-camsim-" + network;
+      assertTrue(page.contains(replay + "/report.html"), network);
+      String summary = Files.readString(out.resolve(replay).resolve("summary.json"));
+      String[] run =
+          rows(out.resolve("results.csv")).stream()
+              .filter(row -> row[13].equals(network) && row[3].equals("5"))
+              .findFirst()
+              .orElseThrow();
+      assertTrue(summary.contains("\"utility\" : " + run[14]), run[14] + " in " + summary);
+    }
+  }
+
+  @Test
   void aChannelAndRealDetectionChangeWhatIsMeasured() throws IOException {
     Path plain = study(List.of(OWN), 60, 2);
     Path real = study(List.of(OWN), 60, 2, "--detection", "hifi:orb-lin", "--detect", "chance");
@@ -132,6 +195,7 @@ class TradeoffCommandTest {
         "--heterogeneous some | --heterogeneous is 'some', expected none, all, sample:N",
         "--bandits Greedy | --bandits has 'Greedy', expected none, all or some of",
         "--alphas 2 | --alphas is 2.0, expected",
+        "--heterogeneous search:9 --shard 1/2 | search has no parts",
         "--cost money | --cost is 'money', expected one of messages, invitations",
         "--detection nothing | unknown detection 'nothing'",
       })

@@ -56,7 +56,9 @@ public final class TradeoffFigure {
   }
 
   private static XyPanel panel(String scenario, List<CsvRow> rows) {
-    XyPanel panel = new XyPanel(scenario, "cost", "utility").x(0, 1).y(0, 1.02);
+    XyPanel panel = new XyPanel(scenario, "cost", "utility")
+            .x(least(rows, "cost_share"), 1)
+            .y(least(rows, "utility_share"), 1.005);
     KINDS.forEach(
         (kind, color) -> {
           List<CsvRow> own = rows.stream().filter(row -> row.text("kind").equals(kind)).toList();
@@ -78,6 +80,11 @@ public final class TradeoffFigure {
             .sorted(Comparator.comparingDouble(TradeoffFigure::cost))
             .toList();
     return panel.straight(curve(front), Palette.BLACK);
+  }
+
+  private static double least(List<CsvRow> rows, String share) {
+    double least = rows.stream().mapToDouble(row -> row.numberOrNaN(share)).min().orElse(0);
+    return Math.floor(20 * least) / 20;
   }
 
   private static double cost(CsvRow row) {

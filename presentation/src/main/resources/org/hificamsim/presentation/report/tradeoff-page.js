@@ -3,11 +3,11 @@ import { el, style } from './dom.js';
 import { rowsOf, sortable } from './table.js';
 
 const KINDS = [['bandit', '--unseen', 4], ['heterogeneous', '--twice', 3], ['homogeneous', '--cameras', 5.5]];
-const SIZE = {width: 640, height: 460, left: 62, right: 16, top: 14, bottom: 48};
+const SIZE = {width: 640, height: 460, left: 62, right: 28, top: 14, bottom: 48};
 const WORDS = {A: 'Active', P: 'Passive', HA: 'HistActive', HP: 'HistPassive'};
 const POLICIES = ['Broadcast', 'Smooth', 'Step', 'Fix'];
-const TICKS = [0, 0.25, 0.5, 0.75, 1];
-const percent = share => `${Math.round(100 * share)} %`;
+const TICKS = 5;
+const percent = share => `${Number((100 * share).toFixed(1))} %`;
 const estimate = (row, name, digits) => `${Number(row[name]).toFixed(digits)}${row[`${name}_low`] === '' ? '' : ` [${Number(row[`${name}_low`]).toFixed(digits)}, ${Number(row[`${name}_high`]).toFixed(digits)}]`}`;
 
 /** The page; `data` is what TradeoffReport wrote. */
@@ -47,17 +47,26 @@ function group(data, networks, fronts, scenario) {
 }
 
 const names = (fronts, set) => (fronts.find(row => row.networks === set)?.front ?? '').split(' ');
-const x = row => SIZE.left + Number(row.cost_share) * (SIZE.width - SIZE.left - SIZE.right);
-const y = row => SIZE.height - SIZE.bottom - Number(row.utility_share) * (SIZE.height - SIZE.top - SIZE.bottom);
+
+/** Places along an axis that begins a little below the least share and ends at 1. */
+function axis(networks, share, from, to) {
+  const least = Math.max(0, Math.floor(20 * Math.min(...networks.map(row => Number(row[share]))) - 0.01) / 20);
+  const at = value => from + (Number(value) - least) / (1 - least || 1) * (to - from);
+  return {of: row => at(row[share]), at, ticks: Array.from({length: TICKS + 1}, (_, i) => least + (i / TICKS) * (1 - least))};
+}
 
 function picture(networks, front, show) {
-  const at = share => ({cost_share: share, utility_share: share});
-  const ink = style('--text') || 'currentColor';
-  const axes = TICKS.flatMap(share => [
-    svg('line', {x1: x(at(share)), x2: x(at(share)), y1: y(at(0)), y2: y(at(1)), stroke: ink, 'stroke-opacity': 0.12}),
-    svg('line', {x1: x(at(0)), x2: x(at(1)), y1: y(at(share)), y2: y(at(share)), stroke: ink, 'stroke-opacity': 0.12}),
-    svg('text', {x: x(at(share)), y: y(at(0)) + 18, 'text-anchor': 'middle', fill: ink, 'font-size': 12}, percent(share)),
-    svg('text', {x: SIZE.left - 8, y: y(at(share)) + 4, 'text-anchor': 'end', fill: ink, 'font-size': 12}, percent(share))]);
+  const across = axis(networks, 'cost_share', SIZE.left, SIZE.width - SIZE.right);
+  const up = axis(networks, 'utility_share', SIZE.height - SIZE.bottom, SIZE.top);
+  const [x, y] = [across.of, up.of];
+  const ink = 'currentColor';
+  const [foot, side] = [SIZE.height - SIZE.bottom, SIZE.width - SIZE.right];
+  const axes = [...across.ticks.flatMap(share => [
+    svg('line', {x1: across.at(share), x2: across.at(share), y1: foot, y2: SIZE.top, stroke: ink, 'stroke-opacity': 0.12}),
+    svg('text', {x: across.at(share), y: foot + 18, 'text-anchor': 'middle', fill: ink, 'font-size': 12}, percent(share))]),
+  ...up.ticks.flatMap(share => [
+    svg('line', {x1: SIZE.left, x2: side, y1: up.at(share), y2: up.at(share), stroke: ink, 'stroke-opacity': 0.12}),
+    svg('text', {x: SIZE.left - 8, y: up.at(share) + 4, 'text-anchor': 'end', fill: ink, 'font-size': 12}, percent(share))])];
   const titles = [svg('text', {x: (SIZE.left + SIZE.width) / 2, y: SIZE.height - 8, 'text-anchor': 'middle', fill: ink, 'font-size': 13}, 'cost, of the largest'),
     svg('text', {transform: `translate(16 ${SIZE.height / 2}) rotate(-90)`, 'text-anchor': 'middle', fill: ink, 'font-size': 13}, 'utility, of the largest')];
   const steps = front.map((row, i) => (i ? `H ${x(row)} V ${y(row)}` : `M ${x(row)} ${y(row)}`)).join(' ');
