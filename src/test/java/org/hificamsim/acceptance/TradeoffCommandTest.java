@@ -193,10 +193,9 @@ class TradeoffCommandTest {
         "--of A0,A7 | strategies are 'A7', expected A, P, HA or HP",
         "--of A0,A0 | 'A0' twice",
         "--heterogeneous some | --heterogeneous is 'some', expected none, all, sample:N",
-        "--bandits Greedy | --bandits has 'Greedy', expected none, all or some of",
+        "--bandits Greedy | bandit is 'Greedy', expected one of",
         "--alphas 2 | --alphas is 2.0, expected",
         "--heterogeneous search:9 --shard 1/2 | search has no parts",
-        "--cost money | --cost is 'money', expected one of messages, invitations",
         "--detection nothing | unknown detection 'nothing'",
       })
   void refusesInOneLine(String options, String expected) {

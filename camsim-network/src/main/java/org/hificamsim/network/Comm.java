@@ -34,20 +34,6 @@ public record Comm(int number, CommunicationPolicy policy, boolean freezesLinks)
     return Optional.of(new Comm(number, policy, policy == CommunicationPolicy.FIX));
   }
 
-  /** The policy of a {@link #text}. */
-  public static Optional<Comm> parse(String text) {
-    return text.matches("[0-3]")
-        ? of(Integer.parseInt(text), Optional.empty())
-        : of(CUSTOM, Optional.of(text));
-  }
-
-  /** Its number, or a name that gives the same. */
-  public String text() {
-    return number != CUSTOM
-        ? Integer.toString(number)
-        : freezesLinks ? OLD_FIX : policy.names().get(0);
-  }
-
   /** Whether Fix is asked for by its number. */
   boolean isFix() {
     return number != CUSTOM && policy == CommunicationPolicy.FIX;

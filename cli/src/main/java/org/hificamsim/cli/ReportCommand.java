@@ -8,7 +8,6 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.FileRecord;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
-import org.hificamsim.presentation.figures.TradeoffFigure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.report.Report;
 import org.hificamsim.presentation.report.TradeoffReport;
@@ -90,7 +89,7 @@ final class ReportCommand implements Callable<Integer> {
     try (OutputFolder results = new OutputFolder(folder)) {
       results.write(ResultFolder.REPORT, html);
       if (TradeoffReport.suits(folder)) {
-        FigureFile.write(results, "tradeoff", TradeoffFigure.of(folder));
+        FigureFile.write(results, "tradeoff", TradeoffReport.figure(folder));
       }
       results.commit(List.of());
     }

@@ -15,15 +15,14 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.Strategy;
-import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.bandit.BanditAlgorithm;
+import org.hificamsim.network.files.NetworkText;
 import org.hificamsim.network.study.NetworkChoice;
 import org.hificamsim.network.study.NetworkSearch;
 import org.hificamsim.network.study.StudyFiles;
 import org.hificamsim.network.study.StudyFiles.SetFront;
 import org.hificamsim.network.study.StudyPlan;
 import org.hificamsim.network.study.StudyResults;
-import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.compare.ReferencePolicies;
@@ -76,17 +75,9 @@ final class TradeoffCommand implements Callable<Integer> {
   private String alphas;
 
   @Option(
-      names = "--cost",
-      paramLabel = "messages|invitations",
-      description = "What utility is traded for: invitations that arrive, or all that are sent.")
-  private String cost;
-
-  @Option(
       names = "--camsim-files",
       description = "Write CamSim's summary of each network too, for scripts that read it.")
   private boolean camSimFiles;
-
-  @Mixin private CamSimOptions options;
 
   @Mixin private BatchOptions batch;
 
@@ -105,12 +96,15 @@ final class TradeoffCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Metric paid = cost();
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings shared = options.settings(screen.err());
-    NetworkChoice choice = choice(shared);
+    NetworkChoice choice = choice();
     CamSimPlans plans =
-        new CamSimPlans(settings.settings(), Optional.empty(), shared, catalogue, screen.err());
+        new CamSimPlans(
+            settings.settings(),
+            Optional.empty(),
+            NetworkSettings.CAMSIM.withStrategies(choice.strategies().subList(0, 1)),
+            catalogue,
+            screen.err());
     List<RunPlan> bases = files.stream().map(plans::plan).toList();
     NameLists.requireDistinct(
         "the scenarios' names", bases.stream().map(base -> base.scenario().name()).toList());
@@ -131,14 +125,14 @@ final class TradeoffCommand implements Callable<Integer> {
           results.run(networks, engine);
           if (searched > 0) {
             for (RunPlan base : bases) {
-              new NetworkSearch(choice, base, results, engine, paid).run(searched);
+              new NetworkSearch(choice, base, results, engine).run(searched);
             }
           }
           run.warnOfFewSeeds(bases.get(0).repeats());
           if (camSimFiles) {
             StudyFiles.writeSummaries(folder, results);
           }
-          return StudyFiles.write(folder, results, paid);
+          return StudyFiles.write(folder, results);
         },
         TradeoffCommand::print);
   }
@@ -154,23 +148,10 @@ final class TradeoffCommand implements Callable<Integer> {
     return search ? Integer.parseInt(form.group(3)) : 0;
   }
 
-  private Metric cost() {
-    return Spelling.require(Cost.class, "--cost", cost) == Cost.MESSAGES
-        ? Metric.MESSAGES
-        : Metric.INVITATIONS;
-  }
-
-  /** What utility is traded for. */
-  private enum Cost {
-    MESSAGES,
-    INVITATIONS
-  }
-
-  private NetworkChoice choice(NetworkSettings shared) {
+  private NetworkChoice choice() {
     List<String> names = words(of);
     NameLists.requireDistinct("--of", names);
     return new NetworkChoice(
-        shared,
         names.stream().map(TradeoffCommand::strategy).toList(),
         bandits(),
         words(alphas).stream()
@@ -198,17 +179,7 @@ final class TradeoffCommand implements Callable<Integer> {
     return switch (bandits) {
       case "none" -> List.of();
       case "all" -> List.of(BanditAlgorithm.values());
-      default ->
-          words(bandits).stream()
-              .map(
-                  name ->
-                      Named.find(BanditAlgorithm.class, name)
-                          .orElseThrow(
-                              () ->
-                                  new InputException(
-                                      "--bandits has '%s', expected none, all or some of %s"
-                                          .formatted(name, Named.expected(BanditAlgorithm.class)))))
-              .toList();
+      default -> words(bandits).stream().map(NetworkText::bandit).toList();
     };
   }
 

@@ -8,6 +8,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
@@ -59,13 +60,11 @@ public final class RunExecutor {
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
-    World world = new World(plan.scenario(), catalogue.movements(), plan.seed(run));
-    Cooperation cooperation = cooperation(plan, run, world);
-    Simulation simulation = simulation(plan, run, world, policy, cooperation, all);
+    Simulation simulation = simulation(plan, run, policy, all);
     run(simulation, plan, run);
     Channel channel = simulation.network().channel();
-    Measured measured =
-        Measured.of(coverage, plan.objective(), policy, channel, cooperation.sums());
+    NetworkSums sums = simulation.cooperation().sums();
+    Measured measured = Measured.of(coverage, plan.objective(), policy, channel, sums);
     return RunResult.of(run, plan.seed(run), measured);
   }
 
@@ -96,28 +95,12 @@ public final class RunExecutor {
 
   private Simulation simulation(
       RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
-    World world = new World(plan.scenario(), catalogue.movements(), plan.seed(run));
-    return simulation(plan, run, world, policy, cooperation(plan, run, world), listeners);
-  }
-
-  private Simulation simulation(
-      RunPlan plan,
-      int run,
-      World world,
-      ZoomPolicy policy,
-      Cooperation cooperation,
-      List<StepListener> listeners) {
-    return new Simulation(
-        world, plan.detection(), policy, cooperation, plan.seed(run), listeners, workers);
-  }
-
-  /** The network that the plan names; of cameras that work each for itself where it names none. */
-  private Cooperation cooperation(RunPlan plan, int run, World world) {
-    return plan.network().isEmpty()
-        ? Cooperation.NONE
-        : catalogue
-            .networks()
-            .create(plan.network())
-            .begin(world, plan.detection(), plan.seed(run));
+    long seed = plan.seed(run);
+    World world = new World(plan.scenario(), catalogue.movements(), seed);
+    Cooperation cooperation =
+        plan.network().isEmpty()
+            ? Cooperation.NONE
+            : catalogue.networks().create(plan.network()).begin(world, plan.detection(), seed);
+    return new Simulation(world, plan.detection(), policy, cooperation, seed, listeners, workers);
   }
 }

@@ -148,6 +148,11 @@ public final class Simulation {
     return network;
   }
 
+  /** What the cameras do together. */
+  public Cooperation cooperation() {
+    return cooperation;
+  }
+
   /** The coverage that the last step measured. */
   public StepCoverage coverage() {
     return coverage;

@@ -1,111 +1,65 @@
 package org.hificamsim.network.files;
 
-import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.List;
-import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.engine.NetworkModel;
 import org.hificamsim.core.registry.Options;
-import org.hificamsim.network.Comm;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
-import org.hificamsim.network.NetworkSettings.GraphUse;
-import org.hificamsim.network.Quirk;
 import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.Named;
-import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 
-/** How a network is run as one text, {@code camsim:strategies=A0-P2,...}: what a plan holds. */
-public final class NetworkText {
-  /** The name of CamSim's network. */
-  public static final String NAME = "camsim";
+/** CamSim's network as a plan names it: {@code camsim:strategies=A0-P2,bandit=UCB1,alpha=0.5}. */
+public final class NetworkText implements NetworkModel {
+  private NetworkSettings settings = NetworkSettings.CAMSIM;
 
-  private static final String NONE = "";
-
-  private NetworkText() {}
-
-  /** The text of settings: what differs from CamSim's defaults. */
-  public static String of(NetworkSettings settings) {
-    NetworkSettings usual = NetworkSettings.CAMSIM;
-    Stream<String> own =
-        Stream.of(
-            part("strategies", Strategy.text(settings.strategies()), NONE),
-            part("schedule", settings.schedule().map(one -> one.names().get(0)).orElse(NONE), NONE),
-            part("comm", settings.comm().map(Comm::text).orElse(NONE), NONE),
-            part("bandit", settings.bandit().map(one -> one.names().get(0)).orElse(NONE), NONE),
-            part("graph", Spelling.of(settings.graph()), Spelling.of(usual.graph())),
-            part("errors", settings.errorLevel(), usual.errorLevel()),
-            part("resets", settings.resetLevel(), usual.resetLevel()),
-            part("quirks", quirks(settings.quirks()), quirks(usual.quirks())));
-    String all =
-        Stream.concat(own, ParameterFile.texts(settings).stream())
-            .filter(text -> !text.isEmpty())
-            .collect(Collectors.joining(","));
-    return all.isEmpty() ? NAME : NAME + ":" + all;
+  @Override
+  public String name() {
+    return "camsim";
   }
 
-  private static String part(String key, Object value, Object usual) {
-    return value.equals(usual) ? NONE : key + "=" + value;
+  /** The text of strategies, one for all cameras or one for each. */
+  public static String of(List<Strategy> strategies) {
+    return "camsim:strategies=" + Strategy.text(strategies);
   }
 
-  private static String quirks(Set<Quirk> quirks) {
-    return quirks.isEmpty()
-        ? "none"
-        : quirks.stream().sorted().map(Spelling::of).collect(Collectors.joining("+"));
+  /** The text of a bandit for all cameras, with its weight of utility. */
+  public static String of(BanditAlgorithm bandit, double alpha) {
+    return "camsim:bandit=" + bandit.names().get(0) + ",alpha=" + alpha;
+  }
+
+  @Override
+  public void configure(Options options) {
+    String strategies = options.text("strategies", "", "of all cameras, or of each");
+    String bandit = options.text("bandit", "", "of all cameras");
+    double alpha = options.number("alpha", 0.5, 0, 1, "a bandit's weight of utility");
+    if (!strategies.isEmpty()) {
+      settings = settings.withStrategies(Strategy.list(strategies));
+    }
+    if (!bandit.isEmpty()) {
+      settings = settings.withBandit(bandit(bandit), alpha);
+    }
   }
 
   /**
-   * The settings of a text.
+   * The bandit of a name.
    *
-   * @throws InputException when something is wrong in it
+   * @throws InputException when there is none
    */
-  static NetworkSettings settings(Options options) {
-    String strategies = options.text("strategies", NONE, "of all cameras, or of each");
-    String schedule = options.text("schedule", NONE, "of all cameras");
-    String comm = options.text("comm", NONE, "number or class of the policy of all cameras");
-    String bandit = options.text("bandit", NONE, "of all cameras");
-    GraphUse graph = options.choice("graph", GraphUse.AS_IN_FILE, "what the vision graph is for");
-    int errors = options.integer("errors", -1, Integer.MIN_VALUE, Integer.MAX_VALUE, "as -e");
-    int resets = options.integer("resets", 50, Integer.MIN_VALUE, Integer.MAX_VALUE, "as -r");
-    Set<Quirk> quirks = quirks(options.text("quirks", quirks(EnumSet.allOf(Quirk.class)), "kept"));
-    ParameterFile parameters = ParameterFile.of(options);
-    return new NetworkSettings(
-        strategies.isEmpty() ? List.of() : Strategy.list(strategies),
-        named(ScheduleKind.class, "schedule", schedule),
-        comm.isEmpty() ? Optional.empty() : Comm.parse(comm),
-        named(BanditAlgorithm.class, "bandit", bandit),
-        graph,
-        errors,
-        resets,
-        parameters.bandit(),
-        parameters.historical(),
-        quirks);
+  public static BanditAlgorithm bandit(String name) {
+    return Named.find(BanditAlgorithm.class, name)
+        .orElseThrow(
+            () ->
+                new InputException(
+                    "bandit is '" + name + "', expected " + Named.expected(BanditAlgorithm.class)));
   }
 
-  private static <E extends Enum<E> & Named> Optional<E> named(
-      Class<E> type, String key, String text) {
-    return text.isEmpty()
-        ? Optional.empty()
-        : Optional.of(
-            Named.find(type, text)
-                .orElseThrow(
-                    () ->
-                        new InputException(
-                            "network: %s is '%s', expected %s"
-                                .formatted(key, text, Named.expected(type)))));
-  }
-
-  private static Set<Quirk> quirks(String text) {
-    Set<Quirk> quirks = EnumSet.noneOf(Quirk.class);
-    if (!text.equals("none")) {
-      Arrays.stream(text.split("\\+"))
-          .map(name -> Spelling.require(Quirk.class, "quirks", name))
-          .forEach(quirks::add);
-    }
-    return quirks;
+  @Override
+  public Cooperation begin(World world, Detection detection, long seed) {
+    return new Network(world, detection, settings, seed);
   }
 }

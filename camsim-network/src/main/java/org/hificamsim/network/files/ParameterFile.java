@@ -5,16 +5,12 @@ import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Properties;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.registry.Options;
-import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.bandit.BanditParameters;
 
@@ -51,38 +47,9 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
         properties.isEmpty()
             ? Options.none(path.toString())
             : Options.parse(path.toString(), text(properties));
-    ParameterFile file = of(options);
+    ParameterFile file = new ParameterFile(historical(options), bandit(options));
     options.rejectUnknown();
     return file;
-  }
-
-  static ParameterFile of(Options options) {
-    return new ParameterFile(historical(options), bandit(options));
-  }
-
-  /** The parameters of settings that are not the defaults, each {@code Key=value}. */
-  static List<String> texts(NetworkSettings settings) {
-    BanditParameters bandit = settings.banditParameters();
-    HistoricalParameters past = settings.historicalParameters();
-    Map<String, Object> values = new LinkedHashMap<>();
-    values.put("PreInstantiationBidCoefficient", past.preInstantiation());
-    values.put("OverstayBidCoefficient", past.overstay());
-    values.put("ClassificationEnabled", past.classification());
-    values.put("ObjectCategories", past.categories());
-    values.put("HistPerCategoryEnabled", past.perCategory());
-    values.put("HistEnabled", past.history());
-    values.put("Epsilon", bandit.epsilon());
-    values.put("Alpha", bandit.alpha());
-    values.put("Beta", bandit.beta());
-    values.put("Gamma", bandit.gamma());
-    values.put("Interval", bandit.interval());
-    Options usual = Options.none("");
-    of(usual);
-    return usual.declared().stream()
-        .filter(one -> values.containsKey(one.key()))
-        .filter(one -> !one.defaultValue().equals(values.get(one.key()).toString()))
-        .map(one -> one.key() + "=" + values.get(one.key()))
-        .toList();
   }
 
   private static String text(Properties properties) {

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import org.hificamsim.core.InputException;
-import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.Strategy;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.files.NetworkText;
@@ -15,16 +14,12 @@ import org.hificamsim.runs.RunPlan;
 /**
  * The networks that a study has.
  *
- * @param settings what all of them share
  * @param strategies that cameras may have, 1 or more
  * @param bandits that cameras may choose by
  * @param alphas weights of utility against messages for bandits, each in [0, 1]
  */
 public record NetworkChoice(
-    NetworkSettings settings,
-    List<Strategy> strategies,
-    List<BanditAlgorithm> bandits,
-    List<Double> alphas) {
+    List<Strategy> strategies, List<BanditAlgorithm> bandits, List<Double> alphas) {
   private static final int MAX_ALL = 1_000_000;
 
   /** A network in which all cameras have one strategy, for each strategy. */
@@ -32,14 +27,14 @@ public record NetworkChoice(
     return strategies.stream().map(one -> plan(base, List.of(one))).toList();
   }
 
-  /** A network for each bandit and alpha; its cameras start with what settings and file say. */
+  /** A network for each bandit and alpha; its cameras start with what the file says. */
   public List<StudyPlan> bandits(RunPlan base) {
     List<StudyPlan> plans = new ArrayList<>();
     for (BanditAlgorithm bandit : bandits) {
       for (double alpha : alphas) {
-        String network = NetworkText.of(settings.withBandit(bandit, alpha));
+        String network = NetworkText.of(bandit, alpha);
         String label = bandit.names().get(0) + "@" + alpha;
-        plans.add(new StudyPlan(base.withNetwork(network), NetworkKind.BANDIT, label));
+        plans.add(new StudyPlan(base.withNetwork(network), StudyPlan.Kind.BANDIT, label));
       }
     }
     return plans;
@@ -86,7 +81,7 @@ public record NetworkChoice(
 
   private void add(List<StudyPlan> plans, RunPlan base, List<Integer> genes) {
     StudyPlan plan = plan(base, genes.stream().map(strategies::get).toList());
-    if (plan.kind() == NetworkKind.HETEROGENEOUS) {
+    if (plan.kind() == StudyPlan.Kind.HETEROGENEOUS) {
       plans.add(plan);
     }
   }
@@ -114,8 +109,8 @@ public record NetworkChoice(
     boolean alike = each.stream().distinct().count() == 1;
     List<Strategy> used = alike ? each.subList(0, 1) : each;
     return new StudyPlan(
-        base.withNetwork(NetworkText.of(settings.withStrategies(used))),
-        alike ? NetworkKind.HOMOGENEOUS : NetworkKind.HETEROGENEOUS,
+        base.withNetwork(NetworkText.of(used)),
+        alike ? StudyPlan.Kind.HOMOGENEOUS : StudyPlan.Kind.HETEROGENEOUS,
         Strategy.text(used));
   }
 }

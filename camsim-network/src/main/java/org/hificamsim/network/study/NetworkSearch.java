@@ -16,15 +16,12 @@ import io.jenetics.util.RandomRegistry;
 import io.jenetics.util.Seq;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
@@ -42,21 +39,17 @@ public final class NetworkSearch {
   private final RunPlan base;
   private final StudyResults results;
   private final RunEngine engine;
-  private final Metric cost;
   private final Map<List<Integer>, Vec<double[]>> known = new HashMap<>();
   private int left;
 
   /**
    * @param results that the networks found join
-   * @param cost what utility is traded for
    */
-  public NetworkSearch(
-      NetworkChoice choice, RunPlan base, StudyResults results, RunEngine engine, Metric cost) {
+  public NetworkSearch(NetworkChoice choice, RunPlan base, StudyResults results, RunEngine engine) {
     this.choice = choice;
     this.base = base;
     this.results = results;
     this.engine = engine;
-    this.cost = cost;
   }
 
   /** Runs up to this many networks, beside the homogeneous ones; the same for the same seed. */
@@ -106,36 +99,19 @@ public final class NetworkSearch {
         asked.stream().filter(genes -> !known.containsKey(genes)).limit(left).toList();
     left -= missing.size();
     try {
-      run(missing);
+      if (!missing.isEmpty()) {
+        results.run(missing.stream().map(this::plan).toList(), engine);
+      }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+    missing.forEach(genes -> known.put(genes, fitness(plan(genes))));
     Vec<double[]> nothing = Vec.of(0, Double.NEGATIVE_INFINITY); // beyond the budget
     return generation.map(one -> one.withFitness(known.getOrDefault(genes(one), nothing))).asISeq();
   }
 
-  private void run(List<List<Integer>> missing) throws IOException {
-    Map<String, Integer> places =
-        IntStream.range(0, results.plans().size())
-            .filter(i -> results.plans().get(i).plan().scenario() == base.scenario())
-            .boxed()
-            .collect(Collectors.toMap(i -> results.plans().get(i).label(), i -> i));
-    List<StudyPlan> plans = missing.stream().map(this::plan).toList();
-    List<StudyPlan> further = new ArrayList<>(plans);
-    further.removeIf(plan -> places.containsKey(plan.label()));
-    int next = results.plans().size();
-    if (!further.isEmpty()) {
-      results.run(further, engine);
-    }
-    for (int i = next; i < results.plans().size(); i++) {
-      places.put(results.plans().get(i).label(), i);
-    }
-    for (int i = 0; i < plans.size(); i++) {
-      int place = places.get(plans.get(i).label());
-      known.put(
-          missing.get(i),
-          Vec.of(mean(results.values(place, Metric.UTILITY)), -mean(results.values(place, cost))));
-    }
+  private Vec<double[]> fitness(StudyPlan plan) {
+    return Vec.of(results.mean(plan, Metric.UTILITY), -results.mean(plan, Metric.MESSAGES));
   }
 
   private StudyPlan plan(List<Integer> genes) {
@@ -146,9 +122,5 @@ public final class NetworkSearch {
     return one.genotype().chromosome().stream()
         .map(gene -> Math.min(gene.allele(), choice.strategies().size() - 1))
         .toList();
-  }
-
-  private static double mean(double[] values) {
-    return Arrays.stream(values).average().orElse(0);
   }
 }

@@ -90,7 +90,7 @@ public final class StudyFiles {
                   "cost_low",
                   "cost_high",
                   "number",
-                  "messages or, if asked for, invitations; the mean over the seeds",
+                  "messages that arrive; the mean over the seeds",
                   row -> row.group.cost(row.network)))
           .with(
               Column.ofDouble(
@@ -161,15 +161,14 @@ public final class StudyFiles {
    *
    * @return the fronts of sets that have networks
    */
-  public static List<SetFront> write(OutputFolder folder, StudyResults results, Metric cost)
-      throws IOException {
+  public static List<SetFront> write(OutputFolder folder, StudyResults results) throws IOException {
     List<StudyPlan> plans = results.plans();
     RESULTS.write(
         folder,
         IntStream.range(0, plans.size())
             .boxed()
             .flatMap(i -> results.runs(i).map(run -> new StudyRun(plans.get(i), run))));
-    List<StudyGroup> groups = StudyGroup.of(results, cost);
+    List<StudyGroup> groups = StudyGroup.of(results);
     SettingsFile.write(folder, groups.stream().map(StudyGroup::plan).toList());
     NETWORKS.write(
         folder,

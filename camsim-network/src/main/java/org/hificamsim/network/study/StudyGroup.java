@@ -16,16 +16,16 @@ import org.hificamsim.runs.RunPlan;
 public final class StudyGroup {
   /** Sets of networks whose fronts are compared. */
   public enum Members {
-    HOMOGENEOUS(kind -> kind == NetworkKind.HOMOGENEOUS),
+    HOMOGENEOUS(kind -> kind == StudyPlan.Kind.HOMOGENEOUS),
     /** Of strategies that never change, the same for all cameras or not. */
-    STATIC(kind -> kind != NetworkKind.BANDIT),
-    BANDIT(kind -> kind == NetworkKind.BANDIT),
+    STATIC(kind -> kind != StudyPlan.Kind.BANDIT),
+    BANDIT(kind -> kind == StudyPlan.Kind.BANDIT),
     ALL(kind -> true);
 
     @SuppressWarnings("ImmutableEnumChecker") // a function
-    private final Predicate<NetworkKind> has;
+    private final Predicate<StudyPlan.Kind> has;
 
-    Members(Predicate<NetworkKind> has) {
+    Members(Predicate<StudyPlan.Kind> has) {
       this.has = has;
     }
   }
@@ -48,7 +48,7 @@ public final class StudyGroup {
   }
 
   /** The groups of a study, in its order. */
-  public static List<StudyGroup> of(StudyResults results, Metric cost) {
+  public static List<StudyGroup> of(StudyResults results) {
     List<StudyPlan> plans = results.plans();
     return plans.stream()
         .map(StudyGroup::name)
@@ -62,7 +62,7 @@ public final class StudyGroup {
               return new StudyGroup(
                   Arrays.stream(own).mapToObj(plans::get).toList(),
                   values(results, own, Metric.UTILITY),
-                  values(results, own, cost));
+                  values(results, own, Metric.MESSAGES));
             })
         .toList();
   }

@@ -7,4 +7,14 @@ import org.hificamsim.runs.RunPlan;
  *
  * @param label its strategies, {@code A0-P2}, or its bandit and alpha, {@code UCB1@0.5}
  */
-public record StudyPlan(RunPlan plan, NetworkKind kind, String label) {}
+public record StudyPlan(RunPlan plan, Kind kind, String label) {
+  /** Kinds of networks. */
+  public enum Kind {
+    /** All cameras have one strategy. */
+    HOMOGENEOUS,
+    /** Cameras have strategies of their own. */
+    HETEROGENEOUS,
+    /** Cameras choose by a bandit. */
+    BANDIT
+  }
+}

@@ -2,7 +2,9 @@ package org.hificamsim.network.study;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -33,23 +35,35 @@ public final class StudyResults {
           Metric.BITS);
 
   private final List<StudyPlan> plans = new ArrayList<>();
+  private final Map<String, Integer> places = new HashMap<>();
   private final List<double[]> figures = new ArrayList<>(); // by plan: repeat by repeat
 
-  /** Runs further networks, every repeat; seed by seed, so that all make headway together. */
-  public void run(List<StudyPlan> further, RunEngine engine) throws IOException {
-    List<RunPlan> all = further.stream().map(StudyPlan::plan).toList();
-    List<RunTask> tasks = new ArrayList<>();
+  /** Runs networks that were not run yet, every repeat; seed by seed, so that all make headway. */
+  public void run(List<StudyPlan> asked, RunEngine engine) throws IOException {
     int first = plans.size();
-    for (StudyPlan plan : further) {
-      plans.add(plan);
-      figures.add(new double[plan.plan().repeats() * KEPT.size()]);
+    for (StudyPlan plan : asked) {
+      if (places.putIfAbsent(key(plan), plans.size()) == null) {
+        plans.add(plan);
+        figures.add(new double[plan.plan().repeats() * KEPT.size()]);
+      }
     }
-    for (int repeat = 0; repeat < all.get(0).repeats(); repeat++) {
-      for (int plan = 0; plan < all.size(); plan++) {
+    List<RunPlan> added = plans.subList(first, plans.size()).stream().map(StudyPlan::plan).toList();
+    List<RunTask> tasks = new ArrayList<>();
+    for (int repeat = 0; repeat < asked.get(0).plan().repeats(); repeat++) {
+      for (int plan = 0; plan < added.size(); plan++) {
         tasks.add(new RunTask(plan, repeat));
       }
     }
-    engine.run(all, tasks, (task, run) -> keep(first + task.plan(), task.repeat(), run.result()));
+    engine.run(added, tasks, (task, run) -> keep(first + task.plan(), task.repeat(), run.result()));
+  }
+
+  private static String key(StudyPlan plan) {
+    return plan.plan().scenario().name() + " " + plan.label();
+  }
+
+  /** A metric's mean over the seeds of a network that was run. */
+  double mean(StudyPlan plan, Metric metric) {
+    return Arrays.stream(values(places.get(key(plan)), metric)).average().orElse(0);
   }
 
   /** Runs write into parts of their own. */

@@ -4,20 +4,30 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
 /** The page of a study of CamSim's network, made from its folder alone. */
 public final class TradeoffReport {
   private static final Table<?> NETWORKS = Table.of("networks.csv");
+  private static final List<String> KINDS = List.of("heterogeneous", "bandit", "homogeneous");
+  private static final List<Color> COLORS = List.of(Palette.SKY, Palette.VERMILION, Palette.BLUE);
   private static final String REPLAY = "replay-";
 
   /** Settings that are options of {@code run}. */
@@ -64,6 +74,51 @@ public final class TradeoffReport {
     data.put("version", files.version());
     data.put("title", name);
     return new Page(name, "tradeoff-page.js", "tradeoffPage", data.toString());
+  }
+
+  /** Utility against cost of every network, a panel per scenario. */
+  public static Figure figure(Path folder) {
+    List<CsvRow> rows = NETWORKS.read(folder).rows();
+    List<XyPanel> panels = new ArrayList<>();
+    for (String scenario : rows.stream().map(row -> row.text("scenario")).distinct().toList()) {
+      XyPanel panel = new XyPanel(scenario, "messages", "utility");
+      for (int i = 0; i < KINDS.size(); i++) {
+        String kind = KINDS.get(i);
+        List<CsvRow> own =
+            rows.stream()
+                .filter(
+                    one -> one.text("scenario").equals(scenario) && one.text("kind").equals(kind))
+                .toList();
+        if (!own.isEmpty()) {
+          panel.dots(new Curve(values(own, "cost"), values(own, "utility")), COLORS.get(i));
+        }
+      }
+      List<CsvRow> front = front(folder, scenario, rows);
+      panel.straight(new Curve(values(front, "cost"), values(front, "utility")), Palette.BLACK);
+      panels.add(panel);
+    }
+    List<LegendEntry> legend =
+        IntStream.range(0, KINDS.size())
+            .mapToObj(i -> new LegendEntry(KINDS.get(i), COLORS.get(i), LegendEntry.Mark.DOT))
+            .toList();
+    int columns = Math.min(3, panels.size());
+    return new Figure(
+        "Utility for messages", "Means over seeds.", legend, panels, columns, 340, 280);
+  }
+
+  /** The networks on the front of strategies that never change, by rising cost. */
+  private static List<CsvRow> front(Path folder, String scenario, List<CsvRow> networks) {
+    return Table.of("fronts.csv").read(folder).rows().stream()
+        .filter(row -> row.text("scenario").equals(scenario))
+        .filter(row -> row.text("networks").equals("static"))
+        .flatMap(row -> Stream.of(row.text("front").split(" ")))
+        .flatMap(name -> networks.stream().filter(row -> row.text("network").equals(name)))
+        .filter(row -> row.text("scenario").equals(scenario))
+        .toList();
+  }
+
+  private static double[] values(List<CsvRow> rows, String column) {
+    return rows.stream().mapToDouble(row -> row.numberOrNaN(column)).toArray();
   }
 
   /** The commands that record the first seed of each network of the fronts, into folders beside. */
