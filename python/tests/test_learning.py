@@ -22,7 +22,7 @@ def trained(*words: str) -> tuple[list[float], Any]:
     return scores, learner
 
 
-CAR_PARK = ["car-park", "--detection", "dori-2014:level=identify", "--worlds", "16", "--steps", "150"]
+CAR_PARK = ["car-park", "--detection", "oodpcvs-2025:level=characterise", "--worlds", "16", "--steps", "150"]
 
 
 def test_a_short_training_raises_the_score_by_half() -> None:
