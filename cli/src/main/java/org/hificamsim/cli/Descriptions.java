@@ -34,17 +34,12 @@ final class Descriptions {
             .filter(target -> target.track().isPresent())
             .toList();
     String others = count(scenario.targets().size(), "target");
-    if (recorded.isEmpty()) {
-      return others;
-    }
-    long samples =
-        recorded.stream().mapToLong(target -> target.track().orElseThrow().samples()).sum();
-    int tracked = (int) recorded.stream().map(TargetSpec::features).distinct().count();
-    String found =
-        String.format(Locale.ROOT, "%,d sample%s", samples, samples == 1 ? "" : "s")
-            + " of "
-            + count(tracked, "target");
-    return scenario.targets().isEmpty() ? found : others + ", " + found;
+    long samples = recorded.stream().mapToLong(one -> one.track().orElseThrow().samples()).sum();
+    int each = (int) recorded.stream().map(TargetSpec::features).distinct().count();
+    String found = String.format(Locale.ROOT, "%,d samples of %s", samples, count(each, "target"));
+    return recorded.isEmpty()
+        ? others
+        : scenario.targets().isEmpty() ? found : others + ", " + found;
   }
 
   /** Old files say it as ever. */

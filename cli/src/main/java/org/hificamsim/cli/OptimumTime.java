@@ -1,11 +1,12 @@
 package org.hificamsim.cli;
 
+import static java.util.Comparator.comparingDouble;
+
 import java.io.PrintWriter;
 import java.time.Duration;
-import java.util.Comparator;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
@@ -41,38 +42,28 @@ final class OptimumTime {
     this.threads = threads;
   }
 
-  /** Seconds that a step of an optimum takes; the same twice where the trial had nodes enough. */
-  private record Slow(RunPlan plan, double least, double most) {
-    double all(double perStep) {
-      return perStep * plan.steps() * plan.repeats();
-    }
-  }
-
   /** One line where the optima that are run beside what was asked for take long. */
   void tell(List<RunPlan> asked, ReferencePolicies references, PrintWriter err) {
     List<RunPlan> all = references.with(asked);
-    List<Slow> optima =
+    List<Trial> trials =
         all.subList(asked.size(), all.size()).stream()
             .filter(plan -> plan.policy().equals(Yardstick.OPTIMAL.policy()))
-            .map(this::slow)
+            .map(this::trial)
             .toList();
-    double least = optima.stream().mapToDouble(one -> one.all(one.least)).sum() / threads;
-    double most = optima.stream().mapToDouble(one -> one.all(one.most)).sum() / threads;
-    Optional<Slow> slowest =
-        optima.stream().max(Comparator.comparingDouble(one -> one.all(one.most)));
+    double least = trials.stream().mapToDouble(one -> one.all(one.least)).sum() / threads;
+    double most = trials.stream().mapToDouble(one -> one.all(one.most)).sum() / threads;
     if (most > LONG) {
-      err.println(line(slowest.orElseThrow(), least, most));
+      Trial slowest = Collections.max(trials, comparingDouble(one -> one.all(one.most)));
+      err.println(
+          "the optimum of %s takes %s s a step, all optima %s hours;"
+                  .formatted(
+                      slowest.plan.scenario().name(),
+                      range(
+                          seconds(slowest.least / slowest.tried),
+                          seconds(slowest.most / slowest.tried)),
+                      range(hours(least), hours(most)))
+              + " --yardsticks bound takes a small part of it");
     }
-  }
-
-  private static String line(Slow slowest, double least, double most) {
-    return String.format(
-        Locale.ROOT,
-        "the optimum of %s takes %s s a step, all optima %s hours;"
-            + " --yardsticks bound takes a small part of it",
-        slowest.plan.scenario().name(),
-        range(seconds(slowest.least), seconds(slowest.most)),
-        range(hours(least), hours(most)));
   }
 
   private static String range(String least, String most) {
@@ -89,40 +80,43 @@ final class OptimumTime {
   }
 
   /** By ever more steps, until a trial is long enough: the first ones are not yet compiled. */
-  private Slow slow(RunPlan plan) {
-    Trial trial;
-    int samples = 1;
-    do {
-      samples *= 4;
-      trial = new Trial(plan.steps(), samples);
-      trial.run(plan);
-    } while (trial.least < ENOUGH && samples < MOST_SAMPLES);
-    return new Slow(plan, trial.least / trial.tried, trial.most / trial.tried);
+  private Trial trial(RunPlan plan) {
+    Trial trial = new Trial(plan, 4);
+    for (int samples = 16; trial.least < ENOUGH && samples <= MOST_SAMPLES; samples *= 4) {
+      trial = new Trial(plan, samples);
+    }
+    return trial;
   }
 
-  /** Cameras that stay, and an optimum that is searched now and then. */
+  /**
+   * Cameras that stay, and an optimum that is searched now and then: between {@code least} seconds,
+   * which that took, and {@code most}, what it would have taken where it gave up its proof.
+   */
   private final class Trial implements ZoomPolicy {
     private final ProvingZoomPolicy optimal =
         (ProvingZoomPolicy)
             catalogue.policies().create(Yardstick.OPTIMAL.policy() + ":nodes=" + NODES);
-    private final int steps;
+    private final RunPlan plan;
     private final int every;
     private int tried;
     private double least;
     private double most;
 
-    Trial(int steps, int samples) {
-      this.steps = Math.min(steps, FIRST_STEPS);
-      this.every = Math.max(1, this.steps / samples);
-    }
-
-    void run(RunPlan plan) {
+    Trial(RunPlan plan, int samples) {
+      this.plan = plan;
+      int steps = Math.min(plan.steps(), FIRST_STEPS);
+      every = Math.max(1, steps / samples);
       World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
       Simulation run = new Simulation(world, plan.detection(), this, plan.seed(), List.of());
       long start = System.nanoTime();
       for (int step = 0; step < steps && since(start) < MOST; step++) {
         run.step();
       }
+    }
+
+    /** Seconds of all runs of the plan, from those of the steps that were tried. */
+    double all(double seconds) {
+      return seconds / tried * plan.steps() * plan.repeats();
     }
 
     @Override
