@@ -122,7 +122,7 @@ public final class LevelSight {
    * one, wherever both stand; they look the same way, and nothing is half transparent.
    */
   public boolean includes(LevelSight other) {
-    return byDistance && footprint == null
+    return (byDistance && footprint == null)
         ? zoom.viewingAngle() >= other.zoom.viewingAngle() && distances.includes(other.distances)
         : zoom.equals(other.zoom);
   }
