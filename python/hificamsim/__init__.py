@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .experts import dataset
     from .parallel import CameraEnv, env, parallel_env
     from .registry import ids, make, register
-    from .results import Results, compare, execute, read_results, run
+    from .results import Plan, Results, compare, execute, place, read_results, run
     from .torch_envs import torchrl_env
     from .vector import CameraVectorEnv, NetworkEnv, single_env, vector_env
 
@@ -30,9 +30,11 @@ _LATER = {
     "ids": "registry",
     "make": "registry",
     "register": "registry",
+    "Plan": "results",
     "Results": "results",
     "compare": "results",
     "execute": "results",
+    "place": "results",
     "read_results": "results",
     "run": "results",
     "torchrl_env": "torch_envs",
@@ -54,6 +56,7 @@ __all__ = [
     "CameraEnv",
     "CameraVectorEnv",
     "NetworkEnv",
+    "Plan",
     "Results",
     "benchmarl_task",
     "compare",
@@ -63,6 +66,7 @@ __all__ = [
     "ids",
     "make",
     "parallel_env",
+    "place",
     "read_results",
     "register",
     "run",

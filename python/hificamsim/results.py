@@ -94,6 +94,44 @@ def compare(
     return _command("compare", [scenario_file(one) for one in scenarios], out, options)
 
 
+@dataclass(frozen=True)
+class Plan(Results):
+    """A plan of cameras: ``frames`` has cameras, samples and curve; ``settings`` is ``summary.json``.
+
+    :ivar matrix: candidates by samples, SciPy's sparse array: 1 where a candidate covers a sample of ``frames["samples"]``
+    """
+
+    matrix: Any = field(repr=False, default=None)
+
+    @property
+    def share(self) -> float:
+        """The share of the demand that is met."""
+        return float(self.settings["share"])
+
+    @property
+    def bound(self) -> float:
+        """No plan of the same candidates meets more; where everything is to be covered, what all of them meet."""
+        return float(self.settings["share_bound"])
+
+
+def place(site: str | os.PathLike[str], *, out: str | os.PathLike[str] | None = None, **options: Any) -> Plan:
+    """Plans cameras: ``place("museum", cameras=40)`` is ``hificamsim place museum.xml --cameras 40``; options as ``run``."""
+    from scipy.sparse import csr_array
+
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch if out is None else out)
+        made = _command("place", [scenario_file(site)], folder, {**options, "form": "candidates"})
+        first, *rows = (folder / "instance.txt").read_text(encoding="ascii").splitlines()
+        seen = [[int(one) - 1 for one in row.split()[2:]] for row in rows]
+    samples, candidates = (int(one) for one in first.split())
+    ends = [0]
+    for row in seen:
+        ends.append(ends[-1] + len(row))
+    indices = [sample for row in seen for sample in row]
+    matrix = csr_array(([1] * len(indices), indices, ends), shape=(candidates, samples), dtype="int8")
+    return Plan(made.settings, made.frames, None if out is None else folder, matrix)
+
+
 def _command(
     name: str, files: list[str], out: str | os.PathLike[str] | None, options: dict[str, Any]
 ) -> Results:

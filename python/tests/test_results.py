@@ -84,3 +84,13 @@ def test_what_the_command_line_refuses_is_a_line(tmp_path: pathlib.Path) -> None
         hificamsim.run("cluster-random", policy="zoom", steps=5)
     with pytest.raises(hificamsim.InputError, match="has no tables, expected a folder of results"):
         hificamsim.read_results(tmp_path)
+
+
+def test_a_plan_gives_its_tables_and_its_matrix(tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("scipy")
+    options = {"cameras": 2, "catalogue": "site", "cells": 12, "candidates": "every=10"}
+    plan = hificamsim.place("car-park", out=tmp_path / "plan", **options)
+    assert 0 < plan.share <= plan.bound <= 1
+    assert plan.matrix.shape == (plan.settings["candidates"], len(plan["samples"]))
+    assert plan["curve"].share.iloc[-1] == pytest.approx(plan.share)
+    assert plan.matrix.sum(axis=0).max() > 0

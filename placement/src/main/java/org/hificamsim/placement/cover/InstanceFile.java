@@ -88,10 +88,13 @@ public final class InstanceFile {
     return (int) value;
   }
 
-  /** Writes an instance; prices are rounded, and what cannot be seen is left out. */
+  /** Writes an instance; prices are rounded. In {@code scp} what cannot be seen is left out. */
   public static void write(Writer out, CoverInstance instance, Form form) throws IOException {
     int[] needs = instance.coverable().needs();
-    int[] samples = IntStream.range(0, needs.length).filter(s -> needs[s] > 0).toArray();
+    int[] samples =
+        IntStream.range(0, needs.length)
+            .filter(s -> form == Form.CANDIDATES || needs[s] > 0)
+            .toArray();
     int[] numbers = new int[needs.length];
     IntStream.range(0, samples.length).forEach(i -> numbers[samples[i]] = i + 1);
     out.write(samples.length + " " + instance.candidates() + "\n");
