@@ -154,7 +154,7 @@ final class RunCommand implements Callable<Integer> {
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {
-        SummaryTable.print(screen.out(), plan, results, scores.means(), folder);
+        RunSummary.print(screen.out(), plan, results, scores.means(), folder);
         if (map != null) {
           tell(map);
         }

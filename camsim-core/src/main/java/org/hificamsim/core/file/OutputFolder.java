@@ -19,8 +19,6 @@ import java.nio.file.StandardOpenOption;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -48,7 +46,6 @@ public final class OutputFolder implements Closeable {
   private FileRecord record;
   private final Set<Path> kept = new HashSet<>();
   private final Map<String, String> names = new LinkedHashMap<>();
-  private final Set<String> written = new LinkedHashSet<>();
 
   /**
    * Makes the folder where it is missing, and ends what a killed process has left to do.
@@ -279,7 +276,6 @@ public final class OutputFolder implements Closeable {
     decide(next);
     moveAll();
     record = next;
-    written.addAll(names.keySet());
     names.clear();
   }
 
@@ -314,11 +310,6 @@ public final class OutputFolder implements Closeable {
     }
     act.run();
     OutputFile.move(drafts.resolve(DECIDED), folder.resolve(FileRecord.NAME));
-  }
-
-  /** The files that commits have moved into place. */
-  public synchronized List<String> written() {
-    return List.copyOf(written);
   }
 
   /** Removes whatever has not been committed, and lets others use the folder. */

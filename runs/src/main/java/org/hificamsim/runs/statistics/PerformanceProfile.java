@@ -35,9 +35,4 @@ public record PerformanceProfile(Estimate[] shares) {
     }
     return shares;
   }
-
-  /** The shares without their intervals. */
-  public double[] means() {
-    return Arrays.stream(shares).mapToDouble(Estimate::mean).toArray();
-  }
 }

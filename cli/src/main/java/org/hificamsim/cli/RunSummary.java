@@ -17,22 +17,22 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.SettingSource;
 
-/** The short table that a run prints when it is done. */
-final class SummaryTable {
+/** What a run prints when it is done; of a comparison see {@code SummaryTables}. */
+final class RunSummary {
   private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
   private static final String ASCII = "_.:-=+*#";
 
   private final PrintWriter out;
   private final List<RunResult> results;
 
-  private SummaryTable(PrintWriter out, List<RunResult> results) {
+  private RunSummary(PrintWriter out, List<RunResult> results) {
     this.out = out;
     this.results = results;
   }
 
   static void print(
       PrintWriter out, RunPlan plan, List<RunResult> results, double[] overTime, Path folder) {
-    SummaryTable table = new SummaryTable(out, results);
+    RunSummary table = new RunSummary(out, results);
     double[] scores = results.stream().mapToDouble(RunResult::score).toArray();
     String meaning = ScoreText.meaning(plan.objective());
     table.line("score", meaning + ": " + ScoreText.of(plan, scores));
