@@ -22,7 +22,6 @@ class RunSummaryTest {
 
   @Test
   void nothingButZerosIsFlat() {
-    assertEquals(
-        "__  (_ 0 to # 0.00)", RunSummary.bars(new double[2], StandardCharsets.US_ASCII));
+    assertEquals("__  (_ 0 to # 0.00)", RunSummary.bars(new double[2], StandardCharsets.US_ASCII));
   }
 }
