@@ -63,13 +63,35 @@ class ChannelCommandTest {
         steps(run("deaf", "--policy qb-sarsa --channel loss=1")));
   }
 
-  @ParameterizedTest
-  @ValueSource(strings = {"qb-sarsa", "cooperative:cells=200"})
-  void losesAndDelaysAlikeOnAnyNumberOfThreads(String policy) throws IOException {
-    String channel = " --channel loss=0.3,burst=4,delay=0..3,range=8 --threads ";
-    Path one = run("one", "--policy " + policy + channel + 1);
-    assertEquals(steps(one), steps(run("three", "--policy " + policy + channel + 3)));
-    assertNotEquals(steps(one), steps(run("plain", "--policy " + policy)));
+  @Test
+  void losesAndDelaysAlikeOnAnyNumberOfThreads() throws IOException {
+    String options = "--policy qb-sarsa --channel loss=0.3,burst=4,delay=0..3,range=8 --threads ";
+    Path one = run("one", options + 1);
+    assertEquals(steps(one), steps(run("three", options + 3)));
+    assertNotEquals(steps(one), steps(run("plain", "--policy qb-sarsa")));
+  }
+
+  @Test
+  void camerasThatShareWhatTheySeeDoAlikeOnAnyNumberOfThreads() throws IOException {
+    List<String> steps = new ArrayList<>();
+    for (String options :
+        List.of(
+            "--threads 1 --channel loss=0.3,delay=1",
+            "--threads 3 --channel loss=0.3,delay=1",
+            "--threads 1",
+            "--threads 3")) {
+      Path out = folder.resolve("run" + steps.size());
+      List<Object> words = new ArrayList<>(List.of("run", Cli.scenario("corridor")));
+      words.addAll(List.of("--steps", 40, "--repeat", 2, "--policy", "cooperative:cells=200"));
+      words.addAll(List.of("--out", out));
+      words.addAll(List.of(options.split(" ")));
+      Cli run = Cli.run(words.toArray());
+      assertEquals(0, run.exit(), run.err());
+      steps.add(steps(out));
+    }
+    assertEquals(steps.get(0), steps.get(1));
+    assertEquals(steps.get(2), steps.get(3));
+    assertNotEquals(steps.get(0), steps.get(2));
   }
 
   @Test

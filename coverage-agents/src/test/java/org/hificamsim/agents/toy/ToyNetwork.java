@@ -7,6 +7,7 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.visibility.Body;
 
 /**
  * A small network for tests whose detections the test sets, or a subclass computes; it applies
@@ -14,6 +15,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * is none.
  */
 public class ToyNetwork implements OracleView {
+  private static final Body FLAT = Body.flat(1);
   private final int[] views;
   private final int[] view;
   private final int targets;
@@ -330,6 +332,12 @@ public class ToyNetwork implements OracleView {
   @Override
   public final double confidence(int camera, int target) {
     return detects[camera][view[camera]][target] ? 1 : 0;
+  }
+
+  /** One for all: a step allocates nothing. */
+  @Override
+  public final Body body(double size) {
+    return FLAT;
   }
 
   @Override
