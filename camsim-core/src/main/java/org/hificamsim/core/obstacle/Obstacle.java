@@ -51,8 +51,13 @@ public sealed interface Obstacle {
             Slab.at(y1, y2, end));
   }
 
+  /** The same from another base to another height, metres. */
+  Obstacle between(double from, double to);
+
   /** The same from the ground to any height. */
-  Obstacle flat();
+  default Obstacle flat() {
+    return between(0, Double.POSITIVE_INFINITY);
+  }
 
   /** Whether it reaches from the ground to any height. */
   default boolean full() {
@@ -101,8 +106,8 @@ public sealed interface Obstacle {
     }
 
     @Override
-    public Wall flat() {
-      return new Wall(x1, y1, x2, y2, transmittance);
+    public Wall between(double from, double to) {
+      return new Wall(x1, y1, x2, y2, transmittance, from, to);
     }
   }
 
@@ -137,8 +142,8 @@ public sealed interface Obstacle {
     }
 
     @Override
-    public Polygon flat() {
-      return new Polygon(points, transmittance);
+    public Polygon between(double from, double to) {
+      return new Polygon(points, transmittance, from, to);
     }
   }
 
@@ -175,8 +180,8 @@ public sealed interface Obstacle {
     }
 
     @Override
-    public Pillar flat() {
-      return new Pillar(x, y, radius, transmittance);
+    public Pillar between(double from, double to) {
+      return new Pillar(x, y, radius, transmittance, from, to);
     }
   }
 }

@@ -23,6 +23,27 @@ public final class DraftOptics {
 
   private DraftOptics() {}
 
+  /** How high a camera hangs where obstacles have heights, metres. */
+  private static final double USUAL_HEIGHT = 3;
+
+  /** Tilts off that of the widest level, degrees: one for the narrower levels, which see far. */
+  private static final List<Double> TILTS = List.of(-16.0, 0.0);
+
+  /**
+   * The same camera at a usual height, tilted so that the upper edge of its widest picture is on
+   * the ground at a distance.
+   *
+   * @param far metres, above 0
+   */
+  public static CameraSpec hung(CameraSpec camera, double far) {
+    OpticsSpec optics = camera.get(CameraSpec.OPTICS).with(OpticsSpec.TILTS, TILTS);
+    double horizon = Math.toDegrees(Math.atan2(USUAL_HEIGHT, far));
+    return camera
+        .with(CameraSpec.OPTICS, optics)
+        .with(CameraSpec.Z, USUAL_HEIGHT)
+        .with(CameraSpec.TILT, Math.rint(horizon + Collections.max(optics.verticalAngles()) / 2));
+  }
+
   /** A camera at a place, metres, that looks at another. */
   public static CameraSpec camera(
       String name, OpticsSpec optics, double x, double y, double atX, double atY) {

@@ -16,6 +16,8 @@ import org.hificamsim.core.detection.ZoomLevel;
  * @param lenses by level, where the levels differ in angle or have a pixel density
  * @param visible corners of the region that solid obstacles leave in sight, x and y in turn,
  *     metres; empty where the scenario has none
+ * @param grounds by tilt and level: the corners of what its picture has of the ground, metres to
+ *     the right of its view and ahead in turn; empty in a flat world
  */
 public record CameraPose(
     double x,
@@ -25,7 +27,8 @@ public record CameraPose(
     List<Level> levels,
     @IfAny List<Double> pans,
     @IfAny List<LevelOptics> lenses,
-    @IfAny List<Double> visible) {
+    @IfAny List<Double> visible,
+    @IfAny List<List<Double>> grounds) {
   /**
    * A zoom level of a camera.
    *

@@ -22,7 +22,7 @@ final class Outlook {
 
   Outlook(List<Obstacle> obstacles, Field field) {
     this.obstacles = new Obstacles(obstacles);
-    this.open = obstacles.stream().noneMatch(Obstacle::solid);
+    this.open = obstacles.stream().noneMatch(one -> one.solid() && one.full());
     this.scale = Scale.of(field);
   }
 

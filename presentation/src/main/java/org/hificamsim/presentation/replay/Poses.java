@@ -6,14 +6,17 @@ import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.OnAxis;
+import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.visibility.Footprint;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.presentation.replay.CameraPose.Interval;
 import org.hificamsim.presentation.replay.CameraPose.Level;
@@ -48,7 +51,8 @@ final class Poses {
         Math.toRadians(spec.heading()),
         zooms,
         pans(cameras.views(camera), zooms.size(), view -> cameras.pan(camera, view)),
-        outlook.from(spec.x(), spec.y(), reach(detecting)));
+        outlook.from(spec.x(), spec.y(), reach(detecting)),
+        grounds(cameras.views(camera), view -> cameras.zoom(camera, view)));
   }
 
   /** A camera that is online, which was in another pose before. */
@@ -64,7 +68,8 @@ final class Poses {
         network.cameraHeading(camera),
         zooms,
         pans(network.views(camera), zooms.size(), view -> network.pan(camera, view)),
-        asBefore ? before.visible() : outlook.from(x, y, reach(detecting)));
+        asBefore ? before.visible() : outlook.from(x, y, reach(detecting)),
+        grounds(network.views(camera), view -> network.zoom(camera, view)));
   }
 
   private static List<ZoomLevel> zooms(int count, IntFunction<ZoomLevel> zoom) {
@@ -83,7 +88,8 @@ final class Poses {
       double heading,
       List<ZoomLevel> zooms,
       List<Double> pans,
-      List<Double> visible) {
+      List<Double> visible,
+      List<List<Double>> grounds) {
     List<LevelOptics> lenses = zooms.stream().map(LevelOptics::of).toList();
     boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
     return new CameraPose(
@@ -94,7 +100,22 @@ final class Poses {
         levels(zooms),
         pans,
         alike ? List.of() : lenses,
-        visible);
+        visible,
+        grounds);
+  }
+
+  /** The levels of the first pan angle, at each tilt; those of the others are the same. */
+  private List<List<Double>> grounds(int views, IntFunction<ZoomLevel> zoom) {
+    return IntStream.range(0, views)
+        .mapToObj(zoom)
+        .filter(level -> !Double.isNaN(level.vertical().angle()))
+        .distinct()
+        .map(
+            level ->
+                Footprint.of(level, 0, 0).corners(farthest(level)).stream()
+                    .flatMap(corner -> Stream.of(corner.x(), corner.y()))
+                    .toList())
+        .toList();
   }
 
   private static double reach(List<Level> levels) {
@@ -105,8 +126,15 @@ final class Poses {
     return zooms.stream().map(zoom -> levels.computeIfAbsent(zoom, this::detecting)).toList();
   }
 
+  private double farthest(ZoomLevel zoom) {
+    Level level = levels.computeIfAbsent(zoom, this::detecting);
+    return level.detected().stream().mapToDouble(Interval::to).max().orElse(level.radius());
+  }
+
   private Level detecting(ZoomLevel zoom) {
-    DetectedDistances distances = detection.distances(size, zoom);
+    VerticalView vertical = zoom.vertical();
+    Detection onGround = vertical.flat() ? detection : detection.inSpace(vertical.z(), false);
+    DetectedDistances distances = onGround.distances(size, zoom);
     List<Interval> intervals =
         IntStream.range(0, distances.intervals())
             .mapToObj(i -> new Interval(Math.sqrt(distances.from(i)), Math.sqrt(distances.to(i))))

@@ -1,13 +1,18 @@
 package org.hificamsim.presentation.replay;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationContext;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonSerializer;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.SerializerProvider;
+import com.fasterxml.jackson.databind.annotation.JsonDeserialize;
+import com.fasterxml.jackson.databind.deser.std.StdDeserializer;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -48,7 +53,57 @@ public final class ReplayJson {
     @JsonSubTypes.Type(value = Obstacle.Polygon.class, name = "polygon"),
     @JsonSubTypes.Type(value = Obstacle.Pillar.class, name = "pillar")
   })
-  private interface ByKind {}
+  private interface ByKind {
+    @JsonInclude(value = JsonInclude.Include.CUSTOM, valueFilter = Ground.class)
+    @JsonDeserialize(using = Ground.class)
+    double base();
+
+    @JsonInclude(value = JsonInclude.Include.CUSTOM, valueFilter = Endless.class)
+    @JsonDeserialize(using = Endless.class)
+    double height();
+  }
+
+  /** A number that goes without saying where it has one value. */
+  private abstract static class Usual extends StdDeserializer<Double> {
+    private final double usual;
+
+    Usual(double usual) {
+      super(Double.class);
+      this.usual = usual;
+    }
+
+    @Override
+    public Double deserialize(JsonParser json, DeserializationContext context) throws IOException {
+      return json.getDoubleValue();
+    }
+
+    @Override
+    public Object getAbsentValue(DeserializationContext context) {
+      return usual;
+    }
+
+    @Override
+    public boolean equals(Object value) {
+      return value instanceof Double number && number == usual;
+    }
+
+    @Override
+    public int hashCode() {
+      return Double.hashCode(usual);
+    }
+  }
+
+  private static final class Ground extends Usual {
+    Ground() {
+      super(0);
+    }
+  }
+
+  private static final class Endless extends Usual {
+    Endless() {
+      super(Double.POSITIVE_INFINITY);
+    }
+  }
 
   private static final class NaNAsNull extends JsonSerializer<double[]> {
     @Override

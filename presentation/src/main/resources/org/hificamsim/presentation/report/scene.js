@@ -2,7 +2,7 @@
 // A new layer is a function here, its place in LAYERS and what it shows in the scene.
 // Rhino runs this file as browsers do, but knows no classes, no spread arguments, and in a for loop neither const nor destructuring in its head.
 import { COVER, coverClass, scaleColour, shape, ZONES } from './palette.js';
-import { band, fillDetected, inSight, poseAt, ring, sector, seenAt, viewAt } from './views.js';
+import { band, border, fillDetected, inSight, poseAt, ring, seenAt, viewAt } from './views.js';
 import { decimals } from './numbers.js';
 
 const TRAIL = 40; // frames
@@ -251,7 +251,7 @@ function views(context, scene) {
       context.lineWidth = (chosen ? 2.5 : 1) * unit;
       context.setLineDash(dashes(blind ? BLIND : chosen ? [] : VIEW, unit));
       context.beginPath();
-      sector(context, map, view, view.reach);
+      border(context, map, view);
       context.stroke();
     });
   });
@@ -268,7 +268,7 @@ function shadows(context, scene) {
   const cut = seeing.filter(({visible}) => visible);
   if (scene.heat || !cut.length) return;
   host.through(context, mask => {
-    cut.forEach(view => fillDetected(mask, map, view));
+    cut.forEach(view => inSight(mask, map, {...view, visible: undefined}, () => fillDetected(mask, map, view)));
     mask.globalCompositeOperation = 'destination-out';
     seeing.forEach(view => inSight(mask, map, view, () => fillDetected(mask, map, view)));
   }, hatch(host, colours.shadow, unit));

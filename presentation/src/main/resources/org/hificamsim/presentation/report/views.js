@@ -14,6 +14,7 @@ export function viewOf(pose, view) {
   return {
     zoom, pan, level, x: pose.x, y: pose.y, visible: pose.visible, heading: pose.heading + pan,
     viewingAngle: lens?.viewingAngle ?? pose.viewingAngle, density: lens?.density ?? 0,
+    ground: pose.grounds?.[view % pose.grounds.length], // of a camera with a height
     reach: lens && detected ? detected : level.radius, // a lens reaches as far as it detects
   };
 }
@@ -60,15 +61,33 @@ export function ring(path, map, corners) {
   path.closePath();
 }
 
-/** Draws where nothing solid is between the camera and what is drawn. */
-export function inSight(context, map, {visible}, draw) {
-  if (!visible) return draw();
+/** The corners of what a view has of the ground, x and y in turn in metres. */
+function trapezoid({x, y, heading, ground}) {
+  const [sine, cosine] = [Math.sin(heading), Math.cos(heading)];
+  return ground.map((metres, i) => (i % 2
+    ? y + metres * cosine - ground[i - 1] * sine
+    : x + metres * cosine + ground[i + 1] * sine));
+}
+
+/** Draws where nothing solid is between the camera and what is drawn, and where its picture has the ground. */
+export function inSight(context, map, view, draw) {
+  if (view.ground && !view.ground.length) return; // it sees no ground
+  const rings = [view.visible, view.ground && trapezoid(view)].filter(corners => corners);
+  if (!rings.length) return draw();
   context.save();
-  context.beginPath();
-  ring(context, map, visible);
-  context.clip();
+  rings.forEach(corners => {
+    context.beginPath();
+    ring(context, map, corners);
+    context.clip();
+  });
   draw();
   context.restore();
+}
+
+/** Adds the border of a view to the path: a trapezoid of the ground, or a sector. */
+export function border(path, map, view) {
+  if (view.ground) ring(path, map, trapezoid(view));
+  sector(path, map, view, view.reach);
 }
 
 /** Fills the ranges of a view in which a target of the usual size is detected. */

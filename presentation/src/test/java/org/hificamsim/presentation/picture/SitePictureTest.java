@@ -146,7 +146,8 @@ class SitePictureTest {
             List.of(level),
             List.of(-Math.PI / 2, 0.0),
             List.of(new LevelOptics(Math.PI / 3, 500)),
-            visible);
+            visible,
+            List.of());
     return Hall.setup(
         List.of(new Setup.Camera("cam", pose)),
         List.of(new Setup.Target("a", 0.5), new Setup.Target("b", 0.5)),

@@ -13,6 +13,9 @@ interface Calibration {
   /** The direction from the camera to what is seen at a pixel. */
   Vector3D ray(Pixel pixel);
 
+  /** The direction that it looks in: the optical axis. */
+  Vector3D axis();
+
   /** Where the camera is. */
   Vector3D position();
 

@@ -43,10 +43,12 @@ public final class CheckFolder {
         .with("foot_error", one -> rounded(2, one.footError()))
         .with("height", one -> rounded(2, one.sighting().size().height()))
         .with("height_flat", one -> rounded(2, one.predicted(SizeModel.FLAT).height()))
+        .with("height_heights", one -> rounded(2, one.predicted(SizeModel.HEIGHTS).height()))
         .with(
             "height_calibration", one -> rounded(2, one.predicted(SizeModel.CALIBRATION).height()))
         .with("pip", one -> rounded(8, pip.applyAsDouble(one.sighting().size())))
         .with("pip_flat", one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.FLAT))))
+        .with("pip_heights", one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.HEIGHTS))))
         .with(
             "pip_calibration",
             one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.CALIBRATION))));

@@ -67,6 +67,11 @@ final class ProjectionMatrix implements Calibration {
   }
 
   @Override
+  public Vector3D axis() {
+    return along;
+  }
+
+  @Override
   public Vector3D position() {
     return position;
   }

@@ -1,6 +1,8 @@
 package org.hificamsim.profiling.check;
 
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+import org.hificamsim.core.detection.VerticalView;
+import org.hificamsim.core.visibility.UprightPicture;
 
 /** How a size in the picture is predicted. */
 enum SizeModel {
@@ -13,6 +15,28 @@ enum SizeModel {
     Size size(Calibration camera, Vector3D foot, Size body) {
       double perMetre = camera.focalLength() / distance(camera, foot);
       return new Size(perMetre * body.width(), perMetre * body.height());
+    }
+  },
+
+  /**
+   * As the simulator has it where cameras have heights: a pinhole at the camera's height and tilt,
+   * without roll, without distortion.
+   */
+  HEIGHTS {
+    @Override
+    Size size(Calibration camera, Vector3D foot, Size body) {
+      Vector3D axis = camera.axis();
+      double along = Math.hypot(axis.getX(), axis.getY());
+      double east = foot.getX() - camera.position().getX();
+      double north = foot.getY() - camera.position().getY();
+      double tilt = -Math.atan2(axis.getZ(), along);
+      VerticalView view = new VerticalView(camera.position().getZ(), tilt, Double.NaN);
+      double ahead = (east * axis.getX() + north * axis.getY()) / along;
+      double right = (east * axis.getY() - north * axis.getX()) / along;
+      double focal = camera.focalLength();
+      return new Size(
+          focal * UprightPicture.of(view, ahead, right, body.width(), body.height()).width(),
+          focal * UprightPicture.of(view, ahead, right, 0, body.height()).height());
     }
   },
 

@@ -90,6 +90,11 @@ record TsaiCamera(Extrinsic view, Intrinsic lens) implements Calibration {
   }
 
   @Override
+  public Vector3D axis() {
+    return view.turnedBack(Vector3D.PLUS_K);
+  }
+
+  @Override
   public Vector3D position() {
     return view.turnedBack(view.shift().negate());
   }

@@ -35,6 +35,13 @@ class RealityCheckTest {
   }
 
   @Test
+  void heightsAndATiltPredictWhatTheCalibrationDoesAndAFlatWorldDoesNot() {
+    RealityCheck check = check(MadeCameras.at(6, 15, MadeCameras.LENS), i -> 0);
+    assertEquals(0, of(check, "heights", "height").ninety(), 0.005);
+    assertTrue(of(check, "flat", "height").median() > 0.03);
+  }
+
+  @Test
   void aKnownBiasIsFound() {
     ErrorSummary height = of(check(TILTED, i -> 0.05), "calibration", "height");
     assertEquals(0.05, height.median(), 1e-9);

@@ -2,6 +2,7 @@ package org.hificamsim.tracks.place;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -10,7 +11,8 @@ import org.hificamsim.core.scenario.Field;
 
 /**
  * Cameras as a first draft: domes evenly along the border of the field, from its lower left corner,
- * that look at its middle. One that would stand in a wall stands a little further on.
+ * that look at its middle; where walls have heights they hang at 3 m, and look down. One that would
+ * stand in a wall stands a little further on.
  */
 public final class DraftCameras {
   private static final double INSET = 0.01; // of the field's shorter side
@@ -21,10 +23,20 @@ public final class DraftCameras {
   /** This many cameras. */
   public static List<CameraSpec> of(int count, Field field, Obstacles obstacles) {
     List<CameraSpec> cameras = new ArrayList<>();
+    boolean flat = obstacles.all().stream().allMatch(Obstacle::full);
     for (int i = 0; i < count; i++) {
-      cameras.add(camera("camera-" + (i + 1), free((double) i / count, field, obstacles), field));
+      Point at = free((double) i / count, field, obstacles);
+      CameraSpec camera = camera("camera-" + (i + 1), at, field);
+      cameras.add(flat ? camera : DraftOptics.hung(camera, toFarSide(at, field)));
     }
     return cameras;
+  }
+
+  /** From a place on the border through the middle to the border, metres. */
+  private static double toFarSide(Point at, Field field) {
+    double middleX = (field.minX() + field.maxX()) / 2;
+    double middleY = (field.minY() + field.maxY()) / 2;
+    return 2 * Math.hypot(middleX - at.x(), middleY - at.y());
   }
 
   private static Point free(double part, Field field, Obstacles obstacles) {

@@ -4,13 +4,15 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.data.JsonStream;
 import org.hificamsim.tracks.format.Positions;
 
 /**
  * The geometries of a GeoJSON file, wherever they stand: lines are walls, polygons are solid. A
- * polygon with holes, and one of several in one geometry, is its sides alone.
+ * polygon with holes, and one of several in one geometry, is its sides alone. The property {@code
+ * height} of a feature is the height of its walls, metres.
  */
 final class GeoJsonWalls {
   private final WallCollector walls;
@@ -31,6 +33,9 @@ final class GeoJsonWalls {
   /** An object that may be a geometry, or hold some. */
   private void object() {
     String[] type = {""};
+    double[] height = {Double.NaN};
+    Place[] place = {null};
+    int first = walls.count();
     List<List<Point>> lines = new ArrayList<>();
     json.object(
         "a GeoJSON object",
@@ -43,9 +48,32 @@ final class GeoJsonWalls {
             json.array("an array", this::member);
           } else if (!name.equals("properties")) {
             member();
+          } else if (json.token() == JsonToken.START_OBJECT) {
+            json.object(
+                "properties",
+                property -> {
+                  if (property.equals("height") && json.token() != JsonToken.VALUE_NULL) {
+                    place[0] = json.place();
+                    height[0] = height();
+                  }
+                });
           }
         });
     add(type[0], lines);
+    if (place[0] != null) {
+      walls.raise(place[0], first, height[0]);
+    }
+  }
+
+  /** A number, or a text that is one, as OpenStreetMap has them. */
+  private double height() {
+    try {
+      return json.token() == JsonToken.VALUE_STRING
+          ? Double.parseDouble(json.text())
+          : json.number("height");
+    } catch (NumberFormatException e) {
+      throw json.invalid("height", "a number (m)");
+    }
   }
 
   private void member() {

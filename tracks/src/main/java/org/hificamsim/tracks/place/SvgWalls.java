@@ -18,12 +18,16 @@ import org.xml.sax.Attributes;
 
 /**
  * The lines of an SVG: {@code line}, {@code polyline}, {@code polygon}, {@code rect}, and {@code
- * path} of straight parts, moved as {@code transform} says. Polygons and rectangles are solid. What
- * only describes ({@code defs}, {@code symbol}, ...) is left out.
+ * path} of straight parts, moved as {@code transform} says. Polygons and rectangles are solid.
+ * Their {@code data-height} is a height in metres. What only describes ({@code defs}, {@code
+ * symbol}, ...) is left out.
  */
 final class SvgWalls extends PlainXml {
   private static final Set<String> HIDDEN =
       Set.of("defs", "symbol", "clipPath", "mask", "marker", "pattern");
+
+  /** Metres, whatever the scale. */
+  private static final String HEIGHT = "data-height";
 
   private final Path file;
   private final PictureFrame frame;
@@ -60,7 +64,11 @@ final class SvgWalls extends PlainXml {
     }
     transforms.push(transform);
     if (hidden == 0) {
+      int first = walls.count();
       shape(name, attributes);
+      if (attributes.getValue(HEIGHT) != null) {
+        walls.raise(place(), first, number(attributes, name, HEIGHT));
+      }
     }
   }
 

@@ -67,6 +67,25 @@ final class WallCollector {
     }
   }
 
+  /** How many there are so far. */
+  int count() {
+    return all.size();
+  }
+
+  /**
+   * Gives all from a number on a height.
+   *
+   * @param height metres, above 0
+   */
+  void raise(Place place, int from, double height) {
+    if (!(height > 0 && height <= 1e9)) {
+      throw place.error("height is " + height + ", expected a number above 0 and at most 1e9 (m)");
+    }
+    for (int i = from; i < all.size(); i++) {
+      all.set(i, all.get(i).between(0, height));
+    }
+  }
+
   List<Obstacle> all() {
     return all;
   }

@@ -60,12 +60,16 @@ public final class WallFile {
     @Override
     public void startElement(String uri, String local, String name, Attributes attributes) {
       if (name.equals("Line")) {
+        int first = walls.count();
         walls.line(
             List.of(
                 walls.point(
                     place(), number(attributes, name, "x1"), number(attributes, name, "y1")),
                 walls.point(
                     place(), number(attributes, name, "x2"), number(attributes, name, "y2"))));
+        if (attributes.getValue("height") != null) {
+          walls.raise(place(), first, number(attributes, name, "height"));
+        }
       }
     }
   }
