@@ -29,8 +29,8 @@ final class OptimumTime {
   private static final double MOST = 4; // seconds of a trial
   private static final int MOST_SAMPLES = 64;
   private static final int FIRST_STEPS = 1024; // of those, where a run has more
-  private static final int NODES = 2_000; // of a step that is tried
-  private static final double FULL = 500; // times as many has a step of the optimum
+  private static final int NODES = 10_000; // of a step that is tried
+  private static final double FULL = 100; // times as many has a step of the optimum
   private static final double LONG = 120; // seconds
   private static final double NANOS = TimeUnit.SECONDS.toNanos(1);
 
@@ -71,7 +71,7 @@ final class OptimumTime {
   }
 
   private static String seconds(double seconds) {
-    return String.format(Locale.ROOT, "%.2g", seconds);
+    return String.format(Locale.ROOT, seconds < 10 ? "%.2g" : "%.0f", seconds);
   }
 
   private static String hours(double seconds) {
