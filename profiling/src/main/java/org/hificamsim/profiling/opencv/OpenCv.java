@@ -79,8 +79,8 @@ public final class OpenCv {
   private static List<Source> sources() {
     String file = System.mapLibraryName(Core.NATIVE_LIBRARY_NAME);
     return List.of(
-        new Source("Debian's libopencv-java", () -> System.load(existing(DEBIAN.resolve(file)))),
         new Source("org.openpnp:opencv", OpenCv::loadFromJar),
+        new Source("Debian's libopencv-java", () -> System.load(existing(DEBIAN.resolve(file)))),
         new Source("java.library.path", () -> System.loadLibrary(Core.NATIVE_LIBRARY_NAME)));
   }
 
