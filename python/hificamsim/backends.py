@@ -20,7 +20,7 @@ from types import FrameType
 from typing import Any, Protocol
 
 from . import java
-from .errors import Closed, Error, InputError, JavaError, WorkerDied
+from .errors import Closed, Error, InputError, JavaError, WorkerDied, line, shown
 
 
 class Backend(Protocol):
@@ -46,11 +46,10 @@ def open_backend(name: str | None, settings: dict[str, Any]) -> Backend:
     """Opens worlds by ``jvm``, ``process``, or the first of these that there is."""
     if name is None:
         name = "jvm" if _has_jpype() else "process"
-    if name == "jvm":
-        return JvmBackend(settings)
-    if name == "process":
-        return ProcessBackend(settings)
-    raise InputError(f"backend is {name!r}, expected 'jvm' or 'process'")
+    backends = {"jvm": JvmBackend, "process": ProcessBackend}
+    if isinstance(name, str) and name in backends:
+        return backends[name](settings)
+    raise InputError(f"backend is {shown(name)}, expected 'jvm' or 'process'")
 
 
 def _has_jpype() -> bool:
@@ -165,7 +164,7 @@ class JvmBackend:
 
 def _translated(kind: str, message: str, cause: BaseException) -> Exception:
     if kind.endswith(".InputException"):
-        return InputError(message)
+        return InputError(line(message))
     trace = getattr(cause, "stacktrace", lambda: "")()
     return Error(f"{kind}: {message}\n{trace}")
 
@@ -215,7 +214,7 @@ class ProcessBackend:
         if kind == b"k":
             return answer
         text = answer.decode(errors="replace")
-        raise InputError(text) if kind == b"i" else Error(text + "\n" + self._said())
+        raise InputError(line(text)) if kind == b"i" else Error(text + "\n" + self._said())
 
     def _exchange(self, letter: bytes, message: bytes) -> tuple[bytes, bytes]:
         """An order and its answer; half of them leaves no way on."""

@@ -11,7 +11,7 @@ import numpy as np
 from pettingzoo import ParallelEnv
 
 from . import spaces
-from .errors import InputError
+from .errors import InputError, shown
 from .screen import Screen
 from .worlds import MEASURES, Array, rendered
 
@@ -40,7 +40,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         **settings: Any,
     ) -> None:
         modes = self.metadata["render_modes"]
-        self.worlds = rendered(scenario, 1, render_mode, modes, auto_reset=False, **settings)
+        self.worlds = rendered(scenario, render_mode, modes, settings, num_envs=1, auto_reset=False)
         self.render_mode = render_mode
         self._screen = Screen(self.worlds.name) if render_mode == "human" else None
         self.width = width
@@ -93,13 +93,15 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         return result
 
     def _listed(self, actions: dict[str, Any]) -> list[Any]:
+        if not isinstance(actions, dict):
+            raise InputError(f"actions are {shown(actions)}, expected a dict with one for every agent")
         try:
             listed = [actions[agent] for agent in self.agents]
         except KeyError as e:
             raise InputError(f"no action for camera {e.args[0]}, expected one for every agent") from None
         if len(actions) > len(listed):
             other = next(agent for agent in actions if agent not in self.agents)
-            raise InputError(f"an action for {other!r}, expected none but for {', '.join(self.agents)}")
+            raise InputError(f"an action for {shown(other)}, expected none but for {', '.join(self.agents)}")
         return listed
 
     def _whose(self, index: tuple[int, ...]) -> str:

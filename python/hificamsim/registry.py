@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .errors import InputError
+from .errors import InputError, path, shown
 from .parallel import CameraEnv
 from .worlds import scenarios
 
@@ -18,8 +18,8 @@ def ids() -> list[str]:
 
 def make(id: str, **settings: Any) -> CameraEnv:
     """The parallel environment of an id."""
-    if id not in ids():
-        raise InputError(f"id is {id!r}, expected one of {', '.join(ids())}")
+    if path(id, "id") not in ids():
+        raise InputError(f"id is {shown(id)}, expected one of {', '.join(ids())}")
     return CameraEnv(id.removesuffix(VERSION), **settings)
 
 

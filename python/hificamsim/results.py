@@ -14,7 +14,7 @@ from typing import Any
 import pandas as pd
 
 from . import java
-from .errors import Error, InputError
+from .errors import Error, InputError, path, shown
 from .worlds import Worlds, scenario_file
 
 BAD_INPUT = 2
@@ -42,12 +42,14 @@ class Results:
 
 def read_results(folder: str | os.PathLike[str]) -> Results:
     """Reads a folder that ``run``, ``compare`` or another command wrote."""
-    base = pathlib.Path(folder)
+    base = pathlib.Path(path(folder, "folder"))
+    if not os.path.isdir(base):
+        raise InputError(f"folder {shown(str(base))} is none, expected one of results")
     if (base / ".hificamsim" / "commit").exists():
         raise InputError(f"{base} is half written by a command that was killed, expected it whole: hificamsim report {base}")
     tables = sorted(file for ending in ("*.csv", "*.csv.gz", "*.parquet") for file in base.glob(ending))
     if not tables:
-        raise InputError(f"{base} has no tables, expected a folder of results")
+        raise InputError(f"{shown(str(base))} has no tables, expected a folder of results")
     frames = {file.name.split(".")[0]: _frame(file) for file in tables}
     return Results(_settings(base), frames, base)
 

@@ -8,7 +8,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, shown
 from .worlds import Array, Worlds
 
 
@@ -59,8 +59,9 @@ def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) ->
     for index, value in np.ndenumerate(np.asarray(actions, object)):
         whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
         if not whole or not 0 <= value < counts[index]:
+            said = value if isinstance(value, (int, float, np.number)) else shown(value)
             raise InputError(
-                f"action {value} of {name(index)}, expected a whole number from 0 to {counts[index] - 1}"
+                f"action {said} of {name(index)}, expected a whole number from 0 to {counts[index] - 1}"
             )
     raise InputError(f"actions are of type {values.dtype}, expected whole numbers")
 

@@ -11,7 +11,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from . import spaces
-from .errors import InputError
+from .errors import InputError, shown, whole
 from .worlds import MEASURES, Array, rendered
 
 
@@ -41,9 +41,11 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         render_mode: str | None = None,
         **settings: Any,
     ) -> None:
-        if per not in ("world", "camera"):
-            raise InputError(f"per is {per!r}, expected 'world' or 'camera'")
-        self.worlds = rendered(scenario, num_envs, render_mode, self.metadata["render_modes"], **settings)
+        if not isinstance(per, str) or per not in ("world", "camera"):
+            raise InputError(f"per is {shown(per)}, expected 'world' or 'camera'")
+        self.worlds = rendered(
+            scenario, render_mode, self.metadata["render_modes"], settings, num_envs=num_envs
+        )
         self.render_mode = render_mode
         self.per = per
         self.copy = copy
@@ -145,7 +147,7 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         **settings: Any,
     ) -> None:
         modes = self.metadata["render_modes"]
-        self.worlds = rendered(scenario, 1, render_mode, modes, auto_reset=False, **settings)
+        self.worlds = rendered(scenario, render_mode, modes, settings, num_envs=1, auto_reset=False)
         self.render_mode = render_mode
         self.width = width
         self.observation_space = spaces.observation(self.worlds, len(self.worlds.cameras))
@@ -156,7 +158,7 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
         """Begins an episode: of this seed, or the next one."""
-        super().reset(seed=seed)
+        super().reset(seed=None if seed is None else whole(seed, "seed", least=0))
         self.worlds.begin(seed)
         return self.worlds.observations[0].copy(), self._info()
 

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .backends import open_backend
-from .errors import InputError
+from .errors import InputError, path, plain, shown, whole
 
 Array = npt.NDArray[Any]
 
@@ -31,15 +31,16 @@ def _shipped() -> pathlib.Path:
 
 def scenario_file(scenario: str | os.PathLike[str]) -> str:
     """The file of a scenario: one of the package's by its name, or any file."""
-    named = _shipped() / f"{os.fspath(scenario)}.xml"
-    if not os.path.exists(scenario) and named.exists():
+    text = path(scenario, "scenario")
+    named = _shipped() / f"{text}.xml"
+    if not os.path.isfile(text) and os.path.exists(named):
         return str(named)
-    if not os.path.exists(scenario):
+    if not os.path.isfile(text):
         raise InputError(
-            f"scenario {os.fspath(scenario)!r} is no file, and none of those that come with the package: "
+            f"scenario {shown(text)} is no file, and none of those that come with the package: "
             + ", ".join(scenarios())
         )
-    return os.path.abspath(scenario)
+    return os.path.abspath(text)
 
 
 class Worlds:
@@ -89,13 +90,14 @@ class Worlds:
         **settings: Any,
     ) -> None:
         self.file = scenario_file(scenario)
+        num_envs = whole(num_envs, "num_envs")
         if threads is None:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
         #: What was asked for, by name.
-        self.settings = {key: value for key, value in settings.items() if value is not None}
+        self.settings = {key: plain(value, key) for key, value in settings.items() if value is not None}
         if "worlds" in settings:
             raise InputError("unknown setting 'worlds', expected num_envs")
-        own = {"scenario": self.file, "worlds": num_envs, "threads": threads}
+        own = {"scenario": self.file, "worlds": num_envs, "threads": whole(threads, "threads")}
         self._backend = open_backend(backend, {**self.settings, **own})
         self._begun = False
         said = self._backend.description
@@ -135,9 +137,7 @@ class Worlds:
 
     def reset(self, seed: int | None = None) -> None:
         """Begins an episode in every world: of new seeds from this one on, or each its next one."""
-        if seed is not None and not -(2**63) <= seed < 2**63:
-            raise InputError(f"seed is {seed}, expected one of 64 bits")
-        self._backend.reset(0 if seed is None else int(seed), seed is not None)
+        self._backend.reset(0 if seed is None else whole(seed, "seed"), seed is not None)
 
     def begin(self, seed: int | None) -> None:
         """As ``reset``; but the first time, no seed means that of the settings."""
@@ -174,9 +174,15 @@ class Worlds:
 
 
 def rendered(
-    scenario: str | os.PathLike[str], num_envs: int, mode: str | None, modes: list[str], **settings: Any
+    scenario: str | os.PathLike[str], mode: str | None, modes: list[str], settings: dict[str, Any], **own: Any
 ) -> Worlds:
-    """Worlds that are painted where an environment's ``render_mode`` says so, which is None or one of ``modes``."""
-    if mode is not None and mode not in modes:
-        raise InputError(f"render_mode is {mode!r}, expected None or {' or '.join(map(repr, modes))}")
-    return Worlds(scenario, num_envs, paints=mode is not None, **settings)
+    """Worlds that are painted where an environment's ``render_mode`` says so, which is None or one of ``modes``.
+
+    :param own: settings of the environment, which its user does not choose
+    """
+    for name in ("paints", *own):
+        if name in settings:
+            raise InputError(f"unknown setting {name!r}: the environment has its own, expected another or Worlds")
+    if mode is not None and not (isinstance(mode, str) and mode in modes):
+        raise InputError(f"render_mode is {shown(mode)}, expected None or {' or '.join(map(repr, modes))}")
+    return Worlds(scenario, paints=mode is not None, **own, **settings)

@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 import hificamsim
+from fuzz_calls import Calls
 
 
 def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -95,7 +96,7 @@ REFUSED = [
     (2**40, "action 1099511627776 of camera Cam_03"),
     (1.5, "action 1.5 of camera Cam_03"),
     (float("nan"), "action nan of camera Cam_03"),
-    ("2", "action 2 of camera Cam_03"),
+    ("2", "action '2' of camera Cam_03"),
     (None, "action None of camera Cam_03"),
     ([1, 2], "actions have shape"),
 ]
@@ -130,6 +131,14 @@ def test_actions_of_many_worlds_are_checked_by_one_look(per: str, backend: str) 
             with pytest.raises(ValueError, match="expected"):
                 envs.step(wrong)
         envs.step(good)
+
+
+def test_odd_calls_are_taken_or_refused_in_a_line() -> None:
+    calls = Calls(1)
+    calls.run(100)  # fuzz_calls.py has more
+    calls.close()
+    assert calls.wrong == []
+    assert calls.refused > 50
 
 
 def test_too_many_worlds_name_the_limit_and_leave_nothing(backend: str) -> None:

@@ -1,5 +1,8 @@
 package org.hificamsim.acceptance;
 
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -13,6 +16,66 @@ import java.util.regex.Pattern;
 record FuzzEdit(Kind kind, double at, int length, String piece) {
   private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?");
   private static final Pattern WORD = Pattern.compile("[A-Za-z_]+");
+  private static final int LONGEST = 40;
+
+  private static final List<String> PIECES =
+      List.of(
+          "",
+          "0",
+          "-1",
+          "-0.0",
+          "NaN",
+          "Infinity",
+          "1e999",
+          "-1e308",
+          "4.9e-324",
+          "1e9",
+          "0x10",
+          "99999999999999999999",
+          "2147483648",
+          "\u0000",
+          "\u001b[2J",
+          "\u2028",
+          "\u00e9",
+          "\ufeff",
+          "<",
+          "<a>",
+          "</root>",
+          "<!--",
+          "]]>",
+          "&amp;",
+          "&x;",
+          "<zoom>",
+          "<camera/>",
+          "<!DOCTYPE a>",
+          "\"",
+          "'",
+          "=",
+          ",",
+          ",,",
+          ":",
+          "@",
+          ";",
+          "\n",
+          "\r\n",
+          " ",
+          "{",
+          "}",
+          "[",
+          "]",
+          "[[1]]",
+          "null",
+          "true",
+          "\\u0000",
+          "--seed",
+          "--json",
+          "--strict",
+          "--record",
+          "--quiet",
+          "--help",
+          "--threshold",
+          "a=b",
+          "x".repeat(9999));
 
   /** The ways of breaking a text. */
   enum Kind {
@@ -23,6 +86,22 @@ record FuzzEdit(Kind kind, double at, int length, String piece) {
     WORD,
     FLIP,
     CUT
+  }
+
+  /** Any change. */
+  static FuzzEdit of(Random random) {
+    Kind[] kinds = Kind.values();
+    String piece = PIECES.get(random.nextInt(PIECES.size()));
+    return new FuzzEdit(
+        kinds[random.nextInt(kinds.length)],
+        random.nextDouble(),
+        1 + random.nextInt(LONGEST),
+        new String(piece.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1));
+  }
+
+  /** A change of one bit in the same place. */
+  FuzzEdit flip() {
+    return new FuzzEdit(Kind.FLIP, at, length, piece);
   }
 
   /** The changed text. */

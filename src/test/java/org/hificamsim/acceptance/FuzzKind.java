@@ -1,68 +1,173 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.FileRecord;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 
-/** A kind of input that users write, with a folder of seeds in the corpus. */
+/** A kind of input that users have, with right files to break, and what becomes of a broken one. */
 enum FuzzKind {
-  SCENARIO("scenario", "s.xml") {
+  SCENARIO {
     @Override
-    Cli read(Path file) {
-      Cli validate = Cli.run("validate", file);
+    Cli read(Path file) throws IOException {
+      Cli validate = run("validate", file);
       return validate.exit() == 0 ? simulate(file, "hifi:orb-lin") : validate;
     }
   },
-  MODEL("model", "m.json") {
+  MODEL {
     @Override
-    Cli read(Path file) {
+    Cli read(Path file) throws IOException {
       return simulate(Cli.scenario("tutorial-two-cameras"), file);
     }
   },
-  MEASUREMENTS("measurements", "measurements.csv") {
+  MEASUREMENTS {
     @Override
     Cli read(Path file) {
       return told(() -> MeasurementsFile.read(file));
     }
   },
-  DATASET("dataset", "dataset.csv") {
+  DATASET {
     @Override
-    Cli read(Path file) {
+    Cli read(Path file) throws IOException {
+      Files.writeString(file.resolveSibling("camera.json"), CAMERA);
+      Files.move(file, file.resolveSibling("dataset.csv"));
       return new Cli(0, "", errors(DatasetReader.read(file.getParent()).problems()));
     }
   },
-  TRACKS("tracks", "a.tracks") {
+  TRACKS {
     @Override
-    Cli read(Path file) {
-      try {
-        Path scenario = Files.writeString(file.resolveSibling("tracked.xml"), TRACKED);
-        return simulate(scenario, "geometric");
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
+    Cli read(Path file) throws IOException {
+      Files.move(file, file.resolveSibling("a.tracks"));
+      return simulate(Files.writeString(file.resolveSibling("s.xml"), TRACKED), "geometric");
+    }
+  },
+  /** In each format, whose name is in the file's. */
+  RECORDING {
+    @Override
+    Cli read(Path file) throws IOException {
+      String name = file.getFileName().toString();
+      String format = FORMATS.stream().filter(name::contains).findFirst().orElseThrow();
+      List<Object> words =
+          new ArrayList<>(List.of("import", file, "--out", OUT, "--format", format));
+      if (!Set.of("fcd", "gpx", "geojson", "trajnet").contains(format)) {
+        words.addAll(List.of("--rate", 25));
       }
+      if (Set.of("mot", "petrack", "csv").contains(format)) {
+        words.addAll(List.of("--unit", "m"));
+      }
+      return run(words.toArray());
     }
   },
-  RECORDING("recording", "recording") {
+  WALLS {
     @Override
-    Cli read(Path file) {
-      List<Object> words = new ArrayList<>(List.of("import", file, "--out", FOLDER.resolve("in")));
-      words.addAll(format(text(file)));
-      return Cli.run(words.toArray());
+    Cli read(Path file) throws IOException {
+      Path people = Files.writeString(file.resolveSibling("people.csv"), PEOPLE);
+      List<Object> words = new ArrayList<>(List.of("import", people, "--format", "csv"));
+      words.addAll(List.of("--unit", "m", "--scale", 0.1, "--walls", file, "--out", OUT));
+      return run(words.toArray());
     }
   },
-  COMMAND("command", "words.txt") {
+  /** The runs of a comparison that was killed. */
+  JOURNAL {
     @Override
-    Cli read(Path file) {
-      return command(text(file));
+    List<Path> made() throws IOException {
+      return List.of(part().resolve("runs.jsonl"));
+    }
+
+    @Override
+    Cli read(Path file) throws IOException {
+      Files.copy(file, Files.createDirectories(OUT).resolve(".compare.journal"));
+      return asWhole(comparison(OUT, "--resume"));
+    }
+  },
+  SHARD {
+    @Override
+    List<Path> made() throws IOException {
+      return List.of(part().resolve("runs.jsonl"), part().resolve("shard.json"));
+    }
+
+    @Override
+    Cli read(Path file) throws IOException {
+      return asWhole(comparison(OUT, "--merge", among(file, part())));
+    }
+  },
+  /** Files of a folder of results that its page is made of. */
+  RESULTS {
+    @Override
+    List<Path> made() throws IOException {
+      Path run = results("run", "csv");
+      return Stream.of("summary.json", "steps.csv", "replay.json", "zooms.csv", "targets.csv")
+          .map(run::resolve)
+          .toList();
+    }
+
+    @Override
+    Cli read(Path file) throws IOException {
+      return shown(among(file, results("run", "csv")));
+    }
+  },
+  PARQUET {
+    @Override
+    List<Path> made() throws IOException {
+      Path run = results("typed", "parquet");
+      return Stream.of("steps.parquet", "zooms.parquet", "targets.parquet")
+          .map(run::resolve)
+          .toList();
+    }
+
+    @Override
+    Cli read(Path file) throws IOException {
+      return shown(among(file, results("typed", "parquet")));
+    }
+  },
+  PHOTO {
+    @Override
+    List<Path> made() throws IOException {
+      return files(lab()).stream().filter(file -> file.toString().endsWith("g")).toList();
+    }
+
+    @Override
+    Cli read(Path file) throws IOException {
+      return run("profile", "measure", among(file, lab()), "--detectors", "orb", "--threads", 1);
+    }
+  },
+  ONNX {
+    @Override
+    List<Path> made() {
+      return List.of(Cli.ROOT.resolve("onnx/src/test/resources/org/hificamsim/onnx/linear.onnx"));
+    }
+
+    @Override
+    Cli read(Path file) throws IOException {
+      List<Object> words = new ArrayList<>(List.of("run", Cli.scenario("corridor"), "--steps", 3));
+      words.addAll(List.of("--detection", "dori-2014:level=recognise", "--out", OUT));
+      words.addAll(List.of("--policy", "onnx:file=" + file));
+      return run(words.toArray());
+    }
+  },
+  COMMAND {
+    @Override
+    Cli read(Path file) throws IOException {
+      return command(Files.readString(file, StandardCharsets.ISO_8859_1));
     }
   };
 
@@ -70,6 +175,8 @@ enum FuzzKind {
   private static final Set<String> HARMLESS =
       Set.of("run", "compare", "validate", "list", "help", "generate-completion");
 
+  private static final List<String> FORMATS =
+      List.of("obsmat", "ethucy", "trajnet", "mot", "petrack", "fcd", "gpx", "geojson", "csv");
   private static final Path CORPUS = Cli.ROOT.resolve("src/test/resources/fuzz");
   private static final String CAMERA =
       "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.0149, \"width\": 600, \"height\": 400}";
@@ -77,33 +184,39 @@ enum FuzzKind {
       "<root><simulation min_x='-9' max_x='9' min_y='-9' max_y='9'><cameras><camera name='a' x='0'"
           + " y='0' heading='0' viewing_angle='90' range='5'/></cameras><objects><tracks"
           + " file='a.tracks'/></objects></simulation></root>";
+  private static final String PEOPLE = "time,id,x,y\n0,1,0,0\n1,1,1,1\n2,1,5,4\n";
 
   private static final Path FOLDER = folder();
+  private static final Path SEEDS = FOLDER.resolve("seeds");
+  private static final Path IN = FOLDER.resolve("in");
+  private static final Path OUT = FOLDER.resolve("out");
 
-  private final String label;
-  private final String file;
-
-  FuzzKind(String label, String file) {
-    this.label = label;
-    this.file = file;
-  }
+  private List<Path> seeds;
 
   /** What becomes of a file of this kind. */
-  abstract Cli read(Path file);
+  abstract Cli read(Path file) throws IOException;
 
-  /** What becomes of such content. */
-  final Cli read(byte[] content) {
-    try {
-      return read(Files.write(FOLDER.resolve(file), content));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+  /** Right files that commands make. */
+  List<Path> made() throws IOException {
+    return List.of();
   }
 
-  /** The files of the corpus: right ones, and each that was once answered wrongly. */
+  /** What becomes of a file with this name and content, in a folder of its own. */
+  final Cli read(String name, byte[] content) throws IOException {
+    delete(IN);
+    delete(OUT);
+    return read(Files.write(Files.createDirectories(IN).resolve(name), content));
+  }
+
+  /** Right files, and each that was once answered wrongly. */
   final List<Path> corpus() {
-    try (Stream<Path> files = Files.list(CORPUS.resolve(label))) {
-      return files.sorted().toList();
+    try {
+      if (seeds == null) {
+        Path own = CORPUS.resolve(name().toLowerCase(Locale.ROOT));
+        seeds = new ArrayList<>(Files.exists(own) ? files(own) : List.of());
+        seeds.addAll(made());
+      }
+      return seeds;
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -111,34 +224,41 @@ enum FuzzKind {
 
   /** Whether an error must name line and column. */
   final boolean hasPlaces() {
-    return this != COMMAND;
+    return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PARQUET, PHOTO, ONNX).contains(this);
   }
 
-  private static Cli simulate(Object scenario, Object detection) {
-    return Cli.run(
-        "run", scenario, "--detection", detection, "--steps", 3, "--out", FOLDER.resolve("out"));
+  /** Whether its files are no text: all but a change of bits makes most of them another thing. */
+  final boolean isBinary() {
+    return Set.of(PARQUET, PHOTO, ONNX).contains(this);
   }
 
-  private static String text(Path file) {
-    try {
-      return Files.readString(file, StandardCharsets.ISO_8859_1);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+  /** Whether the command line answers, which shortens its lines. */
+  final boolean isCommand() {
+    return this != MEASUREMENTS && this != DATASET;
   }
 
-  /** The options by which a recording is read that looks like this. */
-  private static List<Object> format(String text) {
-    if (text.startsWith("<")) {
-      return List.of("--format", text.contains("gpx") ? "gpx" : "fcd");
+  /** Runs a command, which must leave all as it is that it reads. */
+  private static Cli run(Object... words) throws IOException {
+    Map<Path, String> before = hashes();
+    Cli cli = Cli.run(words);
+    Map<Path, String> after = hashes();
+    after.keySet().retainAll(before.keySet());
+    assertEquals(before, after, "an input was changed");
+    return cli;
+  }
+
+  private static Map<Path, String> hashes() throws IOException {
+    Map<Path, String> hashes = new TreeMap<>();
+    for (Path file : files(IN)) {
+      if (!file.endsWith(FileRecord.NAME)) {
+        hashes.put(file, Sha256.of(file));
+      }
     }
-    if (text.startsWith("{")) {
-      return List.of("--format", text.contains("features") ? "geojson" : "trajnet");
-    }
-    String name = text.startsWith("time") ? "csv" : text.startsWith("#") ? "petrack" : "mot";
-    return text.startsWith(" ")
-        ? List.of("--format", "obsmat", "--rate", 25)
-        : List.of("--format", name, "--rate", 25, "--unit", "m");
+    return hashes;
+  }
+
+  private static Cli simulate(Object scenario, Object detection) throws IOException {
+    return run("run", scenario, "--detection", detection, "--steps", 3, "--out", OUT);
   }
 
   private static Cli told(Runnable reading) {
@@ -154,7 +274,7 @@ enum FuzzKind {
     return String.join("", messages.stream().map(line -> "error: " + line + "\n").toList());
   }
 
-  private static Cli command(String text) {
+  private static Cli command(String text) throws IOException {
     List<Object> words = new ArrayList<>();
     for (String word : text.strip().split("[ \n]+")) {
       words.add(word.replace("SCENARIO", Cli.scenario("tutorial-two-cameras").toString()));
@@ -163,15 +283,100 @@ enum FuzzKind {
       words.set(0, "validate");
     }
     if (words.get(0).equals("run") || words.get(0).equals("compare")) {
-      words.addAll(List.of("--steps", 3, "--repeat", 1, "--out", FOLDER.resolve("out")));
+      words.addAll(List.of("--steps", 3, "--repeat", 1, "--out", OUT));
     }
-    return Cli.run(words.toArray());
+    return run(words.toArray());
+  }
+
+  /** The page and the plot of a folder of results. */
+  private static Cli shown(Path folder) throws IOException {
+    Files.createDirectories(OUT);
+    Cli report = run("report", folder, "--out", OUT.resolve("a.html"));
+    return report.exit() == 0 ? run("plot", folder, "--out", OUT.resolve("a.svg")) : report;
+  }
+
+  private static Cli comparison(Path out, Object... more) throws IOException {
+    List<Object> words = new ArrayList<>(List.of("compare", Cli.scenario("ring-random")));
+    words.addAll(List.of("--detections", "hifi:orb-lin", "--policies", "zoom-out"));
+    words.addAll(List.of("--yardsticks", "none", "--steps", 3, "--repeat", 3, "--threads", 1));
+    words.addAll(List.of("--out", out));
+    words.addAll(Arrays.asList(more));
+    return run(words.toArray());
+  }
+
+  /** Fails where a comparison is done, and its results are not those of one that was left alone. */
+  private static Cli asWhole(Cli cli) throws IOException {
+    if (cli.exit() == 0) {
+      assertArrayEquals(
+          Files.readAllBytes(part().resolveSibling("whole/results.csv")),
+          Files.readAllBytes(OUT.resolve("results.csv")),
+          "a damaged line was believed");
+    }
+    return cli;
+  }
+
+  /** The only shard of a comparison, with the comparison beside it. */
+  private static Path part() throws IOException {
+    Path part = SEEDS.resolve("part");
+    if (!Files.exists(part)) {
+      assertEquals(0, comparison(SEEDS.resolve("whole")).exit());
+      assertEquals(0, comparison(part, "--shard", "1/1").exit());
+    }
+    return part;
+  }
+
+  private static Path results(String name, String format) throws IOException {
+    Path folder = SEEDS.resolve(name);
+    if (!Files.exists(folder)) {
+      Path scenario = Cli.scenario("tutorial-two-cameras");
+      Cli run = run("run", scenario, "--steps", 9, "--record", "--format", format, "--out", folder);
+      assertEquals(0, run.exit(), run.err());
+    }
+    return folder;
+  }
+
+  private static Path lab() {
+    Path lab = SEEDS.resolve("lab");
+    return Files.exists(lab)
+        ? lab
+        : Cli.lab(SEEDS, "--objects 1 --distances 1,2 --focal-lengths 0.05,0.085 --scale 0.05");
+  }
+
+  /** A copy of a folder in which a file has the place of that with its name. */
+  private static Path among(Path file, Path folder) throws IOException {
+    Path copy = IN.resolve("folder");
+    for (Path one : files(folder)) {
+      Path to = copy.resolve(folder.relativize(one));
+      Files.createDirectories(to.getParent());
+      boolean broken = one.getFileName().equals(file.getFileName());
+      Files.copy(broken ? file : one, to, StandardCopyOption.REPLACE_EXISTING);
+    }
+    return copy;
+  }
+
+  private static List<Path> files(Path folder) throws IOException {
+    if (!Files.exists(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files.filter(Files::isRegularFile).sorted().toList();
+    }
+  }
+
+  private static void delete(Path folder) throws IOException {
+    if (Files.exists(folder)) {
+      try (Stream<Path> files = Files.walk(folder)) {
+        for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+          Files.delete(file);
+        }
+      }
+    }
   }
 
   private static Path folder() {
     try {
       Path folder = Files.createTempDirectory("fuzz");
-      Files.writeString(folder.resolve("camera.json"), CAMERA);
+      Files.createDirectories(folder.resolve("seeds"));
       return folder;
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -1,5 +1,6 @@
 package org.hificamsim.core;
 
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
@@ -10,8 +11,14 @@ import java.util.regex.Pattern;
  * @param column from 1, in the units that the file's reader counts
  */
 public record Place(String file, int line, int column) {
+  private static final Pattern LINE_ENDS = Pattern.compile("[\t-\r\\x{85}\\x{2028}\\x{2029}]+");
+
+  /** What speaks to the terminal, or turns the order of what follows (Unicode's UAX 9, 2). */
   private static final Pattern UNPRINTABLE =
-      Pattern.compile("[\\p{Cntrl}\\x{80}-\\x{9f}\\x{2028}\\x{2029}]+");
+      Pattern.compile(
+          "[\\p{Cntrl}\\x{80}-\\x{9f}\\x{61c}\\x{200e}\\x{200f}\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}&&[^\n\r"
+              + "\t]]");
+
   private static final int MAX_PROBLEM = 500;
   private static final int MAX_VALUE = 60;
 
@@ -37,9 +44,23 @@ public record Place(String file, int line, int column) {
     return printable(this + ": " + shortened);
   }
 
-  /** A text as one line without control characters, which could speak to the terminal. */
+  /** A text as one line that is read as it is written. */
   public static String printable(String text) {
-    return UNPRINTABLE.matcher(text).replaceAll(" ");
+    return escaped(LINE_ENDS.matcher(text).replaceAll(" "), "\\");
+  }
+
+  /**
+   * A text whose control characters and marks of direction are shown as <code>&#92;u202E</code>.
+   *
+   * @param backslash as it is to be written
+   */
+  public static String escaped(String text, String backslash) {
+    return UNPRINTABLE
+        .matcher(text)
+        .replaceAll(
+            odd ->
+                Matcher.quoteReplacement(
+                    "%su%04X".formatted(backslash, (int) odd.group().charAt(0))));
   }
 
   @Override

@@ -54,7 +54,7 @@ public final class Main {
   public static int execute(PrintWriter out, PrintWriter err, String... args) {
     CommandLine line =
         Commands.line(args)
-            .setOut(out)
+            .setOut(new PrintWriter(new EscapedWriter(out), true))
             .setErr(err)
             .setDefaultValueProvider(new PropertiesDefaultProvider(defaults()))
             .setCaseInsensitiveEnumValuesAllowed(true)

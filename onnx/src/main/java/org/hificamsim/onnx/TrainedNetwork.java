@@ -107,7 +107,10 @@ final class TrainedNetwork {
       input = only("input", session.getInputInfo().values());
       output = only("output", session.getOutputInfo().values());
     } catch (OrtException e) {
-      throw new InputException(file + " is no network that ONNX Runtime knows: " + firstLine(e), e);
+      throw new InputException(
+          "%s is no network that ONNX Runtime knows, expected a trained one: %s"
+              .formatted(file, firstLine(e)),
+          e);
     } catch (InputException e) {
       throw new InputException(file + ": " + e.getMessage(), e);
     }

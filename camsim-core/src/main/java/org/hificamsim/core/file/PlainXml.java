@@ -15,6 +15,7 @@ import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
+import org.xml.sax.helpers.LocatorImpl;
 
 /**
  * Reads untrusted XML of any size from front to back; an implementer takes its elements. No
@@ -25,7 +26,7 @@ import org.xml.sax.helpers.DefaultHandler;
  */
 public abstract class PlainXml extends DefaultHandler {
   private String file = "";
-  private Locator locator;
+  private Locator locator = new LocatorImpl(); // at the start, until there is text at all
 
   /**
    * Reads a file, unpacked where its name ends in {@code .gz}.

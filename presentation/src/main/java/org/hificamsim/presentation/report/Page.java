@@ -2,6 +2,7 @@ package org.hificamsim.presentation.report;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.presentation.plot.Palette;
 
@@ -53,9 +54,9 @@ public record Page(String title, String module, String function, String data, St
     String script = Scripts.bundle(module) + start();
     return PAGE.formatted(
         policy(style, plot, script),
-        escaped(title),
+        Place.escaped(escaped(title), "\\"),
         style,
-        data.replace("<", "\\u003c"),
+        Place.escaped(data, "\\\\").replace("<", "\\u003c"),
         Scripts.text("uplot/LICENSE"),
         plot,
         script);

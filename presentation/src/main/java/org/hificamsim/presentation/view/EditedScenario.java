@@ -23,6 +23,7 @@ import org.hificamsim.core.scenario.Waypoint;
 /** A scenario that has been changed since it was read, with what undo and redo need. */
 final class EditedScenario {
   private static final String ADDED = "added-";
+  private static final int MOST_UNDONE = 200;
 
   private final Scenario original;
   private final Deque<Scenario> past = new ArrayDeque<>();
@@ -54,6 +55,9 @@ final class EditedScenario {
   private void become(String move, Scenario changed) {
     if (move.isEmpty() || !move.equals(moved)) {
       past.push(now);
+    }
+    if (past.size() > MOST_UNDONE) {
+      past.removeLast();
     }
     undone.clear();
     moved = move;

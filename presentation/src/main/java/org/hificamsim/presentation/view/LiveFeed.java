@@ -3,6 +3,7 @@ package org.hificamsim.presentation.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.hificamsim.core.Place;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.ObjectiveWords;
@@ -162,7 +163,8 @@ final class LiveFeed {
     }
 
     private static void add(StringBuilder news, String name, String json) {
-      news.append("event: ").append(name).append("\ndata: ").append(json).append("\n\n");
+      news.append("event: ").append(name).append("\ndata: ");
+      news.append(Place.escaped(json, "\\\\")).append("\n\n");
     }
   }
 }

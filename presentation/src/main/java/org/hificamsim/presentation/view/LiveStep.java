@@ -1,7 +1,10 @@
 package org.hificamsim.presentation.view;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
 
@@ -24,13 +27,17 @@ public record LiveStep(List<Side> sides) {
     return sides.get(0).frame().step();
   }
 
-  /** This step, with the moves of one that is left out before it. */
+  /** This step, with the moves of one that is left out before it: the last of each camera. */
   LiveStep after(LiveStep left) {
     List<Side> merged = new ArrayList<>();
     for (int i = 0; i < sides.size(); i++) {
-      List<Move> moves = new ArrayList<>(left.sides.get(i).moves());
-      moves.addAll(sides.get(i).moves());
-      merged.add(new Side(sides.get(i).frame(), moves, sides.get(i).score()));
+      int side = i;
+      Map<Integer, Move> moves = new LinkedHashMap<>();
+      Stream.of(left, this)
+          .flatMap(step -> step.sides.get(side).moves().stream())
+          .forEach(move -> moves.put(move.camera(), move));
+      Side own = sides.get(side);
+      merged.add(new Side(own.frame(), List.copyOf(moves.values()), own.score()));
     }
     return new LiveStep(merged);
   }

@@ -24,13 +24,18 @@ final class Reply {
   }
 
   /**
-   * Bytes of this type.
+   * Bytes of this type; the head alone where that is asked for.
    *
    * @param type of a text in UTF-8
    */
   static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
-    begin(exchange, status, type, body.length);
-    exchange.getResponseBody().write(body);
+    if (exchange.getRequestMethod().equals("HEAD")) {
+      exchange.getResponseHeaders().set("Content-Length", Integer.toString(body.length));
+      begin(exchange, status, type, -1);
+    } else {
+      begin(exchange, status, type, body.length);
+      exchange.getResponseBody().write(body);
+    }
   }
 
   /** The head of an answer whose body follows; a length of 0 for one that is not known. */

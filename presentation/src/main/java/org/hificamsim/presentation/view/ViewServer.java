@@ -28,11 +28,15 @@ import org.hificamsim.runs.RunFault;
  * alone. It ends when no page has been open for some seconds after one was.
  */
 public final class ViewServer implements AutoCloseable {
+  private static final String STREAM = "text/event-stream";
   private static final int MAX_BODY = 4096;
   private static final int MAX_PAGES = 8;
 
-  /** Each request that is under way has a thread: one that never ends must not keep others out. */
-  private static final int MAX_REQUESTS = 256;
+  /** One more is closed at once. */
+  private static final int MAX_CONNECTIONS = 128;
+
+  /** A thread for each connection: one whose request never ends must not keep others out. */
+  private static final int MAX_REQUESTS = 2 * MAX_CONNECTIONS;
 
   private static final long IDLE_THREAD = 10;
   private static final int WAITING_CONNECTIONS = 32;
@@ -45,7 +49,9 @@ public final class ViewServer implements AutoCloseable {
   private static final long BETWEEN_EVENTS = 25;
 
   static {
-    System.setProperty("sun.net.httpserver.maxReqTime", "5"); // seconds, for a whole request
+    System.setProperty("sun.net.httpserver.maxReqTime", "2"); // seconds, for a whole request
+    System.setProperty("sun.net.httpserver.timerMillis", "200"); // between two looks for such
+    System.setProperty("jdk.httpserver.maxConnections", Integer.toString(MAX_CONNECTIONS));
     System.setProperty("sun.net.httpserver.nodelay", "true");
   }
 
@@ -149,9 +155,10 @@ public final class ViewServer implements AutoCloseable {
     String path = exchange.getRequestURI().getRawPath().substring(guard.token().length() + 1);
     String request = exchange.getRequestMethod() + " " + path;
     switch (request) {
-      case "GET /" -> Reply.send(exchange, 200, "text/html", page);
+      case "GET /", "HEAD /" -> Reply.send(exchange, 200, "text/html", page);
+      case "HEAD /events" -> Reply.send(exchange, 200, STREAM, new byte[0]);
       case "GET /events" -> events(exchange);
-      case "GET /scenario.xml" -> scenario(exchange);
+      case "GET /scenario.xml", "HEAD /scenario.xml" -> scenario(exchange);
       case "POST /command" -> command(exchange);
       default -> Reply.line(exchange, 404, "nothing here");
     }
@@ -196,7 +203,7 @@ public final class ViewServer implements AutoCloseable {
     }
     try {
       LiveFeed.Reader reader = session.feed().new Reader();
-      Reply.begin(exchange, 200, "text/event-stream", 0);
+      Reply.begin(exchange, 200, STREAM, 0);
       OutputStream out = exchange.getResponseBody();
       while (!closed.isDone()) {
         out.write(reader.take().getBytes(StandardCharsets.UTF_8));

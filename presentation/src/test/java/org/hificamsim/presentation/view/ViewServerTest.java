@@ -16,12 +16,14 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.NetworkInterface;
 import java.net.Socket;
+import java.net.SocketException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
@@ -227,6 +229,47 @@ class ViewServerTest {
             .header("Origin", origin())
             .method(method, HttpRequest.BodyPublishers.noBody());
     assertEquals(404, send(request).statusCode());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"'', 15", "events, 0", "scenario.xml,"})
+  void theHeadAloneIsSentToWhoeverAsksForIt(String path, String length) throws Exception {
+    HttpResponse<String> head =
+        send(
+            HttpRequest.newBuilder(URI.create(address + path))
+                .method("HEAD", HttpRequest.BodyPublishers.noBody()));
+    assertEquals(200, head.statusCode());
+    assertEquals("", head.body());
+    assertEquals("no-store", head.headers().firstValue("Cache-Control").orElseThrow());
+    String said = head.headers().firstValue("Content-Length").orElseThrow();
+    assertTrue(length == null ? Integer.parseInt(said) > 1000 : said.equals(length), said);
+  }
+
+  @Test
+  void halfOpenConnectionsKeepNobodyOut() throws Exception {
+    assertEquals(204, send(post("{\"command\":\"pause\"}")).statusCode());
+    List<Socket> halfOpen = new ArrayList<>();
+    for (int i = 0; i < 150; i++) {
+      Socket one = new Socket(InetAddress.getLoopbackAddress(), address.getPort());
+      halfOpen.add(one);
+      try {
+        one.getOutputStream().write("POST / HTTP/1.1\r\n".getBytes(StandardCharsets.UTF_8));
+      } catch (SocketException e) {
+        // one more than the limit
+      }
+    }
+    long start = System.nanoTime();
+    assertEquals(204, send(post("{\"command\":\"pause\"}")).statusCode());
+    assertTrue(System.nanoTime() - start < TimeUnit.SECONDS.toNanos(2));
+    for (Socket one : halfOpen) {
+      one.setSoTimeout(5000);
+      try {
+        assertEquals(-1, one.getInputStream().read(), "closed in a while");
+      } catch (SocketException e) {
+        // reset
+      }
+      one.close();
+    }
   }
 
   @Test

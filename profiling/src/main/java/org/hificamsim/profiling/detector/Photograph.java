@@ -2,6 +2,7 @@ package org.hificamsim.profiling.detector;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -9,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
@@ -24,6 +26,9 @@ import org.opencv.imgcodecs.Imgcodecs;
 /** A picture file, decoded when it is asked for, and released with this. */
 public final class Photograph implements AutoCloseable {
   private static final int SPARSE = 32;
+  private static final int SIGNATURE = 8; // bytes at a PNG's start
+  private static final int TYPE = 4; // bytes
+  private static final List<String> DAMAGE = List.of("premature end", "missing eoi", "corrupt");
 
   private final Path file;
   private final Mats mats = new Mats();
@@ -61,8 +66,9 @@ public final class Photograph implements AutoCloseable {
   }
 
   /**
-   * Refuses a JPEG whose data break off. OpenCV fills what is missing with grey and says nothing,
-   * so Java's decoder is asked: it reads everything and keeps one pixel of many.
+   * Refuses a picture whose data break off or were changed. Of a JPEG, OpenCV fills what is missing
+   * with grey and says nothing, so Java's decoder is asked: it reads everything and keeps one pixel
+   * of many. Of a PNG, the checksum of each chunk is looked at (PNG specification, 5.3).
    */
   private void checkWhole() {
     List<String> warnings = new ArrayList<>();
@@ -71,7 +77,9 @@ public final class Photograph implements AutoCloseable {
       try {
         reader.setInput(in, true, true);
         reader.addIIOReadWarningListener((source, warning) -> warnings.add(warning));
-        if (reader.canReadRaster()) { // other formats fail by themselves
+        if (reader.getFormatName().equalsIgnoreCase("png")) {
+          checkChunks(in);
+        } else if (reader.canReadRaster()) { // other formats fail by themselves
           ImageReadParam sparse = reader.getDefaultReadParam();
           sparse.setSourceSubsampling(SPARSE, SPARSE, 0, 0);
           reader.readRaster(0, sparse);
@@ -85,10 +93,29 @@ public final class Photograph implements AutoCloseable {
     }
     for (String warning : warnings) {
       String words = warning.toLowerCase(Locale.ROOT);
-      if (words.contains("premature end") || words.contains("missing eoi")) {
+      if (DAMAGE.stream().anyMatch(words::contains)) {
         throw new InputException(
-            file + ": the picture is cut short, expected a whole one (" + warning + ")");
+            file + ": the picture is damaged, expected a whole one (" + warning + ")");
       }
+    }
+  }
+
+  private static void checkChunks(ImageInputStream in) throws IOException {
+    in.seek(SIGNATURE);
+    boolean last = false;
+    while (!last) {
+      int length = in.readInt();
+      if (length < 0 || length > in.length()) { // refused before there is room for it
+        throw new IOException("a chunk of " + length + " bytes");
+      }
+      byte[] chunk = new byte[TYPE + length];
+      in.readFully(chunk);
+      CRC32 sum = new CRC32();
+      sum.update(chunk);
+      if (in.readInt() != (int) sum.getValue()) {
+        throw new IOException("a chunk is damaged");
+      }
+      last = new String(chunk, 0, TYPE, StandardCharsets.US_ASCII).equals("IEND");
     }
   }
 

@@ -244,7 +244,7 @@ class MeasurerTest {
             first.mask());
     String message =
         assertThrows(InputException.class, () -> measured(List.of(sample))).getMessage();
-    assertTrue(message.startsWith(cut + ": the picture is cut short"), message);
+    assertTrue(message.startsWith(cut + ": the picture is damaged"), message);
   }
 
   private static LabelledPhoto unmasked(LabelledPhoto photo) {

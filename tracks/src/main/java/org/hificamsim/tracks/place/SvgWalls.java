@@ -8,6 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Set;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.file.PlainXml;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
@@ -53,7 +54,10 @@ final class SvgWalls extends PlainXml {
   public void startElement(String uri, String local, String qualified, Attributes attributes) {
     String name = plain(qualified);
     hidden += HIDDEN.contains(name) ? 1 : 0;
-    if (name.equals("svg") && transforms.isEmpty()) {
+    if (transforms.isEmpty()) {
+      if (!name.equals("svg")) {
+        throw place().error("the drawing is a <" + Place.shortened(name) + ">, expected an <svg>");
+      }
       size(attributes);
     }
     AffineTransform transform =
@@ -104,8 +108,7 @@ final class SvgWalls extends PlainXml {
   }
 
   private InputException invalid(String element, String attribute, String value) {
-    return place()
-        .error("<%s> %s is '%s', expected as SVG has it".formatted(element, attribute, value));
+    return place().invalid("<" + element + "> " + attribute, value, "as SVG has it");
   }
 
   private void shape(String name, Attributes attributes) {
