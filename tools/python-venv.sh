@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the virtual environment $1 with what the requirements $2 name, $3 MB from PyPI, for the tests of $4;
+# Makes the virtual environment $1 with what the requirements $2 name, $3 MB from PyPI, for the tests of $4, each file by
+# its SHA-256 in the .lock beside them (tools/lock-wheels writes it);
 # does nothing if it has them. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another
 # python3. Fails with one line on standard error.
 set -eu
@@ -21,6 +22,6 @@ echo "hificamsim: fetching what the tests of $tested need from PyPI, $size MB" >
 rm -rf "$venv"
 "$python" -m venv "$venv" >"$venv.log" 2>&1 </dev/null || fail "$(tail -n 1 "$venv.log")"
 timeout "${PIP_SECONDS:-600}" "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-compile "$@" \
-    -r "$requirements" >"$venv.log" 2>&1 </dev/null ||
+    --require-hashes -r "${requirements%.txt}.lock" >"$venv.log" 2>&1 </dev/null ||
     fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
 cp "$requirements" "$venv/requirements.txt"

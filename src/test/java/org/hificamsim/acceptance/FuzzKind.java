@@ -6,9 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -17,6 +20,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.FileRecord;
@@ -363,7 +367,17 @@ enum FuzzKind {
     }
   }
 
+  /** Removes a folder; where a case that took too long still writes there, once it has ended. */
   private static void delete(Path folder) throws IOException {
+    try {
+      deleteAll(folder);
+    } catch (DirectoryNotEmptyException | NoSuchFileException e) {
+      LockSupport.parkNanos(Duration.ofSeconds(20).toNanos());
+      deleteAll(folder);
+    }
+  }
+
+  private static void deleteAll(Path folder) throws IOException {
     if (Files.exists(folder)) {
       try (Stream<Path> files = Files.walk(folder)) {
         for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {

@@ -1,5 +1,6 @@
 package org.hificamsim.core;
 
+import java.util.HexFormat;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -19,6 +20,7 @@ public record Place(String file, int line, int column) {
           "[\\p{Cntrl}\\x{80}-\\x{9f}\\x{61c}\\x{200e}\\x{200f}\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}&&[^\n\r"
               + "\t]]");
 
+  private static final HexFormat HEX = HexFormat.of().withUpperCase();
   private static final int MAX_PROBLEM = 500;
   private static final int MAX_VALUE = 60;
 
@@ -59,8 +61,7 @@ public record Place(String file, int line, int column) {
         .matcher(text)
         .replaceAll(
             odd ->
-                Matcher.quoteReplacement(
-                    "%su%04X".formatted(backslash, (int) odd.group().charAt(0))));
+                Matcher.quoteReplacement(backslash + "u" + HEX.toHexDigits(odd.group().charAt(0))));
   }
 
   @Override

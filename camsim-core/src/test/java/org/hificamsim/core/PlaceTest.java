@@ -15,7 +15,9 @@ class PlaceTest {
 
   @Test
   void controlCharactersOfTextsAndFilesNeverReachTheTerminal() {
-    assertEquals("a [31mb c d", Place.printable("a\u001b[31mb\r\n\u2028c\u009bd"));
+    assertEquals(
+        "a\\u001B[31mb c\\u009Bd \\u202Ee",
+        Place.printable("a\u001b[31mb\r\n\u2028c\u009bd\t\u202ee"));
     assertEquals("a b:1:1: c d", new Place("a\nb", 1, 1).line("c\td"));
   }
 

@@ -16,6 +16,7 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Comparison;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.compare.Journal;
 import org.hificamsim.runs.compare.JournalledEngine;
 import org.hificamsim.runs.compare.ReferencePolicies;
@@ -130,7 +131,11 @@ final class BatchRun {
               ResultFolder.SETTINGS,
               ResultFolder.MANIFEST,
               ResultFolder.CRATE,
-              ResultFolder.REPORT));
+              ResultFolder.REPORT,
+              ComparisonFiles.RESULTS.file(),
+              ComparisonFiles.METRICS.file(),
+              ComparisonFiles.SUMMARY.file(),
+              ComparisonFiles.STEPS.file()));
       warnOfDamage(journal);
       R written;
       try (Progress progress = progress(steps / inputs.get(0).steps())) {

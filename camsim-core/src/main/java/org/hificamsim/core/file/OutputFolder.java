@@ -214,8 +214,10 @@ public final class OutputFolder implements Closeable {
     }
     if (Files.exists(file, LinkOption.NOFOLLOW_LINKS) && !record.isUnchanged(folder, name)) {
       throw new InputException(
-          "'%s' would be replaced, and was not written by hificamsim or was changed since: expected another folder, or the file moved away"
-              .formatted(file));
+          "'%s' would be replaced, and was not written by hificamsim or was changed since%s: expected another folder, or the file moved away"
+              .formatted(
+                  file,
+                  record.names().isEmpty() ? " (versions before 0.2 kept no record of it)" : ""));
     }
   }
 

@@ -484,7 +484,7 @@ class LiveRunTest {
   }
 
   @Test
-  void aFullFeedKeepsTheShapeTheLastStepAndEveryMove() {
+  void aFullFeedKeepsTheShapeTheLastStepAndWhereEachCameraWent() {
     LiveRun live = live("lattice-random", 0);
     LiveFeed feed = new LiveFeed(10);
     for (int step = 0; step < 100; step++) {
@@ -501,9 +501,13 @@ class LiveRunTest {
             .flatMap(step -> step.sides().get(0).moves().stream())
             .filter(move -> move.camera() == 0)
             .map(move -> move.pose().x())
-            .distinct()
             .toList();
-    assertEquals(15, moved.size(), moved.toString());
+    assertEquals(0.98, moved.get(moved.size() - 1));
+    assertTrue(
+        feed.steps().stream()
+            .map(step -> step.sides().get(0).moves())
+            .allMatch(moves -> moves.stream().map(Move::camera).distinct().count() == moves.size()),
+        "a step that is kept has one move of a camera, however many were left out before it");
   }
 
   private static Frame frame(LiveStep step, int side) {
