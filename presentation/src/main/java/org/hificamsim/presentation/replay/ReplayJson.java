@@ -53,6 +53,7 @@ public final class ReplayJson {
     @JsonSubTypes.Type(value = Obstacle.Polygon.class, name = "polygon"),
     @JsonSubTypes.Type(value = Obstacle.Pillar.class, name = "pillar")
   })
+  @SuppressWarnings("UnusedMethod") // a mix-in: Jackson reads what is said of them
   private interface ByKind {
     @JsonInclude(value = JsonInclude.Include.CUSTOM, valueFilter = Ground.class)
     @JsonDeserialize(using = Ground.class)
