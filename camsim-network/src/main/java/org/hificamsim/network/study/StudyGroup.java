@@ -35,6 +35,8 @@ public final class StudyGroup {
   private final List<StudyPlan> plans;
   private final double[][] utility; // by network and seed
   private final double[][] cost;
+  private final double[] utilitySums; // over the seeds, so that leaving one out is cheap
+  private final double[] costSums;
   private final Means all;
 
   /** Means of all networks. */
@@ -44,6 +46,8 @@ public final class StudyGroup {
     this.plans = plans;
     this.utility = utility;
     this.cost = cost;
+    this.utilitySums = sums(utility);
+    this.costSums = sums(cost);
     this.all = means(NO_SEED);
   }
 
@@ -77,9 +81,13 @@ public final class StudyGroup {
         .toArray(double[][]::new);
   }
 
+  private static double[] sums(double[][] values) {
+    return Arrays.stream(values).mapToDouble(one -> Arrays.stream(one).sum()).toArray();
+  }
+
   private Means means(int without) {
-    double[] meanUtility = means(utility, without);
-    double[] meanCost = means(cost, without);
+    double[] meanUtility = means(utility, utilitySums, without);
+    double[] meanCost = means(cost, costSums, without);
     return new Means(
         meanUtility,
         meanCost,
@@ -87,14 +95,13 @@ public final class StudyGroup {
         Arrays.stream(meanCost).max().orElse(0));
   }
 
-  private static double[] means(double[][] values, int without) {
+  private static double[] means(double[][] values, double[] sums, int without) {
     double[] means = new double[values.length];
     for (int i = 0; i < means.length; i++) {
-      double sum = 0;
-      for (int seed = 0; seed < values[i].length; seed++) {
-        sum += seed == without ? 0 : values[i][seed];
-      }
-      means[i] = sum / (values[i].length - (without == NO_SEED ? 0 : 1));
+      means[i] =
+          without == NO_SEED
+              ? sums[i] / values[i].length
+              : (sums[i] - values[i][without]) / (values[i].length - 1);
     }
     return means;
   }
