@@ -43,7 +43,8 @@ class PlaceCommandTest {
 
   private Cli place(Path site, String words) {
     return Cli.run(
-        ("place " + site + " --cells 12 --candidates every=4 --threads 1 " + words).split(" "));
+        (Object[])
+            ("place " + site + " --cells 12 --candidates every=4 --threads 1 " + words).split(" "));
   }
 
   @Test
@@ -147,7 +148,7 @@ class PlaceCommandTest {
   }
 
   private static void refuses(Path site, String words, String message) {
-    Cli refused = Cli.run(("place " + site + " " + words).strip().split(" "));
+    Cli refused = Cli.run((Object[]) ("place " + site + " " + words).strip().split(" "));
     assertEquals(2, refused.exit(), refused.out());
     assertTrue(refused.err().contains(message), refused.err());
     assertFalse(refused.err().strip().contains("\n"), refused.err());

@@ -204,7 +204,7 @@ class TradeoffCommandTest {
 
   private Path study(List<Path> files, int steps, int seeds, String... more) throws IOException {
     Path out = Files.createTempDirectory(folder, "study").resolve("out");
-    run(words(files, steps, seeds, more), "--out", out, "--camsim-files");
+    run(words(files, steps, seeds, (Object[]) more), "--out", out, "--camsim-files");
     return out;
   }
 
