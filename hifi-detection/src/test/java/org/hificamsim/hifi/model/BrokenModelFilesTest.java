@@ -89,7 +89,7 @@ class BrokenModelFilesTest {
         arguments("\"a test\"", "5", "10:28", "source is 5, expected a text"),
         arguments("{\"source\": \"a test\"}", "[]", "10:17", "provenance is a list of 0"),
         arguments("\"threshold\"", "\"" + "k".repeat(9999) + "\"", "8:3", "unknown property 'kkk"),
-        arguments("\"mine\"", "\"a\\u2028\\u001b[2Jb\"", "4:11", "name is 'a [2Jb'"),
+        arguments("\"mine\"", "\"a\\u2028\\u001b[2Jb\"", "4:11", "name is 'a \\u001B[2Jb'"),
         arguments("\"z\": -20", "\"z\": " + "9".repeat(5000), "5:", "no valid JSON"),
         arguments("\"threshold\"", "\"treshold\"", "8:3", "unknown property 'treshold'"),
         arguments("\"a test\"}\n}", "\"a test\"}\n", "", "ends too early"),

@@ -88,14 +88,16 @@ class SitePictureTest {
   void pixelDensitiesAreShownOfTheCameraThatIsAskedFor() {
     Setup setup = setup(List.of(), List.of(), List.of());
     BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0), false));
-    Color identify = at(image, 6.3, 10.4); // 500 px/m at a metre: identify to 2 m
-    Color recognise = at(image, 8.3, 10.9); // to 4 m
-    Color observe = at(image, 11.3, 10.9); // to 8 m
-    Color detect = at(image, 16.3, 10.9); // to 20 m
-    assertTrue(identify.getGreen() < recognise.getGreen(), identify + " " + recognise);
-    assertTrue(recognise.getGreen() < observe.getGreen(), recognise + " " + observe);
-    assertTrue(observe.getGreen() < detect.getGreen(), observe + " " + detect);
-    assertEquals(Color.WHITE, at(image, 26.3, 10.2));
+    Color characterise = at(image, 6.3, 10.4); // 500 px/m at a metre: characterise to 2 m
+    Color perceive = at(image, 8.3, 10.9); // to 4 m
+    Color discern = at(image, 10.3, 10.9); // to 6.25 m
+    Color outline = at(image, 14.3, 10.9); // to 12.5 m
+    Color overview = at(image, 22.3, 10.9); // to 25 m
+    assertTrue(characterise.getGreen() < perceive.getGreen(), characterise + " " + perceive);
+    assertTrue(perceive.getGreen() < discern.getGreen(), perceive + " " + discern);
+    assertTrue(discern.getGreen() < outline.getGreen(), discern + " " + outline);
+    assertTrue(outline.getGreen() < overview.getGreen(), outline + " " + overview);
+    assertEquals(Color.WHITE, at(image, 31.3, 10.2));
   }
 
   @Test
