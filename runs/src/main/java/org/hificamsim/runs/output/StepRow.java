@@ -30,7 +30,7 @@ public record StepRow(Path file, int line, String run, String step, String measu
     String[] cells = line.split(",", 3);
     if (cells.length < 3) {
       throw new InputException(
-          file + ":" + number + ":1: '" + line + "' is no row of run,step,k_min,...");
+          file + ":" + number + ":1: '" + line + "' is no row, expected run,step,k_min,...");
     }
     return new StepRow(file, number, cells[0], cells[1], cells[2]);
   }
