@@ -1,12 +1,11 @@
 #!/bin/sh
 # Makes the virtual environment $1 with what the requirements $2 name, $3 MB from PyPI, for the tests of $4, each file by
-# its SHA-256 in the .lock beside them (tools/lock-wheels writes it);
-# does nothing if it has them. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another
+# its SHA-256 in the .lock next to them (tools/lock-wheels writes it); does nothing if it has them. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another
 # python3. Fails with one line on standard error.
 set -eu
 
 venv=$1
-requirements=$2
+locked=${2%.txt}.lock
 size=$3
 tested=$4
 shift 4
@@ -14,7 +13,7 @@ python=${PYTHON:-python3}
 
 fail() { echo "hificamsim: no tests of $tested: $*" >&2; rm -rf "$venv"; exit 1; }
 
-cmp -s "$requirements" "$venv/requirements.txt" && exit 0
+cmp -s "$locked" "$venv/locked" && exit 0
 "$python" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))' 2>/dev/null ||
     fail "missing: Python 3.10 or later with venv (apt-get install python3-venv)"
 [ "${OFFLINE:-}" = "" ] || fail "missing: what they need from PyPI ($size MB)"
@@ -22,6 +21,6 @@ echo "hificamsim: fetching what the tests of $tested need from PyPI, $size MB" >
 rm -rf "$venv"
 "$python" -m venv "$venv" >"$venv.log" 2>&1 </dev/null || fail "$(tail -n 1 "$venv.log")"
 timeout "${PIP_SECONDS:-600}" "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-compile "$@" \
-    --require-hashes -r "${requirements%.txt}.lock" >"$venv.log" 2>&1 </dev/null ||
+    --require-hashes -r "$locked" >"$venv.log" 2>&1 </dev/null ||
     fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
-cp "$requirements" "$venv/requirements.txt"
+cp "$locked" "$venv/locked"

@@ -66,6 +66,13 @@ class LauncherTest {
         shell("root=/a:b\n" + SOURCE + "echo not reached\n", Map.of()));
   }
 
+  @Test
+  void tooFewOpenFilesAreReportedInOneLineBeforeJavaStarts() throws Exception {
+    assertEquals(
+        "error: at most 64 files may be open (ulimit -n), expected 128 or more\n2\n",
+        shell("ulimit -n 64\nsh '" + Cli.ROOT.resolve("hificamsim") + "' list; echo $?", Map.of()));
+  }
+
   /** The launcher itself, with a JVM that prints its options. */
   @Test
   void camsimAloneHasABoundOnYoungObjectsWhichOptionsOfOnesOwnFollow() throws Exception {
