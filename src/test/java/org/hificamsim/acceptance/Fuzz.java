@@ -41,7 +41,7 @@ final class Fuzz {
       long took = processorTime() - start;
       longest = Math.max(longest, took);
       if (took > LIMIT) {
-        wrong.add("%.1f s for %s".formatted(took / 1e9, broken));
+        wrong.add(String.format(Locale.ROOT, "%.1f s for %s", took / 1e9, broken));
       }
     }
   }
