@@ -33,7 +33,7 @@ class PackageTest {
 
   @TestFactory
   Stream<DynamicTest> theTestsOfThePackage() throws Exception {
-    assumeTrue(Files.exists(VENV.resolve("requirements.txt")), "no virtual environment");
+    assumeTrue(Files.exists(VENV.resolve("locked")), "no virtual environment");
     String installed =
         run(
             "-m",
