@@ -118,10 +118,13 @@ enum FuzzKind {
   RESULTS {
     @Override
     List<Path> made() throws IOException {
-      Path run = results("run", "csv");
-      return Stream.of("summary.json", "steps.csv", "replay.json", "zooms.csv", "targets.csv")
-          .map(run::resolve)
-          .toList();
+      return in(
+          results("run", "csv"),
+          "summary.json",
+          "steps.csv",
+          "replay.json",
+          "zooms.csv",
+          "targets.csv");
     }
 
     @Override
@@ -132,10 +135,7 @@ enum FuzzKind {
   PARQUET {
     @Override
     List<Path> made() throws IOException {
-      Path run = results("typed", "parquet");
-      return Stream.of("steps.parquet", "zooms.parquet", "targets.parquet")
-          .map(run::resolve)
-          .toList();
+      return in(results("typed", "parquet"), "steps.parquet", "zooms.parquet", "targets.parquet");
     }
 
     @Override
@@ -337,6 +337,10 @@ enum FuzzKind {
       assertEquals(0, run.exit(), run.err());
     }
     return folder;
+  }
+
+  private static List<Path> in(Path folder, String... names) {
+    return Stream.of(names).map(folder::resolve).toList();
   }
 
   private static Path lab() {
