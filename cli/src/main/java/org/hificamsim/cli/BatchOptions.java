@@ -20,35 +20,22 @@ import picocli.CommandLine.Option;
 final class BatchOptions {
   @Mixin private ThreadsOption threads;
 
-  @Option(names = "--out", paramLabel = "DIR", description = "Where the files go.")
+  @Option(names = "--out", paramLabel = "DIR")
   private Path out;
 
-  @Option(names = "--resume", description = "Keep the runs that a killed command finished.")
+  @Option(names = "--resume")
   private boolean resume;
 
-  @Option(
-      names = "--engine",
-      paramLabel = "local|spark",
-      description = "Where to compute. Results do not depend on it.")
+  @Option(names = "--engine", paramLabel = "local|spark")
   private String engine;
 
-  @Option(
-      names = "--master",
-      paramLabel = "URL",
-      description = "The cluster's master for --engine spark: spark://HOST:PORT, local[*], yarn.")
+  @Option(names = "--master", paramLabel = "URL")
   private Optional<String> master;
 
-  @Option(
-      names = "--shard",
-      paramLabel = "i/n",
-      description = "Only the i-th of n parts, into a folder of its own, for --merge.")
+  @Option(names = "--shard", paramLabel = "i/n")
   private Optional<String> shard;
 
-  @Option(
-      names = "--merge",
-      arity = "1..*",
-      paramLabel = "DIR",
-      description = "Take all runs from these folders of --shard; all other options as there.")
+  @Option(names = "--merge", arity = "1..*", paramLabel = "DIR")
   private List<Path> merge;
 
   Path out() {

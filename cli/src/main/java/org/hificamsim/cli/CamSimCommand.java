@@ -40,69 +40,45 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Option(
       names = {"-o", "--output"},
-      paramLabel = "FILE",
-      description = "The table of steps.")
+      paramLabel = "FILE")
   private Path output;
 
   @Option(
       names = {"-f", "--summaryfile"},
-      paramLabel = "FILE",
-      description = "The summary, appended to; default: summary.csv beside the output.")
+      paramLabel = "FILE")
   private Optional<Path> summary;
 
   @Option(
       names = {"-s", "--seed"},
-      paramLabel = "N",
-      description = "Seed.")
+      paramLabel = "N")
   private int seed;
 
-  @Option(
-      names = "--repeat",
-      paramLabel = "N",
-      description = {
-        "Runs of each scenario; run i has the seed -s + i. Where there are several runs,"
-            + " -SCENARIO-SEED",
-        "is added to the names of outputs, and -SCENARIO to that of the summary."
-      })
+  @Option(names = "--repeat", paramLabel = "N")
   private int repeat;
 
   @Option(
       names = {"-t", "--time"},
-      paramLabel = "N",
-      description = "Steps; default: the scenario's, else 100.")
+      paramLabel = "N")
   private Optional<Integer> steps;
 
   @Option(
       names = {"-m", "--movement"},
-      paramLabel = "CLASS",
-      description = "Movement of all objects.")
+      paramLabel = "CLASS")
   private Optional<String> movement;
 
-  @Option(names = "--no-gui", description = "Understood; there is no window here.")
+  @Option(names = "--no-gui")
   @SuppressWarnings("UnusedVariable") // understood for CamSim's sake
   private boolean noGui;
 
   @Mixin private CamSimOptions options;
 
-  @Option(
-      names = "--extra-out",
-      paramLabel = "FILE",
-      description = "Table of cameras that see anything, true overlap area, and handovers.")
+  @Option(names = "--extra-out", paramLabel = "FILE")
   private Optional<Path> extra;
 
-  @Option(
-      names = "--coverage-out",
-      paramLabel = "DIR",
-      description = "k-coverage of the same run: steps.csv, summary.json, manifest.json.")
+  @Option(names = "--coverage-out", paramLabel = "DIR")
   private Optional<Path> coverage;
 
-  @Option(
-      names = "--for-camsim",
-      paramLabel = "FILE",
-      description = {
-        "Runs nothing, and writes the scenario as CamSim itself reads it: who follows a",
-        "track comes and goes by events, and the bridge's option tracks moves it."
-      })
+  @Option(names = "--for-camsim", paramLabel = "FILE")
   private Optional<Path> forCamSim;
 
   @Mixin private Destination destination;

@@ -26,73 +26,52 @@ import picocli.CommandLine.Option;
 final class CamSimOptions {
   @Option(
       names = {"-a", "--algo"},
-      paramLabel = "CLASS",
-      description = "Auction schedule of all cameras: Active, Passive, HistActive, ...")
+      paramLabel = "CLASS")
   private Optional<String> schedule;
 
   @Option(
       names = {"-c", "--comm"},
-      paramLabel = "0..4",
-      description = "Policy of all cameras: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, 4 see -u.")
+      paramLabel = "0..4")
   private Optional<String> comm;
 
   @Option(
       names = {"-u", "--custom-comm"},
-      paramLabel = "CLASS",
-      description = "The policy where -c is 4.")
+      paramLabel = "CLASS")
   private Optional<String> customComm;
 
-  @Option(
-      names = "--strategies",
-      paramLabel = "A0-P2-...",
-      description =
-          "Schedule and policy of each camera, or of all: A, P, HA or HP for Active, Passive, ...,"
-              + " and the policy's number as -c has it.")
+  @Option(names = "--strategies", paramLabel = "A0-P2-...")
   private Optional<String> strategies;
 
   @Option(
       names = {"-b", "--bandit"},
-      paramLabel = "CLASS",
-      description = "Bandit of all cameras: EpsilonGreedy, UCB1, UCB2, UCBTuned, SoftMax, ...")
+      paramLabel = "CLASS")
   private Optional<String> bandit;
 
   @Option(
       names = {"-v", "--vg"},
-      paramLabel = "-1..2",
-      description = "Vision graph: -1 as in the file, 0 static, 1 ignored, 2 not static.")
+      paramLabel = "-1..2")
   private int graph;
 
   @Option(
       names = {"-e", "--camerr"},
-      paramLabel = "N",
-      description = "A camera fails in N + 1 percent of the steps.")
+      paramLabel = "N")
   private int errorLevel;
 
   @Option(
       names = {"-r", "--camreset"},
-      paramLabel = "N",
-      description = "A failing camera forgets its neighbours in 99 - N percent of the cases.")
+      paramLabel = "N")
   private int resetLevel;
 
-  @Option(
-      names = {"-g", "--global"},
-      description = "Global registration; changes no number.")
+  @Option(names = {"-g", "--global"})
   @SuppressWarnings("UnusedVariable") // understood for CamSim's sake
   private boolean global;
 
   @Option(
       names = {"-p", "--paramfile"},
-      paramLabel = "FILE",
-      description = "Properties file: Epsilon, Alpha, ObjectCategories, ...")
+      paramLabel = "FILE")
   private Optional<Path> parameters;
 
-  @Option(
-      names = "--quirks",
-      paramLabel = "all|none|NAME,...",
-      description =
-          "Which of CamSim's quirks are reproduced: waypoint-speed-is-heading,"
-              + " links-freeze-by-policy, failed-cameras-stay-offline, mispriced-sales,"
-              + " event-move-ignored, ties-by-hash-code.")
+  @Option(names = "--quirks", paramLabel = "all|none|NAME,...")
   private String quirks;
 
   /** Reads the options, and warns on {@code err} of what is odd. */

@@ -35,44 +35,25 @@ final class CheckCommand implements Callable<Integer> {
   @Parameters(paramLabel = "MOT.txt", description = "Boxes: frame,id,left,top,width,height,...")
   private Path file;
 
-  @Option(
-      names = "--calibration",
-      required = true,
-      paramLabel = "FILE",
-      description = "Tsai's method as XML, as PETS has it, or a matrix of three rows of four.")
+  @Option(names = "--calibration", required = true, paramLabel = "FILE")
   private Path calibration;
 
-  @Option(
-      names = "--assumed-height",
-      paramLabel = "M",
-      description = "How high targets are, metres.")
+  @Option(names = "--assumed-height", paramLabel = "M")
   private double height;
 
-  @Option(
-      names = "--assumed-width",
-      paramLabel = "M",
-      description = "How wide targets are, metres; for PIP.")
+  @Option(names = "--assumed-width", paramLabel = "M")
   private double width;
 
-  @Option(
-      names = "--unit",
-      paramLabel = "m|cm|mm",
-      description = "What the file's positions in the world are measured in.")
+  @Option(names = "--unit", paramLabel = "m|cm|mm")
   private Unit unit;
 
-  @Option(
-      names = "--calibration-unit",
-      paramLabel = "m|cm|mm",
-      description = "What the calibration's world is measured in; default: mm of XML, else m.")
+  @Option(names = "--calibration-unit", paramLabel = "m|cm|mm")
   private Optional<Unit> calibrationUnit;
 
-  @Option(
-      names = "--image",
-      paramLabel = "WxH",
-      description = "The picture's size in pixels, which a matrix does not say.")
+  @Option(names = "--image", paramLabel = "WxH")
   private Optional<String> image;
 
-  @Option(names = "--out", paramLabel = "DIR", description = "Where the files go.")
+  @Option(names = "--out", paramLabel = "DIR")
   private Path out;
 
   @Spec private CommandSpec spec;

@@ -40,36 +40,19 @@ final class CompareCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
-  @Option(
-      names = "--detections",
-      paramLabel = "A,B[@T]",
-      description =
-          "Detection models or model files, perhaps with thresholds or rules, in place of the one"
-              + " that a scenario names; differences are to the first.")
+  @Option(names = "--detections", paramLabel = "A,B[@T]")
   private String detections;
 
-  @Option(
-      names = "--policies",
-      paramLabel = "P,Q",
-      description = "Zoom policies with their options, P:key=value,key=value,Q.")
+  @Option(names = "--policies", paramLabel = "P,Q")
   private String policies;
 
-  @Option(
-      names = "--yardsticks",
-      paramLabel = "Y,Z",
-      description =
-          "What scores are compared with: optimal, the exact optimum of each step; bound, what it"
-              + " cannot exceed, in a small part of the time; best-fixed, the best configuration"
-              + " that never changes; or none.")
+  @Option(names = "--yardsticks", paramLabel = "Y,Z")
   private String yardsticks;
 
-  @Option(names = "--latex", description = "Write summary.tex too: the tables, for booktabs.")
+  @Option(names = "--latex")
   private boolean latex;
 
-  @Option(
-      names = "--figure-width",
-      paramLabel = "MMmm",
-      description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
+  @Option(names = "--figure-width", paramLabel = "MMmm")
   private Optional<String> figureWidth;
 
   @Spec private CommandSpec command;

@@ -40,9 +40,7 @@ final class Destination {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  @Option(
-      names = "--force",
-      description = "Replace a file that exists. What the command reads is never replaced.")
+  @Option(names = "--force")
   private boolean force;
 
   /** Whether a file that exists may be replaced. */

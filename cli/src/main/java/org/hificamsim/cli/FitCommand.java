@@ -58,46 +58,25 @@ final class FitCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
 
-  @Option(
-      names = "--confidences",
-      paramLabel = "FILE",
-      description =
-          "Confidences of your own instead of measurements.csv:"
-              + " image,q,d,z,confidence[,object][,pip], q, d and z in metres.")
+  @Option(names = "--confidences", paramLabel = "FILE")
   private Path confidences;
 
-  @Option(
-      names = "--name",
-      paramLabel = "NAME",
-      description = "Prefix of the models' names, as in NAME:orb-lin.")
+  @Option(names = "--name", paramLabel = "NAME")
   private String name;
 
-  @Option(names = "--folds", paramLabel = "K", description = "Folds.")
+  @Option(names = "--folds", paramLabel = "K")
   private int folds;
 
-  @Option(
-      names = "--population",
-      paramLabel = "N",
-      description = "Programs per generation of symbolic regression.")
+  @Option(names = "--population", paramLabel = "N")
   private int population;
 
-  @Option(
-      names = "--generations",
-      paramLabel = "N",
-      description = "Generations of symbolic regression.")
+  @Option(names = "--generations", paramLabel = "N")
   private int generations;
 
-  @Option(
-      names = "--restarts",
-      paramLabel = "N",
-      description = "Runs of symbolic regression; the best on rows it has not seen is taken.")
+  @Option(names = "--restarts", paramLabel = "N")
   private int restarts;
 
-  @Option(
-      names = "--g",
-      paramLabel = "SHAPE",
-      completionCandidates = Shapes.class,
-      description = "Shape of g: ${COMPLETION-CANDIDATES}; line is the thesis's.")
+  @Option(names = "--g", paramLabel = "SHAPE", completionCandidates = Shapes.class)
   private String shape;
 
   @Mixin private ThreadsOption threads;

@@ -30,35 +30,19 @@ final class GenerateCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The file to write.")
   private Path file;
 
-  @Option(names = "--cameras", paramLabel = "N", description = "Cameras.")
+  @Option(names = "--cameras", paramLabel = "N")
   private int cameras;
 
-  @Option(
-      names = "--targets",
-      paramLabel = "N",
-      description = "Targets; default: 0.6 for each camera, with --lenses 1.5.")
+  @Option(names = "--targets", paramLabel = "N")
   private Integer targets;
 
-  @Option(
-      names = "--area",
-      paramLabel = "A",
-      description =
-          "Square metres for each camera; default: 42.9, as in the cluster scenarios, with --lenses"
-              + " 2400.")
+  @Option(names = "--area", paramLabel = "A")
   private Double area;
 
-  @Option(
-      names = "--lenses",
-      description =
-          "Cameras with lenses, which zoom, pan and need time for it, people who walk, and the"
-              + " question how many of them are discerned (oodpcvs-2025, covered:k=1) in 300"
-              + " steps.")
+  @Option(names = "--lenses")
   private boolean lenses;
 
-  @Option(
-      names = "--walls",
-      paramLabel = "N",
-      description = "With --lenses: walls, which leave gaps, so that nobody is enclosed.")
+  @Option(names = "--walls", paramLabel = "N")
   private int walls;
 
   @Mixin private Destination destination;

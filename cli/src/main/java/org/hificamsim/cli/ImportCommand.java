@@ -35,14 +35,10 @@ final class ImportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "FILE", description = "The recording; unpacked if it ends in .gz.")
   private Path file;
 
-  @Option(
-      names = "--format",
-      required = true,
-      paramLabel = "F",
-      description = "obsmat, ethucy, trajnet, mot, petrack, fcd, gpx, geojson or csv.")
+  @Option(names = "--format", required = true, paramLabel = "F")
   private String format;
 
-  @Option(names = "--out", required = true, paramLabel = "DIR", description = "Folder to write to.")
+  @Option(names = "--out", required = true, paramLabel = "DIR")
   private Path out;
 
   @Mixin private RecordingOptions recording;

@@ -20,89 +20,49 @@ final class LabCommand implements Callable<Integer> {
   private static final int MAX_OBJECTS = 8;
   private static final int MAX_CLUTTER = 1000;
 
-  @Option(
-      names = "--out",
-      paramLabel = "DIR",
-      required = true,
-      description = "Where the data set goes.")
+  @Option(names = "--out", paramLabel = "DIR", required = true)
   private Path out;
 
-  @Option(
-      names = "--scale",
-      paramLabel = "S",
-      description = "Share of the sensor's 5184 x 3456 pixels across, 0.02 to 1.")
+  @Option(names = "--scale", paramLabel = "S")
   private double scale;
 
-  @Option(names = "--focal-lengths", paramLabel = "M,M", split = ",", description = "Metres.")
+  @Option(names = "--focal-lengths", paramLabel = "M,M", split = ",")
   private List<Double> focalLengths;
 
-  @Option(names = "--distances", paramLabel = "M,M", split = ",", description = "Metres.")
+  @Option(names = "--distances", paramLabel = "M,M", split = ",")
   private List<Double> distances;
 
-  @Option(
-      names = "--objects",
-      paramLabel = "N",
-      description = "How many of the eight objects, from the smallest.")
+  @Option(names = "--objects", paramLabel = "N")
   private int objects;
 
-  @Option(
-      names = "--texture",
-      paramLabel = "photos|painted",
-      description = "What is on the objects and behind them: photographs, or painted shapes.")
+  @Option(names = "--texture", paramLabel = "photos|painted")
   private Texture texture;
 
-  @Option(
-      names = "--aperture",
-      paramLabel = "N",
-      description = "f-number: blur by distance, and diffraction; 0 for none.")
+  @Option(names = "--aperture", paramLabel = "N")
   private double aperture;
 
-  @Option(
-      names = "--focus-error",
-      paramLabel = "P",
-      description = "Standard deviation of the focused distance, as a share.")
+  @Option(names = "--focus-error", paramLabel = "P")
   private double focusError;
 
-  @Option(
-      names = "--iso",
-      paramLabel = "ISO",
-      description = "Sensitivity, for the sensor's noise; 0 for none.")
+  @Option(names = "--iso", paramLabel = "ISO")
   private double iso;
 
-  @Option(
-      names = "--vignetting",
-      paramLabel = "P",
-      description = "Share of the cos^4 fall-off, 0 to 1.")
+  @Option(names = "--vignetting", paramLabel = "P")
   private double vignetting;
 
-  @Option(
-      names = "--distortion",
-      paramLabel = "X",
-      description = "Factor on the radial distortion; 0 for none.")
+  @Option(names = "--distortion", paramLabel = "X")
   private double distortion;
 
-  @Option(
-      names = "--pose",
-      paramLabel = "DEG",
-      description = "Standard deviation of the objects' yaw and pitch, degrees.")
+  @Option(names = "--pose", paramLabel = "DEG")
   private double pose;
 
-  @Option(
-      names = "--offset",
-      paramLabel = "P",
-      description = "How far off the centre objects stand, as a share of the frame.")
+  @Option(names = "--offset", paramLabel = "P")
   private double offset;
 
-  @Option(
-      names = "--lighting",
-      paramLabel = "P",
-      description = "Standard deviation of the brightness, as a share.")
+  @Option(names = "--lighting", paramLabel = "P")
   private double lighting;
 
-  @Option(
-      names = "--clutter",
-      paramLabel = "N",
-      description = "Things in the room behind the object.")
+  @Option(names = "--clutter", paramLabel = "N")
   private int clutter;
 
   @Mixin private ThreadsOption threads;

@@ -46,20 +46,10 @@ final class LadderCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
-  @Option(
-      names = "--of",
-      paramLabel = "detection|world",
-      description =
-          "What rises from rung to rung: the detection model, or lenses, pan, time, walls and"
-              + " occlusion.")
+  @Option(names = "--of", paramLabel = "detection|world")
   private String of;
 
-  @Option(
-      names = "--rungs",
-      paramLabel = "A,B[@T]",
-      description =
-          "Detection models or model files, perhaps with thresholds or rules, the top rung last;"
-              + " with --of world names of its rungs. Default: those of docs/ladder.md.")
+  @Option(names = "--rungs", paramLabel = "A,B[@T]")
   private Optional<String> rungs;
 
   @Option(
@@ -71,10 +61,7 @@ final class LadderCommand implements Callable<Integer> {
               + ".")
   private Optional<String> detection;
 
-  @Option(
-      names = "--policies",
-      paramLabel = "P,Q",
-      description = "Zoom policies to choose from, P:key=value,key=value,Q.")
+  @Option(names = "--policies", paramLabel = "P,Q")
   private String policies;
 
   @Mixin private ScenarioOptions scenarioOptions;

@@ -9,6 +9,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Properties;
+import java.util.PropertyResourceBundle;
+import java.util.ResourceBundle;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Nearest;
@@ -40,6 +42,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 public final class Main {
   static final int BAD_INPUT = 2;
   private static final int FAILURE = 1;
+  private static final String DEFAULT = ".default";
   private static final int PART = 400; // characters of a line's start and end
 
   /** Runs one command and exits with its code. */
@@ -52,11 +55,13 @@ public final class Main {
 
   /** Runs one command. */
   public static int execute(PrintWriter out, PrintWriter err, String... args) {
+    ResourceBundle options = options();
     CommandLine line =
         Commands.line(args)
             .setOut(new PrintWriter(new EscapedWriter(out), true))
             .setErr(err)
-            .setDefaultValueProvider(new PropertiesDefaultProvider(defaults()))
+            .setResourceBundle(options)
+            .setDefaultValueProvider(new PropertiesDefaultProvider(defaults(options)))
             .setCaseInsensitiveEnumValuesAllowed(true)
             .registerConverter(Path.class, Main::path)
             .setParameterExceptionHandler((fault, words) -> usage(fault))
@@ -75,14 +80,20 @@ public final class Main {
     return FAILURE;
   }
 
-  /** The defaults of all options. */
-  private static Properties defaults() {
-    Properties defaults = new Properties();
-    try (InputStream in = Main.class.getResourceAsStream("defaults.properties")) {
-      defaults.load(in);
+  /** What the help says of all options, and their defaults. */
+  static ResourceBundle options() {
+    try (InputStream in = Main.class.getResourceAsStream("options.properties")) {
+      return new PropertyResourceBundle(in);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  static Properties defaults(ResourceBundle options) {
+    Properties defaults = new Properties();
+    options.keySet().stream()
+        .filter(key -> key.endsWith(DEFAULT))
+        .forEach(key -> defaults.put(key.replace(DEFAULT, ""), options.getString(key)));
     return defaults;
   }
 

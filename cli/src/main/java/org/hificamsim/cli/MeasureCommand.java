@@ -34,45 +34,22 @@ final class MeasureCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The data set's folder.")
   private Path folder;
 
-  @Option(
-      names = "--detectors",
-      paramLabel = "A,B",
-      split = ",",
-      description =
-          "orb, sift, surf, each also with -located or -ransac; hog, haar:FILE, onnx:FILE:class=N.")
+  @Option(names = "--detectors", paramLabel = "A,B", split = ",")
   private List<String> detectors;
 
-  @Option(
-      names = "--metric",
-      paramLabel = "euclidean|hamming",
-      description = "Distance between descriptors; hamming is for ORB, the others stay euclidean.")
+  @Option(names = "--metric", paramLabel = "euclidean|hamming")
   private RatioTest.Metric metric;
 
-  @Option(
-      names = "--ratio",
-      paramLabel = "R",
-      description = "Lowe's ratio test, above 0, at most 1.")
+  @Option(names = "--ratio", paramLabel = "R")
   private double ratio;
 
-  @Option(
-      names = "--pip",
-      paramLabel = "silhouette|rectangle",
-      description = "The object's pixels: its mask's, or its patch's as in the thesis.")
+  @Option(names = "--pip", paramLabel = "silhouette|rectangle")
   private PipReading pip;
 
-  @Option(
-      names = "--false-alarms",
-      paramLabel = "P",
-      description =
-          "The share of the photos in negatives/ that may count as a detection; sets"
-              + " thresholds.csv.")
+  @Option(names = "--false-alarms", paramLabel = "P")
   private double falseAlarms;
 
-  @Option(
-      names = "--picture",
-      paramLabel = "IMAGE",
-      description =
-          "Draw this image's matches into matches/, and measure nothing again; may be repeated.")
+  @Option(names = "--picture", paramLabel = "IMAGE")
   private Set<String> pictures = new LinkedHashSet<>();
 
   @Mixin private ThreadsOption threads;

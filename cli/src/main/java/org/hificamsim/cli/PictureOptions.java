@@ -34,75 +34,46 @@ final class PictureOptions {
   private static final int MAX_GIF_WIDTH = 2000;
   private static final int MAX_PER_SECOND = 50;
 
-  @Option(names = "--png", paramLabel = "FILE", description = "A picture of one step.")
+  @Option(names = "--png", paramLabel = "FILE")
   private Path png;
 
-  @Option(names = "--svg", paramLabel = "FILE", description = "The same, for papers.")
+  @Option(names = "--svg", paramLabel = "FILE")
   private Path svg;
 
-  @Option(names = "--gif", paramLabel = "FILE", description = "An animation of the steps.")
+  @Option(names = "--gif", paramLabel = "FILE")
   private Path gif;
 
-  @Option(names = "--run", paramLabel = "N", description = "Which repeat pictures show, from 0.")
+  @Option(names = "--run", paramLabel = "N")
   private int repeat;
 
-  @Option(
-      names = "--step",
-      paramLabel = "N",
-      description = "Which step --png and --svg show; default: the last one.")
+  @Option(names = "--step", paramLabel = "N")
   private Long step;
 
-  @Option(names = "--from", paramLabel = "N", description = "First step of --gif.")
+  @Option(names = "--from", paramLabel = "N")
   private long from;
 
-  @Option(
-      names = "--to",
-      paramLabel = "N",
-      description = "Last step of --gif; default: the last one.")
+  @Option(names = "--to", paramLabel = "N")
   private Long to;
 
-  @Option(
-      names = "--every",
-      paramLabel = "N",
-      description = "Steps between pictures of --gif; default: so that there are at most 200.")
+  @Option(names = "--every", paramLabel = "N")
   private Integer every;
 
-  @Option(
-      names = "--per-second",
-      paramLabel = "N",
-      description = "Pictures of --gif per second, 1 to 50.")
+  @Option(names = "--per-second", paramLabel = "N")
   private int perSecond;
 
-  @Option(
-      names = "--density",
-      paramLabel = "CAMERA",
-      description = "Show the pixel density zones (IEC 62676-4:2025) of this camera in pictures.")
+  @Option(names = "--density", paramLabel = "CAMERA")
   private Optional<String> density;
 
-  @Option(
-      names = "--floorplan",
-      paramLabel = "OPACITY",
-      description = "How opaque pictures show the floorplan: 0 to 1; default: 0.5.")
+  @Option(names = "--floorplan", paramLabel = "OPACITY")
   private Optional<Double> floor;
 
-  @Option(
-      names = "--heatmap",
-      paramLabel = "FIGURE",
-      description = {
-        "Have --png and --svg show the heat map of run --heatmap, in place of a step: mean-k,",
-        "covered, covered-k, visits, visits-mean-k or visits-covered."
-      })
+  @Option(names = "--heatmap", paramLabel = "FIGURE")
   private Optional<String> heat;
 
-  @Option(
-      names = "--tracks",
-      description = "Have --png and --svg show where each target went over the whole run.")
+  @Option(names = "--tracks")
   private boolean tracks;
 
-  @Option(
-      names = "--width",
-      paramLabel = "PIXELS",
-      description = "Width of --png (default: 1600) and --gif (default: 640).")
+  @Option(names = "--width", paramLabel = "PIXELS")
   private Integer width;
 
   private int repeats;

@@ -60,106 +60,52 @@ final class PlaceCommand implements Callable<Integer> {
   @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
   private Path file;
 
-  @Option(names = "--cameras", paramLabel = "N", description = "Plan this many new cameras.")
+  @Option(names = "--cameras", paramLabel = "N")
   private Optional<Integer> cameras;
 
-  @Option(
-      names = "--budget",
-      paramLabel = "EUR",
-      description = "Plan cameras for this much, as the catalogue has prices.")
+  @Option(names = "--budget", paramLabel = "EUR")
   private Optional<Double> budget;
 
-  @Option(names = "--cover", description = "Plan the cheapest cameras that see everything.")
+  @Option(names = "--cover")
   private boolean cover;
 
-  @Option(
-      names = "--reading",
-      paramLabel = "fixed|any",
-      description = {
-        "What covers a place: the fixed view of a camera, or any view of one that turns and zooms,",
-        "which it has not at once."
-      })
+  @Option(names = "--reading", paramLabel = "fixed|any")
   private String reading;
 
-  @Option(
-      names = "--catalogue",
-      paramLabel = "FILE.csv",
-      description =
-          "Cameras that can be bought: generic, site (those that the site has, each for 1), or a"
-              + " table of name, pixels, hfov_min, hfov_max, pan and price.")
+  @Option(names = "--catalogue", paramLabel = "FILE.csv")
   private String kinds;
 
-  @Option(
-      names = "--candidates",
-      paramLabel = "every=M|FILE.csv",
-      description =
-          "Where cameras can be: along walls, pillars and the field's border every M metres, with"
-              + " every=M,ceiling on a grid as well, or at the x and y of a table; default: 40"
-              + " along the field's longer side.")
+  @Option(names = "--candidates", paramLabel = "every=M|FILE.csv")
   private Optional<String> candidates;
 
-  @Option(
-      names = "--keep",
-      paramLabel = "all|A,B",
-      description = "Cameras of the site that stay; the new ones add to them.")
+  @Option(names = "--keep", paramLabel = "all|A,B")
   private Optional<String> keep;
 
-  @Option(
-      names = "--forbid",
-      paramLabel = "ZONE,ZONE",
-      description = "Zones of the site in which no camera may be mounted.")
+  @Option(names = "--forbid", paramLabel = "ZONE,ZONE")
   private Optional<String> forbid;
 
-  @Option(
-      names = "--redundancy",
-      paramLabel = "K",
-      description = "How many cameras each place needs, in place of what the zones say: 1 to 100.")
+  @Option(names = "--redundancy", paramLabel = "K")
   private Optional<Integer> redundancy;
 
-  @Option(
-      names = "--demand",
-      paramLabel = "zones|tracks",
-      description =
-          "What is to be seen: the zones all over, or weighed by how often targets are where, in"
-              + " the scenario's steps.")
+  @Option(names = "--demand", paramLabel = "zones|tracks")
   private String demand;
 
-  @Option(
-      names = "--cells",
-      paramLabel = "N",
-      description = "Cells along the field's longer side: 1 to 200; default: 60.")
+  @Option(names = "--cells", paramLabel = "N")
   private Optional<Integer> cells;
 
-  @Option(
-      names = "--time",
-      paramLabel = "S",
-      description = "Seconds after which the best plan so far is taken; Ctrl-C takes it at once.")
+  @Option(names = "--time", paramLabel = "S")
   private double time;
 
-  @Option(
-      names = "--out",
-      paramLabel = "DIR",
-      description = "Where the files go; default: out/<scenario>-plan/.")
+  @Option(names = "--out", paramLabel = "DIR")
   private Optional<Path> out;
 
-  @Option(
-      names = "--verify",
-      paramLabel = "DIR",
-      description = "Check the plan of a folder, and its bound, by simulating; nothing else.")
+  @Option(names = "--verify", paramLabel = "DIR")
   private Optional<Path> verify;
 
-  @Option(
-      names = "--instance",
-      paramLabel = "FILE",
-      description = "Solve a set cover instance in place of a site.")
+  @Option(names = "--instance", paramLabel = "FILE")
   private Optional<Path> instance;
 
-  @Option(
-      names = "--form",
-      paramLabel = "scp|candidates",
-      description =
-          "Of --instance: OR-Library's scp, or a row per candidate; of a site, write it as"
-              + " instance.txt too.")
+  @Option(names = "--form", paramLabel = "scp|candidates")
   private Optional<String> form;
 
   @Mixin private ThreadsOption threads;

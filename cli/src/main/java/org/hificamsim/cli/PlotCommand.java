@@ -34,7 +34,7 @@ final class PlotCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "DIR", description = "Folders that 'run' has written.")
   private List<Path> folders;
 
-  @Option(names = "--out", paramLabel = "FILE.png|FILE.svg", description = "The picture.")
+  @Option(names = "--out", paramLabel = "FILE.png|FILE.svg")
   private Path out;
 
   @Mixin private Destination destination;

@@ -21,55 +21,31 @@ import picocli.CommandLine.Option;
 final class RecordingOptions {
   private static final double LARGE = 1e9;
 
-  @Option(names = "--rate", paramLabel = "R", description = "Frames a second.")
+  @Option(names = "--rate", paramLabel = "R")
   private Double rate;
 
-  @Option(
-      names = "--unit",
-      paramLabel = "U",
-      description = "Unit of positions: m, cm, mm, px or deg.")
+  @Option(names = "--unit", paramLabel = "U")
   private String unit;
 
-  @Option(
-      names = "--homography",
-      paramLabel = "FILE",
-      description = "Three rows of three numbers that take pixels to metres on the ground.")
+  @Option(names = "--homography", paramLabel = "FILE")
   private Path homography;
 
-  @Option(
-      names = "--columns",
-      split = ",",
-      paramLabel = "KEY=NAME",
-      description =
-          "Columns of a table: time or frame, id, x, y, width, height, each with its name or its"
-              + " number from 1.")
+  @Option(names = "--columns", split = ",", paramLabel = "KEY=NAME")
   private Map<String, String> columns = new TreeMap<>();
 
-  @Option(
-      names = "--origin",
-      paramLabel = "LAT,LON",
-      description = "Position that becomes (0, 0) m; default: the first sample.")
+  @Option(names = "--origin", paramLabel = "LAT,LON")
   private String origin;
 
-  @Option(
-      names = "--gap",
-      paramLabel = "S",
-      description =
-          "A target is considered absent between samples more than this many seconds apart;"
-              + " default: three times the usual time.")
+  @Option(names = "--gap", paramLabel = "S")
   private Double gap;
 
-  @Option(names = "--from", paramLabel = "S", description = "Leave out what is before, seconds.")
+  @Option(names = "--from", paramLabel = "S")
   private Double from;
 
-  @Option(names = "--to", paramLabel = "S", description = "Leave out what is after, seconds.")
+  @Option(names = "--to", paramLabel = "S")
   private Double to;
 
-  @Option(
-      names = "--size",
-      paramLabel = "M[xM]",
-      description =
-          "Edge of targets, or width x height, m, where the file has none; default: 0.66.")
+  @Option(names = "--size", paramLabel = "M[xM]")
   private String size;
 
   /** The recording with what was said of it. */

@@ -37,9 +37,7 @@ final class ReportCommand implements Callable<Integer> {
       description = "The page; default: DIR/" + ResultFolder.REPORT + ".")
   private Path out;
 
-  @Option(
-      names = "--replays",
-      description = "Of a trade-off: record the networks on the fronts too, for the page to show.")
+  @Option(names = "--replays")
   private boolean replays;
 
   @Mixin private Destination destination;

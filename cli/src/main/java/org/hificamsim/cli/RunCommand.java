@@ -59,48 +59,25 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private ThreadsOption threads;
 
-  @Option(
-      names = "--out",
-      paramLabel = "DIR",
-      description = "Where the files go; default: out/<scenario>/.")
+  @Option(names = "--out", paramLabel = "DIR")
   private Optional<Path> out;
 
-  @Option(
-      names = "--record",
-      description = "Write zooms.csv, targets.csv, replay.json and report.html too.")
+  @Option(names = "--record")
   private boolean record;
 
-  @Option(
-      names = "--heatmap",
-      description = {
-        "Write heatmap.csv: by how many cameras each cell of the field is covered, and how often",
-        "targets were there. With --record the page shows it."
-      })
+  @Option(names = "--heatmap")
   private boolean heatmap;
 
-  @Option(
-      names = "--cells",
-      paramLabel = "N",
-      description = {"Cells of --heatmap along the field's longer side: 1 to 200; default: 100."})
+  @Option(names = "--cells", paramLabel = "N")
   private Optional<Integer> cells;
 
-  @Option(
-      names = "--listener",
-      paramLabel = "NAME",
-      description = "A step listener from a jar on the class path; may be repeated.")
+  @Option(names = "--listener", paramLabel = "NAME")
   private List<String> listeners = new ArrayList<>();
 
-  @Option(
-      names = "--format",
-      paramLabel = "FORMAT",
-      description = {
-        "Of steps, zooms and targets: csv or parquet (columns of numbers, much smaller, for"
-            + " pandas,",
-        "polars, R and DuckDB; what writes it is fetched at first use, 11 MB)."
-      })
+  @Option(names = "--format", paramLabel = "FORMAT")
   private String format;
 
-  @Option(names = "--json", description = "Print summary.json rather than a table.")
+  @Option(names = "--json")
   private boolean json;
 
   @Mixin private Screen screen;

@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 
 /** How scenario files are read: with their settings, and {@code --strict}. */
 final class ScenarioOptions {
-  @Option(names = "--strict", description = "Take warnings about the input as errors.")
+  @Option(names = "--strict")
   private boolean strict;
 
   /** Whether warnings are errors. */

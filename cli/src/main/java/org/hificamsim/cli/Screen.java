@@ -14,9 +14,7 @@ final class Screen {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
 
-  @Option(
-      names = "--quiet",
-      description = "Print nothing but errors: no table, no warnings, no progress.")
+  @Option(names = "--quiet")
   private boolean quiet;
 
   /** For results. */

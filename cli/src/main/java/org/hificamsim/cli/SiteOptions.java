@@ -21,59 +21,31 @@ final class SiteOptions {
   private static final double LARGE = 1e9;
   private static final int MAX_CAMERAS = 1000;
 
-  @Option(
-      names = "--name",
-      paramLabel = "NAME",
-      description = "Name of the scenario; default: that of the recording.")
+  @Option(names = "--name", paramLabel = "NAME")
   private String name;
 
-  @Option(
-      names = "--cameras",
-      paramLabel = "N",
-      description = "Number of cameras to place as a first draft.")
+  @Option(names = "--cameras", paramLabel = "N")
   private int cameras;
 
-  @Option(
-      names = "--margin",
-      paramLabel = "M",
-      description =
-          "Margin of the field around all samples, m; default: a tenth of its longer side.")
+  @Option(names = "--margin", paramLabel = "M")
   private Double margin;
 
-  @Option(
-      names = "--step",
-      paramLabel = "S",
-      description = "Duration of a step, s; default: the usual time between two samples.")
+  @Option(names = "--step", paramLabel = "S")
   private Double step;
 
-  @Option(
-      names = "--walls",
-      paramLabel = "FILE",
-      description = "Walls: GeoJSON, XML with <Line x1= y1= x2= y2=>, or the lines of an SVG.")
+  @Option(names = "--walls", paramLabel = "FILE")
   private Path walls;
 
-  @Option(
-      names = "--walls-unit",
-      paramLabel = "U",
-      description = "Unit of the walls: m, cm, mm or deg; default: that of the recording.")
+  @Option(names = "--walls-unit", paramLabel = "U")
   private String wallsUnit;
 
-  @Option(
-      names = "--floorplan",
-      paramLabel = "IMAGE",
-      description = "A PNG or JPEG to draw under the field; needs --scale.")
+  @Option(names = "--floorplan", paramLabel = "IMAGE")
   private Path floorplan;
 
-  @Option(
-      names = "--scale",
-      paramLabel = "M",
-      description = "Metres that a pixel of the floor plan, or a unit of the SVG, is.")
+  @Option(names = "--scale", paramLabel = "M")
   private Double scale;
 
-  @Option(
-      names = "--at",
-      paramLabel = "X,Y",
-      description = "Position of its lower left corner, m; default: 0,0.")
+  @Option(names = "--at", paramLabel = "X,Y")
   private String at;
 
   /** The scenario's name. */

@@ -6,10 +6,7 @@ import picocli.CommandLine.Option;
 final class ThreadsOption {
   private static final int MAX_THREADS = 1024;
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description = "Threads; 0 for one per processor. Results do not depend on it.")
+  @Option(names = "--threads", paramLabel = "N")
   private int threads;
 
   /**

@@ -46,37 +46,19 @@ final class TradeoffCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
-  @Option(
-      names = "--of",
-      paramLabel = "A0,A1,...",
-      description =
-          "The strategies of cameras: A, P, HA or HP (Active, Passive, HistActive, HistPassive)"
-              + " with 0 Broadcast, 1 Smooth, 2 Step or 3 Fix.")
+  @Option(names = "--of", paramLabel = "A0,A1,...")
   private String of;
 
-  @Option(
-      names = "--heterogeneous",
-      paramLabel = "none|all|sample:N|search:N",
-      description =
-          "Networks whose cameras have strategies of their own: all, N that are drawn (all where"
-              + " there are no more), or N that an evolutionary search finds.")
+  @Option(names = "--heterogeneous", paramLabel = "none|all|sample:N|search:N")
   private String heterogeneous;
 
-  @Option(
-      names = "--bandits",
-      paramLabel = "none|all|A,B",
-      description = "Networks whose cameras choose by EpsilonGreedy, UCB1, UCB2, SoftMax, ...")
+  @Option(names = "--bandits", paramLabel = "none|all|A,B")
   private String bandits;
 
-  @Option(
-      names = "--alphas",
-      paramLabel = "X,Y",
-      description = "Weights of utility against messages for bandits, 0 to 1.")
+  @Option(names = "--alphas", paramLabel = "X,Y")
   private String alphas;
 
-  @Option(
-      names = "--camsim-files",
-      description = "Write CamSim's summary of each network too, for scripts that read it.")
+  @Option(names = "--camsim-files")
   private boolean camSimFiles;
 
   @Mixin private BatchOptions batch;

@@ -40,7 +40,7 @@ final class ValidateCommand implements Callable<Integer> {
 
   @Mixin private final SettingOptions settings = SettingOptions.of(Setting.DETECTION);
 
-  @Option(names = "--json", description = "Print what is found as JSON.")
+  @Option(names = "--json")
   private boolean json;
 
   @Spec private CommandSpec spec;

@@ -40,13 +40,10 @@ final class ViewCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
-  @Option(
-      names = "--port",
-      paramLabel = "N",
-      description = "Port on the loopback device; 0 for any that is free.")
+  @Option(names = "--port", paramLabel = "N")
   private int port;
 
-  @Option(names = "--no-browser", description = "Print the address, open no browser.")
+  @Option(names = "--no-browser")
   private boolean noBrowser;
 
   @Spec private CommandSpec spec;

@@ -3,11 +3,10 @@ package org.hificamsim.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeEach;
@@ -15,23 +14,24 @@ import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** That {@code defaults.properties} and the options of the commands fit each other. */
+/** That {@code options.properties} and the options of the commands fit each other. */
 class DefaultsTest {
-  private final Properties defaults = new Properties();
+  private final ResourceBundle texts = Main.options();
+  private final Properties defaults = Main.defaults(texts);
   private final List<OptionSpec> options = new ArrayList<>();
 
   @BeforeEach
-  void readBoth() throws IOException {
-    try (InputStream in = Main.class.getResourceAsStream("defaults.properties")) {
-      defaults.load(in);
-    }
+  void readBoth() {
     collect(Commands.all());
     assertTrue(options.size() > 100, options.size() + " options");
   }
 
   @Test
-  void everyDefaultIsOfAnOption() {
+  void everyDefaultAndTextIsOfAnOption() {
     Set<String> unknown = new TreeSet<>(defaults.stringPropertyNames());
+    texts.keySet().stream()
+        .map(key -> key.replaceFirst("\\.(default|\\d)$", ""))
+        .forEach(unknown::add);
     options.forEach(option -> unknown.removeAll(List.of(qualified(option), plain(option))));
     assertEquals(Set.of(), unknown);
   }
@@ -47,6 +47,14 @@ class DefaultsTest {
               || option.defaultValue() != null,
           qualified(option));
     }
+  }
+
+  @Test
+  void everyOptionHasAText() {
+    CommandLine all = Commands.all().setResourceBundle(texts);
+    options.clear();
+    collect(all);
+    options.forEach(option -> assertTrue(option.description().length > 0, qualified(option)));
   }
 
   private void collect(CommandLine command) {
