@@ -39,7 +39,8 @@ class LadderCommandTest {
           "report.html",
           "cost.json",
           "cost.png",
-          "cost.svg");
+          "cost.svg",
+          "cost.pdf");
 
   @TempDir static Path folder;
   private static Path out;
@@ -164,7 +165,7 @@ class LadderCommandTest {
 
   @Test
   void writesAPictureAndThePage() throws IOException {
-    for (String name : List.of("ladder.svg", "ladder.png", "cost.svg", "cost.png")) {
+    for (String name : List.of("ladder.svg", "ladder.pdf", "cost.pdf", "cost.png")) {
       assertTrue(Files.size(out.resolve(name)) > 3000, name);
     }
     String page = Files.readString(out.resolve("report.html"));
@@ -193,7 +194,7 @@ class LadderCommandTest {
     Path merged = folder.resolve("merged");
     Cli merge = Cli.run(words(merged, 1, "--merge", parts[0], parts[1]));
     assertEquals(0, merge.exit(), merge.err());
-    for (String name : List.of("rungs.csv", "ladder.csv", "ladder.svg")) {
+    for (String name : List.of("rungs.csv", "ladder.csv", "ladder.svg", "ladder.pdf")) {
       assertArrayEquals(
           Files.readAllBytes(out.resolve(name)), Files.readAllBytes(merged.resolve(name)), name);
     }

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
@@ -38,35 +40,25 @@ class PicturesTest {
 
   @Test
   void theSameStepGivesTheSameBytes() throws IOException {
-    Path[] files = new Path[6];
+    List<String> formats = List.of("png", "svg", "pdf", "gif");
     for (int i = 0; i < 2; i++) {
-      files[3 * i] = folder.resolve(i + ".png");
-      files[3 * i + 1] = folder.resolve(i + ".svg");
-      files[3 * i + 2] = folder.resolve(i + ".gif");
-      Cli report =
-          Cli.run(
-              "report",
-              run,
-              "--png",
-              files[3 * i],
-              "--svg",
-              files[3 * i + 1],
-              "--gif",
-              files[3 * i + 2],
-              "--step",
-              30,
-              "--every",
-              20,
-              "--width",
-              300);
+      List<Object> words = new ArrayList<>(List.of("report", run));
+      for (String format : formats) {
+        words.addAll(List.of("--" + format, folder.resolve(i + "." + format)));
+      }
+      words.addAll(List.of("--step", 30, "--every", 20, "--width", 300));
+      Cli report = Cli.run(words.toArray());
       assertEquals(0, report.exit(), report.err());
       assertTrue(report.out().contains("4 pictures, one for 20 steps"), report.out());
     }
-    for (int i = 0; i < 3; i++) {
-      assertArrayEquals(Files.readAllBytes(files[i]), Files.readAllBytes(files[3 + i]));
+    for (String format : formats) {
+      assertArrayEquals(
+          Files.readAllBytes(folder.resolve("0." + format)),
+          Files.readAllBytes(folder.resolve("1." + format)),
+          format);
     }
-    assertEquals(300, ImageIO.read(files[0].toFile()).getWidth());
-    assertTrue(Files.readString(files[1]).contains("cluster-random, step 30 of 59"));
+    assertEquals(300, ImageIO.read(folder.resolve("0.png").toFile()).getWidth());
+    assertTrue(Files.readString(folder.resolve("0.svg")).contains("cluster-random, step 30 of 59"));
   }
 
   @Test

@@ -35,7 +35,7 @@ class PlotCommandTest {
   void onlyPngAndSvgAreWritten() {
     Cli plot = Cli.run("plot", run("zoom-out"), "--out", folder.resolve("plot.gif"));
     assertEquals(2, plot.exit());
-    assertTrue(plot.err().contains(".png or .svg"), plot.err());
+    assertTrue(plot.err().contains(".png, .svg or .pdf"), plot.err());
   }
 
   @Test

@@ -130,8 +130,8 @@ class ReportCommandTest {
 
   @ParameterizedTest
   @CsvSource({
-    "--run, '--png, --svg or --gif', ",
-    "--step, --png or --svg, --gif",
+    "--run, '--png, --svg, --pdf or --gif', ",
+    "--step, '--png, --svg or --pdf', --gif",
     "--from, --gif, --png",
     "--to, --gif, --svg",
     "--every, --gif, --png",

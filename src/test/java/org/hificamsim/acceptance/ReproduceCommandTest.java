@@ -138,7 +138,7 @@ class ReproduceCommandTest {
     return Stream.concat(
             Stream.of("adapting.csv", "table-8.1.csv", "verdicts.csv"),
             Stream.concat(FIGURES.stream(), Stream.of("table-8.1"))
-                .flatMap(name -> Stream.of(name + ".png", name + ".svg")))
+                .flatMap(name -> Stream.of(name + ".png", name + ".svg", name + ".pdf")))
         .toList();
   }
 

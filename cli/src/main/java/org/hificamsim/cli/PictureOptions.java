@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
 import org.hificamsim.presentation.picture.HeatPicture;
 import org.hificamsim.presentation.picture.Look;
@@ -39,6 +40,9 @@ final class PictureOptions {
 
   @Option(names = "--svg", paramLabel = "FILE")
   private Path svg;
+
+  @Option(names = "--pdf", paramLabel = "FILE")
+  private Path pdf;
 
   @Option(names = "--gif", paramLabel = "FILE")
   private Path gif;
@@ -80,7 +84,11 @@ final class PictureOptions {
 
   /** Whether any picture is asked for. */
   boolean asked() {
-    return png != null || svg != null || gif != null;
+    return still() || gif != null;
+  }
+
+  private boolean still() {
+    return png != null || svg != null || pdf != null;
   }
 
   /**
@@ -89,14 +97,12 @@ final class PictureOptions {
    * @param words the command line
    */
   void check(ParseResult words) {
-    boolean still = png != null || svg != null;
-    require(words, still, "--png or --svg", "--step", "--heatmap", "--tracks");
+    require(words, still(), "--png, --svg or --pdf", "--step", "--heatmap", "--tracks");
     if (heat.isPresent() && words.hasMatchedOption("--step")) {
       throw new InputException("--heatmap is of all steps, expected no --step beside it");
     }
     require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
-    require(
-        words, still || gif != null, "--png, --svg or --gif", "--run", "--density", "--floorplan");
+    require(words, asked(), "--png, --svg, --pdf or --gif", "--run", "--density", "--floorplan");
     require(words, png != null || gif != null, "--png or --gif", "--width");
   }
 
@@ -113,6 +119,7 @@ final class PictureOptions {
     Map<String, Path> files = new LinkedHashMap<>();
     files.put("--png", png);
     files.put("--svg", svg);
+    files.put("--pdf", pdf);
     files.put("--gif", gif);
     for (Map.Entry<String, Path> file : files.entrySet()) {
       if (file.getValue() != null) {
@@ -135,10 +142,8 @@ final class PictureOptions {
       destination.file("--png", png).write(stream -> FigureFile.png(stream, still, pixels));
       out.println(png);
     }
-    if (svg != null) {
-      destination.file("--svg", svg).write(stream -> FigureFile.svg(stream, still));
-      out.println(svg);
-    }
+    write("svg", svg, still, destination, out);
+    write("pdf", pdf, still, destination, out);
     if (gif != null) {
       int pixels = width == null ? GIF_WIDTH : width;
       destination.file("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
@@ -147,6 +152,16 @@ final class PictureOptions {
           gif,
           animation.pictures(),
           animation.stepsApart() == 1 ? "each step" : animation.stepsApart() + " steps");
+    }
+  }
+
+  private static void write(
+      String format, Path file, Paintable still, Destination destination, PrintWriter out)
+      throws IOException {
+    if (file != null) {
+      OutputFile claimed = destination.file("--" + format, file);
+      claimed.write(stream -> FigureFile.write(stream, format, still));
+      out.println(file);
     }
   }
 

@@ -34,7 +34,7 @@ final class PlotCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "DIR", description = "Folders that 'run' has written.")
   private List<Path> folders;
 
-  @Option(names = "--out", paramLabel = "FILE.png|FILE.svg")
+  @Option(names = "--out", paramLabel = "FILE.png|.svg|.pdf")
   private Path out;
 
   @Mixin private Destination destination;
@@ -42,9 +42,10 @@ final class PlotCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     String name = out.toString().toLowerCase(Locale.ROOT);
-    boolean svg = name.endsWith(".svg");
-    if (!svg && !name.endsWith(".png")) {
-      throw new InputException("--out is '" + out + "', expected a name that ends in .png or .svg");
+    String format = name.substring(name.lastIndexOf('.') + 1);
+    if (!FigureFile.FORMATS.contains(format)) {
+      throw new InputException(
+          "--out is '" + out + "', expected a name that ends in .png, .svg or .pdf");
     }
     OutputFile file = destination.inFolder("--out", out);
     Objective objective = objective();
@@ -53,8 +54,7 @@ final class PlotCommand implements Callable<Integer> {
       runs.add(RunCurve.read(folder, objective));
     }
     Figure figure = figure(runs, objective);
-    file.write(
-        svg ? stream -> FigureFile.svg(stream, figure) : stream -> FigureFile.png(stream, figure));
+    file.write(stream -> FigureFile.write(stream, format, figure));
     return 0;
   }
 

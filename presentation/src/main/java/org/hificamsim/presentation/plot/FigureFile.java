@@ -12,6 +12,7 @@ import java.io.OutputStream;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import javax.imageio.IIOImage;
@@ -26,10 +27,13 @@ import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
-/** Writes pictures: PNG, for screens, and SVG, for papers. Needs no display. */
+/** Writes pictures: PNG for screens, SVG and PDF for papers. Needs no display. */
 public final class FigureFile {
   /** Pixels of a PNG per point where nobody says otherwise. */
   public static final int SCALE = 2;
+
+  /** As names end in. */
+  public static final List<String> FORMATS = List.of("png", "svg", "pdf");
 
   private static final String SVG = "http://www.w3.org/2000/svg";
 
@@ -52,24 +56,28 @@ public final class FigureFile {
   }
 
   /**
-   * A figure as its two files hold it. Figures that share no panel can be drawn side by side.
+   * A figure as its files hold it. Figures that share no panel can be drawn side by side.
    *
    * @param png for screens
    * @param svg for papers, UTF-8
+   * @param pdf for papers
    */
-  public record Drawn(byte[] png, byte[] svg) {
-    /** Writes {@code name.png} and {@code name.svg}. */
+  public record Drawn(byte[] png, byte[] svg, byte[] pdf) {
+    /** Writes {@code name.png}, {@code name.svg} and {@code name.pdf}. */
     public void write(OutputFolder folder, String name) throws IOException {
-      try (OutputStream out = folder.stream(name + ".png")) {
-        out.write(png);
-      }
-      try (OutputStream out = folder.stream(name + ".svg")) {
-        out.write(svg);
+      write(folder, name + ".png", png);
+      write(folder, name + ".svg", svg);
+      write(folder, name + ".pdf", pdf);
+    }
+
+    private static void write(OutputFolder folder, String file, byte[] bytes) throws IOException {
+      try (OutputStream out = folder.stream(file)) {
+        out.write(bytes);
       }
     }
   }
 
-  /** Writes {@code name.png} and {@code name.svg}. */
+  /** Writes {@code name.png}, {@code name.svg} and {@code name.pdf}. */
   public static void write(OutputFolder folder, String name, Figure figure) throws IOException {
     draw(figure, Optional.empty()).write(folder, name);
   }
@@ -90,7 +98,9 @@ public final class FigureFile {
       png(png, laid, width.map(PrintWidth::pixels).orElse(SCALE * laid.width()));
       ByteArrayOutputStream svg = new ByteArrayOutputStream();
       stream(graphics, root, svg);
-      return new Drawn(png.toByteArray(), svg.toByteArray());
+      ByteArrayOutputStream pdf = new ByteArrayOutputStream();
+      PdfFile.write(pdf, laid, width.map(PrintWidth::points).orElse((double) laid.width()));
+      return new Drawn(png.toByteArray(), svg.toByteArray(), pdf.toByteArray());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -126,7 +136,17 @@ public final class FigureFile {
     return image;
   }
 
-  private static void paint(Paintable picture, Graphics2D graphics) {
+  /** Writes a picture in one of the {@link #FORMATS}. */
+  public static void write(OutputStream out, String format, Paintable picture) throws IOException {
+    switch (format) {
+      case "png" -> png(out, picture);
+      case "svg" -> svg(out, picture);
+      case "pdf" -> PdfFile.write(out, picture, picture.width());
+      default -> throw new IllegalArgumentException(format);
+    }
+  }
+
+  static void paint(Paintable picture, Graphics2D graphics) {
     ground(graphics, picture.width(), picture.height());
     picture.paint(graphics);
   }
@@ -155,7 +175,7 @@ public final class FigureFile {
   }
 
   /** Writes an SVG document. */
-  public static void svg(OutputStream out, Paintable picture) throws IOException {
+  private static void svg(OutputStream out, Paintable picture) throws IOException {
     SVGGraphics2D graphics = painted(picture);
     stream(graphics, graphics.getRoot(), out);
   }

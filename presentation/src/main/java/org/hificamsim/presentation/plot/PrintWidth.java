@@ -59,6 +59,11 @@ public record PrintWidth(int millimetres) {
     return (double) millimetres * points / figure.width();
   }
 
+  /** The width in points. */
+  double points() {
+    return millimetres * POINTS;
+  }
+
   /** The width in pixels. */
   int pixels() {
     return (int) Math.round(millimetres / 25.4 * DOTS);

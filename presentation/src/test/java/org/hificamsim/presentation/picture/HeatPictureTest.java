@@ -91,7 +91,8 @@ class HeatPictureTest {
   @Test
   void theLegendAndTheSummaryAreInThePicture() throws IOException {
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
-    FigureFile.svg(svg, new HeatPicture(frames(false, STAYS), MAP, HeatFigure.COVERED_K, 1));
+    FigureFile.write(
+        svg, "svg", new HeatPicture(frames(false, STAYS), MAP, HeatFigure.COVERED_K, 1));
     String text = svg.toString(StandardCharsets.UTF_8);
     assertTrue(text.contains(HeatFigure.COVERED_K.label()), "label");
     assertTrue(text.contains("never 2 cameras"), "never");

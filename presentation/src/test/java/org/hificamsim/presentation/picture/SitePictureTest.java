@@ -110,7 +110,7 @@ class SitePictureTest {
     assertEquals(Color.RED, at(image(setup, 1, whole), 20.3, 17.3));
     assertEquals(Color.WHITE, at(image(setup, 1, whole), 20.3, 3.3), "beside the plan");
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
-    FigureFile.svg(svg, new StepPicture(frames(setup, 1, whole), 0));
+    FigureFile.write(svg, "svg", new StepPicture(frames(setup, 1, whole), 0));
     assertTrue(svg.toString(StandardCharsets.UTF_8).contains("xlink:href=\"data:image/png;base64"));
   }
 

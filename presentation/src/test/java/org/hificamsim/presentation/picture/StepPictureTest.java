@@ -85,7 +85,7 @@ class StepPictureTest {
             30,
             folder);
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
-    FigureFile.svg(svg, new StepPicture(far, 29));
+    FigureFile.write(svg, "svg", new StepPicture(far, 29));
     Matcher ends =
         Pattern.compile("<line[^>]*>")
             .matcher(svg.toString(java.nio.charset.StandardCharsets.UTF_8));

@@ -10,6 +10,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -17,6 +18,9 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.apache.pdfbox.Loader;
+import org.apache.pdfbox.pdmodel.PDDocument;
+import org.apache.pdfbox.rendering.PDFRenderer;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
@@ -76,9 +80,32 @@ class FigureFileTest {
   }
 
   @Test
+  void aPdfShowsWhatThePngShows() throws IOException {
+    BufferedImage png = ImageIO.read(new ByteArrayInputStream(png()));
+    BufferedImage pdf = page(written("pdf"), 72 * FigureFile.SCALE);
+    assertEquals(png.getWidth(), pdf.getWidth());
+    assertEquals(png.getHeight(), pdf.getHeight());
+    long apart = 0;
+    for (int i = 0; i < png.getWidth() * png.getHeight(); i++) {
+      int x = i % png.getWidth();
+      int y = i / png.getWidth();
+      apart += Math.abs((png.getRGB(x, y) >> 8 & 255) - (pdf.getRGB(x, y) >> 8 & 255)); // greens
+    }
+    assertTrue(apart < 2L * png.getWidth() * png.getHeight(), "greens " + apart + " apart");
+  }
+
+  private static BufferedImage page(byte[] pdf, int dotsPerInch) throws IOException {
+    try (PDDocument document = Loader.loadPDF(pdf)) {
+      assertEquals(1, document.getNumberOfPages());
+      return new PDFRenderer(document).renderImageWithDPI(0, dotsPerInch);
+    }
+  }
+
+  @Test
   void theSameFigureGivesTheSameBytes() throws IOException {
-    assertArrayEquals(png(), png());
-    assertArrayEquals(svg(), svg());
+    for (String format : FigureFile.FORMATS) {
+      assertArrayEquals(written(format), written(format), format);
+    }
   }
 
   @Test
@@ -89,6 +116,7 @@ class FigureFileTest {
       FigureFile.Drawn alone = drawn(seed);
       assertArrayEquals(alone.png(), drawn.get(seed).png(), "PNG " + seed);
       assertArrayEquals(alone.svg(), drawn.get(seed).svg(), "SVG " + seed);
+      assertArrayEquals(alone.pdf(), drawn.get(seed).pdf(), "PDF " + seed);
     }
   }
 
@@ -122,7 +150,7 @@ class FigureFileTest {
     Figure noNote = new Figure(one.title(), "", one.legend(), two.panels(), 1, 300, 200);
     assertEquals(noNote.height() + two.noteLines().size() * Figure.NOTE, two.height());
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    FigureFile.svg(out, two);
+    FigureFile.write(out, "svg", two);
     String svg = out.toString(StandardCharsets.UTF_8);
     two.noteLines().forEach(line -> assertTrue(svg.contains(line), line));
   }
@@ -151,6 +179,9 @@ class FigureFileTest {
       BufferedImage image = ImageIO.read(folder.resolve("a.png").toFile());
       assertEquals(Math.round(millimetres / 25.4 * 300), image.getWidth());
       assertEquals(millimetres > 100, image.getWidth() > image.getHeight());
+      BufferedImage page = page(Files.readAllBytes(folder.resolve("a.pdf")), 254);
+      assertEquals(10 * millimetres, page.getWidth(), 1);
+      assertEquals(10 * height, page.getHeight(), 1);
     }
   }
 
@@ -164,14 +195,16 @@ class FigureFileTest {
   }
 
   private static byte[] png() throws IOException {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    FigureFile.png(out, figure());
-    return out.toByteArray();
+    return written("png");
   }
 
   private static byte[] svg() throws IOException {
+    return written("svg");
+  }
+
+  private static byte[] written(String format) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    FigureFile.svg(out, figure());
+    FigureFile.write(out, format, figure());
     return out.toByteArray();
   }
 }
