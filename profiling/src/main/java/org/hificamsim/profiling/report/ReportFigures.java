@@ -38,6 +38,21 @@ final class ReportFigures {
     this.responses = Measurement.responses(result.measurements());
   }
 
+  /** A figure of the thesis with these photos, by its number. */
+  byte[] figure(String number) {
+    return switch (number) {
+      case "4.1" -> variables();
+      case "4.2" -> transformation();
+      case "4.3" -> transformedRegression();
+      case "4.4" -> residuals(List.of("lin"));
+      case "4.5" -> residuals(List.of("sr"));
+      case "4.7" -> residuals(List.of("svr-lin", "svr-rbf"));
+      case "6.1" -> combinations();
+      case "6.2" -> camSim();
+      default -> throw new IllegalArgumentException("there is no figure " + number);
+    };
+  }
+
   /** Figure 4.1: the distributions of the variables. */
   byte[] variables() {
     return Charts.png(

@@ -8,27 +8,11 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.trial.Trial;
-import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
 import org.hificamsim.profiling.trial.Trials.Covered;
 
 /** What the simulator detects with the recommended models, compared with what was measured. */
 final class SimulationTables {
-  static final String PHOTOS =
-      "Each photo is set up again in the simulator: one camera with its lens, one target of its"
-          + " size at its distance, and the model as it is fitted without that object. It detects"
-          + " where the model's value reaches the threshold; the photo does where the measured"
-          + " confidence does. Missed: the photo alone detects. Invented: the simulator alone does."
-          + " Balanced accuracy is one half for a guess. Every photo is in simulation.csv.";
-
-  static final String SCENES =
-      "Targets before up to "
-          + TrialRun.CAMERAS
-          + " cameras each: an object is drawn, and photos of it, which say where the cameras stand"
-          + " and through which lens they look. Then k, the number of cameras that detect it, is"
-          + " what the simulator says, and what the confidences of these photos say. By chance"
-          + " is --detect chance with its own threshold, as expected over its luck.";
-
   private static final int BANDS = 10;
 
   private final List<Trials> all;
