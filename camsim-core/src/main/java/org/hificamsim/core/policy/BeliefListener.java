@@ -1,6 +1,9 @@
 package org.hificamsim.core.policy;
 
-/** Is told what a camera believes of where targets are; see {@link ZoomPolicy#believe}. */
+/**
+ * Is told what a camera believes of where targets are, and who told whom; see {@link
+ * ZoomPolicy#believe}.
+ */
 public interface BeliefListener {
   /**
    * A target that is followed.
@@ -20,4 +23,10 @@ public interface BeliefListener {
    * @param expected number of targets in it
    */
   void unseen(double x, double y, double expected);
+
+  /** A camera, any one, has sent so many messages in this step. */
+  default void told(int camera, int messages) {}
+
+  /** Of a camera's messages, of this step or late ones, some have arrived at another one now. */
+  default void heard(int from, int to) {}
 }

@@ -106,6 +106,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
   @Override
   public boolean believe(NetworkView network, int camera, BeliefListener listener) {
     team.mind(camera).belief().tell(network.step(), listener);
+    team.tell(network, listener);
     return true;
   }
 

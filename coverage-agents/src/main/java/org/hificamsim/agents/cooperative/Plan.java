@@ -36,6 +36,7 @@ final class Plan {
     outlooks = new ViewForecast[cameras];
     Arrays.setAll(outlooks, camera -> new ViewForecast());
     planned = new int[cameras];
+    Arrays.fill(planned, NONE);
   }
 
   /** Begins a plan in which no camera has a view yet, from what is believed now. */

@@ -5,6 +5,7 @@ import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.channel.Post;
+import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -18,7 +19,9 @@ final class Team {
   private final Post<SightingReport> reports;
   private final Post<Integer> choices;
   private final int[] chosen; // in this step
+  private final int[] told; // messages in this step, by sender
   private final boolean[] heard; // by sender and receiver: who heard the last bid
+  private final boolean[] reached; // by sender and receiver: in this step
   private long messages;
   private long bits;
 
@@ -32,7 +35,9 @@ final class Team {
     reports = new Post<>(network, channel);
     choices = new Post<>(network, channel);
     chosen = new int[network.cameras()];
+    told = new int[chosen.length];
     heard = new boolean[each ? chosen.length * chosen.length : 0];
+    reached = new boolean[heard.length];
     Worth worth = new Worth(network.objective(), parameters.lead());
     minds = new Mind[each ? chosen.length : Math.min(1, chosen.length)];
     Arrays.setAll(minds, camera -> new Mind(parameters, worth, site, network));
@@ -60,9 +65,11 @@ final class Team {
   void share(NetworkView network, SightingReport[] seen) {
     site.refresh(network);
     Arrays.fill(chosen, Plan.NONE);
+    Arrays.fill(told, 0);
+    Arrays.fill(reached, false);
     for (int camera = 0; camera < seen.length; camera++) {
       if (network.online(camera)) {
-        count(seen[camera].bits(network));
+        count(camera, seen[camera].bits(network));
       }
     }
     if (each()) {
@@ -81,7 +88,11 @@ final class Team {
         reports.broadcast(camera, report.bits(network), report);
       }
     }
-    reports.deliver((from, to, sent, report) -> minds[to].receive(report, sent));
+    reports.deliver(
+        (from, to, sent, report) -> {
+          reach(from, to);
+          minds[to].receive(report, sent);
+        });
     deliverChoices(network);
     for (int camera = 0; camera < minds.length; camera++) {
       minds[camera].believe(network);
@@ -90,7 +101,15 @@ final class Team {
   }
 
   private void deliverChoices(NetworkView network) {
-    choices.deliver((from, to, sent, choice) -> minds[to].hear(from, choice, sent, network.step()));
+    choices.deliver(
+        (from, to, sent, choice) -> {
+          reach(from, to);
+          minds[to].hear(from, choice, sent, network.step());
+        });
+  }
+
+  private void reach(int from, int to) {
+    reached[from * chosen.length + to] = true;
   }
 
   /**
@@ -110,7 +129,7 @@ final class Team {
 
   private void tell(NetworkView network, int camera, int view) {
     int length = MessageBits.address(chosen.length) + MessageBits.of(network.views(camera));
-    count(length);
+    count(camera, length);
     if (each()) {
       choices.broadcast(camera, length, view);
       deliverChoices(network);
@@ -125,7 +144,7 @@ final class Team {
   /** A camera tells the others so many numbers. */
   void bid(NetworkView network, int camera, int numbers) {
     int length = MessageBits.address(chosen.length) + numbers * MessageBits.REAL;
-    count(length);
+    count(camera, length);
     if (each()) {
       boolean sent = channel.send(camera, length);
       for (int to = 0; to < chosen.length; to++) {
@@ -139,9 +158,23 @@ final class Team {
     return !each() || heard[other * chosen.length + camera];
   }
 
-  private void count(int length) {
+  private void count(int camera, int length) {
+    told[camera]++;
     messages++;
     bits += length;
+  }
+
+  /** Says who told the others how much in this step, and who heard it. */
+  void tell(NetworkView network, BeliefListener listener) {
+    for (int from = 0; from < told.length; from++) {
+      listener.told(from, told[from]);
+      for (int to = 0; to < told.length; to++) {
+        boolean all = !each() && to != from && told[from] > 0 && network.online(to);
+        if (all || (each() && reached[from * told.length + to])) {
+          listener.heard(from, to);
+        }
+      }
+    }
   }
 
   /** The view that a camera chose in this step. */

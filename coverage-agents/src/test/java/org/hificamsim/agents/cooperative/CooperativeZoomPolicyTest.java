@@ -11,6 +11,7 @@ import org.hificamsim.agents.ZoomPolicyContract;
 import org.hificamsim.agents.toy.RealWorld;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.DynamicContainer;
 import org.junit.jupiter.api.DynamicNode;
@@ -50,6 +51,7 @@ class CooperativeZoomPolicyTest {
             "agree=log-linear",
             "agree=max-sum",
             "agree=none",
+            "map=none",
             "learn=none",
             "learn=bandit",
             "learn=sarsa")
@@ -141,6 +143,41 @@ class CooperativeZoomPolicyTest {
     RealWorld.run(SITE, inTurn, 1).run(10);
     assertTrue(inTurn.messages() >= 2 * 3 * 10, inTurn.messages() + " messages");
     assertTrue(inTurn.bits() > policy.bits());
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void saysWhoToldWhom(boolean each) {
+    CooperativeZoomPolicy policy = policy("", each);
+    Simulation simulation = RealWorld.run(SITE, policy, 1);
+    simulation.run(9);
+    long before = policy.messages();
+    simulation.step();
+    Told told = new Told();
+    policy.believe(simulation.network(), 0, told);
+    assertEquals(policy.messages() - before, told.messages);
+    assertEquals(List.of("0 1", "0 2", "1 0", "1 2", "2 0", "2 1"), told.heard);
+  }
+
+  private static final class Told implements BeliefListener {
+    private final List<String> heard = new ArrayList<>();
+    private int messages;
+
+    @Override
+    public void followed(double x, double y, double weight, double spread) {}
+
+    @Override
+    public void unseen(double x, double y, double expected) {}
+
+    @Override
+    public void told(int camera, int sent) {
+      messages += sent;
+    }
+
+    @Override
+    public void heard(int from, int to) {
+      heard.add(from + " " + to);
+    }
   }
 
   private static CooperativeZoomPolicy policy(String options, boolean each) {

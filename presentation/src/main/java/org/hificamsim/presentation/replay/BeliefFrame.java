@@ -7,7 +7,9 @@ import org.hificamsim.core.scenario.Field;
 /**
  * What a camera believes, as the numbers of a {@link Frame}: for each of so many targets x, y,
  * weight and spread, the weight 0 for none; then the targets expected unseen in each of {@link
- * #SIDE} x {@link #SIDE} equal parts of the field, row by row from its south-west.
+ * #SIDE} x {@link #SIDE} equal parts of the field, row by row from its south-west; then for each
+ * camera the messages that it sent in this step; then for each the cameras that heard it, a number
+ * with a bit for each of {@link #WORD} cameras, as many numbers as it takes.
  */
 final class BeliefFrame implements BeliefListener {
   /** Parts of the field along each side. */
@@ -16,23 +18,33 @@ final class BeliefFrame implements BeliefListener {
   /** Numbers of a target. */
   static final int PER_TARGET = 4;
 
+  /** Cameras in a number. */
+  static final int WORD = 32;
+
   /** Parts of a unit that all are rounded to. */
   static final double PARTS = 1000;
 
   private final Field field;
   private final int targets;
+  private final int cameras;
   private final double[] numbers;
   private int count;
 
   BeliefFrame(Setup setup) {
     field = setup.field();
     targets = setup.targets().size();
+    cameras = setup.cameras().size();
     numbers = new double[length(setup)];
   }
 
   /** How many numbers a belief has. */
   static int length(Setup setup) {
-    return PER_TARGET * setup.targets().size() + SIDE * SIDE;
+    int cameras = setup.cameras().size();
+    return PER_TARGET * setup.targets().size() + SIDE * SIDE + cameras * (1 + words(cameras));
+  }
+
+  private static int words(int cameras) {
+    return (cameras + WORD - 1) / WORD;
   }
 
   @Override
@@ -48,6 +60,21 @@ final class BeliefFrame implements BeliefListener {
     int column = part((x - field.minX()) / field.width());
     int row = part((y - field.minY()) / field.height());
     numbers[PER_TARGET * targets + SIDE * row + column] += expected;
+  }
+
+  @Override
+  public void told(int camera, int messages) {
+    numbers[told() + camera] = messages;
+  }
+
+  @Override
+  public void heard(int from, int to) {
+    int word = told() + cameras + from * words(cameras) + to / WORD;
+    numbers[word] += 1L << to % WORD;
+  }
+
+  private int told() {
+    return PER_TARGET * targets + SIDE * SIDE;
   }
 
   private static int part(double share) {

@@ -3,6 +3,7 @@ import { el, say } from './dom.js';
 import { PoseForm } from './pose-form.js';
 import { ViewTable } from './view-table.js';
 import { viewOf } from './views.js';
+import { told } from './belief.js';
 import { decimals, metres, signed } from './numbers.js';
 
 const MEANING = {
@@ -110,7 +111,7 @@ export class AgentPanel {
     const {policy, targetSize, onAxis} = this.run.setup;
     const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.${this.lens()}`;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
-    return (MEANING[this.run.estimated] || '') + this.best() + range;
+    return (MEANING[this.run.estimated] || '') + this.best() + this.said() + range;
   }
 
   /** The three views of most gain, the best first. */
@@ -120,6 +121,18 @@ export class AgentPanel {
     const gains = run.estimates[camera].map((list, view) => [list[frame], view]).filter(([gain]) => Number.isFinite(gain));
     const three = gains.sort((one, other) => other[0] - one[0]).slice(0, 3).map(([gain, view]) => `${viewName(run.pose(camera, frame), view)}: ${decimals(gain, 3)}`);
     return three.length ? `Most: ${three.join('; ')}. ` : '';
+  }
+
+  /** What the camera told whom in this step. */
+  said() {
+    const {run, camera, frame} = this;
+    const said = run.online[camera][frame] && told(run, frame, camera);
+    if (!said) return '';
+    const others = run.online.filter((list, i) => list[frame] && i !== camera).length;
+    const names = said.hearers.map(i => run.setup.cameras[i].name);
+    const heard = names.length === others ? 'all others' : names.join(', ') || 'nobody';
+    const more = said.messages > 1 ? `, and in ${said.messages - 1} more what it chooses` : '';
+    return `In this step it told in ${said.messages ? 'one message' : 'no message'} what it saw${more}; ${heard} heard it. `;
   }
 
   /** The focal length by level and the mount height, as the settings have them. */

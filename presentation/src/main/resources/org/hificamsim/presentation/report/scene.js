@@ -4,6 +4,7 @@
 import { COVER, coverClass, scaleColour, shape, ZONES } from './palette.js';
 import { band, border, fillDetected, inSight, poseAt, ring, seenAt, viewAt } from './views.js';
 import { decimals } from './numbers.js';
+import { PARTS, partsFrom, told } from './belief.js';
 
 const TRAIL = 40; // frames
 const TRAIL_SEGMENTS = 1500;
@@ -21,7 +22,7 @@ export const HEAT = 0.8;
 export const NEVER = COVER[0].colour;
 
 /** All layers, the lowest first. */
-export const LAYERS = [floor, grid, heat, beliefs, zones, views, shadows, obstacles, tracks, trails, cameras, targets, scaleBar];
+export const LAYERS = [floor, grid, heat, beliefs, zones, views, shadows, obstacles, tracks, trails, messages, cameras, targets, scaleBar];
 
 /** The layers of a heat map's picture: what belongs to one step is left out. */
 export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleBar];
@@ -176,18 +177,17 @@ function heat(context, {heat, map, run, unit, host}) {
   context.drawImage(heat.image, left, bottom - height, width, height);
 }
 
-const PARTS = 20; // of the field along each side
-
 /** What a camera believes: shaded where targets are expected that nobody sees; a circle in which a target is that was seen, paler the less sure. */
 function beliefs(context, {belief, run, map, colours, unit}) {
   if (!belief) return;
   const {minX, maxX, minY, maxY} = run.setup.field;
   const [width, height] = [(map.scale * (maxX - minX)) / PARTS, (map.scale * (maxY - minY)) / PARTS];
-  const first = 4 * run.setup.targets.length;
+  const first = partsFrom(run);
+  const end = first + PARTS * PARTS;
   let most = 1e-9;
-  for (let i = first; i < belief.length; i++) most = Math.max(most, belief[i]);
+  for (let i = first; i < end; i++) most = Math.max(most, belief[i]);
   context.fillStyle = context.strokeStyle = colours.accent;
-  for (let i = first; i < belief.length; i++) {
+  for (let i = first; i < end; i++) {
     let [row, column] = [Math.floor((i - first) / PARTS), (i - first) % PARTS];
     context.globalAlpha = (0.5 * belief[i]) / most;
     context.fillRect(map.x(minX) + column * width, map.y(minY) - (row + 1) * height, width, height);
@@ -206,6 +206,30 @@ function beliefs(context, {belief, run, map, colours, unit}) {
     context.lineTo(px, py + 4 * unit);
     context.stroke();
   }
+}
+
+/** An arrow from the chosen camera to each that heard it in this step. */
+function messages(context, scene) {
+  const {belief, run, frame, map, colours, unit, selected} = scene;
+  const said = belief && selected >= 0 && told(run, frame, selected);
+  if (!said) return;
+  const from = poseAt(run, selected, frame);
+  context.strokeStyle = colours.accent;
+  context.lineWidth = 1.2 * unit;
+  context.beginPath();
+  said.hearers.forEach(i => {
+    const to = poseAt(run, i, frame);
+    const [x, y] = [map.x(to.x), map.y(to.y)];
+    const along = Math.atan2(y - map.y(from.y), x - map.x(from.x));
+    const [tipX, tipY] = [x - 9 * unit * Math.cos(along), y - 9 * unit * Math.sin(along)];
+    context.moveTo(map.x(from.x), map.y(from.y));
+    context.lineTo(tipX, tipY);
+    [along + 2.6, along - 2.6].forEach(back => {
+      context.moveTo(tipX, tipY);
+      context.lineTo(tipX + 9 * unit * Math.cos(back), tipY + 9 * unit * Math.sin(back));
+    });
+  });
+  context.stroke();
 }
 
 /** The pixel density zones of a camera, each with its name where it ends. */
