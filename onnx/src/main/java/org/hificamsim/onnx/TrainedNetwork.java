@@ -32,15 +32,20 @@ final class TrainedNetwork {
   /**
    * What a trained network was trained with. The file says it in its metadata, under {@code
    * targets}, {@code neighbours} and {@code actions}; what is missing there is what environments
-   * have by default.
+   * have by default. Whether it was trained with heights is seen by the width of its input.
    */
   record Conventions(ObservationLayout layout, ActionKind actions) {
-    static Conventions of(Map<String, String> metadata) {
+    static Conventions of(Map<String, String> metadata, NodeInfo input) {
       ObservationLayout usual = ObservationLayout.DEFAULT;
+      int targets = number(metadata, "targets", usual.targets());
+      int neighbours = number(metadata, "neighbours", usual.neighbours());
+      ObservationLayout high = new ObservationLayout(targets, neighbours, true);
+      boolean heights =
+          input.getInfo() instanceof TensorInfo tensor
+              && tensor.getShape().length == 2
+              && tensor.getShape()[1] == high.size();
       return new Conventions(
-          new ObservationLayout(
-              number(metadata, "targets", usual.targets()),
-              number(metadata, "neighbours", usual.neighbours())),
+          heights ? high : new ObservationLayout(targets, neighbours, false),
           Spelling.require(
               ActionKind.class,
               "its metadata actions",
@@ -103,8 +108,8 @@ final class TrainedNetwork {
     this.content = content;
     try {
       session = environment().createSession(content, oneThread());
-      conventions = Conventions.of(session.getMetadata().getCustomMetadata());
       input = only("input", session.getInputInfo().values());
+      conventions = Conventions.of(session.getMetadata().getCustomMetadata(), input);
       output = only("output", session.getOutputInfo().values());
     } catch (OrtException e) {
       throw new InputException(

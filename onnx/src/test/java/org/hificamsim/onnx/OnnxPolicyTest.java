@@ -39,7 +39,7 @@ class OnnxPolicyTest {
   @Test
   void stepsFromWhereItIsWithTheObservationThatTheFileSays() {
     ByHand steps =
-        new ByHand("steps.onnx", new ObservationLayout(3, 1), 6) {
+        new ByHand("steps.onnx", new ObservationLayout(3, 1, false), 6) {
           @Override
           int expected(NetworkView network, int camera, float[] observation) {
             int zooms = network.zooms(camera);

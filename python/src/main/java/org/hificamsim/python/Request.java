@@ -124,7 +124,7 @@ record Request(Settings asked, Environment own) {
         scenario,
         catalogue.movements(),
         DetectionSpec.of(asked, scenario, file, catalogue),
-        new ObservationLayout(own.targets, own.neighbours),
+        new ObservationLayout(own.targets, own.neighbours, scenario.hasHeights()),
         Spelling.require(ActionKind.class, "actions", own.actions),
         () -> Rewards.registry().create(own.reward),
         Integer.parseInt(asked.value(Setting.STEPS, scenario)),

@@ -129,7 +129,11 @@ class PlacesTest {
         "a.xml|<T><Line x1='1'|cut off",
         "a.json|{\"type\": \"LineString\", \"coordinates\": [[0, \"x\"]]}|a coordinate is 'x'",
         "a.json|[]|:1:1: expected a GeoJSON object",
-        "a.dxf|0|expected walls in a file that ends in .geojson, .json, .xml or .svg",
+        "a.wkt|LINESTRING (1 2, 3)|a.wkt:1:1: Expected number",
+        "a.wkt|LINESTRING (1 NaN, 3 4)|a.wkt:1:1: a coordinate is",
+        "a.wkt|LINESTRING Z (1 2 3, 4 5 6)|a.wkt:1:1: Z is 3.0 and 6.0, expected one height",
+        "a.wkt|wall (1 2)|a.wkt:1:1: Unknown geometry type",
+        "a.dxf|0|expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg",
       })
   void brokenWallsAreRefused(String name, String content, String message) {
     InputException error = assertThrows(InputException.class, () -> walls(name, content, Unit.M));

@@ -53,6 +53,31 @@ class WallHeightsTest {
   }
 
   @Test
+  void wellKnownTextHasTheHeightOfItsZ() throws IOException {
+    List<Obstacle> walls =
+        read(
+            "walls.wkt",
+            "LINESTRING (5 6, 7 8)\n\n"
+                + "GEOMETRYCOLLECTION Z (LINESTRING Z (1 2 1.8, 3 4 1.8),\n POINT Z (9 9 9))\n"
+                + "POLYGON ((0 0, 4 0, 4 4, 0 0)) POLYGON EMPTY\n"
+                + "POLYGON Z ((0 0 3, 9 0 3, 9 9 3, 0 0 3), (2 1 3, 3 1 3, 3 2 3, 2 1 3))\n");
+    assertEquals(new Obstacle.Wall(5, 6, 7, 8, 0), walls.get(0));
+    assertEquals(new Obstacle.Wall(1, 2, 3, 4, 0, 0, 1.8), walls.get(1));
+    assertTrue(walls.get(2) instanceof Obstacle.Polygon, () -> walls.get(2).toString());
+    assertEquals(new Obstacle.Wall(0, 0, 9, 0, 0, 0, 3), walls.get(3));
+    assertEquals(9, walls.size(), "the sides of a polygon with a hole");
+    InputException error =
+        assertThrows(
+            InputException.class,
+            () -> read("a.wkt", "LINESTRING (5 6, 7 8)\nLINESTRING (1 2,\n x)"));
+    assertTrue(error.getMessage().contains("a.wkt:3:1: "), error::getMessage);
+    for (String height : List.of("0", "-1")) {
+      String text = "LINESTRING Z (1 2 " + height + ", 3 4 " + height + ")";
+      assertThrows(InputException.class, () -> read("a.wkt", text), height);
+    }
+  }
+
+  @Test
   void draftsHangWhereWallsHaveHeights() throws IOException {
     List<Obstacle> walls =
         read("walls.xml", "<Lines><Line x1='4' y1='5' x2='6' y2='5' height='1.2'/></Lines>");

@@ -51,7 +51,7 @@ public record Block(List<Section> sections) {
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
     builder.add("advice", "i4", cameras);
-    builder.add("states", "f4", OneWorld.stateSize(cameras, of.network().targets()));
+    builder.add("states", "f4", OneWorld.stateSize(of.network(), settings.layout()));
     return new Block(builder.sections);
   }
 

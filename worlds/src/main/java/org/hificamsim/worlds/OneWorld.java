@@ -169,8 +169,8 @@ final class OneWorld implements StepListener {
   }
 
   /** How many numbers a state has. */
-  static int stateSize(int cameras, int targets) {
-    return 1 + cameras * ObservationLayout.OWN_SIZE + targets * STATE_OF_TARGET;
+  static int stateSize(NetworkView network, ObservationLayout layout) {
+    return 1 + network.cameras() * layout.ownSize() + network.targets() * STATE_OF_TARGET;
   }
 
   /**
@@ -188,8 +188,8 @@ final class OneWorld implements StepListener {
     int at = 1;
     for (int camera = 0; camera < network.cameras(); camera++) {
       int from = camera * settings.layout().size();
-      System.arraycopy(observations, from, out, at, ObservationLayout.OWN_SIZE);
-      at += ObservationLayout.OWN_SIZE;
+      System.arraycopy(observations, from, out, at, settings.layout().ownSize());
+      at += settings.layout().ownSize();
     }
     for (int target = 0; target < network.targets(); target++) {
       boolean present = network.present(target);

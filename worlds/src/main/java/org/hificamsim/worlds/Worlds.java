@@ -107,7 +107,7 @@ public final class Worlds implements AutoCloseable {
     observed = new float[workers.count()][network.cameras() * settings.layout().size()];
     pairs = new SeenPairs[workers.count()];
     Arrays.setAll(pairs, worker -> new SeenPairs());
-    state = new float[workers.count()][OneWorld.stateSize(network.cameras(), network.targets())];
+    state = new float[workers.count()][OneWorld.stateSize(network, settings.layout())];
     reset(seed, true);
   }
 

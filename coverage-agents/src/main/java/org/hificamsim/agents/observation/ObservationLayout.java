@@ -12,10 +12,11 @@ import org.hificamsim.core.InputException;
  *
  * @param targets how many targets there is room for, 0 or more
  * @param neighbours how many neighbours there is room for, 0 or more
+ * @param heights whether it says how high cameras hang and how they tilt
  */
-public record ObservationLayout(int targets, int neighbours) {
+public record ObservationLayout(int targets, int neighbours, boolean heights) {
   /** What there is room for where nothing else is asked for. */
-  public static final ObservationLayout DEFAULT = new ObservationLayout(4, 2);
+  public static final ObservationLayout DEFAULT = new ObservationLayout(4, 2, false);
 
   private static final int MAX_OBSERVED = 1_000;
 
@@ -36,8 +37,11 @@ public record ObservationLayout(int targets, int neighbours) {
           Feature.share("way", "n / (n + 1) after n decisions on its way"),
           Feature.share("detected", "share of all targets that it detected in the last step"));
 
-  /** How many numbers are of the camera itself, which come first. */
-  public static final int OWN_SIZE = OWN.size();
+  private static final List<Feature> OWN_HEIGHTS =
+      List.of(
+          Feature.share("height", "height of the lens above the ground, over 10 m"),
+          Feature.signed("goal_tilt", "tilt of the view chosen last, over pi / 2, downwards"),
+          Feature.signed("tilt", "tilt of the view that it sees through; 0 when blind"));
 
   static final List<Feature> NEIGHBOUR =
       List.of(
@@ -69,7 +73,7 @@ public record ObservationLayout(int targets, int neighbours) {
 
   /** Where a number of the camera itself is. */
   static int at(String name) {
-    return IntStream.range(0, OWN_SIZE)
+    return IntStream.range(0, OWN.size())
         .filter(i -> OWN.get(i).name().equals(name))
         .findFirst()
         .orElseThrow();
@@ -80,13 +84,21 @@ public record ObservationLayout(int targets, int neighbours) {
     return firstTarget() + targets * TARGET.size();
   }
 
+  /** How many numbers are of the camera itself, which come first. */
+  public int ownSize() {
+    return OWN.size() + (heights ? OWN_HEIGHTS.size() : 0);
+  }
+
   int firstTarget() {
-    return OWN.size() + neighbours * NEIGHBOUR.size();
+    return ownSize() + neighbours * NEIGHBOUR.size();
   }
 
   /** All numbers, in order. */
   public List<Feature> features() {
     List<Feature> all = new ArrayList<>(OWN);
+    if (heights) {
+      all.addAll(OWN_HEIGHTS);
+    }
     for (int i = 0; i < neighbours; i++) {
       int number = i;
       NEIGHBOUR.forEach(feature -> all.add(feature.of("neighbour", number)));

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.voting.NearestCameras;
+import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -16,6 +17,7 @@ final class ViewFeatures {
   private static final int SEEING = ObservationLayout.at("pan");
   private static final int BLIND = ObservationLayout.at("blind");
   private static final int OF_A_VIEW = 3; // pan, zoom and angle
+  private static final double HIGH = 10; // metres
 
   /**
    * A scale for where cameras stand: the middle of those that are online at first is 0, and the
@@ -59,6 +61,7 @@ final class ViewFeatures {
   }
 
   private final int size;
+  private final int tilt; // where that of the view is that a camera sees through; 0: nowhere
   private final int[] firstRow;
   private final float[] rows;
   private final double[] perReach;
@@ -72,6 +75,7 @@ final class ViewFeatures {
       Standpoints standpoints,
       NearestCameras nearest) {
     size = layout.size();
+    tilt = layout.heights() ? layout.ownSize() - 1 : 0;
     firstRow = new int[network.cameras() + 1];
     int links = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -80,22 +84,24 @@ final class ViewFeatures {
     }
     copyTo = new int[links];
     copyFrom = new int[links];
-    link(network, nearest);
+    link(network, layout, nearest);
     rows = new float[firstRow[network.cameras()] * size];
     perReach = new double[firstRow[network.cameras()]];
     perAngle = new double[perReach.length];
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int view = 0; view < network.views(camera); view++) {
-        fill(network, standpoints, nearest, camera, view);
+        fill(network, standpoints, camera, view);
+        int row = (firstRow[camera] + view) * size;
+        fillNeighbours(network, standpoints, nearest, camera, row + layout.ownSize());
       }
     }
   }
 
-  private void link(NetworkView network, NearestCameras nearest) {
+  private void link(NetworkView network, ObservationLayout layout, NearestCameras nearest) {
     int link = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int i = 0; i < nearest.count(camera); i++) {
-        int last = ObservationLayout.OWN_SIZE + (i + 1) * ObservationLayout.NEIGHBOUR.size() - 1;
+        int last = layout.ownSize() + (i + 1) * ObservationLayout.NEIGHBOUR.size() - 1;
         copyTo[link] = camera * size + last;
         copyFrom[link] = nearest.neighbour(camera, i) * size;
         link++;
@@ -103,8 +109,7 @@ final class ViewFeatures {
     }
   }
 
-  private void fill(
-      NetworkView network, Standpoints standpoints, NearestCameras nearest, int camera, int view) {
+  private void fill(NetworkView network, Standpoints standpoints, int camera, int view) {
     int row = firstRow[camera] + view;
     double angle = network.zoom(camera, view).viewingAngle();
     perReach[row] = 1 / network.reach(camera, view);
@@ -121,7 +126,12 @@ final class ViewFeatures {
         zooms == 1 ? 1 : Bounds.share(network.zoomOf(camera, view) / (zooms - 1.0));
     rows[at + SEEING + 2] = Bounds.share(angle / (2 * Math.PI));
     System.arraycopy(rows, at + SEEING, rows, at + GOAL, 2);
-    fillNeighbours(network, standpoints, nearest, camera, at + ObservationLayout.OWN_SIZE);
+    if (tilt > 0) {
+      VerticalView vertical = network.zoom(camera, view).vertical();
+      rows[at + tilt - 2] = Bounds.share(vertical.z() / HIGH);
+      rows[at + tilt - 1] = Bounds.signed(vertical.tilt() / (Math.PI / 2));
+      rows[at + tilt] = rows[at + tilt - 1];
+    }
   }
 
   private void fillNeighbours(
@@ -147,8 +157,11 @@ final class ViewFeatures {
       Arrays.fill(out, at + SEEING, at + SEEING + OF_A_VIEW, 0);
       out[at + BLIND] = 1;
     } else if (seeing != goal) {
-      int from = (firstRow[camera] + seeing) * size + SEEING;
-      System.arraycopy(rows, from, out, at + SEEING, OF_A_VIEW);
+      int from = (firstRow[camera] + seeing) * size;
+      System.arraycopy(rows, from + SEEING, out, at + SEEING, OF_A_VIEW);
+    }
+    if (tilt > 0) {
+      out[at + tilt] = seeing < 0 ? 0 : rows[(firstRow[camera] + seeing) * size + tilt];
     }
   }
 

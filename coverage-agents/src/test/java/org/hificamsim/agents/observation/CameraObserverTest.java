@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 
 /** Two cameras at (-8, 0) and (8, 6), the first looking along +y, with a lens that is turned. */
 class CameraObserverTest {
-  private static final ObservationLayout LAYOUT = new ObservationLayout(2, 1);
+  private static final ObservationLayout LAYOUT = new ObservationLayout(2, 1, false);
   private static final String CAMERAS =
       "<optics name='o' hfov='30 60' reach='10' pan='0 90' pan_speed='40'/>"
           + "<camera name='a' x='-8' y='0' heading='0' viewing_angle='60' range='10' optics='o'/>"
@@ -89,6 +89,24 @@ class CameraObserverTest {
   }
 
   @Test
+  void aCameraThatTiltsKnowsItsHeightAndItsTilts() {
+    ObservationLayout high = new ObservationLayout(2, 1, true);
+    String cameras =
+        CAMERAS
+            .replace("pan_speed='40'", "tilt='0 45' pan_speed='40'")
+            .replace("heading='0'", "heading='0' z='4' tilt='9'");
+    Watching still = new Watching(to(3, 1), high); // the widest level at the second tilt
+    RealWorld.run(cameras + TARGETS, still, 1).run(5);
+    Observed under = new Observed(still.seen.get(1), high);
+    assertEquals(0.4, under.of("height"), 1e-6, "4 m of 10");
+    assertEquals(0.6, under.of("goal_tilt"), 1e-6, "54 degrees of 90");
+    assertEquals(0, under.of("tilt"), "on its way");
+    assertEquals(0.6, new Observed(still.seen.get(4), high).of("tilt"), 1e-6);
+    assertEquals(1, under.of("neighbour0_dx"), "neighbours follow");
+    assertEquals(high.size(), LAYOUT.size() + 3);
+  }
+
+  @Test
   void aCameraThatIsOffKnowsNothing() {
     String off = "<event timestep='1' participant='camera' event='error' name='a' duration='-1'/>";
     Watching watching = new Watching(to(1, 1));
@@ -140,7 +158,7 @@ class CameraObserverTest {
   private static Observed observe(ZoomPolicy policy, int steps) {
     Watching watching = new Watching(policy);
     RealWorld.run(CAMERAS + TARGETS, watching, 1).run(steps + 1);
-    return new Observed(watching.seen.get(steps));
+    return new Observed(watching.seen.get(steps), LAYOUT);
   }
 
   private static ZoomPolicy to(int... views) {
@@ -158,9 +176,9 @@ class CameraObserverTest {
   }
 
   /** What the first camera knew. */
-  private record Observed(float[] numbers) {
+  private record Observed(float[] numbers, ObservationLayout layout) {
     double of(String name) {
-      List<String> names = LAYOUT.features().stream().map(Feature::name).toList();
+      List<String> names = layout.features().stream().map(Feature::name).toList();
       return numbers[names.indexOf(name)];
     }
   }
@@ -168,11 +186,17 @@ class CameraObserverTest {
   /** Keeps what is observed before each decision of a policy. */
   private static final class Watching implements ZoomPolicy {
     private final ZoomPolicy policy;
+    private final ObservationLayout layout;
     private final List<float[]> seen = new ArrayList<>();
     private CameraObserver observer;
 
     Watching(ZoomPolicy policy) {
+      this(policy, LAYOUT);
+    }
+
+    Watching(ZoomPolicy policy, ObservationLayout layout) {
       this.policy = policy;
+      this.layout = layout;
     }
 
     @Override
@@ -187,8 +211,8 @@ class CameraObserverTest {
 
     @Override
     public void decide(NetworkView network, int[] views) {
-      observer = observer == null ? new CameraObserver(network, LAYOUT) : observer;
-      float[] out = new float[network.cameras() * LAYOUT.size()];
+      observer = observer == null ? new CameraObserver(network, layout) : observer;
+      float[] out = new float[network.cameras() * layout.size()];
       observer.observe(network, out);
       seen.add(out);
       policy.decide(network, views);

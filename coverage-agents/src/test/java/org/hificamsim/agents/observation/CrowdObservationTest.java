@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 
 /** Three cameras with lenses that see on their way, among many targets, some equally near. */
 class CrowdObservationTest {
-  private static final ObservationLayout LAYOUT = new ObservationLayout(3, 2);
+  private static final ObservationLayout LAYOUT = new ObservationLayout(3, 2, false);
   private static final String OPTICS =
       "<optics name='o' hfov='20 40 80' reach='12' pan='0 90' pan_speed='30' moving='sees'/>";
 
@@ -119,7 +119,7 @@ class CrowdObservationTest {
         new RandomZoomPolicy(),
         network -> {
           float[] out = observe(network);
-          int at = ObservationLayout.OWN_SIZE;
+          int at = LAYOUT.ownSize();
           float[] expected = {
             2 / 16f, 0, network.detected(2) / 24f, 1, 6 / 16f, network.detected(1) / 24f
           };
@@ -172,7 +172,7 @@ class CrowdObservationTest {
     ViewFeatures features = features(one, LAYOUT);
     assertSame(features, features(same, LAYOUT).or(features));
     for (ViewFeatures different :
-        List.of(features(other, LAYOUT), features(same, new ObservationLayout(3, 1)))) {
+        List.of(features(other, LAYOUT), features(same, new ObservationLayout(3, 1, false)))) {
       assertNotSame(features, different.or(features));
       assertSame(different, different.or(features));
     }

@@ -13,8 +13,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ObservationLayoutTest {
   @Test
   void thereIsRoomForUpToAThousandTargetsAndNeighbours() {
-    assertEquals(ObservationLayout.OWN_SIZE, new ObservationLayout(0, 0).size());
-    assertEquals(ObservationLayout.OWN_SIZE + 9000, new ObservationLayout(1000, 1000).size());
+    int own = new ObservationLayout(0, 0, false).size();
+    assertEquals(own + 9000, new ObservationLayout(1000, 1000, false).size());
   }
 
   @ParameterizedTest
@@ -26,7 +26,7 @@ class ObservationLayoutTest {
   })
   void otherNumbersAreRefused(int targets, int neighbours, String refused) {
     InputException told =
-        assertThrows(InputException.class, () -> new ObservationLayout(targets, neighbours));
+        assertThrows(InputException.class, () -> new ObservationLayout(targets, neighbours, false));
     assertEquals(refused + ", expected 0 to 1000", told.getMessage());
   }
 

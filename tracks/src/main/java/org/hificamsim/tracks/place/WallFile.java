@@ -11,14 +11,17 @@ import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.xml.sax.Attributes;
 
-/** Reads walls: GeoJSON, XML with {@code Line} elements, or the lines of an SVG, by the ending. */
+/**
+ * Reads walls, by the ending: GeoJSON, well-known text, XML with {@code Line} elements, or the
+ * lines of an SVG.
+ */
 public final class WallFile {
   private WallFile() {}
 
   /**
    * Reads them.
    *
-   * @param unit of GeoJSON and XML
+   * @param unit of all but SVG
    * @param projection of degrees
    * @param frame of SVG; empty where its scale is not known
    * @throws InputException with the place, when something is wrong
@@ -33,13 +36,15 @@ public final class WallFile {
     WallCollector walls = new WallCollector(unit, projection);
     if (name.endsWith(".json") || name.endsWith(".geojson")) {
       new GeoJsonWalls(walls).read(file);
+    } else if (name.endsWith(".wkt")) {
+      new WktWalls(walls).read(file);
     } else if (name.endsWith(".xml")) {
       new XmlWalls(walls).readFile(file);
     } else if (name.endsWith(".svg")) {
       return new SvgWalls(file, frame.orElseThrow(() -> noScale(file))).read();
     } else {
       throw new InputException(
-          file + ": expected walls in a file that ends in .geojson, .json, .xml or .svg");
+          file + ": expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg");
     }
     return walls.all();
   }

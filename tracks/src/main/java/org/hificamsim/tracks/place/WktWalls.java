@@ -1,0 +1,108 @@
+package org.hificamsim.tracks.place;
+
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.LineNumberReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.file.TextLines;
+import org.hificamsim.core.obstacle.Point;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryCollection;
+import org.locationtech.jts.geom.LineString;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.io.ParseException;
+import org.locationtech.jts.io.WKTReader;
+
+/**
+ * Geometries in well-known text (OGC 06-103r4), one after the other: lines are walls, polygons are
+ * solid. A polygon with holes is its sides alone. Z, the same for all points of a line or ring, is
+ * the height of its walls, metres.
+ */
+final class WktWalls {
+  private final WallCollector walls;
+  private Place place; // of the geometry
+
+  WktWalls(WallCollector walls) {
+    this.walls = walls;
+  }
+
+  void read(Path file) {
+    WKTReader reader = new WKTReader();
+    try (LineNumberReader in =
+        new LineNumberReader(
+            new InputStreamReader(TextLines.stream(file), StandardCharsets.UTF_8))) {
+      while (skipBlanks(in)) {
+        place = line(file, in);
+        try {
+          add(reader.read(in));
+        } catch (ParseException | IllegalArgumentException e) {
+          String problem = e.getMessage().replaceFirst(" \\(line \\d+\\)$", "");
+          throw line(file, in).error(problem + ", expected geometries in well-known text");
+        }
+      }
+    } catch (IOException e) {
+      throw TextLines.unreadable(file.toString(), 1, e);
+    }
+  }
+
+  private static Place line(Path file, LineNumberReader in) {
+    return new Place(file.toString(), in.getLineNumber() + 1, 1);
+  }
+
+  /** Goes to the next character that is no blank; false where there is none. */
+  private static boolean skipBlanks(LineNumberReader in) throws IOException {
+    int next;
+    do {
+      in.mark(1);
+      next = in.read();
+    } while (Character.isWhitespace(next));
+    in.reset();
+    return next >= 0;
+  }
+
+  private void add(Geometry geometry) {
+    if (geometry instanceof GeometryCollection several) { // of lines and of polygons as well
+      for (int i = 0; i < several.getNumGeometries(); i++) {
+        add(several.getGeometryN(i));
+      }
+    } else if (geometry instanceof Polygon polygon) {
+      add(polygon.getExteriorRing(), polygon.getNumInteriorRing() == 0);
+      for (int i = 0; i < polygon.getNumInteriorRing(); i++) {
+        add(polygon.getInteriorRingN(i), false);
+      }
+    } else if (geometry instanceof LineString line) {
+      add(line, false);
+    } // a point is no wall
+  }
+
+  private void add(LineString line, boolean solid) {
+    int first = walls.count();
+    Coordinate[] positions = line.getCoordinates();
+    List<Point> points = Arrays.stream(positions).map(this::point).toList();
+    if (solid) {
+      walls.ring(points);
+    } else {
+      walls.line(points);
+    }
+    double[] heights = Arrays.stream(positions).mapToDouble(Coordinate::getZ).distinct().toArray();
+    if (heights.length > 1) {
+      throw place.error(
+          "Z is " + heights[0] + " and " + heights[1] + ", expected one height for a line or ring");
+    }
+    if (heights.length == 1 && !Double.isNaN(heights[0])) {
+      walls.raise(place, first, heights[0]);
+    }
+  }
+
+  private Point point(Coordinate position) {
+    if (!Double.isFinite(position.x) || !Double.isFinite(position.y)) {
+      throw place.error("a coordinate is " + position + ", expected numbers");
+    }
+    return walls.point(place, position.x, position.y);
+  }
+}
