@@ -158,6 +158,23 @@ class DetectionHintsTest {
   }
 
   @Test
+  void aCameraThatLooksOverAllHeadsIsAWarning() throws IOException {
+    Path site = Cli.scenario("warehouse-heights");
+    assertEquals("", Cli.run("validate", site).err());
+    Path file = folder.resolve("up.xml");
+    Files.writeString(
+        file,
+        Files.readString(site)
+            .replace("tilt=\"0 8\"", "tilt=\"0\"")
+            .replace("<camera name=\"dock-north\"", "<camera tilt=\"-60\" name=\"dock-north\""));
+    String warning = first(Cli.run("validate", file));
+    String start =
+        "warning: " + file + ": no target can be seen anywhere by camera 'dock-north' at";
+    assertTrue(warning.startsWith(start + " hfov 11 tilt -60, "), warning);
+    assertFalse(warning.contains("dock-south"), warning);
+  }
+
+  @Test
   void settingsTellTheLens() throws IOException {
     Path out = folder.resolve("out");
     Cli.run("run", Cli.scenario("ring-random"), "--steps", 5, "--out", out);

@@ -132,6 +132,16 @@ class TracksTest {
     assertTrue(run.err().contains("which has none, expected a scenario with <tracks>"), run.err());
   }
 
+  @Test
+  void aScenarioWithHeightsIsRefused() throws IOException {
+    Path file = tracked();
+    String text = Files.readString(file);
+    Files.writeString(file, text.replace(" step='0.5'", " step='0.5' seen='head'"));
+    CamSimRun run = CamSimRun.of(folder.resolve("run"), "tracks=" + file, forCamSim(), 3);
+    String told = "which has heights, expected a flat scenario: CamSim has none";
+    assertTrue(run.err().contains(told), run.err());
+  }
+
   private Path tracked() throws IOException {
     Files.writeString(folder.resolve("people.tracks"), TRACKS);
     return scenario("tracked.xml", " step='0.5'", "<tracks file='people.tracks'/>");

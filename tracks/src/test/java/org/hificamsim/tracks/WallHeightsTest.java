@@ -17,6 +17,7 @@ import org.hificamsim.core.scenario.Field;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -74,6 +75,23 @@ class WallHeightsTest {
     for (String height : List.of("0", "-1")) {
       String text = "LINESTRING Z (1 2 " + height + ", 3 4 " + height + ")";
       assertThrows(InputException.class, () -> read("a.wkt", text), height);
+    }
+  }
+
+  @Test
+  void shapesOfADrawingHaveHeightsInMetres() throws IOException {
+    String drawing =
+        "<svg width='40' height='30'><g transform='scale(2)'>"
+            + "<line x1='1' y1='2' x2='3' y2='4' data-height='1.8'/>"
+            + "<rect x='5' y='5' width='2' height='1'/></g></svg>";
+    Path file = Files.writeString(folder.resolve("a.svg"), drawing);
+    PictureFrame frame = new PictureFrame(0.5, 0, 0);
+    List<Obstacle> walls = WallFile.read(file, Unit.M, new LocalProjection(), Optional.of(frame));
+    assertEquals(1.8, ((Obstacle.Wall) walls.get(0)).height());
+    assertEquals(Double.POSITIVE_INFINITY, ((Obstacle.Polygon) walls.get(1)).height());
+    for (String height : List.of("0", "tall", "")) {
+      String broken = drawing.replace("1.8", height);
+      assertThrows(InputException.class, () -> read("b.svg", broken), height);
     }
   }
 

@@ -121,7 +121,7 @@ public record ViewSet(
   public ZoomLevel zoom(int view) {
     ZoomLevel level = zooms.get(zoomOf(view));
     VerticalView vertical = level.vertical();
-    return tilts.size() == 1
+    return tilt(view) == vertical.tilt()
         ? level
         : level.with(new VerticalView(vertical.z(), tilt(view), vertical.angle()));
   }

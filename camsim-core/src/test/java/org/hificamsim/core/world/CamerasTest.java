@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -67,6 +68,28 @@ class CamerasTest {
     cameras.aim(0, AHEAD, 0.5);
     assertNotEquals(looks, cameras.looks());
     assertEquals(0.5, cameras.pan(0, AHEAD));
+  }
+
+  @Test
+  void opticsOfOneTiltAreOffTheCamerasOwn() {
+    for (List<Double> offs : List.of(List.of(0.0), List.of(20.0), List.of(-30.0, 20.0))) {
+      OpticsSpec optics =
+          new OpticsSpec("lens")
+              .with(OpticsSpec.ANGLES_OF_VIEW, List.of(30.0, 60.0))
+              .with(OpticsSpec.TILTS, offs);
+      Cameras tilting =
+          new TestScenario()
+              .camera(
+                  TestScenario.camera("a", 0, 0, 0, optics)
+                      .with(CameraSpec.Z, 3.0)
+                      .with(CameraSpec.TILT, 10.0))
+              .target(1, 1)
+              .world()
+              .cameras();
+      int last = tilting.views(0) - 1;
+      double off = offs.get(offs.size() - 1);
+      assertEquals(Math.toRadians(10 + off), tilting.zoom(0, last).vertical().tilt(), 1e-15);
+    }
   }
 
   @Test
