@@ -13,6 +13,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  *     differ
  * @param levels its zoom levels, the narrowest first
  * @param pans its pan angles, radians off the heading, to the right; empty where it cannot turn
+ * @param tilts its tilt at each pan angle, radians below the horizon; empty where it has one
  * @param lenses by level, where the levels differ in angle or have a pixel density
  * @param visible corners of the region that solid obstacles leave in sight, x and y in turn,
  *     metres; empty where the scenario has none
@@ -26,6 +27,7 @@ public record CameraPose(
     double viewingAngle,
     List<Level> levels,
     @IfAny List<Double> pans,
+    @IfAny List<Double> tilts,
     @IfAny List<LevelOptics> lenses,
     @IfAny List<Double> visible,
     @IfAny List<List<Double>> grounds) {

@@ -1,7 +1,9 @@
 package org.hificamsim.presentation.replay;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
@@ -16,28 +18,38 @@ final class Outlook {
   /** Of the way round: between corners where nothing is in the way. */
   private static final double ARC = 2 * Math.PI / 24;
 
-  private final Obstacles obstacles;
-  private final boolean open;
+  private final List<Obstacle> obstacles;
+  private final Map<Double, Obstacles> hiding = new HashMap<>(); // by a camera's height
   private final Scale scale;
 
   Outlook(List<Obstacle> obstacles, Field field) {
-    this.obstacles = new Obstacles(obstacles);
-    this.open = obstacles.stream().noneMatch(one -> one.solid() && one.full());
+    this.obstacles = obstacles;
     this.scale = Scale.of(field);
   }
 
   /**
    * The corners as in {@link CameraPose#visible}; the place itself where a camera sees nothing.
    *
+   * @param z of the camera, metres; NaN in a flat world
    * @param reach of the camera, metres
    */
-  List<Double> from(double x, double y, double reach) {
-    if (open || !(reach > 0)) {
+  List<Double> from(double x, double y, double z, double reach) {
+    Obstacles walls = hiding.computeIfAbsent(z, this::hiding);
+    if (walls.isEmpty() || !(reach > 0)) {
       return List.of();
     }
     double most = BEYOND * reach;
-    List<Point> corners = VisibleRegion.of(obstacles, x, y, most).polygon(most);
+    List<Point> corners = VisibleRegion.of(walls, x, y, most).polygon(most);
     return rounded(corners.isEmpty() ? List.of(new Point(x, y)) : fewer(corners, x, y, most));
+  }
+
+  /** Those that a camera cannot look over, as if they had no top. */
+  private Obstacles hiding(double z) {
+    return new Obstacles(
+        obstacles.stream()
+            .filter(one -> one.solid() && (one.full() || one.base() == 0 && one.height() >= z))
+            .map(one -> one.between(0, Double.POSITIVE_INFINITY))
+            .toList());
   }
 
   /** Leaves out most corners of arcs about the camera. */

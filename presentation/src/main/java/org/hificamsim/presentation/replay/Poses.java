@@ -3,6 +3,7 @@ package org.hificamsim.presentation.replay;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -51,7 +52,8 @@ final class Poses {
         Math.toRadians(spec.heading()),
         zooms,
         pans(cameras.views(camera), zooms.size(), view -> cameras.pan(camera, view)),
-        outlook.from(spec.x(), spec.y(), reach(detecting)),
+        tilts(cameras.views(camera), zooms.size(), view -> cameras.zoom(camera, view)),
+        outlook.from(spec.x(), spec.y(), zooms.get(0).vertical().z(), reach(detecting)),
         grounds(cameras.views(camera), view -> cameras.zoom(camera, view)));
   }
 
@@ -68,7 +70,10 @@ final class Poses {
         network.cameraHeading(camera),
         zooms,
         pans(network.views(camera), zooms.size(), view -> network.pan(camera, view)),
-        asBefore ? before.visible() : outlook.from(x, y, reach(detecting)),
+        tilts(network.views(camera), zooms.size(), view -> network.zoom(camera, view)),
+        asBefore
+            ? before.visible()
+            : outlook.from(x, y, zooms.get(0).vertical().z(), reach(detecting)),
         grounds(network.views(camera), view -> network.zoom(camera, view)));
   }
 
@@ -82,12 +87,21 @@ final class Poses {
     return pans.equals(List.of(0.0)) ? List.of() : pans;
   }
 
+  private static List<Double> tilts(int views, int zooms, IntFunction<ZoomLevel> zoom) {
+    List<Double> tilts =
+        IntStream.range(0, views / zooms)
+            .mapToObj(i -> zoom.apply(i * zooms).vertical().tilt())
+            .toList();
+    return Set.copyOf(tilts).size() == 1 ? List.of() : tilts;
+  }
+
   private CameraPose pose(
       double x,
       double y,
       double heading,
       List<ZoomLevel> zooms,
       List<Double> pans,
+      List<Double> tilts,
       List<Double> visible,
       List<List<Double>> grounds) {
     List<LevelOptics> lenses = zooms.stream().map(LevelOptics::of).toList();
@@ -99,6 +113,7 @@ final class Poses {
         zooms.get(0).viewingAngle(),
         levels(zooms),
         pans,
+        tilts,
         alike ? List.of() : lenses,
         visible,
         grounds);

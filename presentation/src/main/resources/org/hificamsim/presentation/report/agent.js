@@ -2,9 +2,9 @@
 import { el, say } from './dom.js';
 import { PoseForm } from './pose-form.js';
 import { ViewTable } from './view-table.js';
-import { viewOf } from './views.js';
+import { viewName, viewOf } from './views.js';
 import { told } from './belief.js';
-import { decimals, metres, signed } from './numbers.js';
+import { decimals, metres } from './numbers.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
@@ -143,11 +143,6 @@ export class AgentPanel {
     return focal + (height ? ` Mounted ${decimals(height, 3)} m over the targets.` : '');
   }
 }
-
-const viewName = (pose, view) => {
-  const {zoom, pan} = viewOf(pose, view);
-  return `level ${zoom}${pose.pans ? `, ${signed(pan)}` : ''}`;
-};
 
 function levelRow(level, estimated, counted, hold) {
   const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};

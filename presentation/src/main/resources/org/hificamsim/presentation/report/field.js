@@ -4,8 +4,8 @@ import { host } from './host.js';
 import { HeatChoice } from './heat.js';
 import { figureSize, fit, legend, magnified, paintScene, paintTracks } from './scene.js';
 import { named, obstacleAt } from './site.js';
-import { densityAt, viewAt, viewOf, zoneAt } from './views.js';
-import { decimals, metres, signed } from './numbers.js';
+import { densityAt, viewAt, viewName, viewOf, zoneAt } from './views.js';
+import { decimals, metres } from './numbers.js';
 
 const NEAR = 16;
 const STILL = 3; // pixels a pressed camera may be off before it moves
@@ -363,7 +363,6 @@ function besides(pointer, size, room) {
 
 /** A view in words. */
 function describeView(pose, view) {
-  const {zoom, pan, level, viewingAngle} = viewOf(pose, view);
-  return `level ${zoom}, ${pose.pans ? `${signed(pan)}, ` : ''}` +
-    (pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(level.radius, 3)} m`);
+  const {level, viewingAngle} = viewOf(pose, view);
+  return `${viewName(pose, view)}, ` + (pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(level.radius, 3)} m`);
 }

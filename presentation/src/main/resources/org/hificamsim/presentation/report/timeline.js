@@ -2,9 +2,9 @@
 import { el, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, scaleColour, levelShare } from './palette.js';
 import { SHOWN_RAW, smoothed } from './smooth.js';
-import { viewOf } from './views.js';
+import { viewName, viewOf } from './views.js';
 import { scoreNumber } from './names.js';
-import { decimals, signed } from './numbers.js';
+import { decimals } from './numbers.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
 const RIGHT = 1;
@@ -148,10 +148,10 @@ class ZoomStrip {
     const camera = this.cameraAt(event);
     const level = this.run.level[camera][frame];
     const pose = this.run.pose(camera, frame);
-    const {zoom, pan, viewingAngle} = viewOf(pose, level);
+    const {zoom, viewingAngle} = viewOf(pose, level);
     const wide = pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(pose.levels[zoom].radius, 3)} m`;
     const text = this.run.online[camera][frame]
-      ? `level ${zoom}, ${pose.pans ? `${signed(pan)}, ` : ''}${wide}, detects ${this.run.detected[camera][frame]}` : 'not online';
+      ? `${viewName(pose, level)}, ${wide}, detects ${this.run.detected[camera][frame]}` : 'not online';
     say(this.value, `${this.run.setup.cameras[camera].name}, step ${this.run.step[frame]}: ${text}`);
   }
 

@@ -8,9 +8,9 @@ import { ChoiceForm } from './choice.js';
 import { degrees, tidy } from './pose-form.js';
 import { located } from './site.js';
 import { unpackHeat } from './heat.js';
-import { viewOf } from './views.js';
+import { viewName } from './views.js';
 import { scoreText } from './names.js';
-import { decimals, signed } from './numbers.js';
+import { decimals } from './numbers.js';
 
 const MAX_FRAMES = 8000;
 const RECENT = 100;
@@ -280,8 +280,7 @@ class LiveView {
   /** Has a camera stay in a view, or leaves it to the policy again with -1. */
   hold(camera, view) {
     const {name, pose} = this.runs[0].setup.cameras[camera];
-    const {zoom, pan} = view < 0 ? {} : viewOf(pose, view);
-    say(this.said, view < 0 ? `camera ${name}: its views are left to the policy` : `camera ${name}: held at level ${zoom}${pose.pans ? `, ${signed(pan)}` : ''}`);
+    say(this.said, view < 0 ? `camera ${name}: its views are left to the policy` : `camera ${name}: held at ${viewName(pose, view)}`);
     this.send({command: 'hold', camera, view});
   }
 

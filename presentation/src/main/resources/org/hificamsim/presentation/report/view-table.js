@@ -1,17 +1,19 @@
-// The views of a camera that can turn: a row for each zoom level, a column for each pan angle.
+// The views of a camera that can turn: a row for each zoom level, a column for each pan angle and tilt.
 import { el, say } from './dom.js';
-import { decimals, signed } from './numbers.js';
+import { decimals } from './numbers.js';
+import { directionName, viewName } from './views.js';
 
 export class ViewTable {
   /**
    * @param pose of the camera
    * @param hold called with the view that is chosen by hand, -1 to leave it to the policy; nothing where cameras cannot be commanded
    */
-  constructor({levels, pans}, hold) {
-    this.cells = pans.flatMap((pan, i) => levels.map((level, zoom) => cell(i * levels.length + zoom, `level ${zoom}, ${signed(pan)}`, hold)));
+  constructor(pose, hold) {
+    const {levels, pans} = pose;
+    this.cells = pans.flatMap((pan, i) => levels.map((level, zoom) => cell(i * levels.length + zoom, viewName(pose, i * levels.length + zoom), hold)));
     const rows = levels.map((level, zoom) => el('tr', {}, el('th', {scope: 'row'}, String(zoom)), ...pans.map((pan, i) => this.cells[i * levels.length + zoom].element)));
     this.element = el('div', {class: 'views', tabindex: 0, role: 'group', 'aria-label': 'views: zoom levels by pan angles'}, el('table', {},
-      el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'level'), ...pans.map(pan => el('th', {scope: 'col'}, signed(pan))))),
+      el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'level'), ...pans.map((pan, i) => el('th', {scope: 'col'}, directionName(pose, i))))),
       el('tbody', {}, ...rows.reverse())));
   }
 

@@ -1,4 +1,5 @@
 // What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls. Rhino runs this file too: see scene.js.
+import { signed } from './numbers.js';
 import { ZONES } from './palette.js';
 
 /** How many views a camera in this pose can choose. */
@@ -18,6 +19,15 @@ export function viewOf(pose, view) {
     reach: lens && detected ? detected : level.radius, // a lens reaches as far as it detects
   };
 }
+
+const tiltName = radians => signed(Math.abs(radians)).replace('+', '') + (radians < 0 ? ' up' : ' down');
+
+/** The i-th direction of a camera in words; empty where it has one alone. */
+export const directionName = ({pans, tilts}, i) => [pans && signed(pans[i]), tilts && tiltName(tilts[i])].filter(Boolean).join(', ');
+
+/** A view in words. */
+export const viewName = (pose, view) =>
+  [`level ${view % pose.levels.length}`, directionName(pose, Math.floor(view / pose.levels.length))].filter(Boolean).join(', ');
 
 /** Where a camera of a run is in a frame. */
 export function poseAt({poses, step}, camera, frame) {

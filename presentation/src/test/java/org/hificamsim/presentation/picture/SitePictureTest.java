@@ -147,6 +147,7 @@ class SitePictureTest {
             Math.PI / 3,
             List.of(level),
             List.of(-Math.PI / 2, 0.0),
+            List.of(),
             List.of(new LevelOptics(Math.PI / 3, 500)),
             visible,
             List.of());

@@ -16,7 +16,7 @@ class OutlookTest {
 
   @Test
   void whatIsBehindAWallIsOutside() {
-    List<Double> ring = new Outlook(List.of(WALL), FIELD).from(5, 10, 15);
+    List<Double> ring = new Outlook(List.of(WALL), FIELD).from(5, 10, Double.NaN, 15);
     Path2D path = path(ring);
     assertTrue(path.contains(9.9, 10) && path.contains(0.1, 10) && path.contains(12, 2));
     assertFalse(path.contains(10.1, 10) || path.contains(19, 10));
@@ -24,7 +24,7 @@ class OutlookTest {
 
   @Test
   void whereNothingIsInTheWayFewCornersReachBeyondTheReach() {
-    List<Double> ring = new Outlook(List.of(WALL), FIELD).from(29, 10, 8);
+    List<Double> ring = new Outlook(List.of(WALL), FIELD).from(29, 10, Double.NaN, 8);
     assertTrue(ring.size() < 2 * 40, ring.size() / 2 + " corners");
     Path2D path = path(ring);
     for (int degree = 0; degree < 360; degree++) {
@@ -37,12 +37,13 @@ class OutlookTest {
   @Test
   void whatDimsAloneCutsNothingOff() {
     Obstacle glass = new Obstacle.Wall(10, 5, 10, 15, 0.5);
-    assertEquals(List.of(), new Outlook(List.of(glass), FIELD).from(5, 10, 15));
+    assertEquals(List.of(), new Outlook(List.of(glass), FIELD).from(5, 10, Double.NaN, 15));
   }
 
   @Test
   void aCameraInAWallSeesNothing() {
-    assertEquals(List.of(10.0, 10.0), new Outlook(List.of(WALL), FIELD).from(10, 10, 15));
+    assertEquals(
+        List.of(10.0, 10.0), new Outlook(List.of(WALL), FIELD).from(10, 10, Double.NaN, 15));
   }
 
   private static Path2D path(List<Double> ring) {
@@ -53,5 +54,15 @@ class OutlookTest {
     }
     path.closePath();
     return path;
+  }
+
+  @Test
+  void aCameraLooksOverWhatIsLowerThanItself() {
+    Outlook outlook = new Outlook(List.of(WALL.between(0, 3)), FIELD);
+    assertEquals(List.of(), outlook.from(5, 10, 3.1, 15));
+    List<Double> hidden = new Outlook(List.of(WALL), FIELD).from(5, 10, Double.NaN, 15);
+    assertEquals(hidden, outlook.from(5, 10, 3, 15));
+    Outlook canopy = new Outlook(List.of(WALL.between(2.5, 4)), FIELD);
+    assertEquals(List.of(), canopy.from(5, 10, 3, 15), "it is walked under");
   }
 }
