@@ -33,7 +33,8 @@ public final class FlatWorlds {
    * @param args scenario files
    */
   public static void main(String[] args) {
-    System.out.println("site, views: flat claims, there is, claimed and not there, there and not claimed");
+    System.out.println(
+        "site, views: flat claims, there is, claimed and not there, there and not claimed");
     for (String file : args) {
       Scenario scenario = ScenarioReader.read(Path.of(file), name -> true, warning -> {});
       for (boolean any : new boolean[] {false, true}) {
