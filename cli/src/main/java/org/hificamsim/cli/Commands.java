@@ -23,6 +23,7 @@ final class Commands {
           GenerateCommand.class,
           ImportCommand.class,
           PlaceCommand.class,
+          BenchmarkCommand.class,
           ReportCommand.class,
           ViewCommand.class,
           ValidateCommand.class,

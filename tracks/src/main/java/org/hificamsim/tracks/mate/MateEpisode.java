@@ -1,0 +1,126 @@
+package org.hificamsim.tracks.mate;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.VisibleRegion;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRow;
+
+/**
+ * An episode of MATE (Pan et al., NeurIPS 2022) with the poses that its cameras and targets had: a
+ * row for each step with {@code c0_x, c0_y, c0_orientation, c0_viewing_angle, c0_sight_range, ...}
+ * and {@code t0_x, t0_y, ...} in units and degrees, 0 is +x, counterclockwise. Beside {@code
+ * NAME.csv} or {@code NAME.csv.gz} stand its obstacles, {@code NAME.obstacles.csv} ({@code
+ * x,y,radius}).
+ *
+ * @param steps how many it has
+ * @param cameras how many there are
+ * @param targets how many there are
+ * @param coverage mean share of the targets that a camera sees: what is to be expected, as in MATE
+ *     a look through an obstacle succeeds by {@link #TRANSMITTANCE}, by a draw
+ */
+public record MateEpisode(int steps, int cameras, int targets, double coverage) {
+  private static final double TRANSMITTANCE = 0.1;
+  private static final double MAX = 1e9;
+  private static final String NUMBER = "a number from -1e9 to 1e9";
+  private static final List<String> OF_CAMERA =
+      List.of("x", "y", "orientation", "viewing_angle", "sight_range");
+
+  /**
+   * Replays an episode.
+   *
+   * @throws InputException when a file is missing or wrong
+   */
+  public static MateEpisode replay(Path file) {
+    Obstacles obstacles = obstacles(file);
+    try (CsvReader table =
+        CsvReader.betweenCommas(file, "poses of a MATE episode: c0_x,...,t0_x,t0_y,...")) {
+      List<String> columns = table.header(List.of("c0_x", "t0_x"));
+      List<List<String>> cameras = names(columns, "c", OF_CAMERA);
+      List<List<String>> targets = names(columns, "t", OF_CAMERA.subList(0, 2));
+      VisibleRegion[] regions = new VisibleRegion[cameras.size()];
+      double covered = 0;
+      int steps = 0;
+      for (CsvRow row = table.next(); row != null; row = table.next()) {
+        covered += covered(row, cameras, targets, obstacles, regions);
+        steps++;
+      }
+      if (steps == 0) {
+        throw new Place(file.toString(), 1, 1).error("the episode has no steps, expected some");
+      }
+      return new MateEpisode(steps, cameras.size(), targets.size(), covered / steps);
+    }
+  }
+
+  private static Obstacles obstacles(Path file) {
+    String name = file.getFileName().toString().replaceFirst("\\.csv(\\.gz)?$", "");
+    Path beside = file.resolveSibling(name + ".obstacles.csv");
+    List<Obstacle> discs = new ArrayList<>();
+    try (CsvReader table = CsvReader.betweenCommas(beside, "obstacles of a MATE episode")) {
+      table.header(List.of("x", "y", "radius"));
+      table.each(
+          row ->
+              discs.add(
+                  new Obstacle.Pillar(
+                      number(row, "x"),
+                      number(row, "y"),
+                      row.number("radius", Double.MIN_NORMAL, MAX, "a number above 0"),
+                      TRANSMITTANCE)));
+    }
+    return new Obstacles(discs);
+  }
+
+  /** The columns of each camera or target, as many as the table has. */
+  private static List<List<String>> names(List<String> columns, String kind, List<String> of) {
+    return Stream.iterate(0, number -> columns.contains(kind + number + "_x"), number -> number + 1)
+        .map(number -> of.stream().map(name -> kind + number + "_" + name).toList())
+        .peek(
+            names -> {
+              if (!columns.containsAll(names)) {
+                throw new InputException("the table lacks some of " + names + ", expected all");
+              }
+            })
+        .toList();
+  }
+
+  private static double number(CsvRow row, String column) {
+    return row.number(column, -MAX, MAX, NUMBER);
+  }
+
+  /** The share of the targets that is to be expected in the step of a row. */
+  private static double covered(
+      CsvRow row,
+      List<List<String>> cameras,
+      List<List<String>> targets,
+      Obstacles obstacles,
+      VisibleRegion[] regions) {
+    double[] missed = new double[targets.size()];
+    Arrays.fill(missed, 1);
+    for (int camera = 0; camera < regions.length; camera++) {
+      double[] pose = cameras.get(camera).stream().mapToDouble(name -> number(row, name)).toArray();
+      if (regions[camera] == null || !regions[camera].isFrom(pose[0], pose[1])) {
+        regions[camera] = VisibleRegion.of(obstacles, pose[0], pose[1]);
+      }
+      for (int target = 0; target < missed.length; target++) {
+        double x = number(row, targets.get(target).get(0));
+        double y = number(row, targets.get(target).get(1));
+        if (inView(pose, x - pose[0], y - pose[1])) {
+          missed[target] *= 1 - regions[camera].transmittance(x, y);
+        }
+      }
+    }
+    return 1 - Arrays.stream(missed).average().orElse(1);
+  }
+
+  private static boolean inView(double[] pose, double dx, double dy) {
+    double off = Math.toDegrees(Math.atan2(dy, dx)) - pose[2];
+    return Math.hypot(dx, dy) <= pose[4] && Math.abs(Math.IEEEremainder(off, 360)) <= pose[3] / 2;
+  }
+}
