@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import re
+import statistics
 import sys
 
 DOCS = pathlib.Path(__file__).parent
@@ -149,8 +150,13 @@ def sensitivity(folder):
 HIDDEN = ("optimal",)  # by which all are divided
 
 
-def means(folder, metric):
-    return {row["policy"]: row for row in rows(folder, "summary.csv") if row["metric"] == metric}
+def means(folder, metric, scenario=None):
+    found = (row for row in rows(folder, "summary.csv") if row["metric"] == metric)
+    return {row["policy"]: row for row in found if scenario in (None, row["scenario"])}
+
+
+def scenarios(folder):
+    return list(dict.fromkeys(row["scenario"] for row in rows(folder, "summary.csv")))
 
 
 def interval(row, form):
@@ -185,6 +191,95 @@ def sites(*folders):
     put("world.md", "shares", table(["", *names], lines))
 
 
+PARTS = {"nothing": "as it is", "pan": "no `pan`", "obstacles": "no obstacles", "occlusion": "no `occlusion`", "time": "no `pan_speed`, no `zoom_time`"}
+
+
+def realism(*folders):
+    """The value of adapting with a part of the file left out: jumping, then moving."""
+    parts = {pathlib.Path(folder).name: folder for folder in folders}
+    names = ["corridor", "junction", "hall", "car-park", "campus", "border"]
+
+    def line(policy, part, words):
+        metric = "value_of_adapting" if policy == "optimal" else "value_of_learning"
+        found = [means(parts[part], metric, name).get(policy) for name in names]
+        return [words, *(interval(row, ".2f") if row else DASH for row in found)]
+
+    lines = [line("optimal", part, words) for part, words in PARTS.items() if part != "time"]
+    lines += [line("independent-greedy", part, f"`independent-greedy`, {PARTS[part]}") for part in ("nothing", "time")]
+    put("world.md", "realism", table(["value of adapting", *names], lines))
+
+
+def ranked(folder):
+    """Of each scenario the rank of each policy by its mean score, 1 the best; those that tie share the mean."""
+    found = {}
+    for scenario in scenarios(folder):
+        scores = {policy: number(row["mean"]) for policy, row in means(folder, "score", scenario).items()}
+        found[scenario] = {
+            policy: 1 + sum(other > one for other in scores.values()) + (sum(other == one for other in scores.values()) - 1) / 2
+            for policy, one in scores.items()
+        }
+    return found
+
+
+def tau(one, other):
+    """Kendall's tau-b of two orders of the same policies."""
+    sign = lambda a, b: (a > b) - (a < b)
+    pairs = [(sign(one[a], one[b]), sign(other[a], other[b])) for a in one for b in one if a < b]
+    left, right = (sum(abs(pair[i]) for pair in pairs) for i in (0, 1))
+    return sum(a * b for a, b in pairs) / math.sqrt(left * right)
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def ranks(layouts, sites):
+    """Mean ranks on the scenarios of chapter 8 and on the sites; prints Kendall's taus, for the text."""
+    orders = [ranked(layouts), ranked(sites)]
+    policies = list(next(iter(orders[0].values())))
+    both = [{policy: mean(ranks[policy] for ranks in order.values()) for policy in policies} for order in orders]
+    policies.sort(key=lambda policy: both[0][policy])
+    words = ("the six of chapter 8 (`hifi:orb-lin`, k_min)", "the eight sites (as above)")
+    lines = [[text, *(f"{order[policy]:.1f}" for policy in policies)] for text, order in zip(words, both)]
+    put("world.md", "ranks", table(["", *policies], lines))
+    six, eight = (list(order.values()) for order in orders)
+    pairs = lambda order: mean(tau(a, b) for i, a in enumerate(order) for b in order[:i])
+    print(f"tau of both {tau(*both):.2f}; mean among the six {pairs(six):.2f}, among the sites {pairs(eight):.2f}, ", end="")
+    print(f"between {mean(tau(a, b) for a in six for b in eight):.2f}")
+    for scenario, order in {**orders[0], **orders[1]}.items():
+        print(f"{scenario}: {', '.join(sorted(order, key=order.get))}")
+
+
+def arenas(folder):
+    policies = list(means(folder, "score"))
+    lines = []
+    for scenario in scenarios(folder):
+        shares = means(folder, "score", scenario)
+        steps = {"mate-4v8-9": 300, "hit-mac": 100}[scenario]
+        adapting = means(folder, "value_of_adapting", scenario)["optimal"]
+        lines.append([f"[{scenario}](../scenarios/{scenario}.xml)", *(f"{number(shares[policy]['mean']) / steps:.2f}" for policy in policies), interval(adapting, ".2f")])
+    put("world.md", "arenas", table(["", *policies, "value of adapting"], lines))
+
+
+def turning(folder):
+    """Of policies for cameras that turn: mean score of a step."""
+    names = scenarios(folder)
+    found = {name: means(folder, "score", name) for name in names}
+    lines = []
+    for policy in found[names[0]]:
+        lines.append([f"`{policy}`", *(f"{number(found[name][policy]['mean']) / 300:.2f}" for name in names)])
+    put("policies.md", "turning", table(["policy", *names], lines))
+
+
+def ratios(*folders):
+    """Prints R2 of ORB's confidence on measured PIP by a line, for each ratio, for the text of reproduction.md."""
+    for folder in folders:
+        photos = rows(folder, "measurements.csv")
+        pip, confidence = ([number(row[name]) for row in photos] for name in ("pip", "orb"))
+        print(f"{pathlib.Path(folder).name}: R2 {statistics.correlation(pip, confidence) ** 2:.2f} of {len(photos)} photos")
+
+
 def rungs(*folders):
     """Of each ladder of a world: tau and what the choice loses, in percent; and what a rung predicts."""
     names = [pathlib.Path(folder).name.removeprefix("ladder-") for folder in folders]
@@ -217,4 +312,5 @@ def steps_of(folder):
 
 
 if __name__ == "__main__":
-    {"reproduce": reproduce, "sensitivity": sensitivity, "sites": sites, "rungs": rungs}[sys.argv[1]](*sys.argv[2:])
+    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, rungs)
+    {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])

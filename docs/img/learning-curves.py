@@ -13,7 +13,7 @@ curves = defaultdict(lambda: defaultdict(list))
 with open("learning-curves.csv", newline="") as file:
     for row in csv.DictReader(file):
         curves[row["scenario"]][row["seed"]].append((int(row["episodes"]), float(row["score"])))
-beside = defaultdict(dict)  # by compare on seeds 100 to 104, as in docs/learning.md
+beside = defaultdict(dict)  # by compare on seeds 100 to 119, as in docs/learning.md
 with open("learning-beside.csv", newline="") as file:
     for row in csv.DictReader(file):
         beside[row["scenario"]][row["policy"]] = float(row["score"])

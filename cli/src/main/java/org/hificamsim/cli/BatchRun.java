@@ -115,14 +115,20 @@ final class BatchRun {
     if (shard.isPresent()) {
       part(shard.get(), engine, all);
     } else {
-      summary.accept(screen.out(), whole(engine, inputs, steps, page, work));
+      summary.accept(screen.out(), whole(engine, inputs, runs(all, steps), steps, page, work));
     }
     screen.out().println("files: " + options.out());
     return 0;
   }
 
+  /** Of plans whose scenarios may differ in steps; more where a search adds runs to them. */
+  static long runs(List<RunPlan> all, long steps) {
+    int longest = all.stream().mapToInt(RunPlan::steps).max().orElse(1);
+    return Math.max(all.stream().mapToLong(RunPlan::repeats).sum(), steps / longest);
+  }
+
   private <R> R whole(
-      RunEngine engine, List<RunPlan> inputs, long steps, boolean page, Work<R> work)
+      RunEngine engine, List<RunPlan> inputs, long runs, long steps, boolean page, Work<R> work)
       throws IOException {
     try (OutputFolder folder = screen.folder(options.out());
         Journal journal = Journal.open(folder, Journal.NAME, options.resume())) {
@@ -138,7 +144,7 @@ final class BatchRun {
               ComparisonFiles.STEPS.file()));
       warnOfDamage(journal);
       R written;
-      try (Progress progress = progress(steps / inputs.get(0).steps())) {
+      try (Progress progress = progress(runs)) {
         written = work.write(folder, new JournalledEngine(engine, journal, progress));
       }
       InputFiles.write(folder, inputs);

@@ -31,6 +31,7 @@ final class DetectionHints {
   private static final List<String> OTHERS =
       List.of("hifi:orb-lin", "hifi:orb-pinhole", "oodpcvs-2025:level=overview", "geometric");
   private static final double TOLERANCE = 1.1;
+  private static final double NO_LENS = 1e-6;
 
   private DetectionHints() {}
 
@@ -239,7 +240,7 @@ final class DetectionHints {
         outside,
         "focal lengths",
         on.focalLength(),
-        zooms.stream().mapToDouble(model.optics()::focalLength));
+        zooms.stream().mapToDouble(model.optics()::focalLength).filter(z -> z > NO_LENS));
     add(outside, "distances", upTo(on.distance()), zooms.stream().mapToDouble(ZoomLevel::radius));
     return outside.isEmpty()
         ? Optional.empty()

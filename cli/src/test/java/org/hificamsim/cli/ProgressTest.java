@@ -2,10 +2,18 @@ package org.hificamsim.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
 
 class ProgressTest {
@@ -63,5 +71,19 @@ class ProgressTest {
     progress.advance();
     assertEquals(
         "run ring: 1 of 1 steps (100%), 0.1 steps/s, 0:00:00 left", told.toString().strip());
+  }
+
+  /** As with MATE's 300 steps and HiT-MAC's 100. */
+  @Test
+  void runsOfScenariosThatDifferInStepsCountAsOneEach() throws IOException {
+    Path file = Path.of("..", "scenarios", "hit-mac.xml");
+    Scenario scenario = ScenarioReader.read(file, any -> true, warning -> {});
+    Detection detection = Detection.of(new GeometricDetection());
+    List<RunPlan> plans =
+        IntStream.of(300, 100)
+            .mapToObj(steps -> new RunPlan(scenario, detection, "zoom-out", steps, 0, 20))
+            .toList();
+    assertEquals(40, BatchRun.runs(plans, plans.stream().mapToLong(RunPlan::work).sum()));
+    assertEquals(500, BatchRun.runs(plans, 500 * 300));
   }
 }
