@@ -227,7 +227,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void aLadderBeginsWithItsPicturesAndRungs() {
+  void aLadderBeginsWithWhatIsLostItsPicturesAndRungs() throws IOException {
     Path ladder = folder.resolve("climbed");
     Cli cli =
         Cli.run(
@@ -248,7 +248,23 @@ class ComparisonPageTest {
     assertTrue(browser.text("h1").startsWith("Ladder"));
     List<String> titles =
         browser.findAll("section.card h2").stream().map(WebElement::getText).limit(4).toList();
-    assertEquals(List.of("Pictures", "rungs", "ladder", "Side by side"), titles);
+    assertEquals(
+        List.of(
+            "Pictures",
+            "What is lost where each rung chooses the policy",
+            "What each rung predicts of the policies",
+            "Side by side"),
+        titles);
+    double most =
+        Files.readAllLines(ladder.resolve("rungs.csv")).stream()
+            .map(line -> line.split(",", -1))
+            .filter(cells -> cells[0].equals("all"))
+            .mapToDouble(cells -> Double.parseDouble(cells[10]))
+            .max()
+            .orElseThrow();
+    assertEquals(
+        100 * most, Double.parseDouble(browser.text(".answer b").replace(" %", "")), 0.051);
+    browser.until("return document.querySelectorAll('.pictures .wide').length > 0");
     browser.until("return document.querySelector('.lines canvas').clientWidth > 300");
     browser.assertQuietConsole();
   }

@@ -16,6 +16,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.Zone;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +31,12 @@ import org.openqa.selenium.support.ui.Select;
  */
 class HeatMapTest {
   private static final int STEPS = 120;
+
+  private static final String ZONES =
+      "<zone name=\"west\" points=\"0,0 9,20\"/>"
+          + "<zone name=\"corner\" shape=\"polygon\" points=\"12,2 28,2 20,15\" k=\"2\"/>"
+          + "<zone name=\"way\" shape=\"polyline\" points=\"2,10 20,10\"/>"
+          + "<zone name=\"all\" shape=\"field\" detection=\"geometric\"/>";
 
   @TempDir static Path folder;
   private static Browser browser;
@@ -46,7 +54,10 @@ class HeatMapTest {
             + "<event timestep=\"80\" participant=\"object\" event=\"error\" name=\"0.9\"/>"
             + "</events>";
     scenario = folder.resolve("hall.xml");
-    Files.writeString(scenario, hall.replace("</objects>", "</objects>" + comesAndGoes));
+    Files.writeString(
+        scenario,
+        hall.replace("</objects>", "</objects>" + comesAndGoes)
+            .replace("<cameras>", "<zones>" + ZONES + "</zones><cameras>"));
     BufferedImage floor = new BufferedImage(60, 40, BufferedImage.TYPE_INT_RGB);
     floor.createGraphics().fillRect(0, 0, 60, 40);
     ImageIO.write(floor, "png", folder.resolve("floor.png").toFile());
@@ -176,6 +187,29 @@ class HeatMapTest {
     assertEquals(
         true,
         browser.run("const {field} = hificamsim.player; return field.size === field.surface.unit"));
+  }
+
+  @Test
+  void thePageSaysHowMuchOfEachZoneIsCovered() throws IOException {
+    open();
+    List<Zone> zones = ScenarioReader.read(scenario, any -> true, warning -> {}).zones();
+    for (Zone zone : zones.subList(0, 2)) { // a line is as wide as a cell there
+      List<String[]> cells =
+          table().stream()
+              .filter(row -> !row[7].isEmpty() && zone.contains(number(row[2]), number(row[3])))
+              .toList();
+      double covered =
+          cells.stream().mapToDouble(row -> 1 - number(row[7])).average().orElseThrow();
+      String shown = browser.text("[data-row=" + zone.name() + "] td:nth-child(3)");
+      assertEquals(100 * covered, number(shown.replace(" %", "")), 0.051, zone.name());
+    }
+    assertEquals(4, browser.findAll(".zones tbody tr").size());
+    assertTrue(browser.text("[data-row=corner]").contains("2 cameras"));
+    assertTrue(browser.text(".zones .note").contains("place --verify"), "another detection");
+  }
+
+  private static double number(String text) {
+    return Double.parseDouble(text);
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeAll;
@@ -59,6 +60,22 @@ class PicturesTest {
     }
     assertEquals(300, ImageIO.read(folder.resolve("0.png").toFile()).getWidth());
     assertTrue(Files.readString(folder.resolve("0.svg")).contains("cluster-random, step 30 of 59"));
+  }
+
+  @Test
+  void theScoreOfTheStepLeadsWhereTheObjectiveIsNotKMin() throws IOException {
+    Path site = folder.resolve("site");
+    Path svg = folder.resolve("step.svg");
+    Cli.run("run", Cli.scenario("museum"), "--steps", 4, "--record", "--heatmap", "--out", site);
+    Cli.run("report", site, "--svg", svg, "--step", 2);
+    List<String> rows = Files.readAllLines(site.resolve("steps.csv"));
+    double score = Double.parseDouble(rows.get(3).substring(rows.get(3).lastIndexOf(',') + 1));
+    String words = "targets covered by at least 2 cameras: ";
+    String expected = words + String.format(Locale.ROOT, "%.1f %%", 100 * score);
+    String text = Files.readString(svg);
+    assertTrue(text.contains(expected), expected);
+    Cli.run("report", site, "--svg", svg, "--heatmap", "covered", "--force");
+    assertTrue(Files.readString(svg).contains(words), "the whole run's");
   }
 
   @Test

@@ -3,15 +3,14 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
+import org.hificamsim.presentation.picture.FrameScores;
 import org.hificamsim.presentation.picture.HeatPicture;
 import org.hificamsim.presentation.picture.Look;
 import org.hificamsim.presentation.picture.RunFrames;
@@ -116,14 +115,11 @@ final class PictureOptions {
 
   /** Checks that what is asked for may be written. */
   void claim(Destination destination) throws IOException {
-    Map<String, Path> files = new LinkedHashMap<>();
-    files.put("--png", png);
-    files.put("--svg", svg);
-    files.put("--pdf", pdf);
-    files.put("--gif", gif);
-    for (Map.Entry<String, Path> file : files.entrySet()) {
-      if (file.getValue() != null) {
-        destination.file(file.getKey(), file.getValue());
+    String[] options = {"--png", "--svg", "--pdf", "--gif"};
+    Path[] files = {png, svg, pdf, gif};
+    for (int i = 0; i < files.length; i++) {
+      if (files[i] != null) {
+        destination.file(options[i], files[i]);
       }
     }
   }
@@ -184,7 +180,8 @@ final class PictureOptions {
     for (int i = 0; i < replay.runs().size(); i++) {
       if (replay.runs().get(i).run() == repeat) {
         RecordedRun recording = replay.recording(folder, i);
-        return new RunFrames(replay.setup(), recording, look(replay.setup()));
+        return new RunFrames(
+            replay.setup(), recording, look(replay.setup()), FrameScores.read(folder, recording));
       }
     }
     throw new InputException(

@@ -3,6 +3,7 @@ package org.hificamsim.core.scenario;
 import java.awt.geom.Line2D;
 import java.util.List;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 
@@ -42,7 +43,7 @@ public record Zone(
           Zone.class,
           """
 A part of the field where something is demanded of the cameras (ours): `place` plans for \
-it, and `run` and `compare` report by zone.
+it, and the page of `run --heatmap` says how much of it is covered.
 name: unique
 shape: `rectangle` between two opposite corners, `polygon`, `polyline`: a strip of a metre \
 along a line, or the whole `field`
@@ -84,6 +85,13 @@ weight: what seeing a part of it is worth beside as large a part of others, 0 or
   /** The whole field, for scenarios that have no zones. */
   public static Zone ofField() {
     return new Zone("field", Shape.FIELD, List.of(), null, null, 1.0);
+  }
+
+  /** The same, asking for these where it does not say what. */
+  public Zone asking(String usual, Objective objective) {
+    int cameras = objective instanceof Objective.Covered covered ? covered.k() : 1;
+    String seen = detection == null ? usual : detection;
+    return new Zone(name, shape, points, seen, k == null ? cameras : k, weight);
   }
 
   /** Whether a point of the field is in it, or on its border. */

@@ -63,6 +63,7 @@ public final class HeatPicture implements Paintable {
     StepPicture.heading(
         graphics,
         setup.scenario() + ", heat map of " + steps(),
+        run.scores().map(scores -> scores.text(scores.mean())),
         StepPicture.settings(setup, run.recording().seed()),
         map.shares());
     Rectangle2D area = StepPicture.area(run);

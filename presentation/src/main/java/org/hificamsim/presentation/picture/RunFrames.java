@@ -5,6 +5,7 @@ import java.lang.reflect.Array;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.metrics.StepCoverage;
@@ -25,21 +26,27 @@ public final class RunFrames {
   private final Look look;
   private final FieldScript script;
   private final BufferedImage[] floor;
-  private final int[] kMin;
+  private final Optional<FrameScores> scores;
+  private final double[] course;
   private final int most;
 
   public RunFrames(Setup setup, RecordedRun recording) {
-    this(setup, recording, Look.USUAL);
+    this(setup, recording, Look.USUAL, Optional.empty());
   }
 
-  public RunFrames(Setup setup, RecordedRun recording, Look look) {
+  public RunFrames(Setup setup, RecordedRun recording, Look look, Optional<FrameScores> scores) {
     this.setup = setup;
     this.look = look;
     this.script = new FieldScript(setup);
     this.floor = setup.floor().stream().map(FloorPictures::image).toArray(BufferedImage[]::new);
     this.recording = recording;
     List<StepCoverage> measured = recording.frames().stream().map(Frame::measure).toList();
-    this.kMin = measured.stream().mapToInt(StepCoverage::kMin).toArray();
+    this.scores = scores;
+    this.course =
+        scores
+            .map(of -> recording.frames().stream().mapToDouble(f -> of.byStep().get(f.step())))
+            .orElseGet(() -> measured.stream().mapToDouble(StepCoverage::kMin))
+            .toArray();
     this.most = measured.stream().mapToInt(StepCoverage::targets).max().orElse(1);
   }
 
@@ -75,7 +82,7 @@ public final class RunFrames {
 
   /** How many frames there are, 1 or more. */
   public int count() {
-    return kMin.length;
+    return course.length;
   }
 
   /** The step of a frame. */
@@ -93,8 +100,13 @@ public final class RunFrames {
     return recording.steps() - 1;
   }
 
-  int kMin(int index) {
-    return kMin[index];
+  /** The score of a frame, or its k_min where that is the objective. */
+  double course(int index) {
+    return course[index];
+  }
+
+  Optional<FrameScores> scores() {
+    return scores;
   }
 
   /**

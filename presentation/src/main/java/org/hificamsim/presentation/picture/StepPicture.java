@@ -6,6 +6,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.presentation.plot.Curve;
@@ -16,7 +17,9 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.presentation.replay.Setup;
 
-/** One step of a run: what it is, the field to scale, and k_min over all steps below. */
+/**
+ * One step of a run: what it is, the field to scale, and the score or k_min over all steps below.
+ */
 public final class StepPicture implements Paintable {
   static final int WIDTH = 800;
   static final int MARGIN = 12;
@@ -64,6 +67,7 @@ public final class StepPicture implements Paintable {
     heading(
         graphics,
         "%s, step %s of %s".formatted(setup.scenario(), run.step(index), run.last()),
+        run.scores().map(scores -> scores.text(run.course(index))),
         settings(setup, run.recording().seed()),
         String.format(
             Locale.ROOT,
@@ -78,47 +82,50 @@ public final class StepPicture implements Paintable {
     legend.paint(graphics, MARGIN, top);
     Graphics2D strip = (Graphics2D) graphics.create();
     strip.translate(MARGIN, top + legend.height());
-    kMin().paint(strip, (int) area.getWidth(), STRIP);
+    course().paint(strip, (int) area.getWidth(), STRIP);
     strip.dispose();
   }
 
-  /** k_min over all steps, with a line at the step that is shown. */
-  private XyPanel kMin() {
-    double most = Math.max(1, IntStream.range(0, run.count()).map(run::kMin).max().orElseThrow());
+  /** The score or k_min over all steps, with a line at the step that is shown. */
+  private XyPanel course() {
+    double most =
+        Math.max(1, IntStream.range(0, run.count()).mapToDouble(run::course).max().orElseThrow());
     double last = Math.max(1, run.last());
     double[] at = {run.step(index), run.step(index)};
-    return new XyPanel("", "step", "k_min")
+    return new XyPanel("", "step", run.scores().isPresent() ? "score" : "k_min")
         .x(0, last)
         .y(0, most)
         .thin(steps(), Palette.BLUE)
         .thin(new Curve(at, new double[] {0, most}), Palette.BLACK);
   }
 
-  /** k_min as a curve of steps: the corners alone. */
+  /** The course as a curve of steps: the corners alone. */
   private Curve steps() {
     List<double[]> corners = new ArrayList<>();
-    corners.add(new double[] {run.step(0), run.kMin(0)});
+    corners.add(new double[] {run.step(0), run.course(0)});
     for (int i = 1; i < run.count(); i++) {
-      if (run.kMin(i) != run.kMin(i - 1)) {
-        corners.add(new double[] {run.step(i), run.kMin(i - 1)});
-        corners.add(new double[] {run.step(i), run.kMin(i)});
+      if (run.course(i) != run.course(i - 1)) {
+        corners.add(new double[] {run.step(i), run.course(i - 1)});
+        corners.add(new double[] {run.step(i), run.course(i)});
       }
     }
-    corners.add(new double[] {Math.max(1, run.last()), run.kMin(run.count() - 1)});
+    corners.add(new double[] {Math.max(1, run.last()), run.course(run.count() - 1)});
     return new Curve(
         corners.stream().mapToDouble(corner -> corner[0]).toArray(),
         corners.stream().mapToDouble(corner -> corner[1]).toArray());
   }
 
-  /** A title, what a run was run under, and what it shows. */
-  static void heading(Graphics2D graphics, String title, String settings, String found) {
+  /** A title, the score if there is one, what a run was run under, and what it shows. */
+  static void heading(
+      Graphics2D graphics, String title, Optional<String> score, String settings, String found) {
     graphics.setColor(Palette.BLACK);
     graphics.setFont(Fonts.TITLE);
     graphics.drawString(title, MARGIN, MARGIN + 12);
-    graphics.setColor(FAINT);
     graphics.setFont(Fonts.TEXT);
-    graphics.drawString(settings, MARGIN, MARGIN + 29);
-    graphics.drawString(found, MARGIN, MARGIN + 44);
+    score.ifPresent(text -> graphics.drawString(text, MARGIN, MARGIN + 26));
+    graphics.setColor(FAINT);
+    graphics.drawString(settings, MARGIN, MARGIN + (score.isPresent() ? 39 : 29));
+    graphics.drawString(found, MARGIN, MARGIN + (score.isPresent() ? 52 : 44));
   }
 
   /** What a run was run under, in words. */

@@ -58,21 +58,15 @@ public final class FigureFile {
   /**
    * A figure as its files hold it. Figures that share no panel can be drawn side by side.
    *
-   * @param png for screens
-   * @param svg for papers, UTF-8
-   * @param pdf for papers
+   * @param files by {@link #FORMATS}
    */
-  public record Drawn(byte[] png, byte[] svg, byte[] pdf) {
+  public record Drawn(List<byte[]> files) {
     /** Writes {@code name.png}, {@code name.svg} and {@code name.pdf}. */
     public void write(OutputFolder folder, String name) throws IOException {
-      write(folder, name + ".png", png);
-      write(folder, name + ".svg", svg);
-      write(folder, name + ".pdf", pdf);
-    }
-
-    private static void write(OutputFolder folder, String file, byte[] bytes) throws IOException {
-      try (OutputStream out = folder.stream(file)) {
-        out.write(bytes);
+      for (int i = 0; i < files.size(); i++) {
+        try (OutputStream out = folder.stream(name + "." + FORMATS.get(i))) {
+          out.write(files.get(i));
+        }
       }
     }
   }
@@ -100,7 +94,7 @@ public final class FigureFile {
       stream(graphics, root, svg);
       ByteArrayOutputStream pdf = new ByteArrayOutputStream();
       PdfFile.write(pdf, laid, width.map(PrintWidth::points).orElse((double) laid.width()));
-      return new Drawn(png.toByteArray(), svg.toByteArray(), pdf.toByteArray());
+      return new Drawn(List.of(png.toByteArray(), svg.toByteArray(), pdf.toByteArray()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

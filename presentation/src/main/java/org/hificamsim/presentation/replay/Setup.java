@@ -8,6 +8,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Zone;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.Reach;
@@ -29,6 +30,7 @@ import org.hificamsim.runs.Reach;
  * @param slow the numbers of cameras that need time for a move
  * @param obstacles in the order of the scenario
  * @param floor pictures under the field, one at most
+ * @param zones each with the detection and number of cameras that it asks for
  */
 public record Setup(
     String scenario,
@@ -45,7 +47,8 @@ public record Setup(
     @IfAny List<Double> widths,
     @IfAny List<Integer> slow,
     @IfAny List<Obstacle> obstacles,
-    @IfAny List<Floor> floor) {
+    @IfAny List<Floor> floor,
+    @IfAny List<Zone> zones) {
   /** A camera at the start, or where an event will add it. */
   public record Camera(String name, CameraPose pose) {}
 
@@ -97,7 +100,10 @@ public record Setup(
         widths(world.targets()),
         slow(world),
         obstacles,
-        floor);
+        floor,
+        world.scenario().zones().stream()
+            .map(zone -> zone.asking(detection.name(), world.scenario().objective()))
+            .toList());
   }
 
   private static Camera camera(World world, int camera, Poses poses) {

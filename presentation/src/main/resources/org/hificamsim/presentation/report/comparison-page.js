@@ -25,16 +25,18 @@ export async function comparisonPage(root, data) {
   const ladder = kind(data) === 'Ladder';
   const readers = new Readers({planner: ladder ? [figures, ...tables, table, course, ...made] : [table, figures, ...tables, course, ...made],
     researcher: ladder ? [...tables, figures, course, table, ...made] : [course, table, ...tables, figures, ...made]});
-  root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data), readers.control));
+  root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), readers.control));
   if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
   if (kind(data) === 'Comparison') root.append(...answers(data));
-  root.append(readers.element);
+  if (ladder) root.append(...realism(rowsOf(data.tables.find(table => table.name === 'rungs.csv'))));
+  root.append(...[badges(data), readers.element].filter(Boolean));
   root.dataset.ready = '';
 }
 
 const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
 const TITLES = {'choices.csv': 'What each detection model’s choice of policy achieves', 'aggregate.csv': 'All scenarios together', 'improvement.csv': 'Probability that one policy beats another',
-  'pairs.csv': 'Differences between policies, paired by seed'};
+  'pairs.csv': 'Differences between policies, paired by seed', 'rungs.csv': 'What is lost where each rung chooses the policy',
+  'ladder.csv': 'What each rung predicts of the policies', 'ladder.svg': 'Each scenario', 'cost.svg': 'All scenarios, and what a step costs'};
 const titleOf = name => TITLES[name] ?? name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
 
@@ -64,6 +66,18 @@ function answer(best, cases, settings) {
   return el('p', {class: 'answer'}, el('b', {}, number(best.mean)), ' ', tipped(title, objective), ` in ${best.scenario}: `, tipped(spelled(best.policy), best.policy),
     `${cases.length > 1 ? `, the best of ${cases.length} policies` : ''}, ${spelled(best.detection)}, the mean of ${steps} steps${interval}`);
 }
+
+/** How much of the score is lost by leaving out realism: most on any rung, and the first rung whose choice loses next to nothing. */
+function realism(rows) {
+  const all = rows.filter(({scenario, share}) => scenario === 'all' && share !== '');
+  if (!all.length) return [];
+  const worst = all.reduce((most, row) => (Number(row.share) > Number(most.share) ? row : most));
+  const enough = all.find(({share}) => Number(share) < ENOUGH);
+  return [el('p', {class: 'answer'}, el('b', {}, percent(Number(worst.share))), ` of the best policy’s score is lost at most, where ${spelled(worst.rung)} chooses the policy`,
+    enough ? `; ${spelled(enough.rung)} is the simplest rung that loses less than ${percent(ENOUGH)}` : '', `, judged by ${spelled(all.at(-1).rung)}, the mean of the scenarios`)];
+}
+
+const ENOUGH = 0.01;
 
 /** What a reader has to know before any proportion of the optimum. */
 function worthOfAdapting(rows) {
@@ -270,13 +284,16 @@ const axis = more => ({stroke: () => style('--faint'), font: font(), grid: {stro
   ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...more});
 
 /** Columns that hold options as they are written. */
-const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other)$/;
+const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung)$/;
+
+/** Of the ladder: its scores are those of each scenario's objective. */
+const LABELS = {mean_k_min: 'mean score of a step', regret: 'score lost', regret_low: 'low', regret_high: 'high', share: 'of the best', share_low: 'low', share_high: 'high', tau_low: 'low', tau_high: 'high'};
 
 const STATISTICS = {iqm: 'interquartile mean', optimality_gap: 'optimality gap'};
 
 function plainTable(table, names = {}) {
-  const columns = table.columns.map(name => ({name, label: names[name]?.title ?? words(name), title: name,
-    show: text => (SPELLED.test(name) ? spelled(text) : /^-?\d+\.(\d{5,}|\d+E-\d+)$/.test(text) ? decimals(Number(text), SHORT) : names[text]?.title ?? STATISTICS[text] ?? text)}));
+  const columns = table.columns.map(name => ({name, label: LABELS[name] ?? names[name]?.title ?? words(name), title: name,
+    show: text => (/^share(_|$)/.test(name) && text !== '' ? percent(Number(text)) : SPELLED.test(name) ? spelled(text) : /^-?\d+\.(\d{5,}|\d+E-\d+)$/.test(text) ? decimals(Number(text), SHORT) : names[text]?.title ?? STATISTICS[text] ?? text)}));
   return el('div', {class: 'scroll'}, shortened(table), sortable(titleOf(table.name), columns, rowsOf(table), 'unseen'));
 }
 
@@ -291,11 +308,13 @@ function folded(title, make) {
   return details;
 }
 
+const WIDE = 800; // points: what would be too small to read beside another picture
+
 async function pictures(list) {
   const figures = await Promise.all(list.map(async ({name, data}) => {
     if (!data) return el('p', {class: 'note'}, `${name} is left out, so that this file stays small.`);
     const address = URL.createObjectURL(new Blob([await inflate(data)], {type: 'image/svg+xml'}));
-    return el('figure', {}, el('img', {src: address, alt: titleOf(name)}), el('figcaption', {}, name));
+    return el('figure', {}, el('img', {src: address, alt: titleOf(name), onload: ({target}) => target.parentElement.classList.toggle('wide', target.naturalWidth > WIDE)}), el('figcaption', {title: name}, titleOf(name)));
   }));
   return card('Pictures', el('div', {class: 'pictures'}, ...figures));
 }

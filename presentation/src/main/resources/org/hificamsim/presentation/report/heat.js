@@ -76,6 +76,32 @@ export class HeatChoice {
   }
 }
 
+/** For each zone, over its cells outside obstacles: in which share of steps one or more and two or more cameras cover it, and how much of it none ever does. */
+export function zoneShares({columns, rows, figures}, {minX, maxX, minY, maxY}, zones) {
+  const of = name => figures.find(figure => figure.name === name).values;
+  const [covered, twice] = [of('covered'), of('covered-k')];
+  const middle = cell => [minX + ((cell % columns) + 0.5) * (maxX - minX) / columns, minY + (Math.floor(cell / columns) + 0.5) * (maxY - minY) / rows];
+  return zones.map(zone => {
+    const cells = [...covered.keys()].filter(cell => !Number.isNaN(covered[cell]) && contains(zone, ...middle(cell), (maxX - minX) / columns));
+    const mean = value => cells.reduce((sum, cell) => sum + value(cell), 0) / cells.length;
+    return {zone, covered: mean(cell => covered[cell]), twice: mean(cell => twice[cell]), never: mean(cell => covered[cell] === 0)};
+  });
+}
+
+/** Whether a zone has a place: a line is a strip as wide as a cell, so that it has cells. */
+function contains({shape, points}, x, y, wide) {
+  if (shape === 'FIELD') return true;
+  const [one, other] = points;
+  if (shape === 'RECTANGLE') return (x - one.x) * (x - other.x) <= 0 && (y - one.y) * (y - other.y) <= 0;
+  const sides = points.map((to, i) => [points.at(i - 1), to]);
+  if (shape === 'POLYGON') return sides.filter(([from, to]) => from.y > y !== to.y > y && x < from.x + ((to.x - from.x) * (y - from.y)) / (to.y - from.y)).length % 2 === 1;
+  return sides.slice(1).some(([from, to]) => {
+    const length = (to.x - from.x) ** 2 + (to.y - from.y) ** 2;
+    const at = Math.max(0, Math.min(1, ((x - from.x) * (to.x - from.x) + (y - from.y) * (to.y - from.y)) / (length || 1)));
+    return Math.hypot(x - from.x - at * (to.x - from.x), y - from.y - at * (to.y - from.y)) <= wide;
+  });
+}
+
 /** The connected areas that no camera ever covered, the largest first: each with its box and size in square metres. */
 export function blindSpots({columns, rows, figures}, {minX, maxX, minY, maxY}) {
   const blind = figures.find(({name}) => name === 'covered').values.map(share => share === 0);

@@ -5,7 +5,7 @@ import { unpack } from './recording.js';
 import { Playhead } from './playhead.js';
 import { Controls } from './controls.js';
 import { Player } from './player.js';
-import { blindSpots, unpackHeat } from './heat.js';
+import { blindSpots, unpackHeat, zoneShares } from './heat.js';
 import { Readers } from './readers.js';
 import { besideUnit, held, scoreNumber, spelled, tipped, told, withUnit, words } from './names.js';
 import { decimals, percent } from './numbers.js';
@@ -27,8 +27,9 @@ export async function runPage(root, data) {
     player.element.scrollIntoView({block: 'nearest'});
   });
   const {whole, settings, made} = details(data);
+  const zones = heat && setup.zones?.length && zoneCard(zoneShares(heat, setup.field, setup.zones), setup.detection);
   const tables = el('section', {class: 'details'}, whole, settings, made);
-  const readers = new Readers({planner: [place, blind, curves, tables], researcher: [curves, tables, place, blind]});
+  const readers = new Readers({planner: [place, zones, blind, curves, tables], researcher: [curves, tables, place, zones, blind]});
 
   async function open(index) {
     const run = await unpack(setup, runs[index]);
@@ -53,18 +54,20 @@ export async function runPage(root, data) {
       `${thinned(run, run.every)}, and the last, so that the file stays small. steps.csv has them all.`));
   }
 
-  root.append(header(data, index => open(index), readers.control), answer(data), readers.element);
+  root.append(header(data, readers.control), answer(data), facts(data, index => open(index)), readers.element);
   const keys = new Controls(new Playhead(), {count: 0, steps: 0});
   keys.action = event => controls.action(event);
   keys.listen();
   await open(0);
 }
 
-function header({replay: {setup, runs, repeat}, settings}, open, reader) {
+const header = ({replay: {setup}}, reader) => el('header', {}, el('h1', {}, setup.scenario, el('small', {title: setup.policy}, spelled(setup.policy))), reader);
+
+/** What the score was found under. */
+function facts({replay: {setup, runs, repeat}}, open) {
   const facts = [tipped(spelled(setup.detection), setup.detection), `${/@(chance|probability)/.test(setup.detection) ? 'half of the time at' : 'threshold'} ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
     `targets move ${setup.order === 'camsim' ? 'before' : 'after'} cameras look`];
-  return el('header', {}, el('h1', {}, setup.scenario, el('small', {title: setup.policy}, spelled(setup.policy))),
-    el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open), reader);
+  return el('div', {class: 'facts-of-run'}, el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open));
 }
 
 /** The score of the whole run in the objective's words, which is what was asked for. */
@@ -86,6 +89,17 @@ function blindCard(heat, field, show) {
     el('p', {}, `Of the area ${percent(heat.areaCovered)} is covered by one or more cameras in the mean of the steps, ${percent(heat.areaCoveredK)} by two or more; ${percent(heat.areaBlind)} never is.`),
     spots.length ? el('ol', {}, ...spots.slice(0, SPOTS).map(entry)) : null,
     spots.length > SPOTS ? el('p', {class: 'note'}, `The largest ${SPOTS} of ${spots.length}; hatched on the heat map.`) : null);
+}
+
+/** What each zone asks for, and what it got; of the shares, that by as many cameras as it asks for is bold. */
+function zoneCard(shares, detection) {
+  const others = shares.some(({zone}) => zone.detection !== detection);
+  const cell = (share, bold) => el('td', {}, Number.isNaN(share) ? '–' : bold ? el('b', {}, percent(share)) : percent(share));
+  const card = table('Zones', ['zone', 'asks for', 'by one or more cameras', 'by two or more', 'never'], shares.map(({zone, covered, twice, never}) => row(zone.name, zone.name, zone.name,
+    el('td', {}, `${zone.k} camera${zone.k === 1 ? '' : 's'}, `, tipped(spelled(zone.detection), zone.detection)), cell(covered, zone.k === 1), cell(twice, zone.k === 2), cell(never))));
+  card.className = 'card zones';
+  card.append(el('p', {class: 'note'}, 'Shares of the zone’s area, in the mean of the steps', others ? `, all by the run’s ${spelled(detection)}: place --verify has them by what each zone asks for.` : '.'));
+  return card;
 }
 
 function chooser(runs, repeat, open) {

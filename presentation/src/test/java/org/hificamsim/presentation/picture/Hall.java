@@ -40,7 +40,8 @@ final class Hall {
         widths,
         slow,
         obstacles,
-        floor);
+        floor,
+        List.of());
   }
 
   /**

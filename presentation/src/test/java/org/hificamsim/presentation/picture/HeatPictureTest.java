@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.Field;
@@ -206,7 +207,8 @@ class HeatPictureTest {
       frames.add(frame(step, present[step]));
     }
     RecordedRun recording = new RecordedRun(0, 0, 4, 1, "", List.of(), frames);
-    return new RunFrames(setup, recording, new Look(0.5, OptionalInt.empty(), tracks));
+    return new RunFrames(
+        setup, recording, new Look(0.5, OptionalInt.empty(), tracks), Optional.empty());
   }
 
   /** A target that goes east, two metres a step. */

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import javax.imageio.ImageIO;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -167,7 +168,8 @@ class SitePictureTest {
   private static RunFrames frames(Setup setup, int seeing, Look look, boolean present) {
     Frame frame =
         Hall.frame(0, new int[] {seeing}, present, new double[] {13, 20}, new double[] {2, 2});
-    return new RunFrames(setup, new RecordedRun(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
+    return new RunFrames(
+        setup, new RecordedRun(0, 0, 1, 1, "", List.of(), List.of(frame)), look, Optional.empty());
   }
 
   private static BufferedImage image(Setup setup, int seeing, Look look) {

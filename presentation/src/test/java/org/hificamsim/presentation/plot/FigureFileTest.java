@@ -114,9 +114,9 @@ class FigureFileTest {
     List<FigureFile.Drawn> drawn = Parallel.map(seeds, 4, FigureFileTest::drawn);
     for (int seed : seeds) {
       FigureFile.Drawn alone = drawn(seed);
-      assertArrayEquals(alone.png(), drawn.get(seed).png(), "PNG " + seed);
-      assertArrayEquals(alone.svg(), drawn.get(seed).svg(), "SVG " + seed);
-      assertArrayEquals(alone.pdf(), drawn.get(seed).pdf(), "PDF " + seed);
+      for (int i = 0; i < FigureFile.FORMATS.size(); i++) {
+        assertArrayEquals(alone.files().get(i), drawn.get(seed).files().get(i), i + ", " + seed);
+      }
     }
   }
 

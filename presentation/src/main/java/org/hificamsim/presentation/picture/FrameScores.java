@@ -1,0 +1,48 @@
+package org.hificamsim.presentation.picture;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.presentation.replay.RecordedRun;
+import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.StepRow;
+
+/**
+ * The scores of a recorded run whose objective is not k_min.
+ *
+ * @param byStep of the run
+ * @param mean of a step, over all repeats
+ */
+public record FrameScores(Objective objective, Map<Long, Double> byStep, double mean) {
+  /** Those in a run's folder; none by k_min, and none of versions before 0.2. */
+  public static Optional<FrameScores> read(Path folder, RecordedRun run) throws IOException {
+    JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
+    Objective objective = Objective.parse(summary.path("objective").asText("kmin"));
+    if (!summary.has("score_words") || !objective.hasOwnFigure()) {
+      return Optional.empty();
+    }
+    int steps = summary.path("steps").asInt();
+    Map<Long, Double> byStep = new HashMap<>();
+    StepRow.each(
+        folder,
+        row -> {
+          if (row.run().equals(Integer.toString(run.run()))) {
+            byStep.put((long) row.step(steps), row.score());
+          }
+        });
+    return Optional.of(
+        new FrameScores(objective, byStep, summary.path("score").asDouble() / steps));
+  }
+
+  /** In the objective's words, as {@code targets covered by at least one camera: 61.0 %}. */
+  String text(double score) {
+    String number = objective.isShare() ? "%.1f %%" : "%.2f";
+    double shown = objective.isShare() ? 100 * score : score;
+    return objective.words() + ": " + String.format(Locale.ROOT, number, shown);
+  }
+}
