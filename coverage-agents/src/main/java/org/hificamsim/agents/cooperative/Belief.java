@@ -29,7 +29,7 @@ final class Belief {
 
   Belief(Parameters parameters, Worth worth, Site site, NetworkView network) {
     this.site = site;
-    tracks = new TargetTracks(parameters, site.sight(), parameters.named() ? network.targets() : 0);
+    tracks = new TargetTracks(parameters, site.map(), parameters.named() ? network.targets() : 0);
     association = parameters.named() ? null : new Association(site.grid(), tracks);
     boolean sight = parameters.learn() == Parameters.Learn.SIGHT;
     learned = new LearnedSight(sight, site.grid(), network.cameras());
@@ -101,7 +101,7 @@ final class Belief {
       double x = tracks.x(track, ago);
       double y = tracks.y(track, ago);
       int camera = report.camera();
-      if (site.sight().chances(network, camera, x, y, tracks.size(track), chances)) {
+      if (site.chances(network, camera, x, y, tracks.size(track), chances)) {
         double chance = chances[report.view()];
         miss(track, chance * learned.share(camera, x, y), step);
         boolean seen = report.has(track);
@@ -129,9 +129,9 @@ final class Belief {
     }
   }
 
-  /** As {@link SiteSight#chances}, corrected by what was learned. */
+  /** As {@link Site#chances}, corrected by what was learned. */
   boolean chances(NetworkView network, int camera, double x, double y, double size, double[] into) {
-    boolean any = site.sight().chances(network, camera, x, y, size, into);
+    boolean any = site.chances(network, camera, x, y, size, into);
     double share = any ? learned.share(camera, x, y) : 1;
     for (int view = 0; view < into.length && share != 1; view++) {
       into[view] = Math.min(1, share * into[view]);

@@ -26,18 +26,19 @@ final class CellSight {
   }
 
   /** Finds out what all cameras see of targets of a size. */
-  void find(NetworkView network, SiteSight sight, boolean[] free, double size) {
+  void find(NetworkView network, Site site, double size) {
     for (int camera = 0; camera < cells.length; camera++) {
-      find(network, sight, free, size, camera);
+      find(network, site, size, camera);
     }
   }
 
-  private void find(NetworkView network, SiteSight sight, boolean[] free, double size, int camera) {
+  private void find(NetworkView network, Site site, double size, int camera) {
+    boolean[] free = site.free();
     int views = network.views(camera);
     makeRoom(views);
     Arrays.fill(counts, 0, views, 0);
     for (int cell = 0; cell < free.length; cell++) {
-      if (free[cell] && sum(network, sight, size, camera, cell)) {
+      if (free[cell] && sum(network, site, size, camera, cell)) {
         for (int view = 0; view < views; view++) {
           if (sums[view] > 0) {
             foundChances[view][counts[view]] = (float) sums[view];
@@ -65,14 +66,14 @@ final class CellSight {
   }
 
   /** The mean chances over a cell. */
-  private boolean sum(NetworkView network, SiteSight sight, double size, int camera, int cell) {
+  private boolean sum(NetworkView network, Site site, double size, int camera, int cell) {
     boolean any = false;
     Arrays.fill(sums, 0);
     for (double right : SAMPLED) {
       for (double up : SAMPLED) {
         double x = grid.x(cell, right);
         double y = grid.y(cell, up);
-        if (sight.chances(network, camera, x, y, size, now)) {
+        if (site.chances(network, camera, x, y, size, now)) {
           any = true;
           for (int view = 0; view < network.views(camera); view++) {
             sums[view] += SHARE * now[view];

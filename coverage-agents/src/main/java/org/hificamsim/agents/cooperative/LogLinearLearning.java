@@ -12,7 +12,6 @@ import org.hificamsim.core.policy.NetworkView;
 final class LogLinearLearning implements Agreement {
   private static final double NOISE = 0.3; // of targets, at first
 
-  private final SequentialGreedy start = new SequentialGreedy(1);
   private final int rounds;
   private final SplittableRandom random;
 
@@ -26,7 +25,7 @@ final class LogLinearLearning implements Agreement {
 
   @Override
   public void agree(NetworkView network, Team team) {
-    start.agree(network, team);
+    Agreement.greedy(network, team, 1);
     int cameras = network.cameras();
     for (int round = 0; round < rounds; round++) {
       double noise = NOISE * (rounds - 1 - round) / rounds;

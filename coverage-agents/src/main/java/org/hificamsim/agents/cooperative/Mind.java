@@ -79,6 +79,14 @@ final class Mind {
     }
   }
 
+  /** Plans the best view for a camera; returns whether it is another one than before. */
+  boolean choose(NetworkView network, int camera) {
+    int before = plan.view(camera);
+    int view = plan.best(network, camera);
+    hear(camera, view, network.step(), network.step());
+    return view != before;
+  }
+
   Belief belief() {
     return belief;
   }

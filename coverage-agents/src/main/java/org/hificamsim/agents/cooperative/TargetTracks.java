@@ -1,6 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
+import org.hificamsim.core.obstacle.Obstacles;
 
 /**
  * Targets that were seen lately: where each one is now, as far as is known, and how it moves. While
@@ -23,16 +24,16 @@ final class TargetTracks {
   }
 
   private final Parameters parameters;
-  private final SiteSight sight;
+  private final Obstacles map;
   private Track[] of = {}; // by number
   private int[] list = {}; // of those that are known
   private int count;
   private double ways;
   private long steps;
 
-  TargetTracks(Parameters parameters, SiteSight sight, int capacity) {
+  TargetTracks(Parameters parameters, Obstacles map, int capacity) {
     this.parameters = parameters;
-    this.sight = sight;
+    this.map = map;
     grow(capacity);
   }
 
@@ -65,7 +66,7 @@ final class TargetTracks {
   private void move(int track) {
     double toX = of[track].x + of[track].wayX;
     double toY = of[track].y + of[track].wayY;
-    if (sight.isWay(of[track].x, of[track].y, toX, toY)) {
+    if (map.clear(of[track].x, of[track].y, toX, toY)) {
       of[track].x = toX;
       of[track].y = toY;
     }
@@ -149,7 +150,7 @@ final class TargetTracks {
     double atY = of[track].y;
     for (int step = 0; step < forecast.horizon(); step++) {
       forecast.set(firstSlot + step, atX, atY, of[track].size, of[track].weight);
-      if (sight.isWay(atX, atY, atX + of[track].wayX, atY + of[track].wayY)) {
+      if (map.clear(atX, atY, atX + of[track].wayX, atY + of[track].wayY)) {
         atX += of[track].wayX;
         atY += of[track].wayY;
       }

@@ -15,8 +15,7 @@ class AssociationTest {
       Parameters.from(Options.parse("cooperative", "identity=none"));
 
   private final ToyNetwork network = new ToyNetwork(2, 1);
-  private final TargetTracks tracks =
-      new TargetTracks(PARAMETERS, new SiteSight(Obstacles.NONE, 1), 0);
+  private final TargetTracks tracks = new TargetTracks(PARAMETERS, Obstacles.NONE, 0);
   private final Association association = new Association(GRID, tracks);
 
   /** What a camera at the origin sees, some metres ahead (y) and to the right (x). */

@@ -75,7 +75,7 @@ class BeliefTest {
 
   @Test
   void aTargetThatIsMissedByChanceIsStillThereByBayesRule() {
-    TargetTracks tracks = new TargetTracks(PARAMETERS, new SiteSight(Obstacles.NONE, 1), 1);
+    TargetTracks tracks = new TargetTracks(PARAMETERS, Obstacles.NONE, 1);
     tracks.see(0, 0, 0, 3, 3, 1);
     tracks.step();
     double there = tracks.weight(0);
@@ -89,7 +89,7 @@ class BeliefTest {
   @Test
   void aTargetGoesOnAsItWentAndEndsAtAWall() {
     Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(5, 0, 5, 10, 0)));
-    TargetTracks tracks = new TargetTracks(PARAMETERS, new SiteSight(wall, 1), 1);
+    TargetTracks tracks = new TargetTracks(PARAMETERS, wall, 1);
     tracks.see(0, 0, 0, 1, 5, 1);
     tracks.step();
     tracks.see(0, 1, 1, 2.5, 5, 1);
@@ -101,7 +101,7 @@ class BeliefTest {
 
   @Test
   void aLateReportIsPlacedWhereItsTargetHasGoneSince() {
-    TargetTracks tracks = new TargetTracks(PARAMETERS, new SiteSight(Obstacles.NONE, 1), 1);
+    TargetTracks tracks = new TargetTracks(PARAMETERS, Obstacles.NONE, 1);
     tracks.see(0, 0, 2, 1, 1, 1);
     tracks.step();
     tracks.see(0, 1, 3, 1, 2, 1);

@@ -52,7 +52,7 @@ class SequentialGreedyTest {
       RandomSets network = new RandomSets(seed, false);
       double best = best(network, plan(network), 0, 0);
       assertTrue(
-          agreed(network, new SequentialGreedy(5)) >= best / 2 - 1e-9,
+          agreed(network, (at, team) -> Agreement.greedy(at, team, 5)) >= best / 2 - 1e-9,
           "seed " + seed + ": " + best);
     }
   }
@@ -63,7 +63,8 @@ class SequentialGreedyTest {
       RandomSets network = new RandomSets(seed, true);
       double best = best(network, plan(network), 0, 0);
       assertTrue(best > 0, "nothing to see");
-      assertEquals(best, agreed(network, new SequentialGreedy(5)), 1e-9, "seed " + seed);
+      assertEquals(
+          best, agreed(network, (at, team) -> Agreement.greedy(at, team, 5)), 1e-9, "seed " + seed);
       assertEquals(best, agreed(network, new MaxSum(PARAMETERS, network)), 1e-9, "seed " + seed);
     }
   }
