@@ -170,19 +170,15 @@ final class BatchRun {
       manifest(folder, tasks.stream().mapToLong(task -> all.get(task.plan()).steps()).sum());
       folder.commit(List.of());
     }
-    screen.out().printf("shard %s: %s runs%n", shard, tasks.size());
+    screen.say("shard %s: %s runs", shard, tasks.size());
   }
 
   void warnOfFewSeeds(int seeds) {
     if (seeds < Estimate.ENOUGH_SEEDS) {
-      screen
-          .err()
-          .printf(
-              Locale.ROOT,
-              "warning: --repeat %d: with fewer than %d seeds intervals are wide or missing, and"
-                  + " other seeds may give another result%n",
-              seeds,
-              Estimate.ENOUGH_SEEDS);
+      screen.note(
+          "warning: --repeat %d: with fewer than %d seeds intervals are wide or missing, and"
+              + " other seeds may give another result",
+          seeds, Estimate.ENOUGH_SEEDS);
     }
   }
 
@@ -209,11 +205,9 @@ final class BatchRun {
   }
 
   private void warnOfUnproven(RunPlan plan, String what) {
-    screen
-        .err()
-        .printf(
-            "warning: scenario %s, detection %s: '%s' is not proven to be the best%s%n",
-            plan.scenario().name(), plan.detection().name(), plan.policy(), what);
+    screen.note(
+        "warning: scenario %s, detection %s: '%s' is not proven to be the best%s",
+        plan.scenario().name(), plan.detection().name(), plan.policy(), what);
   }
 
   private Progress progress(long runs) {

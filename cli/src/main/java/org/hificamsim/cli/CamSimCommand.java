@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
@@ -173,18 +172,15 @@ final class CamSimCommand implements Callable<Integer> {
   }
 
   private void print(RunPlan plan, Path to, StepFigures sums) {
-    screen
-        .out()
-        .printf(
-            Locale.ROOT,
-            "%s: %d steps, seed %d: utility %.4f, %d messages, %d handovers, %.4f tracked; %s%n",
-            plan.scenario().name(),
-            plan.steps(),
-            plan.seed(),
-            sums.utility(),
-            sums.communication(),
-            sums.handovers(),
-            sums.meanProportion(),
-            to);
+    screen.say(
+        "%s: %d steps, seed %d: utility %.4f, %d messages, %d handovers, %.4f tracked; %s",
+        plan.scenario().name(),
+        plan.steps(),
+        plan.seed(),
+        sums.utility(),
+        sums.communication(),
+        sums.handovers(),
+        sums.meanProportion(),
+        to);
   }
 }

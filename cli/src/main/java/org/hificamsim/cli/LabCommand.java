@@ -80,11 +80,9 @@ final class LabCommand implements Callable<Integer> {
     try (Progress progress = screen.progress("", " photos", laboratory.shots())) {
       photos = laboratory.render(out, count, progress::advance);
     }
-    screen
-        .out()
-        .printf(
-            "%s photos by OpenCV %s in %s; %s dropped, whose object is larger than the frame%n",
-            photos.taken(), OpenCv.version(), out, photos.dropped());
+    screen.say(
+        "%s photos by OpenCV %s in %s; %s dropped, whose object is larger than the frame",
+        photos.taken(), OpenCv.version(), out, photos.dropped());
     return 0;
   }
 

@@ -83,7 +83,7 @@ final class MeasureCommand implements Callable<Integer> {
     }
     if (!pictures.isEmpty()) {
       int drawn = new MatchPictures(dataset, settings).draw(pictures);
-      screen.out().printf("%s drawn: %s%n", drawn, folder.resolve(MatchPictures.FOLDER));
+      screen.say("%s drawn: %s", drawn, folder.resolve(MatchPictures.FOLDER));
     }
   }
 
@@ -94,20 +94,16 @@ final class MeasureCommand implements Callable<Integer> {
       outcome = new Measurer(dataset, settings).measure(count, progress);
     }
     if (outcome.threads() < count) {
-      screen
-          .err()
-          .printf(
-              "%s of %s threads: photos of this size fill the memory%n", outcome.threads(), count);
+      screen.note(
+          "%s of %s threads: photos of this size fill the memory", outcome.threads(), count);
     }
     outcome.warnings().forEach(line -> screen.err().println("warning: " + Place.printable(line)));
-    screen
-        .out()
-        .printf(
-            "%s photos measured%s by OpenCV %s: %s%n",
-            photos,
-            outcome.resumed() > 0 ? ", " + outcome.resumed() + " of them by an earlier call" : "",
-            OpenCv.version(),
-            folder.resolve(MeasurementsFile.NAME));
+    screen.say(
+        "%s photos measured%s by OpenCV %s: %s",
+        photos,
+        outcome.resumed() > 0 ? ", " + outcome.resumed() + " of them by an earlier call" : "",
+        OpenCv.version(),
+        folder.resolve(MeasurementsFile.NAME));
   }
 
   private MeasureSettings settings() {

@@ -6,10 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -207,16 +207,7 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   private List<Point> places(Scenario site) {
-    List<String> names = forbid.map(text -> List.of(text.split(","))).orElse(List.of());
-    List<Zone> forbidden =
-        names.stream()
-            .map(
-                name ->
-                    site.zones().stream()
-                        .filter(zone -> zone.name().equals(name))
-                        .findFirst()
-                        .orElseThrow(() -> unknown("--forbid", name, "zone")))
-            .toList();
+    List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());
     String text = candidates.orElse("every=" + longer / USUAL_PLACES);
     if (!text.startsWith("every=")) {
@@ -235,17 +226,22 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   private List<CameraSpec> kept(Scenario site) {
-    List<String> names = keep.map(text -> List.of(text.split(","))).orElse(List.of());
-    if (names.equals(List.of("all"))) {
-      return site.cameras();
-    }
-    return names.stream()
+    return keep.equals(Optional.of("all"))
+        ? site.cameras()
+        : named("--keep", keep, "camera", site.cameras(), CameraSpec::name);
+  }
+
+  /** What an option names of a site. */
+  private static <T> List<T> named(
+      String option, Optional<String> list, String kind, List<T> all, Function<T, String> name) {
+    return list.stream()
+        .flatMap(text -> Stream.of(text.split(",")))
         .map(
-            name ->
-                site.cameras().stream()
-                    .filter(camera -> camera.name().equals(name))
+            asked ->
+                all.stream()
+                    .filter(one -> name.apply(one).equals(asked))
                     .findFirst()
-                    .orElseThrow(() -> unknown("--keep", name, "camera")))
+                    .orElseThrow(() -> unknown(option, asked, kind)))
         .toList();
   }
 
@@ -259,15 +255,12 @@ final class PlaceCommand implements Callable<Integer> {
     String shown = goal.isAll() ? "%.2f" : form;
     double by = goal.isAll() ? 1 : scale;
     return (score, bound) ->
-        screen
-            .err()
-            .printf(
-                Locale.ROOT,
-                "%6.1f s: plan " + shown + ", bound " + shown + ", gap %.2f %%%n",
-                (System.nanoTime() - started) / 1e9,
-                by * score,
-                by * bound,
-                100 * Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score)));
+        screen.note(
+            "%6.1f s: plan " + shown + ", bound " + shown + ", gap %.2f %%",
+            (System.nanoTime() - started) / 1e9,
+            by * score,
+            by * bound,
+            100 * Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score)));
   }
 
   private void tell(SitePlan plan, Path folder) {
@@ -276,26 +269,26 @@ final class PlaceCommand implements Callable<Integer> {
     Object[] numbers = {
       plan.cameras().size(), plan.problem().kept().size(), plan.price(), 100 * plan.share()
     };
-    print("%d cameras, %d of them stay, price %.2f: %.2f %% of the demand is met", numbers);
-    print("  %s", plan.problem().reading().words());
+    screen.say("%d cameras, %d of them stay, price %.2f: %.2f %% of the demand is met", numbers);
+    screen.say("  %s", plan.problem().reading().words());
     if (plan.problem().goal().isAll()) {
-      print("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());
-      print("  all candidates together meet %.2f %%", 100 * plan.bound());
+      screen.say("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());
+      screen.say("  all candidates together meet %.2f %%", 100 * plan.bound());
     } else {
-      print("  no plan of these meets more than %.2f %%", 100 * plan.bound());
-      print("  gap %.2f %%", 100 * (plan.bound() - plan.share()) / plan.bound());
+      screen.say("  no plan of these meets more than %.2f %%", 100 * plan.bound());
+      screen.say("  gap %.2f %%", 100 * (plan.bound() - plan.share()) / plan.bound());
     }
-    print(
+    screen.say(
         "  %d candidates, %d samples, cells of %.2f m, %.1f s",
         plan.problem().candidates().all().size(),
         all.samples().size(),
         all.cells().width(),
         found.seconds());
-    print(
+    screen.say(
         "  the site's own %d cameras meet %.2f %%",
         all.site().cameras().size(), 100 * plan.today());
     for (Demand.Watched zone : all.zones()) {
-      print(
+      screen.say(
           "  zone %s: %.2f %% by %s, k = %d",
           zone.name(),
           100 * all.share(zone, plan.counts(), false),
@@ -303,14 +296,10 @@ final class PlaceCommand implements Callable<Integer> {
           zone.k());
     }
     if (!plan.blindSpots().isEmpty()) {
-      print("  seen by no camera: %s", String.join(", ", plan.blindSpots()));
+      screen.say("  seen by no camera: %s", String.join(", ", plan.blindSpots()));
     }
-    print(
+    screen.say(
         "%s; under policies: ./hificamsim compare %s", folder, folder.resolve(PlanFiles.SCENARIO));
-  }
-
-  private void print(String form, Object... values) {
-    screen.out().println(String.format(Locale.ROOT, form, values));
   }
 
   private InstanceFile.Form instanceForm() {
@@ -323,14 +312,14 @@ final class PlaceCommand implements Callable<Integer> {
     CoverPlan plan =
         CoverSearch.solve(
             all, goal, seed(), ROUNDS, new Interrupt(time)::isDue, watcher(goal, "%.2f", 1));
-    print(
+    screen.say(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
         all.candidates(),
         all.price(plan.chosen()),
         all.worth(all.counts(plan.chosen())),
         all.samples());
-    print(
+    screen.say(
         "score %.2f, bound %.2f, gap %.3f %%, %.1f s",
         plan.score(), plan.bound(), 100 * plan.gap(), plan.seconds());
     return 0;

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -148,11 +147,8 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private void tell(HeatMap map) {
-    screen
-        .out()
-        .printf(
-            "heat map of %s x %s cells: %s%n",
-            map.cells().columns(), map.cells().rows(), map.shares());
+    screen.say(
+        "heat map of %s x %s cells: %s", map.cells().columns(), map.cells().rows(), map.shares());
   }
 
   private static World world(RunPlan plan, Catalogue catalogue) {
@@ -182,15 +178,10 @@ final class RunCommand implements Callable<Integer> {
 
   private void warnOfSize(Path page, double megabytes) {
     if (megabytes >= MAX_MEGABYTES) {
-      screen
-          .err()
-          .printf(
-              Locale.ROOT,
-              "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
-                  + " at each zoom level, does not fit into %d MB%n",
-              page,
-              megabytes,
-              MAX_MEGABYTES);
+      screen.note(
+          "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
+              + " at each zoom level, does not fit into %d MB",
+          page, megabytes, MAX_MEGABYTES);
     }
   }
 
