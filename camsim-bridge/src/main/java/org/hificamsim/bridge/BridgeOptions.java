@@ -94,9 +94,8 @@ final class BridgeOptions {
     requireFor("pan", pan, hfov.isPresent(), "hfov");
     requireFor("pixels", pixels, hfov.isPresent(), "hfov");
     if (hfov.isPresent() && zooms.isPresent()) {
-      throw new InputException(
-          "hfov is '%s' beside zooms '%s', expected one of them"
-              .formatted(hfov.get(), zooms.get()));
+      throw InputException.of(
+          "hfov is '%s' beside zooms '%s', expected one of them", hfov.get(), zooms.get());
     }
     return new BridgeSettings(
         used,
@@ -130,8 +129,7 @@ final class BridgeOptions {
   private static void requireFor(
       String key, Optional<String> value, boolean present, String needed) {
     if (value.isPresent() && !present) {
-      throw new InputException(
-          key + " is '" + value.get() + "' without " + needed + ", expected both");
+      throw InputException.of("%s is '%s' without %s, expected both", key, value.get(), needed);
     }
   }
 
@@ -150,8 +148,8 @@ final class BridgeOptions {
   private static Map<String, List<Track>> tracks(String file) {
     Scenario scenario = ScenarioReader.read(Path.of(file), name -> true, warning -> {});
     if (scenario.hasHeights()) {
-      throw new InputException(
-          "tracks is '" + file + "', which has heights, expected a flat scenario: CamSim has none");
+      throw InputException.of(
+          "tracks is '%s', which has heights, expected a flat scenario: CamSim has none", file);
     }
     Map<String, List<Track>> tracks =
         scenario
@@ -162,8 +160,8 @@ final class BridgeOptions {
                 groupingBy(
                     TargetSpec::name, mapping(target -> target.track().orElseThrow(), toList())));
     if (tracks.isEmpty()) {
-      throw new InputException(
-          "tracks is '" + file + "', which has none, expected a scenario with <tracks>");
+      throw InputException.of(
+          "tracks is '%s', which has none, expected a scenario with <tracks>", file);
     }
     return tracks;
   }
@@ -173,17 +171,14 @@ final class BridgeOptions {
     String spec = given.replace(';', ',');
     ZoomPolicy made = catalogue.policies().create(spec);
     if (made instanceof HindsightZoomPolicy) {
-      throw new InputException(
-          "policy '"
-              + spec
-              + "' has to see the run before it begins, expected one that learns"
-              + " or decides as the run goes");
+      throw InputException.of(
+          "policy '%s' has to see the run before it begins, expected one that learns or"
+              + " decides as the run goes",
+          spec);
     }
     if (made instanceof AimingZoomPolicy) {
-      throw new InputException(
-          "policy '"
-              + spec
-              + "' turns cameras to any angle, expected one that chooses among views");
+      throw InputException.of(
+          "policy '%s' turns cameras to any angle, expected one that chooses among views", spec);
     }
     return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }
@@ -211,8 +206,7 @@ final class BridgeOptions {
                     .orElse(List.of(0.0)));
     int views = optics.pans().size() * optics.anglesOfView().size();
     if (views > MAX_VIEWS) {
-      throw new InputException(
-          "pan and hfov make %s views, expected at most %s".formatted(views, MAX_VIEWS));
+      throw InputException.of("pan and hfov make %s views, expected at most %s", views, MAX_VIEWS);
     }
     return optics;
   }
@@ -224,11 +218,9 @@ final class BridgeOptions {
         .filter(lenses::contains)
         .orElseThrow(
             () ->
-                new InputException(
-                    "options: law is '%s', expected one of %s"
-                        .formatted(
-                            law,
-                            lenses.stream().map(Spelling::of).collect(Collectors.joining(", ")))));
+                InputException.of(
+                    "options: law is '%s', expected one of %s",
+                    law, lenses.stream().map(Spelling::of).collect(Collectors.joining(", "))));
   }
 
   private static double number(String key, String text, double least, double most) {
@@ -251,15 +243,15 @@ final class BridgeOptions {
     for (String item : text.strip().split("[;,\\s]+")) {
       double number = number(key, item, least, most);
       if (!numbers.isEmpty() && number <= numbers.get(numbers.size() - 1)) {
-        throw new InputException(
-            "%s has '%s' after %s, expected rising %s, each once, such as %s"
-                .formatted(key, item, numbers.get(numbers.size() - 1), what, example));
+        throw InputException.of(
+            "%s has '%s' after %s, expected rising %s, each once, such as %s",
+            key, item, numbers.get(numbers.size() - 1), what, example);
       }
       numbers.add(number);
     }
     if (numbers.size() > MAX_NUMBERS) {
-      throw new InputException(
-          "%s has %s %s, expected at most %s".formatted(key, numbers.size(), what, MAX_NUMBERS));
+      throw InputException.of(
+          "%s has %s %s, expected at most %s", key, numbers.size(), what, MAX_NUMBERS);
     }
     return numbers;
   }

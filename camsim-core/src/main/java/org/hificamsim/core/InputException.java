@@ -17,4 +17,9 @@ public final class InputException extends RuntimeException {
   public InputException(String message, Throwable cause) {
     super(message, cause);
   }
+
+  /** A fault whose message has values, in the form of {@link Texts#format}. */
+  public static InputException of(String form, Object... values) {
+    return new InputException(Texts.format(form, values));
+  }
 }

@@ -29,6 +29,11 @@ public record Place(String file, int line, int column) {
     return new InputException(line(problem));
   }
 
+  /** The same, with values in the form of {@link Texts#format}. */
+  public InputException error(String form, Object... values) {
+    return error(Texts.format(form, values));
+  }
+
   /** The fault {@code FILE:LINE:COLUMN: name is 'value', expected ...}. */
   public InputException invalid(String name, String value, String expected) {
     return error(name + " is '" + shortened(value) + "', expected " + expected);

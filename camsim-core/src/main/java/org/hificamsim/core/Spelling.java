@@ -32,9 +32,7 @@ public final class Spelling {
   public static <E extends Enum<E>> E require(Class<E> type, String name, String text) {
     return find(type, text)
         .orElseThrow(
-            () ->
-                new InputException(
-                    "%s is '%s', expected one of %s".formatted(name, text, all(type))));
+            () -> InputException.of("%s is '%s', expected one of %s", name, text, all(type)));
   }
 
   /** All spellings of {@code type}, for error lines. */

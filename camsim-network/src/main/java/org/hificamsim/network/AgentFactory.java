@@ -55,17 +55,16 @@ final class AgentFactory {
   private void readRoles() {
     int strategies = settings.strategies().size();
     if (strategies > Math.max(1, fromFile)) {
-      throw new InputException(
-          "there are %s strategies, expected one, or one for each of the %s cameras"
-              .formatted(strategies, fromFile));
+      throw InputException.of(
+          "there are %s strategies, expected one, or one for each of the %s cameras",
+          strategies, fromFile);
     }
     RoleReader reader = new RoleReader(settings, world.scenario().inCoverageDialect());
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       String name = world.cameras().name(camera);
       Fault fault =
           (attribute, expected) ->
-              new InputException(
-                  "camera '%s': %s: expected %s".formatted(name, attribute, expected));
+              InputException.of("camera '%s': %s: expected %s", name, attribute, expected);
       CameraSpec spec = world.cameraSpec(camera);
       roles.add(reader.read(spec, camera >= fromFile, fault));
     }

@@ -94,15 +94,14 @@ public final class CamSimScenario {
         .findFirst()
         .ifPresent(
             target -> {
-              throw new InputException(
-                  "%s: object %s has no %s for movement %s"
-                      .formatted(
-                          source,
-                          target.name(),
-                          target.lacksTrack()
-                              ? "track, expected one of <tracks>"
-                              : "waypoints, expected at least two",
-                          target.movement()));
+              throw InputException.of(
+                  "%s: object %s has no %s for movement %s",
+                  source,
+                  target.name(),
+                  target.lacksTrack()
+                      ? "track, expected one of <tracks>"
+                      : "waypoints, expected at least two",
+                  target.movement());
             });
   }
 

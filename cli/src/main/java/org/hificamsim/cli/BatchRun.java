@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.Estimate;
@@ -199,8 +199,7 @@ final class BatchRun {
     if (gap > 0) {
       warnOfUnproven(
           one.plan(),
-          String.format(
-              Locale.ROOT, "; the least expected k of a step might be up to %.3g higher", gap));
+          Texts.format("; the least expected k of a step might be up to %.3g higher", gap));
     }
   }
 

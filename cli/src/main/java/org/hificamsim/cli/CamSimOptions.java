@@ -141,8 +141,8 @@ final class CamSimOptions {
     return Quirk.find(name)
         .orElseThrow(
             () ->
-                new InputException(
-                    "--quirks names '%s', expected all, none, or some of %s"
-                        .formatted(name, Spelling.all(Quirk.class))));
+                InputException.of(
+                    "--quirks names '%s', expected all, none, or some of %s",
+                    name, Spelling.all(Quirk.class)));
   }
 }

@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.check.CheckFolder;
 import org.hificamsim.profiling.check.CheckResult;
 import org.hificamsim.profiling.check.ErrorSummary;
@@ -76,8 +77,8 @@ final class CheckCommand implements Callable<Integer> {
 
   private static void requireLength(String option, Unit unit) {
     if (Double.isNaN(unit.metres())) {
-      throw new InputException(
-          "%s is %s, expected m, cm or mm".formatted(option, unit.name().toLowerCase(Locale.ROOT)));
+      throw InputException.of(
+          "%s is %s, expected m, cm or mm", option, unit.name().toLowerCase(Locale.ROOT));
     }
   }
 
@@ -96,7 +97,7 @@ final class CheckCommand implements Callable<Integer> {
     to.println(
         result.inWorld()
             ? "places: as the file says; half of the boxes stand within "
-                + String.format(Locale.ROOT, "%.1f", check.footError())
+                + Texts.format("%.1f", check.footError())
                 + " pixels of where the calibration has them"
             : "places: where boxes stand, by the calibration; the file has none");
     to.printf("%-12s %-8s %8s %8s %8s%n", "rung", "of", "median", "90 %", "bias");

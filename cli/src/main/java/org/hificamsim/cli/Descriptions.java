@@ -1,8 +1,8 @@
 package org.hificamsim.cli;
 
 import java.util.List;
-import java.util.Locale;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -13,8 +13,7 @@ final class Descriptions {
 
   /** What a scenario holds. */
   static String of(Scenario scenario) {
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         "%s, %s, %s, field %s x %s m, %s, %s order",
         count(scenario.cameras().size(), "camera"),
         targets(scenario),
@@ -36,7 +35,7 @@ final class Descriptions {
     String others = count(scenario.targets().size(), "target");
     long samples = recorded.stream().mapToLong(one -> one.track().orElseThrow().samples()).sum();
     int each = (int) recorded.stream().map(TargetSpec::features).distinct().count();
-    String found = String.format(Locale.ROOT, "%,d samples of %s", samples, count(each, "target"));
+    String found = Texts.format("%,d samples of %s", samples, count(each, "target"));
     return recorded.isEmpty()
         ? others
         : scenario.targets().isEmpty() ? found : others + ", " + found;

@@ -88,9 +88,8 @@ final class Destination {
     Path real = SeparateFiles.real(output);
     for (Path input : inputs(command).map(SeparateFiles::real).toList()) {
       if (real.equals(input) || isResult(input, real)) {
-        throw new InputException(
-            "what the command reads and %s are one file, '%s', expected two"
-                .formatted(option, output));
+        throw InputException.of(
+            "what the command reads and %s are one file, '%s', expected two", option, output);
       }
     }
   }

@@ -8,6 +8,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -50,8 +51,10 @@ final class DetectionHints {
   private static Optional<String> flatRule(Scenario scenario, Detection used) {
     return scenario.hasHeights() && used.model().flat()
         ? Optional.of(
-            "'%s' is a rule of CamSim, whose world is flat: it gets distances over the ground, not those from where cameras hang"
-                .formatted(used.name()))
+            Texts.format(
+                "'%s' is a rule of CamSim, whose world is flat: it gets distances over the"
+                    + " ground, not those from where cameras hang",
+                used.name()))
         : Optional.empty();
   }
 
@@ -100,9 +103,10 @@ final class DetectionHints {
     return blind.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "no target can be seen anywhere by camera "
-                + String.join("; ", blind)
-                + ": expected another tilt or height, or less of a target that has to be seen");
+            Texts.format(
+                "no target can be seen anywhere by camera %s: expected another tilt or height,"
+                    + " or less of a target that has to be seen",
+                String.join("; ", blind)));
   }
 
   /** How far a target is detected at each zoom level; by chance, half of the time. */
@@ -131,17 +135,17 @@ final class DetectionHints {
     return !(nearest.within(reach) < FEW)
         ? Optional.empty()
         : Optional.of(
-            "'%s' detects%s up to %s, and %s of the targets come so near to a camera in %s steps (half of them no nearer than %s m): hardly anything is covered; expected %s"
-                .formatted(
-                    detection.name(),
-                    detection.certain() ? "" : " half of the time",
-                    reach(scenario, detection),
-                    nearest.within(reach) == 0
-                        ? "none"
-                        : "under " + Numbers.plain(100 * FEW) + " %",
-                    nearest.steps(),
-                    Numbers.plain(nearest.median()),
-                    fitting(scenario, nearest.median(), catalogue)));
+            Texts.format(
+                "'%s' detects%s up to %s, and %s of the targets come so near to a camera in %s"
+                    + " steps (half of them no nearer than %s m): hardly anything is covered;"
+                    + " expected %s",
+                detection.name(),
+                detection.certain() ? "" : " half of the time",
+                reach(scenario, detection),
+                nearest.within(reach) == 0 ? "none" : "under " + Numbers.plain(100 * FEW) + " %",
+                nearest.steps(),
+                Numbers.plain(nearest.median()),
+                fitting(scenario, nearest.median(), catalogue)));
   }
 
   /** The first of some models that reaches half of the targets. */
@@ -169,8 +173,10 @@ final class DetectionHints {
             || own == used.threshold()
         ? Optional.empty()
         : Optional.of(
-            "its threshold %s is used for '%s', whose own is %s; expected --detection %s@%s where that one is meant"
-                .formatted(used.threshold(), used.model().name(), own, used.model().name(), own));
+            Texts.format(
+                "its threshold %s is used for '%s', whose own is %s; expected --detection"
+                    + " %s@%s where that one is meant",
+                used.threshold(), used.model().name(), own, used.model().name(), own));
   }
 
   /** A warning where cameras cannot have both their viewing angle and their focal lengths. */
@@ -245,11 +251,10 @@ final class DetectionHints {
     return outside.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "'"
-                + name
-                + "' was not fitted on what is asked of it: "
-                + String.join(", ", outside)
-                + "; expected photos of these, or a model whose f is the pinhole camera's");
+            Texts.format(
+                "'%s' was not fitted on what is asked of it: %s; expected photos of these, or"
+                    + " a model whose f is the pinhole camera's",
+                name, String.join(", ", outside)));
   }
 
   /** What is nearer than any photo fills the image, and is detected. */

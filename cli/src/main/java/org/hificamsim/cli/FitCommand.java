@@ -5,11 +5,11 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.DetectorShape;
@@ -128,16 +128,15 @@ final class FitCommand implements Callable<Integer> {
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve(FittedModel.FOLDER));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {
-      throw new InputException(
-          folder.resolve(MeasurementsFile.NAME)
-              + ": no confidence surely rises with PIP, expected one at least");
+      throw InputException.of(
+          "%s: no confidence surely rises with PIP, expected one at least",
+          folder.resolve(MeasurementsFile.NAME));
     }
   }
 
   private static String row(String column, FittedModel model) {
     ShapeFit g = model.fit().chosen();
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         column + " %7.3f %7.3f %8.4f  %s",
         model.name(),
         g.scores().r2(),
@@ -152,8 +151,8 @@ final class FitCommand implements Callable<Integer> {
 
   private FitSettings settings() {
     if (!name.matches("[A-Za-z0-9][A-Za-z0-9._-]{0,39}")) {
-      throw new InputException(
-          "--name is '" + name + "', expected 1 to 40 letters, digits, or any of . _ -");
+      throw InputException.of(
+          "--name is '%s', expected 1 to 40 letters, digits, or any of . _ -", name);
     }
     Numbers.inRange("--folds", folds, 2, 100);
     Numbers.inRange("--population", population, 50, 1_000_000);

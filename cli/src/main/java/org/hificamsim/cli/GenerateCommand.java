@@ -84,8 +84,8 @@ final class GenerateCommand implements Callable<Integer> {
       Numbers.inRange("--targets", targets, 1, MAX);
     }
     if (area != null && !(area > 0 && area <= LARGE)) {
-      throw new InputException(
-          "--area is " + area + ", expected a number above 0 and at most " + LARGE);
+      throw InputException.of(
+          "--area is %s, expected a number above 0 and at most %s", area, LARGE);
     }
     return new RandomField(
         cameras,

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -100,10 +101,9 @@ final class ImportCommand implements Callable<Integer> {
     terminal.println("  " + recording.sizeLine(found));
     if (!Double.isNaN(projection.longitude())) {
       terminal.println(
-          "  projected to metres: equirectangular, WGS84, about latitude "
-              + projection.latitude()
-              + ", longitude "
-              + projection.longitude());
+          Texts.format(
+              "  projected to metres: equirectangular, WGS84, about latitude %s, longitude %s",
+              projection.latitude(), projection.longitude()));
     }
     terminal.println("  " + site.line(made, walls));
     terminal.println("  " + made.question());

@@ -5,13 +5,13 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.ladder.Ladder;
 import org.hificamsim.reproduction.ladder.LadderFiles;
@@ -102,8 +102,8 @@ final class LadderCommand implements Callable<Integer> {
   }
 
   private static void refuse(String rule) {
-    throw new InputException(
-        "--detect is '" + rule + "', expected none: a rung names its own, --rungs NAME@" + rule);
+    throw InputException.of(
+        "--detect is '%s', expected none: a rung names its own, --rungs NAME@%s", rule, rule);
   }
 
   private List<Rung> rungsAsked() {
@@ -121,10 +121,8 @@ final class LadderCommand implements Callable<Integer> {
   private List<Rung> ofDetection(Optional<List<String>> names) {
     detection.ifPresent(
         text -> {
-          throw new InputException(
-              "--detection is '"
-                  + text
-                  + "', expected none without --of world: --rungs names them");
+          throw InputException.of(
+              "--detection is '%s', expected none without --of world: --rungs names them", text);
         });
     return names
         .map(asked -> asked.stream().map(Rungs::ofDetection).toList())
@@ -151,7 +149,7 @@ final class LadderCommand implements Callable<Integer> {
     out.println(header + " ns/step  adds");
     List<RungResult> all = result.of(RungResult.ALL);
     for (int i = 0; i < all.size(); i++) {
-      String cost = String.format(Locale.ROOT, "%8.0f  ", result.nanoseconds().get(i));
+      String cost = Texts.format("%8.0f  ", result.nanoseconds().get(i));
       out.println(line(columns, all.get(i)) + cost + all.get(i).rung().adds());
     }
   }
@@ -160,7 +158,7 @@ final class LadderCommand implements Callable<Integer> {
     return columns.formatted(
         one.scenario(),
         one.rung().name(),
-        String.format(Locale.ROOT, "%.3f", one.optimum().mean()),
+        Texts.format("%.3f", one.optimum().mean()),
         one.tau().text("%.2f"),
         one.share().times(100).text("%.1f"));
   }

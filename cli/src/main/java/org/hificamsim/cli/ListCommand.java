@@ -3,8 +3,8 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.Locale;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
@@ -58,10 +58,9 @@ See docs/detection.md.
         model
             .scatter()
             .map(any -> Detection.by(BY_CHANCE, model.name(), model).threshold())
-            .map(half -> String.format(Locale.ROOT, "; chance %.4g", half))
+            .map(half -> Texts.format("; chance %.4g", half))
             .orElse("");
-    return equation
-        + String.format(Locale.ROOT, " (threshold %.4g%s)", model.defaultThreshold(), chance);
+    return equation + Texts.format(" (threshold %.4g%s)", model.defaultThreshold(), chance);
   }
 
   @Command(description = "Zoom policies, with their options and defaults.")

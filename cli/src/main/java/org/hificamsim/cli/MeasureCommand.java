@@ -74,8 +74,8 @@ final class MeasureCommand implements Callable<Integer> {
   private void measure(Dataset dataset, MeasureSettings settings, int count) throws IOException {
     for (String picture : pictures) {
       if (dataset.samples().stream().noneMatch(sample -> sample.image().equals(picture))) {
-        throw new InputException(
-            "--picture is '" + picture + "', expected an image of " + Dataset.TABLE);
+        throw InputException.of(
+            "--picture is '%s', expected an image of %s", picture, Dataset.TABLE);
       }
     }
     if (pictures.isEmpty() || !Files.exists(folder.resolve(MeasurementsFile.NAME))) {

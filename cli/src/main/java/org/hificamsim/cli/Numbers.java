@@ -13,8 +13,8 @@ final class Numbers {
    */
   static int inRange(String option, int value, int min, int max) {
     if (value < min || value > max) {
-      throw new InputException(
-          "%s is %s, expected a whole number from %s to %s".formatted(option, value, min, max));
+      throw InputException.of(
+          "%s is %s, expected a whole number from %s to %s", option, value, min, max);
     }
     return value;
   }
@@ -41,8 +41,7 @@ final class Numbers {
    */
   static double within(String option, double value, double min, double max) {
     if (!(value >= min && value <= max)) {
-      throw new InputException(
-          "%s is %s, expected a number from %s to %s".formatted(option, value, min, max));
+      throw InputException.of("%s is %s, expected a number from %s to %s", option, value, min, max);
     }
     return value;
   }

@@ -6,10 +6,10 @@ import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
@@ -71,12 +71,12 @@ final class OptimumTime {
   }
 
   private static String seconds(double seconds) {
-    return String.format(Locale.ROOT, seconds < 10 ? "%.2g" : "%.0f", seconds);
+    return Texts.format(seconds < 10 ? "%.2g" : "%.0f", seconds);
   }
 
   private static String hours(double seconds) {
     Duration time = Duration.ofSeconds((long) seconds);
-    return String.format(Locale.ROOT, "%d:%02d", time.toHours(), time.toMinutesPart());
+    return Texts.format("%d:%02d", time.toHours(), time.toMinutesPart());
   }
 
   /** By ever more steps, until a trial is long enough: the first ones are not yet compiled. */

@@ -167,9 +167,9 @@ final class PictureOptions {
     }
     HeatFigure figure = Spelling.require(HeatFigure.class, "--heatmap", heat.get());
     if (!HeatTable.TABLE.isIn(folder)) {
-      throw new InputException(
-          "no file '%s', expected a folder that 'hificamsim run --record --heatmap' wrote"
-              .formatted(folder.resolve(HeatTable.TABLE.file())));
+      throw InputException.of(
+          "no file '%s', expected a folder that 'hificamsim run --record --heatmap' wrote",
+          folder.resolve(HeatTable.TABLE.file()));
     }
     return new HeatPicture(run, HeatTable.read(folder, run.field()), figure, repeats);
   }
@@ -184,9 +184,9 @@ final class PictureOptions {
             replay.setup(), recording, look(replay.setup()), FrameScores.read(folder, recording));
       }
     }
-    throw new InputException(
-        "--run is %s, expected one of the %s repeats recorded, from 0"
-            .formatted(repeat, replay.runs().size()));
+    throw InputException.of(
+        "--run is %s, expected one of the %s repeats recorded, from 0",
+        repeat, replay.runs().size());
   }
 
   private Look look(Setup setup) {
@@ -207,8 +207,8 @@ final class PictureOptions {
         .findFirst()
         .orElseThrow(
             () ->
-                new InputException(
-                    "--density is '%s', expected a camera with pixels and a lens".formatted(name)));
+                InputException.of(
+                    "--density is '%s', expected a camera with pixels and a lens", name));
   }
 
   private Animation animation(RunFrames run) {
@@ -222,8 +222,7 @@ final class PictureOptions {
     }
     long recorded = run.stepsApart();
     if (every < 1 || every % recorded != 0) {
-      throw new InputException(
-          "--every is %s, expected a multiple of %s, above 0".formatted(every, recorded));
+      throw InputException.of("--every is %s, expected a multiple of %s, above 0", every, recorded);
     }
     return new Animation(run, first, last, (int) (every / recorded));
   }

@@ -246,8 +246,8 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   private static InputException unknown(String option, String name, String kind) {
-    return new InputException(
-        "%s: the site has no %s '%s', expected the name of one".formatted(option, kind, name));
+    return InputException.of(
+        "%s: the site has no %s '%s', expected the name of one", option, kind, name);
   }
 
   private CoverSearch.Watcher watcher(Goal goal, String form, double scale) {

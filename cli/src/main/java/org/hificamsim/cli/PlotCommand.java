@@ -44,8 +44,8 @@ final class PlotCommand implements Callable<Integer> {
     String name = out.toString().toLowerCase(Locale.ROOT);
     String format = name.substring(name.lastIndexOf('.') + 1);
     if (!FigureFile.FORMATS.contains(format)) {
-      throw new InputException(
-          "--out is '" + out + "', expected a name that ends in .png, .svg or .pdf");
+      throw InputException.of(
+          "--out is '%s', expected a name that ends in .png, .svg or .pdf", out);
     }
     OutputFile file = destination.inFolder("--out", out);
     Objective objective = objective();
@@ -120,14 +120,14 @@ final class PlotCommand implements Callable<Integer> {
       int repeats = summary.path("repeat").asInt();
       int steps = summary.path("steps").asInt();
       if (repeats < 1 || steps < 1) {
-        throw new InputException(
-            "%s: steps is %s and repeat is %s, expected what 'hificamsim run' writes"
-                .formatted(folder.resolve(ResultFolder.SUMMARY), steps, repeats));
+        throw InputException.of(
+            "%s: steps is %s and repeat is %s, expected what 'hificamsim run' writes",
+            folder.resolve(ResultFolder.SUMMARY), steps, repeats);
       }
       if (steps > MAX_STEPS) {
-        throw new InputException(
-            "%s: steps is %s, expected at most %s to draw"
-                .formatted(folder.resolve(ResultFolder.SUMMARY), steps, MAX_STEPS));
+        throw InputException.of(
+            "%s: steps is %s, expected at most %s to draw",
+            folder.resolve(ResultFolder.SUMMARY), steps, MAX_STEPS);
       }
       boolean scored = objective.hasOwnFigure();
       double[] sums = new double[steps];

@@ -2,13 +2,13 @@ package org.hificamsim.cli;
 
 import java.io.PrintWriter;
 import java.time.Duration;
-import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
+import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.measure.MeasureProgress;
 import org.hificamsim.runs.compare.RunProgress;
 
@@ -105,8 +105,7 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
     long now = done.get();
     double perSecond = (now - already) * (double) TimeUnit.SECONDS.toNanos(1) / elapsed;
     long left = (long) Math.ceil((total - now) / perSecond);
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         "%s: %d of %d%s (%d%%), %." + (perSecond < 10 ? 1 : 0) + "f%s/s, %d:%02d:%02d left",
         task,
         now,

@@ -107,8 +107,7 @@ final class RecordingOptions {
     } catch (NumberFormatException e) {
       // reported below
     }
-    throw new InputException(
-        "--size is '" + size + "', expected metres above 0, as 0.5 or 0.5x1.75");
+    throw InputException.of("--size is '%s', expected metres above 0, as 0.5 or 0.5x1.75", size);
   }
 
   /** What sizes the targets have. */

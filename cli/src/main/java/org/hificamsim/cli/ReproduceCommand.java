@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.reproduction.Adapting;
 import org.hificamsim.reproduction.Distance;
 import org.hificamsim.reproduction.FitRole;
@@ -100,9 +101,7 @@ final class ReproduceCommand implements Callable<Integer> {
   }
 
   private static String text(Table81.Cell cell, Reading reading) {
-    return Double.isNaN(cell.of(reading))
-        ? ""
-        : String.format(Locale.ROOT, "%.2f", cell.of(reading));
+    return Double.isNaN(cell.of(reading)) ? "" : Texts.format("%.2f", cell.of(reading));
   }
 
   /** Both columns of a reading in a line: the hi-fi column's distance comes before CamSim's. */
@@ -128,6 +127,6 @@ final class ReproduceCommand implements Callable<Integer> {
   }
 
   private static String text(Distance one) {
-    return String.format(Locale.ROOT, "%.3f, %d of 9", one.mean(), one.within());
+    return Texts.format("%.3f, %d of 9", one.mean(), one.within());
   }
 }

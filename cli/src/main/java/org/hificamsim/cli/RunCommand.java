@@ -158,11 +158,10 @@ final class RunCommand implements Callable<Integer> {
   /** A recording knows the angles that scenarios list. */
   private void checkRecord(Catalogue catalogue, RunPlan plan) {
     if (record && catalogue.policies().create(plan.policy()) instanceof AimingZoomPolicy) {
-      throw new InputException(
-          "policy '"
-              + plan.policy()
-              + "' turns cameras to any angle, which no recording holds: expected another policy,"
-              + " or no --record");
+      throw InputException.of(
+          "policy '%s' turns cameras to any angle, which no recording holds: expected"
+              + " another policy, or no --record",
+          plan.policy());
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Texts;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
@@ -120,7 +121,7 @@ final class RunSummary {
   }
 
   private static String format(String format, double value) {
-    return String.format(Locale.ROOT, format, value);
+    return Texts.format(format, value);
   }
 
   private void line(String label, String text) {
@@ -139,9 +140,7 @@ final class RunSummary {
     for (double value : values) {
       line.append(bars.charAt(most == 0 ? 0 : (int) Math.round(value / most * last)));
     }
-    return line
-        + String.format(
-            Locale.ROOT, "  (%c 0 to %c %.2f)", bars.charAt(0), bars.charAt(last), most);
+    return line + Texts.format("  (%c 0 to %c %.2f)", bars.charAt(0), bars.charAt(last), most);
   }
 
   /** What the locale says; the JVM's own default is UTF-8 whatever the terminal. */

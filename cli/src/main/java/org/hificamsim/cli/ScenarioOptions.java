@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -45,8 +46,10 @@ final class ScenarioOptions {
     List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
       warned.accept(
-          "%s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim' does"
-              .formatted(file, String.join(", ", parts)));
+          Texts.format(
+              "%s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim'"
+                  + " does",
+              file, String.join(", ", parts)));
     }
     return asked.scenario(scenario);
   }

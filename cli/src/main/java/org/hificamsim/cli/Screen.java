@@ -4,7 +4,7 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -25,12 +25,12 @@ final class Screen {
 
   /** Prints a line of results, whose form is as {@link String#format} takes it. */
   void say(String form, Object... values) {
-    out().println(String.format(Locale.ROOT, form, values));
+    out().println(Texts.format(form, values));
   }
 
   /** Prints a line of warnings or progress. */
   void note(String form, Object... values) {
-    err().println(String.format(Locale.ROOT, form, values));
+    err().println(Texts.format(form, values));
   }
 
   /** For warnings and progress. */

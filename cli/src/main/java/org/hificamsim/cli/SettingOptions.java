@@ -92,9 +92,8 @@ final class SettingOptions {
   private static void requireRoom(Settings asked) {
     long max = Long.MAX_VALUE - (asked.repeats() - 1);
     if (asked.seed() > max) {
-      throw new InputException(
-          "--seed is %s, expected at most %s for %s repeats"
-              .formatted(asked.seed(), max, asked.repeats()));
+      throw InputException.of(
+          "--seed is %s, expected at most %s for %s repeats", asked.seed(), max, asked.repeats());
     }
   }
 

@@ -54,8 +54,8 @@ final class SiteOptions {
     String own = name != null ? name : plain.replaceFirst("\\.[^.]*$", "");
     String safe = own.replaceAll("[^\\p{L}\\p{M}\\p{N}_.+-]", "-");
     if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(own))) {
-      throw new InputException(
-          "--name is '" + own + "', expected letters, digits and any of _.+- of them");
+      throw InputException.of(
+          "--name is '%s', expected letters, digits and any of _.+- of them", own);
     }
     return safe;
   }

@@ -172,10 +172,10 @@ final class TradeoffCommand implements Callable<Integer> {
   private List<StudyPlan> networks(NetworkChoice choice, List<RunPlan> bases) {
     Matcher form = HETEROGENEOUS.matcher(heterogeneous);
     if (!form.matches()) {
-      throw new InputException(
-          "--heterogeneous is '"
-              + heterogeneous
-              + "', expected none, all, sample:N or search:N with N from 1 to 9999999");
+      throw InputException.of(
+          "--heterogeneous is '%s', expected none, all, sample:N or search:N with N from"
+              + " 1 to 9999999",
+          heterogeneous);
     }
     List<StudyPlan> networks = new ArrayList<>();
     for (RunPlan base : bases) {

@@ -125,8 +125,8 @@ public final class CsvReader implements Closeable {
     if (!columns.keySet().containsAll(required)) {
       throw start()
           .error(
-              "the columns are %s, expected %s among them"
-                  .formatted(String.join(",", names.texts()), String.join(",", required)));
+              "the columns are %s, expected %s among them",
+              String.join(",", names.texts()), String.join(",", required));
     }
     return names.texts();
   }

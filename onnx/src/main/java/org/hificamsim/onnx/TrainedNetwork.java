@@ -20,6 +20,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Texts;
 import org.hificamsim.worlds.ActionKind;
 
 /**
@@ -164,10 +165,9 @@ final class TrainedNetwork {
   }
 
   private String of() {
-    return conventions.layout().targets()
-        + " targets and "
-        + conventions.layout().neighbours()
-        + " neighbours";
+    return Texts.format(
+        "%s targets and %s neighbours",
+        conventions.layout().targets(), conventions.layout().neighbours());
   }
 
   private String actions() {
@@ -228,8 +228,8 @@ final class TrainedNetwork {
 
   private void take(FloatBuffer found, float[] values) {
     if (found.remaining() != values.length) {
-      throw new InputException(
-          file + " gives " + found.remaining() + " values, expected " + values.length);
+      throw InputException.of(
+          "%s gives %s values, expected %s", file, found.remaining(), values.length);
     }
     found.get(values);
     for (float value : values) {

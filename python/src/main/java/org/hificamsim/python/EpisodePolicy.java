@@ -40,8 +40,8 @@ public final class EpisodePolicy implements ZoomPolicy {
       begin(network);
     }
     if (all.remaining() < Integer.BYTES * actions.length) {
-      throw new InputException(
-          file + " has no action for step " + network.step() + ", expected one for every step");
+      throw InputException.of(
+          "%s has no action for step %s, expected one for every step", file, network.step());
     }
     for (int i = 0; i < actions.length; i++) {
       actions[i] = all.getInt();

@@ -135,9 +135,8 @@ record Request(Settings asked, Environment own) {
   /** Experts that can be asked step by step; a wrong name is refused here. */
   private Supplier<ZoomPolicy> expert(Catalogue catalogue) {
     if (catalogue.policies().create(own.expert) instanceof HindsightZoomPolicy) {
-      throw new InputException(
-          "expert is '%s', expected a policy that knows no whole run before it begins"
-              .formatted(own.expert));
+      throw InputException.of(
+          "expert is '%s', expected a policy that knows no whole run before it begins", own.expert);
     }
     return () -> catalogue.policies().create(own.expert);
   }

@@ -120,9 +120,10 @@ public final class Server {
 
   private ByteBuffer map(int bytes) {
     if (bytes > room) {
-      throw new InputException(
-          "the worlds take %s MB of shared memory, expected at most the %s MB that are free: fewer worlds, or backend 'jvm'"
-              .formatted((bytes >> 20) + 1, room >> 20));
+      throw InputException.of(
+          "the worlds take %s MB of shared memory, expected at most the %s MB that are"
+              + " free: fewer worlds, or backend 'jvm'",
+          (bytes >> 20) + 1, room >> 20);
     }
     try (RandomAccessFile shared = new RandomAccessFile(file, "rw")) {
       shared.setLength(bytes);

@@ -8,7 +8,7 @@ import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
@@ -42,14 +42,11 @@ public record Adapting(
   /** All of them in a sentence. */
   public static String finding(List<Adapting> all) {
     double most = all.stream().mapToDouble(Adapting::value).max().orElse(Double.NaN);
-    return String.format(
-        Locale.ROOT,
-        "The optimum is static: %s has the k_min of optimal at every step in %d of %d cases"
-            + " (scenario, model); at best, adapting the zoom is worth %.2f of a fixed one.",
-        FIXED,
-        all.stream().filter(Adapting::sameEveryStep).count(),
-        all.size(),
-        most);
+    return Texts.format(
+        "The optimum is static: %s has the k_min of optimal at every step in %d of %d"
+            + " cases (scenario, model); at best, adapting the zoom is worth %.2f of a fixed"
+            + " one.",
+        FIXED, all.stream().filter(Adapting::sameEveryStep).count(), all.size(), most);
   }
 
   private static Adapting of(Cases cases, String scenario, String detection) {

@@ -14,9 +14,9 @@ import java.awt.Color;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.CoverageFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
@@ -125,8 +125,7 @@ public final class ReproductionFigures {
     if (!Double.isNaN(figure.published)) {
       legend.add(
           new LegendEntry(
-              String.format(
-                  Locale.ROOT, "published: %.2f of the optimum in scenario 4", figure.published),
+              Texts.format("published: %.2f of the optimum in scenario 4", figure.published),
               PUBLISHED,
               LegendEntry.Mark.DASHES));
     }

@@ -6,9 +6,9 @@ import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hificamsim.core.Texts;
 import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.reproduction.Statement.Check;
 import org.hificamsim.runs.Estimate;
@@ -61,13 +61,9 @@ final class Statements {
 
   private static String reason(List<Margin> margins) {
     Margin weakest = weakest(margins);
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         "%d of %d checks hold; weakest: %s %s",
-        held(margins),
-        margins.size(),
-        weakest.where(),
-        weakest.value().text("%+.3f"));
+        held(margins), margins.size(), weakest.where(), weakest.value().text("%+.3f"));
   }
 
   /** What another reading finds, in words; empty where there is none. */
@@ -94,7 +90,7 @@ final class Statements {
   }
 
   private String withOurs(Statement one) {
-    return String.format(Locale.ROOT, one.remark(), proportion(one.checks().get(0)).mean());
+    return Texts.format(one.remark(), proportion(one.checks().get(0)).mean());
   }
 
   private List<Margin> margins(Statement one, List<Check> checks) {

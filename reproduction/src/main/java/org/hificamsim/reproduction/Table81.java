@@ -6,9 +6,9 @@ import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.hificamsim.core.Texts;
 import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
@@ -71,7 +71,7 @@ public final class Table81 {
     }
 
     private String reason() {
-      String off = String.format(Locale.ROOT, "off by %+.2f", difference());
+      String off = Texts.format("off by %+.2f", difference());
       if (verdict != Verdict.NOT_REPRODUCED) {
         return off;
       }
@@ -84,14 +84,11 @@ public final class Table81 {
       String formula =
           published.policy().equals(ZOOM_OUT)
               ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
-              : String.format(
-                  Locale.ROOT, "CamSim's formula, Eq 6.2, gives %.2f", of(Reading.EQ_62));
-      return String.format(
-          Locale.ROOT,
-          "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi optimum is"
-              + " %.2f",
-          formula,
-          of(Reading.HIFI_OPTIMUM_AT_45));
+              : Texts.format("CamSim's formula, Eq 6.2, gives %.2f", of(Reading.EQ_62));
+      return Texts.format(
+          "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi"
+              + " optimum is %.2f",
+          formula, of(Reading.HIFI_OPTIMUM_AT_45));
     }
   }
 

@@ -145,9 +145,9 @@ public record DetectionSpec(
       return rule.or(() -> Optional.of(new DetectionRule.Threshold()));
     }
     if (asThreshold.isPresent() && askedRule.isPresent() && !askedRule.get().certain()) {
-      throw new InputException(
-          "threshold is %s, expected none with detect=%s"
-              .formatted(asThreshold.get(), askedRule.get().text()));
+      throw InputException.of(
+          "threshold is %s, expected none with detect=%s",
+          asThreshold.get(), askedRule.get().text());
     }
     return askedRule.or(() -> asThreshold.map(value -> new DetectionRule.Threshold()));
   }

@@ -2,12 +2,12 @@ package org.hificamsim.runs;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.regex.Pattern;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.descriptive.moment.Skewness;
 import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
+import org.hificamsim.core.Texts;
 
 /**
  * A value with its 95% interval, whose ends are NaN where there is none. All intervals over seeds
@@ -151,6 +151,6 @@ public record Estimate(double mean, double low, double high) {
     }
     return Double.isNaN(mean)
         ? "-"
-        : NO_MINUS.matcher(String.format(Locale.ROOT, pattern, mean, low, high)).replaceAll("");
+        : NO_MINUS.matcher(Texts.format(pattern, mean, low, high)).replaceAll("");
   }
 }

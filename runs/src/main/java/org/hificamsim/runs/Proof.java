@@ -1,7 +1,7 @@
 package org.hificamsim.runs;
 
-import java.util.Locale;
 import java.util.Optional;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -29,16 +29,12 @@ public record Proof(long unprovenSteps, double gap) {
    * @param steps how many there were
    */
   public String missing(long steps, Objective objective) {
-    return unprovenSteps
-        + " of "
-        + steps
-        + " steps; their "
-        + objective.stepScore()
-        + " might be up to "
-        + (gap == Math.rint(gap)
-            ? Long.toString((long) gap)
-            : String.format(Locale.ROOT, "%.3f", gap))
-        + " higher in sum";
+    return Texts.format(
+        "%s of %s steps; their %s might be up to %s higher in sum",
+        unprovenSteps,
+        steps,
+        objective.stepScore(),
+        gap == Math.rint(gap) ? Long.toString((long) gap) : Texts.format("%.3f", gap));
   }
 
   /** What is proven of these steps and of others. */

@@ -203,8 +203,8 @@ public enum Setting {
       } catch (NumberFormatException e) {
         // as one that is out of range
       }
-      throw new InputException(
-          "%s is %s, expected a whole number from %s to %s".formatted(name, text, min, max));
+      throw InputException.of(
+          "%s is %s, expected a whole number from %s to %s", name, text, min, max);
     };
   }
 

@@ -95,9 +95,10 @@ record PortablePlan(
     RunKey there = RunKey.of(plan);
     if (!there.text().equals(key)) {
       String input = there.changed(RunKey.read(key)).orElse("a user's jar");
-      throw new InputException(
-          "scenario '%s' with detection '%s': %s is another on an executor than here, expected the same version and jars"
-              .formatted(scenario, detection.name(), input));
+      throw InputException.of(
+          "scenario '%s' with detection '%s': %s is another on an executor than here,"
+              + " expected the same version and jars",
+          scenario, detection.name(), input);
     }
     return plan;
   }

@@ -215,8 +215,8 @@ public final class Worlds implements AutoCloseable {
     int each = worlds[0].actions().length;
     for (int i = 0; i < worlds.length; i++) {
       if (!settings.autoReset() && worlds[i].over()) {
-        throw new InputException(
-            "the episode of " + settings.steps() + " steps is over, expected a reset");
+        throw InputException.of(
+            "the episode of %s steps is over, expected a reset", settings.steps());
       }
       for (int at = 0; at < each; at += choices.length) {
         checkActions(i, i * each, at);
@@ -235,15 +235,12 @@ public final class Worlds implements AutoCloseable {
   }
 
   private void refuse(int world, int at, int action) {
-    throw new InputException(
-        "action "
-            + action
-            + " of camera "
-            + worlds[world].network().cameraName(at / choices.length)
-            + " in world "
-            + world
-            + ", expected 0 to "
-            + (choices[at % choices.length] - 1));
+    throw InputException.of(
+        "action %s of camera %s in world %s, expected 0 to %s",
+        action,
+        worlds[world].network().cameraName(at / choices.length),
+        world,
+        (choices[at % choices.length] - 1));
   }
 
   /** Writes the state of every world. */

@@ -29,9 +29,10 @@ public final class Aiming {
     if (!turns(camera, wanted)) {
       Aim now = camsim.aim(camera);
       turns(camera, before);
-      throw new InputException(
-          "CamSim has heading %s and angle %s (radians) after a change to %s and %s, expected the same"
-              .formatted(now.heading(), now.angle(), wanted.heading(), wanted.angle()));
+      throw InputException.of(
+          "CamSim has heading %s and angle %s (radians) after a change to %s and %s,"
+              + " expected the same",
+          now.heading(), now.angle(), wanted.heading(), wanted.angle());
     }
     return camsim.aim(camera);
   }

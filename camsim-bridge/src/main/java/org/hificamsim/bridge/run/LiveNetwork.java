@@ -173,9 +173,10 @@ final class LiveNetwork implements OracleView {
     double expected = confidence(cameras.number(camera), target);
     double seen = DetectionModel.clamp(confidence);
     if (Math.abs(seen - expected) > 1e-9) {
-      throw new InputException(
-          "CamSim sees object %s with confidence %s, and its track gives %s: another version of CamSim"
-              .formatted(targetName(target), seen, expected));
+      throw InputException.of(
+          "CamSim sees object %s with confidence %s, and its track gives %s: another"
+              + " version of CamSim",
+          targetName(target), seen, expected);
     }
     return seen > 0;
   }

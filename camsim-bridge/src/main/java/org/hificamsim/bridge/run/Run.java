@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.bridge.camsim.CamSim;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
@@ -177,9 +178,10 @@ final class Run {
 
   private static void tell(String channel) {
     FaultLine.note(
-        "channel is '"
-            + channel
-            + "' in the scenario, which has no effect in CamSim: messages arrive at once");
+        Texts.format(
+            "channel is '%s' in the scenario, which has no effect in CamSim: messages"
+                + " arrive at once",
+            channel));
   }
 
   private RunPlan plan(int steps) {

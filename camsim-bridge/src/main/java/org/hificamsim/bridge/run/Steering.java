@@ -3,6 +3,7 @@ package org.hificamsim.bridge.run;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import org.hificamsim.bridge.agent.FaultLine;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.Traffic;
@@ -66,8 +67,9 @@ final class Steering {
   private void begin(LiveNetwork network) {
     if (policy != null) {
       FaultLine.note(
-          "step %s: more cameras or objects than expected: policy %s starts over"
-              .formatted(network.step(), given.spec()));
+          Texts.format(
+              "step %s: more cameras or objects than expected: policy %s starts over",
+              network.step(), given.spec()));
     }
     if (network.outgrown()) {
       network.makeRoom();
@@ -82,12 +84,9 @@ final class Steering {
   private int checked(LiveNetwork network, int camera) {
     if (views[camera] < 0 || views[camera] >= network.views(camera)) {
       throw new IllegalStateException(
-          "policy %s chose view %s for camera %s, expected 0 to %s"
-              .formatted(
-                  given.spec(),
-                  views[camera],
-                  network.cameraName(camera),
-                  network.views(camera) - 1));
+          Texts.format(
+              "policy %s chose view %s for camera %s, expected 0 to %s",
+              given.spec(), views[camera], network.cameraName(camera), network.views(camera) - 1));
     }
     return views[camera];
   }

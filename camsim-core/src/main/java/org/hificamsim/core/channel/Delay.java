@@ -38,9 +38,8 @@ record Delay(String text, int least, int most, double mean) {
     } else if (exponential.matches() && Double.parseDouble(exponential.group(1)) <= MAX) {
       return new Delay(text, 0, 0, Double.parseDouble(exponential.group(1)));
     }
-    throw new InputException(
-        "channel: delay is '%s', expected steps up to %s, as 2, 1..5 or exponential:2"
-            .formatted(text, MAX));
+    throw InputException.of(
+        "channel: delay is '%s', expected steps up to %s, as 2, 1..5 or exponential:2", text, MAX);
   }
 
   boolean isNone() {

@@ -20,9 +20,8 @@ final class RadioGraph {
 
   RadioGraph(Stations stations, double range) {
     if (stations.cameras() > MOST) {
-      throw new InputException(
-          "channel: range with %s cameras, expected at most %s"
-              .formatted(stations.cameras(), MOST));
+      throw InputException.of(
+          "channel: range with %s cameras, expected at most %s", stations.cameras(), MOST);
     }
     this.stations = stations;
     this.range = range;

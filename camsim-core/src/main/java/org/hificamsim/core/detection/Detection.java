@@ -78,11 +78,10 @@ public final class Detection {
   }
 
   private static InputException noScatter(DetectionModel model) {
-    return new InputException(
-        "detection '"
-            + model.name()
-            + "' has no rmse, from which detect=chance draws: expected a model that has one,"
-            + " detect=probability or detect=threshold");
+    return InputException.of(
+        "detection '%s' has no rmse, from which detect=chance draws: expected a model"
+            + " that has one, detect=probability or detect=threshold",
+        model.name());
   }
 
   /**

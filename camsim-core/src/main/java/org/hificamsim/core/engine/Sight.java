@@ -184,11 +184,10 @@ final class Sight {
    */
   boolean detectsTurned(int camera, int view, int target) {
     if (visibility.detection().model().dependsOnBearing()) {
-      throw new InputException(
-          "detection '"
-              + visibility.detection().name()
-              + "' looks at where in the picture a target is, expected one that looks at its"
-              + " distance alone for cameras that turn freely");
+      throw InputException.of(
+          "detection '%s' looks at where in the picture a target is, expected one that"
+              + " looks at its distance alone for cameras that turn freely",
+          visibility.detection().name());
     }
     if (!lines.flat()) {
       throw new InputException(

@@ -2,6 +2,7 @@ package org.hificamsim.core.engine;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.AimingZoomPolicy;
@@ -175,9 +176,9 @@ public final class Simulation {
   private void apply(int camera, int view) {
     if (view < 0 || view >= network.views(camera)) {
       throw new IllegalStateException(
-          "policy %s chose view %s for camera %s, expected 0 to %s"
-              .formatted(
-                  policy.name(), view, network.cameraName(camera), network.views(camera) - 1));
+          Texts.format(
+              "policy %s chose view %s for camera %s, expected 0 to %s",
+              policy.name(), view, network.cameraName(camera), network.views(camera) - 1));
     }
     if (aiming != null && !Double.isNaN(aiming.pan(camera))) {
       world.cameras().aim(camera, view, aiming.pan(camera));

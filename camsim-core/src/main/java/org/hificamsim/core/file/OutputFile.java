@@ -53,8 +53,8 @@ public final class OutputFile implements Closeable {
       throw new InputException(option + " '" + path + "' is a folder, expected a file");
     }
     if (!Files.isDirectory(folder) || !Files.isWritable(folder)) {
-      throw new InputException(
-          option + " '" + path + "' cannot be made, expected a folder that exists and is writable");
+      throw InputException.of(
+          "%s '%s' cannot be made, expected a folder that exists and is writable", option, path);
     }
     OutputFile file = new OutputFile(path, replaces);
     file.requireFree(option + " ");
@@ -78,8 +78,8 @@ public final class OutputFile implements Closeable {
 
   private void requireFree(String option) {
     if (!replaces && Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
-      throw new InputException(
-          "%s'%s' exists, expected a new file, or --force to replace it".formatted(option, path));
+      throw InputException.of(
+          "%s'%s' exists, expected a new file, or --force to replace it", option, path);
     }
   }
 

@@ -125,8 +125,7 @@ public final class OutputFolder implements Closeable {
       throw new InputException("folder '" + folder + "' cannot be made: " + reason(e), e);
     }
     if (!Files.isWritable(folder)) {
-      throw new InputException(
-          "folder '" + folder + "' is not writable, expected a folder that is");
+      throw InputException.of("folder '%s' is not writable, expected a folder that is", folder);
     }
     return folder;
   }
@@ -143,8 +142,7 @@ public final class OutputFolder implements Closeable {
     if (!Files.exists(drafts, LinkOption.NOFOLLOW_LINKS)) {
       Files.createDirectory(drafts);
     } else if (!Files.isDirectory(drafts, LinkOption.NOFOLLOW_LINKS)) {
-      throw new InputException(
-          "'" + drafts + "' is a link or a file, expected a folder or nothing");
+      throw InputException.of("'%s' is a link or a file, expected a folder or nothing", drafts);
     }
     Path file = drafts.resolve(LOCK);
     FileChannel channel =
@@ -209,15 +207,14 @@ public final class OutputFolder implements Closeable {
       throw new InputException("'" + name + "' is no file's name, expected one without a path");
     }
     if (kept.contains(SeparateFiles.real(file))) {
-      throw new InputException(
-          "'" + file + "' is an input of this command, expected another folder for its output");
+      throw InputException.of(
+          "'%s' is an input of this command, expected another folder for its output", file);
     }
     if (Files.exists(file, LinkOption.NOFOLLOW_LINKS) && !record.isUnchanged(folder, name)) {
-      throw new InputException(
-          "'%s' would be replaced, and was not written by hificamsim or was changed since%s: expected another folder, or the file moved away"
-              .formatted(
-                  file,
-                  record.names().isEmpty() ? " (versions before 0.2 kept no record of it)" : ""));
+      throw InputException.of(
+          "'%s' would be replaced, and was not written by hificamsim or was changed"
+              + " since%s: expected another folder, or the file moved away",
+          file, record.names().isEmpty() ? " (versions before 0.2 kept no record of it)" : "");
     }
   }
 

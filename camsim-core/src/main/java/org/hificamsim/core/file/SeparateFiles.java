@@ -19,8 +19,7 @@ public final class SeparateFiles {
   public SeparateFiles with(String option, Path file) {
     String other = options.putIfAbsent(real(file), option);
     if (other != null) {
-      throw new InputException(
-          "%s and %s are one file, '%s', expected two".formatted(other, option, file));
+      throw InputException.of("%s and %s are one file, '%s', expected two", other, option, file);
     }
     return this;
   }

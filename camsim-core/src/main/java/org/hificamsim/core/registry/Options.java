@@ -55,8 +55,8 @@ public final class Options {
       }
       key = token.substring(0, equals).strip();
       if (key.isEmpty() || options.values.containsKey(key)) {
-        throw new InputException(
-            owner + ": option '" + token + "', expected key=value with each key once");
+        throw InputException.of(
+            "%s: option '%s', expected key=value with each key once", owner, token);
       }
       options.values.put(key, token.substring(equals + 1).strip());
     }
@@ -158,14 +158,11 @@ public final class Options {
       }
       String given =
           entry.getKey().isEmpty() ? entry.getValue() : entry.getKey() + "=" + entry.getValue();
-      throw new InputException(
-          owner
-              + ": unknown option '"
-              + given
-              + "', expected "
-              + (declared.isEmpty()
-                  ? "no options"
-                  : "one of " + String.join(", ", declared.keySet())));
+      throw InputException.of(
+          "%s: unknown option '%s', expected %s",
+          owner,
+          given,
+          declared.isEmpty() ? "no options" : "one of " + String.join(", ", declared.keySet()));
     }
   }
 

@@ -42,8 +42,7 @@ public final class Registry<T> {
   public Registry<T> register(String name, String summary, Function<Options, T> factory) {
     if (aliases.containsKey(name)
         || entries.putIfAbsent(name, new Entry<>(name, summary, factory)) != null) {
-      throw new InputException(
-          kind + " '" + name + "' is registered twice, expected each name once");
+      throw InputException.of("%s '%s' is registered twice, expected each name once", kind, name);
     }
     return this;
   }
@@ -56,8 +55,8 @@ public final class Registry<T> {
    */
   public Registry<T> alias(String alias, String name) {
     if (!entries.containsKey(name) || knows(alias)) {
-      throw new InputException(
-          kind + " '" + alias + "' for '" + name + "': expected a new name for a registered one");
+      throw InputException.of(
+          "%s '%s' for '%s': expected a new name for a registered one", kind, alias, name);
     }
     aliases.put(alias, name);
     return this;
@@ -100,14 +99,13 @@ public final class Registry<T> {
       return create(
           entry(spec.substring(0, end)), spec.substring(Math.min(end + 1, spec.length())));
     }
-    throw new InputException(
-        "unknown %s '%s', expected %s"
-            .formatted(
-                kind,
-                spec,
-                entries.isEmpty()
-                    ? "none: no jar on the class path brings one"
-                    : "one of " + Nearest.to(spec.replaceFirst(":[^:]*=.*", ""), names())));
+    throw InputException.of(
+        "unknown %s '%s', expected %s",
+        kind,
+        spec,
+        entries.isEmpty()
+            ? "none: no jar on the class path brings one"
+            : "one of " + Nearest.to(spec.replaceFirst(":[^:]*=.*", ""), names()));
   }
 
   private Entry<T> entry(String name) {

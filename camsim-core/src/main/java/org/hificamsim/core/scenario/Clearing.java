@@ -3,6 +3,7 @@ package org.hificamsim.core.scenario;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 
@@ -40,8 +41,9 @@ final class Clearing {
       Waypoint to = path.get((i + 1) % path.size());
       if (!obstacles.clear(from.x(), from.y(), to.x(), to.y())) {
         warnings.accept(
-            "%s: the way from (%s, %s) to (%s, %s) leads through a solid obstacle"
-                .formatted(element.place(), from.x(), from.y(), to.x(), to.y()));
+            Texts.format(
+                "%s: the way from (%s, %s) to (%s, %s) leads through a solid obstacle",
+                element.place(), from.x(), from.y(), to.x(), to.y()));
         return;
       }
     }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.ScenarioEvent.AddCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
@@ -72,16 +73,18 @@ final class EventStory {
           ? one.xml
               .place()
               .error(
-                  "target %s of the tracks comes at step %s while another one is there, expected %s"
-                      .formatted(add.target().name(), add.step(), expected))
+                  "target %s of the tracks comes at step %s while another one is there, expected"
+                      + " %s",
+                  add.target().name(), add.step(), expected)
           : one.xml.invalid("name", expected);
     }
     if (one.event instanceof RemoveTarget remove
         && !features.remove(remove.features())
         && !one.isOfTracks()) {
       warnings.accept(
-          "%s: no object %s is there at step %s, nothing is removed"
-              .formatted(one.xml.place("name"), remove.features(), remove.step()));
+          Texts.format(
+              "%s: no object %s is there at step %s, nothing is removed",
+              one.xml.place("name"), remove.features(), remove.step()));
     }
   }
 

@@ -15,6 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.obstacle.Obstacle;
 
@@ -260,10 +261,11 @@ public final class ScenarioReader {
   private Scenario withZooms(Scenario scenario, Attributes<Scenario> attributes) {
     if (!hasZooms() && !attributes.has(Scenario.ORDER) && !all(OpticsSpec.ELEMENT).isEmpty()) {
       warnings.accept(
-          root.place()
-              + ": a scenario with <optics> and neither <zoom> nor order runs in CamSim's order,"
-              + " targets move and then cameras look; expected order=\"coverage\" or"
-              + " order=\"camsim\"");
+          Texts.format(
+              "%s: a scenario with <optics> and neither <zoom> nor order runs in CamSim's"
+                  + " order, targets move and then cameras look; expected order=\"coverage\" or"
+                  + " order=\"camsim\"",
+              root.place()));
     }
     Scenario ordered =
         hasZooms() && !attributes.has(Scenario.ORDER)
@@ -341,8 +343,9 @@ public final class ScenarioReader {
       String camera = said(node, VisionGraph.NODE, VisionGraph.NODE_NAME);
       if (neighbours.remove(camera) != null) {
         warnings.accept(
-            "%s: a second <graphnode> for '%s', the last one counts"
-                .formatted(node.place("name"), Place.shortened(camera)));
+            Texts.format(
+                "%s: a second <graphnode> for '%s', the last one counts",
+                node.place("name"), Place.shortened(camera)));
       }
       neighbours.put(
           camera,

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import org.hificamsim.core.Texts;
 
 /** Reads targets, from their own elements or from an event that adds one. */
 final class TargetReader {
@@ -62,9 +63,10 @@ final class TargetReader {
   TargetSpec added(XmlElement event) {
     if (event.attributes().containsKey(TargetSpec.MOVE.name())) {
       warnings.accept(
-          event.place(TargetSpec.MOVE.name())
-              + ": an event's move is ignored, as in CamSim (unless camsim --quirks says"
-              + " otherwise); fqName counts");
+          Texts.format(
+              "%s: an event's move is ignored, as in CamSim (unless camsim --quirks says"
+                  + " otherwise); fqName counts",
+              event.place(TargetSpec.MOVE.name())));
     }
     return object(event, TargetSpec.ADDED).with(TargetSpec.ORIGIN, TargetSpec.Origin.EVENT);
   }

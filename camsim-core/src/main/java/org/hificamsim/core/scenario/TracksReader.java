@@ -96,8 +96,8 @@ final class TracksReader {
     if (last >= Integer.MAX_VALUE) {
       throw one.place()
           .error(
-              "the target stays until step %s of %s s, expected one below %s: a longer step"
-                  .formatted(last, one.track().stepTime(), Integer.MAX_VALUE));
+              "the target stays until step %s of %s s, expected one below %s: a longer step",
+              last, one.track().stepTime(), Integer.MAX_VALUE);
     }
   }
 

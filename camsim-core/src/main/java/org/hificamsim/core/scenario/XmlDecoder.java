@@ -7,10 +7,10 @@ import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
-import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 
 /**
  * Turns the bytes of an XML file into text, in the encoding that the file declares, else UTF-16
@@ -54,11 +54,9 @@ final class XmlDecoder {
       throw new XmlText(file, text)
           .at(text.length())
           .error(
-              String.format(
-                  Locale.ROOT,
+              Texts.format(
                   "byte 0x%02X is not %s, expected text in that encoding",
-                  bytes[in.position()],
-                  charset.name()));
+                  bytes[in.position()], charset.name()));
     }
     return text;
   }

@@ -100,9 +100,7 @@ final class XmlParser extends PlainXml {
     if (open.size() >= MAX_DEPTH) {
       throw element
           .place()
-          .error(
-              "<%s> is nested too deep, expected at most %s levels"
-                  .formatted(element.name(), MAX_DEPTH));
+          .error("<%s> is nested too deep, expected at most %s levels", element.name(), MAX_DEPTH);
     }
     parts += 1 + element.attributes().size();
     if (parts > MAX_PARTS) {
@@ -135,6 +133,6 @@ final class XmlParser extends PlainXml {
       return place.error("the file ends inside <" + name + ">, expected </" + name + ">");
     }
     return place.error(
-        "not well-formed XML, expected a scenario file: " + words.replaceAll("\\s+", " "));
+        "not well-formed XML, expected a scenario file: %s", words.replaceAll("\\s+", " "));
   }
 }

@@ -54,8 +54,8 @@ public final class NetworkText implements NetworkModel {
     return Named.find(BanditAlgorithm.class, name)
         .orElseThrow(
             () ->
-                new InputException(
-                    "bandit is '" + name + "', expected " + Named.expected(BanditAlgorithm.class)));
+                InputException.of(
+                    "bandit is '%s', expected %s", name, Named.expected(BanditAlgorithm.class)));
   }
 
   @Override

@@ -35,8 +35,8 @@ public final class SummaryRows {
     this.path = path;
     Path folder = path.toAbsolutePath().getParent();
     if (Files.isDirectory(path) || !Files.isDirectory(folder)) {
-      throw new InputException(
-          "summary file '" + path + "' cannot be written, expected a file in an existing folder");
+      throw InputException.of(
+          "summary file '%s' cannot be written, expected a file in an existing folder", path);
     }
   }
 

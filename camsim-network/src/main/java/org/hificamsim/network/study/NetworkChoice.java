@@ -47,9 +47,10 @@ public record NetworkChoice(
    */
   public List<StudyPlan> all(RunPlan base) {
     if (count(base) > MAX_ALL) {
-      throw new InputException(
-          "scenario '%s' has %s cameras, %s networks: expected --heterogeneous sample:N or search:N"
-              .formatted(base.scenario().name(), cameras(base), count(base)));
+      throw InputException.of(
+          "scenario '%s' has %s cameras, %s networks: expected --heterogeneous sample:N"
+              + " or search:N",
+          base.scenario().name(), cameras(base), count(base));
     }
     List<StudyPlan> plans = new ArrayList<>();
     for (int number = 0; number < count(base); number++) {

@@ -91,27 +91,16 @@ public final class FixedZoomPolicy implements ZoomPolicy {
 
   private static void checkCount(String option, List<Integer> given, NetworkView network) {
     if (given.size() != 1 && given.size() != network.cameras()) {
-      throw new InputException(
-          "policy fixed: "
-              + option
-              + " has "
-              + given.size()
-              + " values, expected 1 for all cameras or "
-              + network.cameras()
-              + ", one for each");
+      throw InputException.of(
+          "policy fixed: %s has %s values, expected 1 for all cameras or %s, one for each",
+          option, given.size(), network.cameras());
     }
   }
 
   private static InputException invalid(
       String what, NetworkView network, int camera, int number, String expected) {
-    return new InputException(
-        "policy fixed: "
-            + what
-            + " of camera '"
-            + network.cameraName(camera)
-            + "' is "
-            + number
-            + ", expected "
-            + expected);
+    return InputException.of(
+        "policy fixed: %s of camera '%s' is %s, expected %s",
+        what, network.cameraName(camera), number, expected);
   }
 }

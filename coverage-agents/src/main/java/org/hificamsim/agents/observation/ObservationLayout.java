@@ -66,8 +66,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights) {
 
   private static void check(String what, int number) {
     if (number < 0 || number > MAX_OBSERVED) {
-      throw new InputException(
-          "observed " + what + " is " + number + ", expected 0 to " + MAX_OBSERVED);
+      throw InputException.of("observed %s is %s, expected 0 to %s", what, number, MAX_OBSERVED);
     }
   }
 

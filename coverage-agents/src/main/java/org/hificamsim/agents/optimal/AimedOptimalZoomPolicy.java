@@ -34,11 +34,10 @@ final class AimedOptimalZoomPolicy extends AbstractExactZoomPolicy implements Ai
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     if (network.objective().ofCoverableAlone()) {
-      throw new InputException(
-          "objective is "
-              + network.objective().text()
-              + ", which counts what listed pan angles can cover: expected another with policy"
-              + " optimal:pan=continuous");
+      throw InputException.of(
+          "objective is %s, which counts what listed pan angles can cover: expected"
+              + " another with policy optimal:pan=continuous",
+          network.objective().text());
     }
     sets = new AimedSets(network);
     search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));

@@ -40,11 +40,10 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     if (!network.objective().byLeast()) {
-      throw new InputException(
-          "objective is "
-              + network.objective().text()
-              + ", expected kmin with policy optimal-expected, which looks for the best least"
-              + " expected coverage. Maybe use optimal");
+      throw InputException.of(
+          "objective is %s, expected kmin with policy optimal-expected, which looks for"
+              + " the best least expected coverage. Maybe use optimal",
+          network.objective().text());
     }
     ChanceRows rows = new ChanceRows(network);
     search(network, rows, new ExpectedSolver(rows, nodes));

@@ -62,14 +62,10 @@ public final class ActionValues {
     percepts = reading.percepts(network.targets());
     views = IntStream.range(0, network.cameras()).map(network::views).toArray();
     if (size(Arrays.stream(views).max().orElse(1)) > MAX_VALUES) {
-      throw new InputException(
-          "a camera's table of action values needs more than "
-              + MAX_VALUES
-              + " entries for "
-              + network.targets()
-              + " targets and "
-              + Arrays.stream(views).max().orElse(1)
-              + " views. Maybe give the option state=none");
+      throw InputException.of(
+          "a camera's table of action values needs more than %s entries for %s targets"
+              + " and %s views. Maybe give the option state=none",
+          MAX_VALUES, network.targets(), Arrays.stream(views).max().orElse(1));
     }
     boolean whole = Arrays.stream(views).mapToLong(this::size).sum() <= MAX_WHOLE;
     values = new double[views.length][0];

@@ -1,6 +1,6 @@
 package org.hificamsim.hifi.detector;
 
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * A detector model g: the line {@code confidence = slope * PIP + intercept} that was fitted to one
@@ -22,6 +22,6 @@ public record DetectorLine(double slope, double intercept) implements DetectorMo
 
   @Override
   public String equation() {
-    return String.format(Locale.ROOT, "%+.3g p %+.3g", slope, intercept);
+    return Texts.format("%+.3g p %+.3g", slope, intercept);
   }
 }

@@ -1,6 +1,6 @@
 package org.hificamsim.hifi.detector;
 
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * Hill's curve {@code floor + rise * PIP^n / (half^n + PIP^n)}: with an exponent n above 1 a target
@@ -20,7 +20,6 @@ public record HillCurve(double floor, double rise, double half, double exponent)
 
   @Override
   public String equation() {
-    return String.format(
-        Locale.ROOT, "%.3g + %.3g / (1 + (%.3g / p)^%.3g)", floor, rise, half, exponent);
+    return Texts.format("%.3g + %.3g / (1 + (%.3g / p)^%.3g)", floor, rise, half, exponent);
   }
 }

@@ -1,6 +1,6 @@
 package org.hificamsim.hifi.detector;
 
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * The logistic curve in log PIP, {@code 1 / (1 + (half / PIP)^n)}: from 0 to 1, whatever was
@@ -17,6 +17,6 @@ public record LogisticCurve(double half, double exponent) implements DetectorMod
 
   @Override
   public String equation() {
-    return String.format(Locale.ROOT, "1 / (1 + (%.3g / p)^%.3g)", half, exponent);
+    return Texts.format("1 / (1 + (%.3g / p)^%.3g)", half, exponent);
   }
 }

@@ -1,6 +1,6 @@
 package org.hificamsim.hifi.detector;
 
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * The curve {@code floor + rise * (1 - exp(-PIP / scale))}, steepest at the start.
@@ -18,6 +18,6 @@ public record SaturatingExponential(double floor, double rise, double scale)
 
   @Override
   public String equation() {
-    return String.format(Locale.ROOT, "%.3g + %.3g (1 - exp(-p / %.3g))", floor, rise, scale);
+    return Texts.format("%.3g + %.3g (1 - exp(-p / %.3g))", floor, rise, scale);
   }
 }

@@ -113,9 +113,7 @@ public final class JsonObject {
       Value cell = cells[i];
       if (!(cell.of() instanceof Double number && number >= least && number <= most)) {
         throw cell.place()
-            .error(
-                "%s holds %s, expected numbers from %s to %s"
-                    .formatted(key, cell.shown(), least, most));
+            .error("%s holds %s, expected numbers from %s to %s", key, cell.shown(), least, most);
       }
       values[i] = number;
     }
@@ -153,8 +151,8 @@ public final class JsonObject {
       throw property
           .place()
           .error(
-              "unknown property '%s', expected one of %s"
-                  .formatted(JsonFile.shortened(key), String.join(", ", declared)));
+              "unknown property '%s', expected one of %s",
+              JsonFile.shortened(key), String.join(", ", declared));
     }
   }
 

@@ -2,6 +2,7 @@ package org.hificamsim.hifi.model;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.HiFiDetection;
@@ -48,14 +49,12 @@ public final class HiFiDetections {
       PublishedModels.Feature feature,
       PublishedModels.Line line) {
     String summary =
-        line.detector().toUpperCase(Locale.ROOT)
-            + " line ("
-            + line.source()
-            + ") on the "
-            + feature.title()
-            + " ("
-            + feature.provenance().source()
-            + ")";
+        Texts.format(
+            "%s line (%s) on the %s (%s)",
+            line.detector().toUpperCase(Locale.ROOT),
+            line.source(),
+            feature.title(),
+            feature.provenance().source());
     registry.register(name, summary, () -> model(name, feature, line));
   }
 

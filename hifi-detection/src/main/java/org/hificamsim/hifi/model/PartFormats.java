@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import org.hificamsim.core.Texts;
 import org.hificamsim.hifi.json.JsonObject;
 
 /**
@@ -33,9 +34,10 @@ record PartFormats<T>(List<Format<T>> formats) {
             .orElseThrow(
                 () ->
                     new IllegalArgumentException(
-                        "no file format for "
-                            + part.getClass().getName()
-                            + ", expected a line in FeatureFormats or DetectorFormats"));
+                        Texts.format(
+                            "no file format for %s, expected a line in FeatureFormats or"
+                                + " DetectorFormats",
+                            part.getClass().getName())));
     ObjectNode json = ModelFormat.MAPPER.createObjectNode().put("type", format.type());
     return json.setAll(ModelFormat.MAPPER.<ObjectNode>valueToTree(part));
   }

@@ -53,9 +53,9 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
             .map(optics -> new CameraKind(optics.name(), optics, 1))
             .toList();
     if (kinds.isEmpty()) {
-      throw new InputException(
-          "scenario '%s' has no camera with a lens, expected --catalogue generic or a file"
-              .formatted(site.name()));
+      throw InputException.of(
+          "scenario '%s' has no camera with a lens, expected --catalogue generic or a" + " file",
+          site.name());
     }
     return kinds;
   }

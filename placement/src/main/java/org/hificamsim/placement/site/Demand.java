@@ -78,9 +78,9 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
       int k = redundancy.orElse(zone.k() == null ? usual : zone.k());
       watched.add(new Watched(zone.name(), own, k, first, samples.size()));
       if (zone.weight() > 0 && samples.size() == first && visits.isEmpty()) {
-        throw new InputException(
-            "zone '%s' has no free cell of %s m, expected more of --cells, or a larger zone"
-                .formatted(zone.name(), cells.width()));
+        throw InputException.of(
+            "zone '%s' has no free cell of %s m, expected more of --cells, or a larger zone",
+            zone.name(), cells.width());
       }
     }
     if (samples.isEmpty()) {
@@ -91,9 +91,9 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
 
   private static void requireCertain(Zone zone, Detection detection) {
     if (!detection.certain()) {
-      throw new InputException(
-          "zone '%s' is seen by chance, %s, expected a detection by a threshold"
-              .formatted(zone.name(), detection.name()));
+      throw InputException.of(
+          "zone '%s' is seen by chance, %s, expected a detection by a threshold",
+          zone.name(), detection.name());
     }
   }
 

@@ -53,9 +53,9 @@ public record PlacementProblem(
       int threads) {
     double cheapest = kinds.stream().mapToDouble(CameraKind::price).min().orElseThrow();
     if (!byNumber && cheapest > goal.budget()) {
-      throw new InputException(
-          "--budget is %s, expected at least %s, the price of the cheapest camera"
-              .formatted(goal.budget(), cheapest));
+      throw InputException.of(
+          "--budget is %s, expected at least %s, the price of the cheapest camera",
+          goal.budget(), cheapest);
     }
     SampleSight sight = new SampleSight(demand, catalogue);
     Candidates candidates = Candidates.of(places, kinds, reading, sight, threads);
@@ -98,15 +98,14 @@ public record PlacementProblem(
             Arrays.stream(columns)
                 .flatMapToInt(Arrays::stream)
                 .anyMatch(s -> s >= zone.first() && s < zone.end());
-        throw new InputException(
-            "zone '%s' is seen from none of %s places: %s; expected other --candidates, lenses or demands"
-                .formatted(
-                    zone.name(),
-                    places.size(),
-                    walls
-                        ? "walls are in between"
-                        : "it is too far for '%s' with these lenses"
-                            .formatted(zone.detection().name())));
+        throw InputException.of(
+            "zone '%s' is seen from none of %s places: %s; expected other --candidates,"
+                + " lenses or demands",
+            zone.name(),
+            places.size(),
+            walls
+                ? "walls are in between"
+                : "it is too far for '%s' with these lenses".formatted(zone.detection().name()));
       }
     }
   }

@@ -4,9 +4,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.runs.output.ResultFolder;
@@ -43,6 +43,6 @@ public record FrameScores(Objective objective, Map<Long, Double> byStep, double 
   String text(double score) {
     String number = objective.isShare() ? "%.1f %%" : "%.2f";
     double shown = objective.isShare() ? 100 * score : score;
-    return objective.words() + ": " + String.format(Locale.ROOT, number, shown);
+    return objective.words() + ": " + Texts.format(number, shown);
   }
 }

@@ -117,14 +117,13 @@ public final class RunFrames {
    */
   public int at(String option, long step) {
     if (step < 0 || step > last()) {
-      throw new InputException(
-          "%s is %s, expected a step from 0 to %s".formatted(option, step, last()));
+      throw InputException.of("%s is %s, expected a step from 0 to %s", option, step, last());
     }
     int index = (int) recording.frames().stream().skip(1).takeWhile(f -> f.step() <= step).count();
     if (step(index) != step) {
-      throw new InputException(
-          "%s is %s, but the recording was thinned, expected a multiple of %s or %s; maybe %s"
-              .formatted(option, step, recording.every(), last(), step(index)));
+      throw InputException.of(
+          "%s is %s, but the recording was thinned, expected a multiple of %s or %s;" + " maybe %s",
+          option, step, recording.every(), last(), step(index));
     }
     return index;
   }

@@ -5,9 +5,9 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Fonts;
@@ -69,14 +69,7 @@ public final class StepPicture implements Paintable {
         "%s, step %s of %s".formatted(setup.scenario(), run.step(index), run.last()),
         run.scores().map(scores -> scores.text(run.course(index))),
         settings(setup, run.recording().seed()),
-        String.format(
-            Locale.ROOT,
-            "k_min %d, %.2f cameras per target; of %d targets %d covered by none, %d by one",
-            coverage.kMin(),
-            coverage.meanK(),
-            coverage.targets(),
-            coverage.covered0(),
-            coverage.covered1()));
+        Texts.format("k_min %d, %.2f cameras per target; of %d targets %d covered by none, %d by one", coverage.kMin(), coverage.meanK(), coverage.targets(), coverage.covered0(), coverage.covered1()));
     run.script().paint(graphics, area, run, index, null, null);
     int top = (int) area.getMaxY();
     legend.paint(graphics, MARGIN, top);

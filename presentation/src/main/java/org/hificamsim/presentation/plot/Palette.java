@@ -2,10 +2,10 @@ package org.hificamsim.presentation.plot;
 
 import java.awt.Color;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import org.hificamsim.core.Texts;
 
 /**
  * The colours of Okabe and Ito (Color Universal Design, 2008): told apart by people with any common
@@ -69,7 +69,7 @@ public final class Palette {
 
   /** The colour as pages write it. */
   public static String hex(Color color) {
-    return String.format(Locale.ROOT, "#%06x", color.getRGB() & 0xffffff);
+    return Texts.format("#%06x", color.getRGB() & 0xffffff);
   }
 
   /**

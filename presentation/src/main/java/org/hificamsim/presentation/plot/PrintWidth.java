@@ -35,9 +35,10 @@ public record PrintWidth(int millimetres) {
         return width;
       }
     }
-    throw new InputException(
-        "--figure-width is '%s', expected millimetres from %smm to %smm, such as 88mm or 180mm"
-            .formatted(text, MIN, MAX));
+    throw InputException.of(
+        "--figure-width is '%s', expected millimetres from %smm to %smm, such as 88mm"
+            + " or 180mm",
+        text, MIN, MAX);
   }
 
   /** The figure laid out again for this width. */

@@ -51,9 +51,8 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
 
   private Replay checked(Path file) {
     if (!format.equals(FORMAT)) {
-      throw new InputException(
-          "%s: format is '%s', expected %s; maybe record the run again"
-              .formatted(file, format, FORMAT));
+      throw InputException.of(
+          "%s: format is '%s', expected %s; maybe record the run again", file, format, FORMAT);
     }
     if (runs.isEmpty()) {
       throw broken(file, "runs", null);

@@ -65,9 +65,9 @@ final class CaseCurves {
     for (JsonNode plan : settings) {
       int steps = plan.path("steps").asInt();
       if (steps < 1 || steps > Scenario.MAX_STEPS) {
-        throw new InputException(
-            "%s: steps is %s, expected 1 to %s"
-                .formatted(folder.resolve(ResultFolder.SETTINGS), steps, Scenario.MAX_STEPS));
+        throw InputException.of(
+            "%s: steps is %s, expected 1 to %s",
+            folder.resolve(ResultFolder.SETTINGS), steps, Scenario.MAX_STEPS);
       }
       lengths.put(
           List.of(
@@ -84,8 +84,8 @@ final class CaseCurves {
     if (length == null) {
       throw row.place(0)
           .error(
-              "%s is not in %s, expected the files of one comparison"
-                  .formatted(String.join(", ", key), ResultFolder.SETTINGS));
+              "%s is not in %s, expected the files of one comparison",
+              String.join(", ", key), ResultFolder.SETTINGS);
     }
     return length;
   }

@@ -142,13 +142,13 @@ final class ComparisonReport {
     if (!same || row.numberOrNaN("runs") != own.getN()) {
       throw row.place(0)
           .error(
-              "mean performance %s of %s runs, but %s has %s of %s, expected the files of one comparison"
-                  .formatted(
-                      row.text("mean"),
-                      row.text("runs"),
-                      ComparisonFiles.RESULTS.file(),
-                      own.getMean(),
-                      own.getN()));
+              "mean performance %s of %s runs, but %s has %s of %s, expected the files of"
+                  + " one comparison",
+              row.text("mean"),
+              row.text("runs"),
+              ComparisonFiles.RESULTS.file(),
+              own.getMean(),
+              own.getN());
     }
   }
 

@@ -17,10 +17,10 @@ public final class Report {
    */
   public static String html(Path folder, String name) throws IOException {
     if (!Files.isDirectory(folder)) {
-      throw new InputException(
-          "no folder '"
-              + folder
-              + "', expected one that 'hificamsim run --record' or 'hificamsim compare' wrote");
+      throw InputException.of(
+          "no folder '%s', expected one that 'hificamsim run --record' or 'hificamsim"
+              + " compare' wrote",
+          folder);
     }
     if (TradeoffReport.suits(folder)) {
       return TradeoffReport.of(folder, name).html();

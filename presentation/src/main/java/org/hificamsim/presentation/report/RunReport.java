@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.replay.Frame;
@@ -99,14 +100,9 @@ final class RunReport {
   private void check(String setting, String recorded) {
     String text = summary.path(setting).asText();
     if (!text.equals(recorded)) {
-      throw new InputException(
-          "%s: %s is '%s', but %s says '%s', expected the files of one run"
-              .formatted(
-                  folder.resolve(ResultFolder.SUMMARY),
-                  setting,
-                  text,
-                  ResultFolder.REPLAY,
-                  recorded));
+      throw InputException.of(
+          "%s: %s is '%s', but %s says '%s', expected the files of one run",
+          folder.resolve(ResultFolder.SUMMARY), setting, text, ResultFolder.REPLAY, recorded);
     }
   }
 
@@ -132,9 +128,9 @@ final class RunReport {
             });
     if (!recorded.isEmpty()) {
       String[] missing = Collections.min(recorded.keySet()).split(",");
-      throw new InputException(
-          "%s: no row for run %s and step %s, expected the file of the run that was recorded"
-              .formatted(file, missing[0], missing[1]));
+      throw InputException.of(
+          "%s: no row for run %s and step %s, expected the file of the run that was" + " recorded",
+          file, missing[0], missing[1]);
     }
     checkSum("performance", "k_min", sums[0] / replay.repeat(), file.getFileName());
     if (scored) {
@@ -160,17 +156,18 @@ final class RunReport {
   private static void check(StepRow row, String recorded) {
     if (recorded != null && !(row.measures() + ",").startsWith(recorded + ",")) {
       throw row.error(
-          "'%s', but the recorded run has %s there, expected the files of one run"
-              .formatted(row.measures(), recorded));
+          Texts.format(
+              "'%s', but the recorded run has %s there, expected the files of one run",
+              row.measures(), recorded));
     }
   }
 
   private void checkSum(String metric, String column, double mean, Path steps) {
     double said = summary.path(metric).asDouble(Double.NaN);
     if (!(Math.abs(said - mean) <= ROUNDING * Math.max(1, mean))) {
-      throw new InputException(
-          "%s: %s is %s, but the %s of %s make %s, expected the files of one run"
-              .formatted(folder.resolve(ResultFolder.SUMMARY), metric, said, column, steps, mean));
+      throw InputException.of(
+          "%s: %s is %s, but the %s of %s make %s, expected the files of one run",
+          folder.resolve(ResultFolder.SUMMARY), metric, said, column, steps, mean);
     }
   }
 

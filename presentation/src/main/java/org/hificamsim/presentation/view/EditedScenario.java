@@ -139,8 +139,7 @@ final class EditedScenario {
     checkInField(x1, y1);
     checkInField(x2, y2);
     if (x1 == x2 && y1 == y2) {
-      throw new InputException(
-          "both ends of the wall are (%s, %s), expected two places".formatted(x1, y1));
+      throw InputException.of("both ends of the wall are (%s, %s), expected two places", x1, y1);
     }
     Obstacle wall = new Obstacle.Wall(x1, y1, x2, y2, 0);
     places()
@@ -148,9 +147,9 @@ final class EditedScenario {
         .findFirst()
         .ifPresent(
             place -> {
-              throw new InputException(
-                  "the wall is expected off all cameras and targets, and one stands at (%s, %s)"
-                      .formatted(place.x(), place.y()));
+              throw InputException.of(
+                  "the wall is expected off all cameras and targets, and one stands at (%s, %s)",
+                  place.x(), place.y());
             });
     List<Obstacle> more = new ArrayList<>(now.obstacles());
     more.add(wall);
@@ -165,8 +164,7 @@ final class EditedScenario {
 
   private static <T> T element(List<T> all, int number, String what) {
     if (number < 0 || number >= all.size()) {
-      throw new InputException(
-          "%s is %s, expected one of the %s, from 0".formatted(what, number, all.size()));
+      throw InputException.of("%s is %s, expected one of the %s, from 0", what, number, all.size());
     }
     return all.get(number);
   }
@@ -240,16 +238,15 @@ final class EditedScenario {
   private void checkPlace(double x, double y) {
     checkInField(x, y);
     if (new Obstacles(now.obstacles()).containing(x, y).isPresent()) {
-      throw new InputException(
-          "x is %s and y is %s, expected a place off all solid obstacles".formatted(x, y));
+      throw InputException.of(
+          "x is %s and y is %s, expected a place off all solid obstacles", x, y);
     }
   }
 
   private void checkInField(double x, double y) {
     Field field = now.field();
     if (!field.contains(x, y) || Double.isNaN(x) || Double.isNaN(y)) {
-      throw new InputException(
-          "x is %s and y is %s, expected a place in the field".formatted(x, y));
+      throw InputException.of("x is %s and y is %s, expected a place in the field", x, y);
     }
   }
 }

@@ -199,8 +199,7 @@ public final class LiveRun {
     String name = online(camera);
     int views = sides.get(0).world().cameras().views(camera);
     if (view < -1 || view >= views) {
-      throw new InputException(
-          "view is %s, expected one from 0 to %s, or -1".formatted(view, views - 1));
+      throw InputException.of("view is %s, expected one from 0 to %s, or -1", view, views - 1);
     }
     if (view < 0) {
       held.remove(name);
@@ -256,8 +255,7 @@ public final class LiveRun {
    */
   public void choose(int side, LiveChoice choice) {
     if (side < 0 || side >= sides.size()) {
-      throw new InputException(
-          "side is %s, expected one from 0 to %s".formatted(side, sides.size() - 1));
+      throw InputException.of("side is %s, expected one from 0 to %s", side, sides.size() - 1);
     }
     sides.set(side, side(sides.get(side).world(), choice));
     choices.set(side, choice);

@@ -230,8 +230,8 @@ public final class LiveSession implements AutoCloseable {
 
   private static void between(String name, int value, int least, int most) {
     if (value < least || value > most) {
-      throw new InputException(
-          "%s is %s, expected a whole number from %s to %s".formatted(name, value, least, most));
+      throw InputException.of(
+          "%s is %s, expected a whole number from %s to %s", name, value, least, most);
     }
   }
 

@@ -53,12 +53,12 @@ final class LiveSide {
     this.detection = detection;
     ZoomPolicy policy = catalogue.policies().create(policySpec);
     if (policy instanceof HindsightZoomPolicy) {
-      throw new InputException(
-          "policy '" + policy.name() + "' looks at the whole run first: it cannot be viewed live");
+      throw InputException.of(
+          "policy '%s' looks at the whole run first: it cannot be viewed live", policy.name());
     }
     if (policy instanceof AimingZoomPolicy) {
-      throw new InputException(
-          "policy '" + policySpec + "' turns cameras to any angle: it cannot be viewed live");
+      throw InputException.of(
+          "policy '%s' turns cameras to any angle: it cannot be viewed live", policySpec);
     }
     this.setup = Setup.of(world, detection, policySpec, seed, floor);
     this.snapshots = new Snapshots(setup, detection, policy);

@@ -48,10 +48,10 @@ record CalibratedPicture(Calibration camera, Size size) {
         camera,
         said.orElseThrow(
             () ->
-                new InputException(
-                    file
-                        + ": a matrix does not say how large the picture is, expected --image"
-                        + " WIDTHxHEIGHT")));
+                InputException.of(
+                    "%s: a matrix does not say how large the picture is, expected --image"
+                        + " WIDTHxHEIGHT",
+                    file)));
   }
 
   /** Whether the picture's border may have cut a box off. */

@@ -5,9 +5,9 @@ import java.io.OutputStream;
 import java.io.Writer;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.TableLayout;
 
@@ -55,7 +55,7 @@ public final class CheckFolder {
   }
 
   private static String rounded(int digits, double value) {
-    return String.format(Locale.ROOT, "%." + digits + "f", value);
+    return Texts.format("%." + digits + "f", value);
   }
 
   /** Writes the files, all or none. */

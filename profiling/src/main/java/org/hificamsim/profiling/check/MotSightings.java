@@ -36,9 +36,10 @@ final class MotSightings {
       }
     }
     if (sightings.isEmpty()) {
-      throw new InputException(
-          "%s: no box to compare: %s, expected whole boxes of targets on the ground before the camera"
-              .formatted(file, leftOut()));
+      throw InputException.of(
+          "%s: no box to compare: %s, expected whole boxes of targets on the ground"
+              + " before the camera",
+          file, leftOut());
     }
   }
 

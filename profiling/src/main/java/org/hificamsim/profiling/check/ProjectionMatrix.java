@@ -29,10 +29,10 @@ final class ProjectionMatrix implements Calibration {
             .dotProduct(new Vector3D(p[4], p[5], p[6]).crossProduct(third));
     double size = third.getNorm() * Math.signum(determinant);
     if (!(Math.abs(determinant) > SINGULAR * Math.pow(third.getNorm(), 3))) {
-      throw new InputException(
-          "the matrix is not a camera's: the determinant of its left three columns is "
-              + determinant
-              + ", expected another than 0");
+      throw InputException.of(
+          "the matrix is not a camera's: the determinant of its left three columns is"
+              + " %s, expected another than 0",
+          determinant);
     }
     across = new Vector3D(p[0], p[1], p[2]).scalarMultiply(1 / size);
     down = new Vector3D(p[4], p[5], p[6]).scalarMultiply(1 / size);

@@ -47,10 +47,11 @@ public final class RealityCheck {
     double height =
         median(comparisons.stream().mapToDouble(one -> one.sighting().box().height()).toArray());
     if (footError() > height) {
-      throw new InputException(
-          ("half of the boxes stand %s pixels or more from where the calibration has them, expected"
-                  + " less than their height of %s; maybe --unit or --calibration-unit")
-              .formatted(Math.round(footError()), Math.round(height)));
+      throw InputException.of(
+          "half of the boxes stand %s pixels or more from where the calibration has"
+              + " them, expected less than their height of %s; maybe --unit or"
+              + " --calibration-unit",
+          Math.round(footError()), Math.round(height));
     }
   }
 

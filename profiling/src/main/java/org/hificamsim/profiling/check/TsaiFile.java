@@ -31,9 +31,10 @@ final class TsaiFile extends PlainXml {
     readFile(file);
     for (String element : ELEMENTS) {
       if (!found.contains(element)) {
-        throw new InputException(
-            "%s: there is no <%s>, expected a calibration as the PETS recordings have it, or a matrix of three rows and four columns"
-                .formatted(file, element));
+        throw InputException.of(
+            "%s: there is no <%s>, expected a calibration as the PETS recordings have it,"
+                + " or a matrix of three rows and four columns",
+            file, element);
       }
     }
     TsaiCamera camera =
@@ -58,8 +59,8 @@ final class TsaiFile extends PlainXml {
     if (!numbers.containsKey("width")) {
       return said.orElseThrow(
           () ->
-              new InputException(
-                  file + ": <Geometry> has no width and height, expected --image WIDTHxHEIGHT"));
+              InputException.of(
+                  "%s: <Geometry> has no width and height, expected --image WIDTHxHEIGHT", file));
     }
     Size size = new Size(Math.floor(number("width")), Math.floor(number("height")));
     if (!said.orElse(size).equals(size)) {

@@ -152,8 +152,8 @@ final class LabelledPhotoReader {
     if (patch.width() < 1 || patch.height() < 1 || !patch.within(image.width(), image.height())) {
       throw row.place("patch_x")
           .error(
-              "the patch is %s, expected one within the image's %s x %s pixels"
-                  .formatted(patch, image.width(), image.height()));
+              "the patch is %s, expected one within the image's %s x %s pixels",
+              patch, image.width(), image.height());
     }
     return patch;
   }

@@ -41,11 +41,10 @@ public final class Detectors {
           yield new BoxSpec(column, new Memory(10, 0), () -> new OnnxDetector(options));
         }
         default ->
-            throw new InputException(
-                "--detectors has '"
-                    + name
-                    + "', expected some of orb, sift, surf, each also with -located or -ransac,"
-                    + " hog, haar:CASCADE, onnx:FILE");
+            throw InputException.of(
+                "--detectors has '%s', expected some of orb, sift, surf, each also with"
+                    + " -located or -ransac, hog, haar:CASCADE, onnx:FILE",
+                name);
       };
     }
 

@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import org.hificamsim.core.InputException;
 
 /**
@@ -48,19 +47,17 @@ public record Memory(double nativeBytes, double heapBytes) {
     double inside = USED * heapBytes / (pixels * need.heapBytes);
     double fit = Math.min(outside, inside);
     if (fit < 1) {
-      throw new InputException(
-          String.format(
-              Locale.ROOT,
-              "photos of %.1f megapixels need about %.1f GiB and %.1f GiB of Java's heap, expected"
-                  + " at most %.0f %% of the %.1f and %.1f GiB that are free. Maybe leave out"
-                  + " --detectors sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the"
-                  + " heap",
-              pixels / 1e6,
-              pixels * need.nativeBytes / GIB,
-              pixels * need.heapBytes / GIB,
-              100 * USED,
-              nativeBytes / GIB,
-              heapBytes / GIB));
+      throw InputException.of(
+          "photos of %.1f megapixels need about %.1f GiB and %.1f GiB of Java's heap, expected"
+              + " at most %.0f %% of the %.1f and %.1f GiB that are free. Maybe leave out"
+              + " --detectors sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the"
+              + " heap",
+          pixels / 1e6,
+          pixels * need.nativeBytes / GIB,
+          pixels * need.heapBytes / GIB,
+          100 * USED,
+          nativeBytes / GIB,
+          heapBytes / GIB);
     }
     return (int) Math.min(wanted, fit);
   }

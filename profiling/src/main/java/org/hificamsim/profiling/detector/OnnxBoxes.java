@@ -26,11 +26,10 @@ record OnnxBoxes(OnnxOptions options) {
     } else if (answer.dims() == 3) {
       centres(values, answer.size(1), answer.size(2), boxes);
     } else {
-      throw new InputException(
-          options.file()
-              + ": the network's answer has "
-              + answer.dims()
-              + " dimensions, expected [1, N, 5 + classes], [1, 4 + classes, N] or [1, 1, N, 7]");
+      throw InputException.of(
+          "%s: the network's answer has %s dimensions, expected [1, N, 5 + classes], [1,"
+              + " 4 + classes, N] or [1, 1, N, 7]",
+          options.file(), answer.dims());
     }
     return boxes;
   }
@@ -78,9 +77,9 @@ record OnnxBoxes(OnnxOptions options) {
 
   private void checkClass(int classes) {
     if (options.category() >= classes) {
-      throw new InputException(
-          "%s: class is %s, expected one of the network's %s, from 0"
-              .formatted(options.file(), options.category(), classes));
+      throw InputException.of(
+          "%s: class is %s, expected one of the network's %s, from 0",
+          options.file(), options.category(), classes);
     }
   }
 }

@@ -115,10 +115,9 @@ final class OpenCvBoxes {
         .findFirst()
         .orElseThrow(
             () ->
-                new InputException(
-                    "--detectors has 'haar:"
-                        + name
-                        + "', expected a cascade's XML file, or the name of one that Debian's"
-                        + " opencv-data installs, such as frontalface_alt"));
+                InputException.of(
+                    "--detectors has 'haar:%s', expected a cascade's XML file, or the name of one"
+                        + " that Debian's opencv-data installs, such as frontalface_alt",
+                    name));
   }
 }

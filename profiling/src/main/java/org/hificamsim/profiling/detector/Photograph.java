@@ -94,8 +94,8 @@ public final class Photograph implements AutoCloseable {
     for (String warning : warnings) {
       String words = warning.toLowerCase(Locale.ROOT);
       if (DAMAGE.stream().anyMatch(words::contains)) {
-        throw new InputException(
-            file + ": the picture is damaged, expected a whole one (" + warning + ")");
+        throw InputException.of(
+            "%s: the picture is damaged, expected a whole one (%s)", file, warning);
       }
     }
   }

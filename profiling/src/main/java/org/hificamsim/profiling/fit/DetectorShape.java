@@ -54,9 +54,8 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
         .findFirst()
         .orElseThrow(
             () ->
-                new InputException(
-                    "g '%s' is unknown, expected one of %s"
-                        .formatted(name, String.join(", ", names()))));
+                InputException.of(
+                    "g '%s' is unknown, expected one of %s", name, String.join(", ", names())));
   }
 
   /**

@@ -2,10 +2,10 @@ package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PinholeAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
@@ -69,13 +69,8 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
 
   /** The equation as Eq 4.4 prints it. */
   static String equation(LinearAbstraction f) {
-    return String.format(
-        Locale.ROOT,
-        "-log10(PIP) = %.4g z %+.4g q %+.4g d %+.4g",
-        f.z(),
-        f.q(),
-        f.d(),
-        f.intercept());
+    return Texts.format(
+        "-log10(PIP) = %.4g z %+.4g q %+.4g d %+.4g", f.z(), f.q(), f.d(), f.intercept());
   }
 
   /**
@@ -102,8 +97,7 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
     double c = StrictMath.pow(10, fit.get(0).value());
     PowerLawAbstraction f =
         new PowerLawAbstraction(c, fit.get(3).value(), fit.get(1).value(), -fit.get(2).value());
-    String equation =
-        String.format(Locale.ROOT, "PIP = %.4g z^%.3f q^%.3f d^%.3f", c, f.a(), f.b(), -f.e());
+    String equation = Texts.format("PIP = %.4g z^%.3f q^%.3f d^%.3f", c, f.a(), f.b(), -f.e());
     return new FittedFeature(f, equation, fit);
   }
 

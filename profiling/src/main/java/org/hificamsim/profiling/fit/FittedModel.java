@@ -2,10 +2,10 @@ package org.hificamsim.profiling.fit;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
@@ -123,14 +123,10 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
 
   /** Why there is no file of it. */
   public String refusal() {
-    return String.format(
-        Locale.ROOT,
-        "%s is no detector: its slope on PIP is %.3g, in [%.3g, %.3g] with 95%% confidence;"
-            + " expected one surely above 0",
-        name(),
-        fit().slope().slope(),
-        fit().slope().low(),
-        fit().slope().high());
+    return Texts.format(
+        "%s is no detector: its slope on PIP is %.3g, in [%.3g, %.3g] with 95%%"
+            + " confidence; expected one surely above 0",
+        name(), fit().slope().slope(), fit().slope().low(), fit().slope().high());
   }
 
   private FittedOn fittedOn() {
@@ -153,8 +149,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
         .with("equation", f.fit().equation())
         .with(
             "f",
-            String.format(
-                Locale.ROOT,
+            Texts.format(
                 "R2 %.3f, %d-fold %.3f +- %.3f%s%s, of -log10(PIP)",
                 f.scores().r2(),
                 f.validation().folds().length,
@@ -164,8 +159,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
                 unseen("lenses", f.lenses())))
         .with(
             "g",
-            String.format(
-                Locale.ROOT,
+            Texts.format(
                 "%s on %s PIP: R2 %.3f, unseen %ss %.3f (RMSE %.4f)",
                 chosen().shape(),
                 onMeasuredPip() ? "measured" : "predicted",
@@ -176,8 +170,6 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
   }
 
   private static String unseen(String what, Optional<CrossValidation> validation) {
-    return validation
-        .map(one -> String.format(Locale.ROOT, ", unseen %s %.3f", what, one.r2()))
-        .orElse("");
+    return validation.map(one -> Texts.format(", unseen %s %.3f", what, one.r2())).orElse("");
   }
 }

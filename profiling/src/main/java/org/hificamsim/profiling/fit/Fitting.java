@@ -26,8 +26,8 @@ public final class Fitting {
   public FitResult fit(PhotoCamera camera, List<Measurement> photos, int threads) {
     int k = settings.folds();
     if (photos.size() < 2 * k) {
-      throw new InputException(
-          "%s rows, expected at least %s for %s folds".formatted(photos.size(), 2 * k, k));
+      throw InputException.of(
+          "%s rows, expected at least %s for %s folds", photos.size(), 2 * k, k);
     }
     Groups folds = Groups.folds(photos.size(), k, settings.seed());
     Groups objects = Groups.byObject(photos);

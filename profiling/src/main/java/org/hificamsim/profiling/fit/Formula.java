@@ -1,6 +1,6 @@
 package org.hificamsim.profiling.fit;
 
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * A formula of z, q, d, numbers and the four operations, as a tree that folds constants and prints
@@ -20,7 +20,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
   record Constant(double value) implements Formula {
     @Override
     public String text() {
-      String digits = String.format(Locale.ROOT, "%.5g", value);
+      String digits = Texts.format("%.5g", value);
       return digits.contains("e")
           ? digits
           : digits.replaceFirst("(\\.\\d*?)0+$", "$1").replaceFirst("\\.$", "");

@@ -1,8 +1,8 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import org.hificamsim.core.Texts;
 
 /**
  * Which model of a detector to take: the one with the simplest f among those that are as good as
@@ -46,14 +46,14 @@ public record Recommendation(
     return model
         .map(one -> "Take " + one.name() + ": " + explains() + ", " + why(one) + ".")
         .orElse(
-            "No model of "
-                + detector
-                + " is one: its confidence does not surely rise with the share of the image.");
+            Texts.format(
+                "No model of %s is one: its confidence does not surely rise with the share of"
+                    + " the image.",
+                detector));
   }
 
   private String explains() {
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         "on %s that it has not seen it explains %.0f%% of the confidence (R2 %.3f)",
         result.unseen().unit().equals("object") ? "objects" : "photos",
         Math.max(0, 100 * r2()),
@@ -63,12 +63,10 @@ public record Recommendation(
   private String why(FittedModel one) {
     return one.equals(best.orElseThrow())
         ? "more than any other"
-        : String.format(
-            Locale.ROOT,
-            "and no other is better by more than a standard error (%s: %.3f); its f is the simplest"
-                + " of these",
-            best.orElseThrow().name(),
-            best.orElseThrow().fit().chosen().unseen().r2());
+        : Texts.format(
+            "and no other is better by more than a standard error (%s: %.3f); its f is the"
+                + " simplest of these",
+            best.orElseThrow().name(), best.orElseThrow().fit().chosen().unseen().r2());
   }
 
   /**
@@ -81,12 +79,9 @@ public record Recommendation(
     String yours =
         Double.isNaN(zoom.error())
             ? "Your photos have one focal length, so that nobody knows how PIP grows with it"
-            : String.format(
-                Locale.ROOT,
+            : Texts.format(
                 "In your photos PIP grows with the focal length to the power %.2f [%.2f, %.2f]",
-                zoom.value(),
-                zoom.low(),
-                zoom.high());
+                zoom.value(), zoom.low(), zoom.high());
     return yours
         + "; a pinhole camera's power is 2, and so is that of the rendered laboratory. In the six"
         + " real photos of Figure 3.7 it is 1.32, and at 85 mm a pinhole camera predicts a PIP of"

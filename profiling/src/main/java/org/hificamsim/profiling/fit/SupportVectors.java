@@ -2,10 +2,10 @@ package org.hificamsim.profiling.fit;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
@@ -67,12 +67,9 @@ final class SupportVectors {
 
   private static FittedFeature fitted(List<Measurement> photos, SvrRbfAbstraction f) {
     String equation =
-        String.format(
-            Locale.ROOT,
+        Texts.format(
             "no closed form: %d support vectors of %d rows, gamma %.4g",
-            f.support().length,
-            photos.size(),
-            f.gamma());
+            f.support().length, photos.size(), f.gamma());
     return new FittedFeature(f, equation, List.of());
   }
 

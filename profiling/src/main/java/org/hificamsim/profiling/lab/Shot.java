@@ -2,7 +2,7 @@ package org.hificamsim.profiling.lab;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * One picture to take.
@@ -27,7 +27,6 @@ record Shot(int index, LabObject object, double focalLength, double distance) {
 
   /** A name for its files. */
   String name() {
-    return String.format(
-        Locale.ROOT, "%s-%02.0fmm-%04.1fm", object.name(), focalLength * 1000, distance);
+    return Texts.format("%s-%02.0fmm-%04.1fm", object.name(), focalLength * 1000, distance);
   }
 }

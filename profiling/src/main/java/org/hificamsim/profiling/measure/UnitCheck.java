@@ -2,7 +2,7 @@ package org.hificamsim.profiling.measure;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 
 /**
@@ -52,8 +52,7 @@ record UnitCheck(PhotoCamera camera) {
   }
 
   private static String words(double larger) {
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         larger > 1 ? "%.3g times larger than" : "%.3g times smaller than",
         larger > 1 ? larger : 1 / larger);
   }

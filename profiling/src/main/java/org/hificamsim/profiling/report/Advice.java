@@ -3,7 +3,7 @@ package org.hificamsim.profiling.report;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
@@ -15,11 +15,11 @@ final class Advice {
 
   /** The one sentence that says which model to take. */
   static String headline(FitResult result) {
-    return Counted.of(result.measurements().size(), "photo")
-        + " of "
-        + Counted.of(result.byObject().size(), "object")
-        + ". "
-        + first(result).sentence();
+    return Texts.format(
+        "%s of %s. %s",
+        Counted.of(result.measurements().size(), "photo"),
+        Counted.of(result.byObject().size(), "object"),
+        first(result).sentence());
   }
 
   /** The detector of which most is explained. */
@@ -62,8 +62,7 @@ final class Advice {
     for (String detector : result.detectors()) {
       DetectionAccuracy decisions = DetectionAccuracy.of(result, detector);
       text.append(
-          String.format(
-              Locale.ROOT,
+          Texts.format(
               " %s %.3f (%.0f%% of the photos),",
               detector,
               decisions.threshold(),

@@ -1,7 +1,7 @@
 package org.hificamsim.profiling.report;
 
-import java.util.Locale;
 import java.util.Map;
+import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.fit.Coefficient;
 
 /** Numbers and published texts as the cells of tables. */
@@ -15,13 +15,13 @@ final class CellText {
     if (!Double.isFinite(value)) {
       return NONE;
     }
-    String text = String.format(Locale.ROOT, "%." + digits + "f", value);
+    String text = Texts.format("%." + digits + "f", value);
     return text.matches("-0(\\.0*)?") ? text.substring(1) : text;
   }
 
   /** A number with three significant digits. */
   static String significant(double value) {
-    return Double.isFinite(value) ? String.format(Locale.ROOT, "%.3g", value) : NONE;
+    return Double.isFinite(value) ? Texts.format("%.3g", value) : NONE;
   }
 
   /** From one number to another one; a dash where neither is known. */

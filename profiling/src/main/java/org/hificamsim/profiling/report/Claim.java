@@ -1,6 +1,6 @@
 package org.hificamsim.profiling.report;
 
-import java.util.Locale;
+import org.hificamsim.core.Texts;
 
 /**
  * Something that chapters 4 to 6 say, and what it is on the data set at hand.
@@ -35,6 +35,6 @@ record Claim(String source, String text, String published, String yours, boolean
   }
 
   private static String number(double value) {
-    return String.format(Locale.ROOT, "%.2f", value);
+    return Texts.format("%.2f", value);
   }
 }

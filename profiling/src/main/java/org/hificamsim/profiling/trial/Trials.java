@@ -2,10 +2,11 @@ package org.hificamsim.profiling.trial;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Counted;
@@ -88,10 +89,10 @@ public record Trials(
 
   /** One sentence. */
   public String sentence() {
-    return String.format(
-        Locale.ROOT,
-        "In the simulation %s agrees with %.0f%% of %s (it misses %.0f%%, and invents %.0f%%); it"
-            + " covers %.0f%% of %s before up to %s cameras, the photos cover %.0f%%%s.",
+    return Texts.format(
+        "In the simulation %s agrees with %.0f%% of %s (it misses %.0f%%, and invents"
+            + " %.0f%%); it covers %.0f%% of %s before up to %s cameras, the photos cover"
+            + " %.0f%%%s.",
         model.name(),
         100 * share(Trial::agrees),
         Counted.of(photos.size(), "photo"),
@@ -104,11 +105,7 @@ public record Trials(
         byChance
             .map(
                 by ->
-                    String.format(
-                        Locale.ROOT,
-                        "; by chance %.0f%% and %.0f%%",
-                        100 * by.once(),
-                        100 * measuredByChance.once()))
+                    Texts.format("; by chance %.0f%% and %.0f%%", 100 * by.once(), 100 * measuredByChance.once()))
             .orElse(""));
   }
 

@@ -35,8 +35,8 @@ public final class Ladder {
     this.rungs = List.copyOf(rungs);
     this.policies = List.copyOf(policies);
     if (policies.size() < 2) {
-      throw new InputException(
-          "the policies are '" + policies.get(0) + "' alone, expected two or more to choose from");
+      throw InputException.of(
+          "the policies are '%s' alone, expected two or more to choose from", policies.get(0));
     }
     for (Scenario scenario : scenarios) {
       List<RungScenario> places = new ArrayList<>();
@@ -55,10 +55,9 @@ public final class Ladder {
     for (RungScenario one : all()) {
       Rung other = known.put(List.of(one.changed().name(), one.detection().name()), one.rung());
       if (other != null) {
-        throw new InputException(
-            "rungs '%s' and '%s' are both detection '%s' in scenario '%s', expected each once"
-                .formatted(
-                    other.name(), one.rung().name(), one.detection().name(), one.changed().name()));
+        throw InputException.of(
+            "rungs '%s' and '%s' are both detection '%s' in scenario '%s', expected each" + " once",
+            other.name(), one.rung().name(), one.detection().name(), one.changed().name());
       }
     }
   }

@@ -76,9 +76,9 @@ final class Simplifications {
   }
 
   private static InputException noLens(Scenario scenario) {
-    return new InputException(
-        "scenario '%s' has no camera with law=\"pinhole\", expected a lens to take away"
-            .formatted(scenario.name()));
+    return InputException.of(
+        "scenario '%s' has no camera with law=\"pinhole\", expected a lens to take away",
+        scenario.name());
   }
 
   private static CameraSpec round(CameraSpec camera, OpticsSpec optics) {

@@ -3,6 +3,7 @@ package org.hificamsim.reproduction.sensitivity;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.hificamsim.core.Texts;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 
 /** Where the conclusion holds and where it flips, in words. */
@@ -58,16 +59,14 @@ results to the last digit: %s. `fit.csv` has all of them.
   }
 
   private static String named(Fit fit) {
-    return String.format(
-        Locale.ROOT, "%s %s (%.3f)", fit.sweep().parameter(), fit.variant().value(), fit.hifi());
+    return Texts.format("%s %s (%.3f)", fit.sweep().parameter(), fit.variant().value(), fit.hifi());
   }
 
   private static String paragraph(ParameterSweep sweep, List<Gap> gaps) {
     List<Gap> cells = gaps.stream().filter(gap -> !gap.layout().equals(Gap.ALL)).toList();
-    return String.format(
-        Locale.ROOT,
-        "## %s: the %s%n%nIt holds in %d of %d places. Everywhere at: %s.%n%nFlips: %s.%n%nOpen:"
-            + " %s.%n%n",
+    return Texts.format(
+        "## %s: the %s%n%nIt holds in %d of %d places. Everywhere at: %s.%n%nFlips:"
+            + " %s.%n%nOpen: %s.%n%n",
         sweep.parameter(),
         sweep.meaning(),
         count(cells, Gap.Finding.UNDERESTIMATES),
@@ -107,6 +106,6 @@ results to the last digit: %s. `fit.csv` has all of them.
     String at = "%s, %s, %s".formatted(gap.variant().value(), gap.layout(), gap.policy());
     return Double.isNaN(gap.difference().mean())
         ? at + " (no optimum above 0)"
-        : at + String.format(Locale.ROOT, " (%+.2f)", gap.difference().mean());
+        : at + Texts.format(" (%+.2f)", gap.difference().mean());
   }
 }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
@@ -102,11 +103,11 @@ public final class Journal implements Closeable {
     return damaged.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "%s:%s: the line is damaged%s"
-                .formatted(
-                    file,
-                    damaged.get(0),
-                    damaged.size() == 1 ? "" : ", and " + (damaged.size() - 1) + " more are"));
+            Texts.format(
+                "%s:%s: the line is damaged%s",
+                file,
+                damaged.get(0),
+                damaged.size() == 1 ? "" : ", and " + (damaged.size() - 1) + " more are"));
   }
 
   private byte[] bytes(Line line) throws IOException {
@@ -131,9 +132,10 @@ public final class Journal implements Closeable {
     changed(keys)
         .ifPresent(
             input -> {
-              throw new InputException(
-                  "'%s' has runs of another %s, expected the same to --resume; without it, all runs are done again"
-                      .formatted(file, input));
+              throw InputException.of(
+                  "'%s' has runs of another %s, expected the same to --resume; without it, all"
+                      + " runs are done again",
+                  file, input);
             });
   }
 

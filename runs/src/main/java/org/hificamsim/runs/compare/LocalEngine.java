@@ -27,8 +27,8 @@ public final class LocalEngine implements RunEngine {
         .master()
         .ifPresent(
             master -> {
-              throw new InputException(
-                  "--master '" + master + "' is of no use to --engine local, expected none");
+              throw InputException.of(
+                  "--master '%s' is of no use to --engine local, expected none", master);
             });
     executor = new RunExecutor(settings.catalogue());
     threads = settings.threads();

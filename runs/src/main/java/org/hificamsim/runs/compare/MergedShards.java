@@ -62,13 +62,14 @@ public final class MergedShards implements RunEngine {
         ShardFolder.read(folder)
             .orElseThrow(
                 () ->
-                    new InputException(
-                        "--merge '%s' has no shard.json, expected a folder that --shard wrote"
-                            .formatted(folder)));
+                    InputException.of(
+                        "--merge '%s' has no shard.json, expected a folder that --shard wrote",
+                        folder));
     if (!shard.isOf(plans)) {
-      throw new InputException(
-          "--merge '%s' is shard %s of another comparison%s, expected this one's scenarios, models, policies, yardsticks, steps, seeds and version"
-              .formatted(folder, shard.shard(), shard.changed(plans)));
+      throw InputException.of(
+          "--merge '%s' is shard %s of another comparison%s, expected this one's"
+              + " scenarios, models, policies, yardsticks, steps, seeds and version",
+          folder, shard.shard(), shard.changed(plans));
     }
     return shard;
   }
@@ -76,16 +77,16 @@ public final class MergedShards implements RunEngine {
   private void add(ShardFolder shard) {
     for (ShardFolder other : shards.values()) {
       if (other.shard().of() != shard.shard().of()) {
-        throw new InputException(
-            "--merge '%s' is shard %s but '%s' is shard %s, expected parts of one split"
-                .formatted(shard.path(), shard.shard(), other.path(), other.shard()));
+        throw InputException.of(
+            "--merge '%s' is shard %s but '%s' is shard %s, expected parts of one split",
+            shard.path(), shard.shard(), other.path(), other.shard());
       }
     }
     ShardFolder other = shards.putIfAbsent(shard.shard().number(), shard);
     if (other != null) {
-      throw new InputException(
-          "--merge has shard %s twice, '%s' and '%s', expected each once"
-              .formatted(shard.shard(), other.path(), shard.path()));
+      throw InputException.of(
+          "--merge has shard %s twice, '%s' and '%s', expected each once",
+          shard.shard(), other.path(), shard.path());
     }
   }
 
@@ -94,16 +95,12 @@ public final class MergedShards implements RunEngine {
     List<Integer> missing =
         IntStream.rangeClosed(1, of).filter(i -> !shards.containsKey(i)).boxed().toList();
     if (!missing.isEmpty()) {
-      throw new InputException(
-          "--merge lacks %s of %s shards (%s%s), expected all"
-              .formatted(
-                  missing.size(),
-                  of,
-                  missing.stream()
-                      .limit(MAX_NAMED)
-                      .map(String::valueOf)
-                      .collect(Collectors.joining(", ")),
-                  missing.size() > MAX_NAMED ? ", ..." : ""));
+      throw InputException.of(
+          "--merge lacks %s of %s shards (%s%s), expected all",
+          missing.size(),
+          of,
+          missing.stream().limit(MAX_NAMED).map(String::valueOf).collect(Collectors.joining(", ")),
+          missing.size() > MAX_NAMED ? ", ..." : "");
     }
   }
 
@@ -111,9 +108,9 @@ public final class MergedShards implements RunEngine {
     runs.damage()
         .ifPresent(
             damage -> {
-              throw new InputException(
-                  "%s, expected what --shard wrote; --shard %s --resume computes it again"
-                      .formatted(damage, shard.shard()));
+              throw InputException.of(
+                  "%s, expected what --shard wrote; --shard %s --resume computes it again",
+                  damage, shard.shard());
             });
   }
 
@@ -129,9 +126,10 @@ public final class MergedShards implements RunEngine {
       }
     }
     if (there < tasks.size()) {
-      throw new InputException(
-          "--merge '%s' has %s of the %s runs of shard %s, expected all; --shard %s --resume computes the rest"
-              .formatted(shard.path(), there, tasks.size(), shard.shard(), shard.shard()));
+      throw InputException.of(
+          "--merge '%s' has %s of the %s runs of shard %s, expected all; --shard %s"
+              + " --resume computes the rest",
+          shard.path(), there, tasks.size(), shard.shard(), shard.shard());
     }
   }
 }

@@ -29,8 +29,7 @@ public record Shard(int number, int of) {
         return shard;
       }
     }
-    throw new InputException(
-        "--shard is '%s', expected i/n with i from 1 to n, such as 3/8".formatted(text));
+    throw InputException.of("--shard is '%s', expected i/n with i from 1 to n, such as 3/8", text);
   }
 
   static boolean isOne(int number, int of) {

@@ -72,9 +72,9 @@ public record ShardFolder(Path path, Content content) {
     if (found.isPresent()) {
       found.get().requireFor(shard, plans, resume);
     } else if (Files.exists(folder.path().resolve(RUNS), LinkOption.NOFOLLOW_LINKS)) {
-      throw new InputException(
-          "'%s' would be replaced, and no --shard wrote it: expected another folder"
-              .formatted(folder.path().resolve(RUNS)));
+      throw InputException.of(
+          "'%s' would be replaced, and no --shard wrote it: expected another folder",
+          folder.path().resolve(RUNS));
     }
     folder.claim(List.of(NAME, ResultFolder.MANIFEST));
     Journal journal = Journal.open(folder, RUNS, resume);
@@ -88,9 +88,9 @@ public record ShardFolder(Path path, Content content) {
   private void requireFor(Shard shard, List<RunPlan> plans, boolean resume) throws IOException {
     if (!content.equals(content(shard, plans)) && (isOf(plans) || resume)) {
       String comparison = isOf(plans) ? "" : " of another comparison" + changed(plans);
-      throw new InputException(
-          "--out '%s' holds shard %s%s, expected a folder of its own for %s"
-              .formatted(path, shard(), comparison, shard));
+      throw InputException.of(
+          "--out '%s' holds shard %s%s, expected a folder of its own for %s",
+          path, shard(), comparison, shard);
     }
   }
 

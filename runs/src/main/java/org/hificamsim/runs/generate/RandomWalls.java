@@ -52,9 +52,9 @@ final class RandomWalls {
         return;
       }
     }
-    throw new InputException(
-        "--walls is %s, expected at most about %s in a field of %s x %s m"
-            .formatted(count, walls.size(), Math.round(field.width()), Math.round(field.height())));
+    throw InputException.of(
+        "--walls is %s, expected at most about %s in a field of %s x %s m",
+        count, walls.size(), Math.round(field.width()), Math.round(field.height()));
   }
 
   private Wall draw() {

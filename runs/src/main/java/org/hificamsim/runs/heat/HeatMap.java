@@ -1,8 +1,8 @@
 package org.hificamsim.runs.heat;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.Texts;
 
 /**
  * How each cell of a field was covered over the steps of one or more runs.
@@ -53,13 +53,10 @@ public record HeatMap(FieldCells cells, List<Place> places) {
 
   /** The three shares in words. */
   public String shares() {
-    return String.format(
-        Locale.ROOT,
+    return Texts.format(
         "of area and steps %.1f %% covered by 1 or more cameras, %.1f %% by 2 or more;"
             + " of the area %.1f %% never",
-        100 * covered(),
-        100 * coveredK(),
-        100 * blind());
+        100 * covered(), 100 * coveredK(), 100 * blind());
   }
 
   /** The mean over the free cells; NaN where there are none. */

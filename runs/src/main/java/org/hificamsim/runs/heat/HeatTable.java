@@ -115,9 +115,9 @@ public final class HeatTable {
     int rows = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("row");
     boolean whole = columns > 0 && rows > 0 && columns <= FieldCells.MAX && rows <= FieldCells.MAX;
     if (!whole || (long) columns * rows != count) {
-      throw new InputException(
-          "%s:%s:1: %s rows, expected one for each cell of a rectangle"
-              .formatted(table.file(), count + 1, count));
+      throw InputException.of(
+          "%s:%s:1: %s rows, expected one for each cell of a rectangle",
+          table.file(), count + 1, count);
     }
     return new FieldCells(field, columns, rows);
   }
@@ -127,8 +127,8 @@ public final class HeatTable {
     if (!(Math.abs(found - expected) <= ROUNDING * Math.max(1, side))) {
       throw row.place(column)
           .error(
-              "%s is %s, expected %s, as the field of this run is cut into cells"
-                  .formatted(column, found, rounded(expected)));
+              "%s is %s, expected %s, as the field of this run is cut into cells",
+              column, found, rounded(expected));
     }
   }
 

@@ -32,11 +32,10 @@ public record ResultFolder(Path path) {
   public Path file(String name) {
     Path file = path.resolve(name);
     if (!Files.isRegularFile(file)) {
-      throw new InputException(
-          "no file '"
-              + file
-              + "', expected a folder that 'hificamsim run --record' or 'hificamsim compare'"
-              + " wrote");
+      throw InputException.of(
+          "no file '%s', expected a folder that 'hificamsim run --record' or 'hificamsim"
+              + " compare' wrote",
+          file);
     }
     return file;
   }

@@ -29,8 +29,8 @@ public record StepRow(Path file, int line, String run, String step, String measu
   private static StepRow of(Path file, int number, String line) {
     String[] cells = line.split(",", 3);
     if (cells.length < 3) {
-      throw new InputException(
-          file + ":" + number + ":1: '" + line + "' is no row, expected run,step,k_min,...");
+      throw InputException.of(
+          "%s:%s:1: '%s' is no row, expected run,step,k_min,...", file, number, line);
     }
     return new StepRow(file, number, cells[0], cells[1], cells[2]);
   }

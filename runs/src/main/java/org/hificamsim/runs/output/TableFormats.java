@@ -30,8 +30,8 @@ public final class TableFormats {
    */
   public static TableFormat named(String name) {
     if (!NAMES.contains(name)) {
-      throw new InputException(
-          "--format is '%s', expected one of %s".formatted(name, String.join(", ", NAMES)));
+      throw InputException.of(
+          "--format is '%s', expected one of %s", name, String.join(", ", NAMES));
     }
     return found(name, "", "");
   }
@@ -64,9 +64,10 @@ public final class TableFormats {
             .findFirst()
             .orElseThrow(
                 () ->
-                    new InputException(
-                        "%sformat '%s' is not on the class path, expected its jars in CLASSPATH, or %s%s"
-                            .formatted(file, name, instead, CSV)));
+                    InputException.of(
+                        "%sformat '%s' is not on the class path, expected its jars in CLASSPATH, or"
+                            + " %s%s",
+                        file, name, instead, CSV));
   }
 
   /** Tables as text, which everything reads. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.hificamsim.core.Texts;
 
 /**
  * A short table of texts for people: on the terminal, or for papers as a LaTeX float in the style
@@ -66,7 +67,7 @@ public final class TextTable {
       List<String> cells = new ArrayList<>();
       for (int i = 0; i < widths.length; i++) {
         String format = "%" + (i < names ? "-" : "") + widths[i] + "s";
-        cells.add(String.format(Locale.ROOT, format, row.get(i)));
+        cells.add(Texts.format(format, row.get(i)));
       }
       out.println(String.join("  ", cells));
     }

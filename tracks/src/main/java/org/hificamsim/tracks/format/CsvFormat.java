@@ -49,8 +49,8 @@ final class CsvFormat implements TrackFormat {
   private void requireKnown() {
     for (String key : recording.columns().keySet()) {
       if (!KNOWN.contains(key)) {
-        throw new InputException(
-            "--columns has '%s', expected time or frame, id, x, y, width, height".formatted(key));
+        throw InputException.of(
+            "--columns has '%s', expected time or frame, id, x, y, width, height", key);
       }
     }
   }
@@ -73,8 +73,8 @@ final class CsvFormat implements TrackFormat {
     if (column < 0) {
       throw new Place(recording.file().toString(), 1, 1)
           .error(
-              "no column '%s' for %s, expected --columns with it, of: %s"
-                  .formatted(name(key), key, String.join(", ", header)));
+              "no column '%s' for %s, expected --columns with it, of: %s",
+              name(key), key, String.join(", ", header));
     }
     return column;
   }

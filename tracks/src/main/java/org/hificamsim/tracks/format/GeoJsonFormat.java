@@ -57,8 +57,9 @@ final class GeoJsonFormat implements TrackFormat {
     }
     if (times.size() != points.size()) {
       throw place.error(
-          "the feature has %s positions and %s times, expected as many: a property %s or coordTimes"
-              .formatted(points.size(), times.size(), timeName));
+          "the feature has %s positions and %s times, expected as many: a property %s or"
+              + " coordTimes",
+          points.size(), times.size(), timeName);
     }
     for (int i = 0; i < points.size(); i++) {
       Positions.Position point = points.get(i);

@@ -48,9 +48,9 @@ public record Recording(
   /** The unit of a format that says its own; another one is refused. */
   public Unit only(Unit own) {
     if (unit.isPresent() && unit.get() != own) {
-      throw new InputException(
-          "%s: --unit is %s, expected %s or none: the format says so"
-              .formatted(file, Spelling.of(unit.get()), Spelling.of(own)));
+      throw InputException.of(
+          "%s: --unit is %s, expected %s or none: the format says so",
+          file, Spelling.of(unit.get()), Spelling.of(own));
     }
     return own;
   }

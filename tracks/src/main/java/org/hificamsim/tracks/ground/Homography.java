@@ -32,8 +32,8 @@ public final class Homography implements Ground {
       throw sample
           .place()
           .error(
-              "the homography takes (%s, %s) to (%s, %s), expected a place nearer"
-                  .formatted(sample.x(), sample.y(), x, y));
+              "the homography takes (%s, %s) to (%s, %s), expected a place nearer",
+              sample.x(), sample.y(), x, y);
     }
     double half = sample.width() / 2;
     double width =

@@ -60,8 +60,8 @@ public final class LocalProjection implements Ground {
   public Point metres(Place place, double itsLongitude, double itsLatitude) {
     if (!(Math.abs(itsLongitude) <= 180 && Math.abs(itsLatitude) <= 90)) {
       throw place.error(
-          "longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees"
-              .formatted(itsLongitude, itsLatitude));
+          "longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees",
+          itsLongitude, itsLatitude);
     }
     if (Double.isNaN(longitude)) {
       begin(itsLongitude, itsLatitude);

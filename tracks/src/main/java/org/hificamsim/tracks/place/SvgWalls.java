@@ -169,10 +169,9 @@ final class SvgWalls extends PlainXml {
             letter ->
                 place()
                     .error(
-                        "<path> has the command "
-                            + letter
-                            + ", expected straight ones: M, L, H, V, Z. A drawing"
-                            + " program makes lines of curves"));
+                        "<path> has the command %s, expected straight ones: M, L, H, V, Z. A"
+                            + " drawing program makes lines of curves",
+                        letter));
     path.parts()
         .forEach(part -> walls.line(part.stream().map(at -> point(at.x(), at.y())).toList()));
   }

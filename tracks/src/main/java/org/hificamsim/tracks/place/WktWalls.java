@@ -91,8 +91,7 @@ final class WktWalls {
     }
     double[] heights = Arrays.stream(positions).mapToDouble(Coordinate::getZ).distinct().toArray();
     if (heights.length > 1) {
-      throw place.error(
-          "Z is " + heights[0] + " and " + heights[1] + ", expected one height for a line or ring");
+      throw place.error("Z is %s and %s, expected one height for a line or ring", heights[0], heights[1]);
     }
     if (heights.length == 1 && !Double.isNaN(heights[0])) {
       walls.raise(place, first, heights[0]);

@@ -214,10 +214,8 @@ public final class Movements {
     public void start(int target, Targets targets, TargetSpec spec) {
       if (spec.track()
           .isEmpty()) { // in no lambda, since a step in which it comes allocates nothing
-        throw new InputException(
-            "target "
-                + spec.name()
-                + " moves by Tracks and has no track, expected one of <tracks>");
+        throw InputException.of(
+            "target %s moves by Tracks and has no track, expected one of <tracks>", spec.name());
       }
       Track track = spec.track().get();
       walk.begin(track, track.firstStep() - (targets.moveFirst() ? 1 : 0));
