@@ -22,4 +22,10 @@ public final class InputException extends RuntimeException {
   public static InputException of(String form, Object... values) {
     return new InputException(Texts.format(form, values));
   }
+
+  /** The same fault with another one behind it. */
+  public InputException because(Throwable cause) {
+    initCause(cause);
+    return this;
+  }
 }

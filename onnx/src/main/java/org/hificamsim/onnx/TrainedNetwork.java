@@ -113,10 +113,10 @@ final class TrainedNetwork {
       conventions = Conventions.of(session.getMetadata().getCustomMetadata(), input);
       output = only("output", session.getOutputInfo().values());
     } catch (OrtException e) {
-      throw new InputException(
-          "%s is no network that ONNX Runtime knows, expected a trained one: %s"
-              .formatted(file, firstLine(e)),
-          e);
+      throw InputException.of(
+              "%s is no network that ONNX Runtime knows, expected a trained one: %s",
+              file, firstLine(e))
+          .because(e);
     } catch (InputException e) {
       throw new InputException(file + ": " + e.getMessage(), e);
     }

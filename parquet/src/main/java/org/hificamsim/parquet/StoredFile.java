@@ -5,7 +5,6 @@ import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.RandomAccessFile;
-import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
 import org.apache.parquet.column.ColumnDescriptor;
@@ -17,6 +16,7 @@ import org.apache.parquet.hadoop.metadata.ColumnChunkMetaData;
 import org.apache.parquet.hadoop.metadata.ColumnPath;
 import org.apache.parquet.hadoop.metadata.FileMetaData;
 import org.apache.parquet.hadoop.metadata.ParquetMetadata;
+import org.hificamsim.core.file.Io;
 
 /** A Parquet file and its footer. Parquet's own class for that does not run without Hadoop. */
 final class StoredFile implements Closeable {
@@ -68,11 +68,7 @@ final class StoredFile implements Closeable {
     return new PageReadStore() {
       @Override
       public PageReader getPageReader(ColumnDescriptor column) {
-        try {
-          return columnPages(group, ColumnPath.get(column.getPath()));
-        } catch (IOException e) {
-          throw new UncheckedIOException(e);
-        }
+        return Io.get(() -> columnPages(group, ColumnPath.get(column.getPath())));
       }
 
       @Override

@@ -95,13 +95,12 @@ record Request(Settings asked, Environment own) {
       }
       return new Request(asked, MAPPER.treeToValue(own, Environment.class));
     } catch (UnrecognizedPropertyException e) {
-      throw new InputException(
-          "unknown setting '%s', expected one of %s"
-              .formatted(
-                  e.getPropertyName(),
-                  Stream.concat(SETTINGS.stream().map(Setting::label), known(e))
-                      .collect(Collectors.joining(", "))),
-          e);
+      throw InputException.of(
+              "unknown setting '%s', expected one of %s",
+              e.getPropertyName(),
+              Stream.concat(SETTINGS.stream().map(Setting::label), known(e))
+                  .collect(Collectors.joining(", ")))
+          .because(e);
     } catch (JsonProcessingException e) {
       throw new InputException("settings: " + e.getOriginalMessage(), e);
     }

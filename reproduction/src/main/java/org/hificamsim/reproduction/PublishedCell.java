@@ -4,10 +4,8 @@ import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
 import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.List;
+import org.hificamsim.core.file.Io;
 
 /**
  * A cell of Table 8.1 ("Improving the Fidelity of Abstract Camera Network Simulations", PhD thesis,
@@ -33,10 +31,12 @@ public record PublishedCell(Layout layout, String policy, boolean hifi, double p
 
   /** All eighteen cells. */
   public static List<PublishedCell> table() {
-    try (InputStream in = PublishedCell.class.getResourceAsStream("published.json")) {
-      return List.of(new ObjectMapper().readValue(in, PublishedCell[].class));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return Io.get(
+        () ->
+            List.of(
+                new ObjectMapper()
+                    .readValue(
+                        Io.resource(PublishedCell.class, "published.json"),
+                        PublishedCell[].class)));
   }
 }

@@ -1,11 +1,9 @@
 package org.hificamsim.reproduction;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Objects;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.runs.Metric;
 
 /**
@@ -59,10 +57,11 @@ record Statement(
 
   /** All of them, in the order of the text. */
   static List<Statement> all() {
-    try (InputStream in = Statement.class.getResourceAsStream("statements.json")) {
-      return List.of(new ObjectMapper().readValue(in, Statement[].class));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return Io.get(
+        () ->
+            List.of(
+                new ObjectMapper()
+                    .readValue(
+                        Io.resource(Statement.class, "statements.json"), Statement[].class)));
   }
 }

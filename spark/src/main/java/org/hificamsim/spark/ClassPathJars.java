@@ -3,7 +3,6 @@ package org.hificamsim.spark;
 import java.io.Closeable;
 import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,6 +10,7 @@ import java.util.List;
 import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
+import org.hificamsim.core.file.Io;
 
 /**
  * This process's class path as jars for executors: all but Spark's own, which they have. A folder
@@ -56,11 +56,7 @@ final class ClassPathJars implements Closeable {
   @Override
   public void close() {
     for (TemporaryFile jar : packed) {
-      try {
-        jar.close();
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      Io.run(() -> jar.close());
     }
   }
 }

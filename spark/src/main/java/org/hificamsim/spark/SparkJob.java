@@ -111,10 +111,11 @@ final class SparkJob {
     try {
       return connecting.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
-      throw new InputException(
-          "--master '%s' has not taken the job within %s s, expected the URL of a Spark master"
-              .formatted(master.url(), PATIENCE_SECONDS),
-          e);
+      throw InputException.of(
+              "--master '%s' has not taken the job within %s s, expected the URL of a Spark"
+                  + " master",
+              master.url(), PATIENCE_SECONDS)
+          .because(e);
     } catch (ExecutionException e) {
       throw new InputException(
           "--master '%s': Spark does not start (%s)".formatted(master.url(), e.getCause()), e);

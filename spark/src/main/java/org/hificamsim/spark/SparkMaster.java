@@ -68,10 +68,11 @@ record SparkMaster(String url) {
         last = e;
       }
     }
-    throw new InputException(
-        "--master '%s' does not answer (%s), expected the URL of a Spark master that is running"
-            .formatted(url, why(last)),
-        last);
+    throw InputException.of(
+            "--master '%s' does not answer (%s), expected the URL of a Spark master that"
+                + " is running",
+            url, why(last))
+        .because(last);
   }
 
   private static String why(IOException fault) {

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -11,6 +9,7 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.scenario.Extent;
 import org.hificamsim.tracks.format.SampleSink;
 import org.hificamsim.tracks.format.TrackSample;
@@ -55,11 +54,7 @@ final class Collector implements SampleSink {
     if (isNew(sample, target)) {
       count(sample, target);
       target.seen(sample);
-      try {
-        store.add(target.number(), sample.tick(), sample.x(), sample.y());
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      Io.run(() -> store.add(target.number(), sample.tick(), sample.x(), sample.y()));
     }
   }
 

@@ -11,6 +11,7 @@ import org.hificamsim.bridge.agent.Bridge;
 import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.Io;
 
 /**
  * The bridge at work: finds the run that a call from CamSim belongs to, and keeps CamSim from harm.
@@ -185,10 +186,6 @@ public final class LiveBridge implements Bridge {
       ended.removeIf(end -> end.core().refersTo(null) || end.core().refersTo(run.core()));
       ended.add(new Ended(new WeakReference<>(run.core()), run.number()));
     }
-    try {
-      run.end();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    Io.run(() -> run.end());
   }
 }

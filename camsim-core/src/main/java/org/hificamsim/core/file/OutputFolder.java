@@ -3,7 +3,6 @@ package org.hificamsim.core.file;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
@@ -169,10 +168,10 @@ public final class OutputFolder implements Closeable {
   }
 
   private InputException unusable(IOException e) {
-    return new InputException(
-        "'%s' cannot be used (%s), expected a folder of our own or nothing"
-            .formatted(drafts, e.getMessage()),
-        e);
+    return InputException.of(
+            "'%s' cannot be used (%s), expected a folder of our own or nothing",
+            drafts, e.getMessage())
+        .because(e);
   }
 
   /** Where the files appear. */
@@ -332,11 +331,7 @@ public final class OutputFolder implements Closeable {
   /** Lets others use the folder, and leaves it as it is, as a killed process does. */
   void release() {
     Unfinished.remove(this);
-    try {
-      lock.close();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    Io.run(() -> lock.close());
   }
 
   private void deleteDrafts() throws IOException {

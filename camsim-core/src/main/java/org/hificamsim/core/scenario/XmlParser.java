@@ -71,12 +71,10 @@ final class XmlParser extends PlainXml {
       throw new InputException(start + ": no such file, expected a scenario file (XML)", e);
     } catch (IOException e) {
       String reason = e instanceof FileSystemException fault ? fault.getReason() : null;
-      throw new InputException(
-          start
-              + ": cannot be read ("
-              + (reason == null ? e.getClass().getSimpleName() : reason)
-              + "), expected a scenario file (XML)",
-          e);
+      throw InputException.of(
+              "%s: cannot be read (%s), expected a scenario file (XML)",
+              start, reason == null ? e.getClass().getSimpleName() : reason)
+          .because(e);
     }
   }
 

@@ -1,8 +1,8 @@
 package org.hificamsim.core.scenario;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.Map;
+import org.hificamsim.core.file.Io;
 
 /** An XML document under way, an element a line. */
 final class XmlWriter {
@@ -42,11 +42,7 @@ final class XmlWriter {
   void lines(String name, Lines lines) {
     tag(name, Map.of(), ">");
     out.append('\n');
-    try {
-      lines.write(out);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    Io.run(() -> lines.write(out));
     out.append("  ".repeat(depth));
     end(name);
   }

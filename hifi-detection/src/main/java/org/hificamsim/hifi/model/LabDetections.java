@@ -1,11 +1,9 @@
 package org.hificamsim.hifi.model;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Locale;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.HiFiDetection;
 
@@ -42,10 +40,6 @@ public final class LabDetections {
   }
 
   private static HiFiDetection model(String resource) {
-    try (InputStream in = LabDetections.class.getResourceAsStream(resource)) {
-      return ModelFiles.parse(resource, in.readAllBytes());
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return ModelFiles.parse(resource, Io.resource(LabDetections.class, resource));
   }
 }

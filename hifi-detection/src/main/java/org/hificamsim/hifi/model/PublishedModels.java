@@ -1,10 +1,8 @@
 package org.hificamsim.hifi.model;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.Residuals;
@@ -79,11 +77,8 @@ public record PublishedModels(
     static final PublishedModels CATALOGUE = read();
 
     private static PublishedModels read() {
-      try (InputStream in = PublishedModels.class.getResourceAsStream(RESOURCE)) {
-        return JsonFile.parse(RESOURCE, in.readAllBytes()).whole(PublishedModels::read);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
+      return JsonFile.parse(RESOURCE, Io.resource(PublishedModels.class, RESOURCE))
+          .whole(PublishedModels::read);
     }
   }
 

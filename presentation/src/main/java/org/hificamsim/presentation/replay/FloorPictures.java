@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -22,6 +21,7 @@ import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.scenario.Floorplan;
 import org.hificamsim.core.scenario.Scenario;
 
@@ -101,10 +101,11 @@ public final class FloorPictures {
 
   private static InputException refused(
       Path scenarioFile, Floorplan plan, String why, Throwable cause) {
-    return new InputException(
-        "%s: floorplan is '%s', expected a PNG or JPEG, its path from the scenario's folder; %s"
-            .formatted(scenarioFile, plan.file(), why),
-        cause);
+    return InputException.of(
+            "%s: floorplan is '%s', expected a PNG or JPEG, its path from the scenario's"
+                + " folder; %s",
+            scenarioFile, plan.file(), why)
+        .because(cause);
   }
 
   /** Leaves out pixels of a huge picture as it is read, so that it fits into the memory. */
@@ -146,11 +147,7 @@ public final class FloorPictures {
 
   private static byte[] bytes(BufferedImage image, String type) {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try {
-      ImageIO.write(image, type, out);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    Io.run(() -> ImageIO.write(image, type, out));
     return out.toByteArray();
   }
 

@@ -28,10 +28,10 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     } catch (JsonProcessingException e) {
       int line = e.getLocation() == null ? 1 : e.getLocation().getLineNr();
       int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
-      throw new InputException(
-          "%s:%s:%s: %s, expected what 'hificamsim run --record' writes"
-              .formatted(file, line, column, e.getOriginalMessage()),
-          e);
+      throw InputException.of(
+              "%s:%s:%s: %s, expected what 'hificamsim run --record' writes",
+              file, line, column, e.getOriginalMessage())
+          .because(e);
     }
   }
 

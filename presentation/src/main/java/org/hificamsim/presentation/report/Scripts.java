@@ -1,8 +1,5 @@
 package org.hificamsim.presentation.report;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -10,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
@@ -41,11 +39,7 @@ public final class Scripts {
 
   /** The text of a file that pages are made of. */
   public static String text(String name) {
-    try (InputStream in = Scripts.class.getResourceAsStream(name)) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return new String(Io.resource(Scripts.class, name), StandardCharsets.UTF_8);
   }
 
   private void add(String name) {

@@ -95,28 +95,28 @@ public sealed interface Command {
   record Wall(double x1, double y1, double x2, double y2) implements Command {
     @Override
     public void obey(LiveSession session) {
-      session.renew(run -> run.wall(x1, y1, x2, y2));
+      session.renew(run -> run.edit(now -> now.wall(x1, y1, x2, y2)));
     }
   }
 
   record Remove(int obstacle) implements Command {
     @Override
     public void obey(LiveSession session) {
-      session.renew(run -> run.remove(obstacle));
+      session.renew(run -> run.edit(now -> now.removeObstacle(obstacle)));
     }
   }
 
   record RemoveCamera(int camera) implements Command {
     @Override
     public void obey(LiveSession session) {
-      session.renew(run -> run.removeCamera(camera));
+      session.renew(run -> run.edit(now -> now.removeCamera(camera)));
     }
   }
 
   record RemoveTarget(int target) implements Command {
     @Override
     public void obey(LiveSession session) {
-      session.renew(run -> run.removeTarget(target));
+      session.renew(run -> run.edit(now -> now.removeTarget(target)));
     }
   }
 

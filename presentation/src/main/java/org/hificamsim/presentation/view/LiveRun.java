@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -137,33 +138,11 @@ public final class LiveRun {
   }
 
   /**
-   * Adds a solid wall to every simulation, as if it had been there from the start: targets are
-   * where they would be then, learning begins again. The next step says where every camera is.
+   * Adds or takes away something in every simulation, as if it had been so from the start: targets
+   * are where they would be then, learning begins again. The next step says where every camera is.
    */
-  public void wall(double x1, double y1, double x2, double y2) {
-    scenario.wall(x1, y1, x2, y2);
-    rebuild();
-  }
-
-  /**
-   * Takes an obstacle away, as {@link #wall} adds one.
-   *
-   * @param obstacle its number, from 0
-   */
-  public void remove(int obstacle) {
-    scenario.removeObstacle(obstacle);
-    rebuild();
-  }
-
-  /** Takes a camera away as if it had never been there. */
-  public void removeCamera(int camera) {
-    scenario.removeCamera(camera);
-    rebuild();
-  }
-
-  /** Takes a target away as if it had never been there. */
-  public void removeTarget(int target) {
-    scenario.removeTarget(target);
+  void edit(Consumer<EditedScenario> change) {
+    change.accept(scenario);
     rebuild();
   }
 

@@ -96,10 +96,10 @@ public final class ViewServer implements AutoCloseable {
     try {
       return HttpServer.create(new InetSocketAddress(loopback, port), WAITING_CONNECTIONS);
     } catch (BindException e) {
-      throw new InputException(
-          "--port is %s, which cannot be used (%s), expected one that is free; maybe 0"
-              .formatted(port, e.getMessage()),
-          e);
+      throw InputException.of(
+              "--port is %s, which cannot be used (%s), expected one that is free; maybe 0",
+              port, e.getMessage())
+          .because(e);
     }
   }
 

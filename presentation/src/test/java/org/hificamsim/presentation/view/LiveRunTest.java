@@ -238,13 +238,15 @@ class LiveRunTest {
     Scenario scenario = live.scenario();
     List<CameraSpec> cameras = scenario.cameras();
     for (CameraSpec camera : cameras) {
-      live.wall(camera.x() + 0.01, camera.y() - 0.02, camera.x() + 0.01, camera.y() + 0.02);
+      live.edit(
+          now ->
+              now.wall(camera.x() + 0.01, camera.y() - 0.02, camera.x() + 0.01, camera.y() + 0.02));
     }
     assertEquals(cameras.size(), live.sides().get(0).setup().obstacles().size());
     int walled = detections(live, 60);
     assertTrue(walled < sure && walled > 0, walled + " of " + sure);
     for (int i = 0; i < cameras.size(); i++) {
-      live.remove(0);
+      live.edit(now -> now.removeObstacle(0));
     }
     live.restart(0, true);
     assertEquals(sure, detections(live, 60));
@@ -269,9 +271,10 @@ class LiveRunTest {
   void aWrongWallIsRefused(double x1, double y1, double x2, double y2, String told) {
     LiveRun live = live("ring-random", 0);
     Scenario before = live.scenario();
-    InputException refused = assertThrows(InputException.class, () -> live.wall(x1, y1, x2, y2));
+    InputException refused =
+        assertThrows(InputException.class, () -> live.edit(now -> now.wall(x1, y1, x2, y2)));
     assertTrue(refused.getMessage().contains(told), refused.getMessage());
-    assertThrows(InputException.class, () -> live.remove(0));
+    assertThrows(InputException.class, () -> live.edit(now -> now.removeObstacle(0)));
     assertEquals(before, live.scenario());
   }
 
@@ -281,8 +284,8 @@ class LiveRunTest {
     CameraSpec first = live.scenario().cameras().get(0);
     assertThrows(
         InputException.class,
-        () -> live.wall(first.x(), first.y() - 0.1, first.x(), first.y() + 0.1));
-    live.wall(0.123, -1, 0.123, 1);
+        () -> live.edit(now -> now.wall(first.x(), first.y() - 0.1, first.x(), first.y() + 0.1)));
+    live.edit(now -> now.wall(0.123, -1, 0.123, 1));
     assertThrows(InputException.class, () -> live.drag(0, 0.123, 0.5));
     assertThrows(InputException.class, () -> live.add(0, 0.123, 0.5));
   }
@@ -295,9 +298,9 @@ class LiveRunTest {
     live.drag(2, 2, 1);
     live.turn(2, 30);
     Scenario moved = live.scenario();
-    live.removeCamera(0);
-    live.removeTarget(1);
-    live.wall(-3, -3, -2, -3);
+    live.edit(now -> now.removeCamera(0));
+    live.edit(now -> now.removeTarget(1));
+    live.edit(now -> now.wall(-3, -3, -2, -3));
     assertEquals(before.cameras().size() - 1, live.scenario().cameras().size());
     assertEquals(before.everyTarget().count() - 1, live.step().sides().get(0).frame().x().length);
     Scenario after = live.scenario();
@@ -316,10 +319,10 @@ class LiveRunTest {
     assertEquals(after, live.scenario());
     assertThrows(InputException.class, live::redo);
     live.undo();
-    live.removeTarget(0);
+    live.edit(now -> now.removeTarget(0));
     assertThrows(InputException.class, live::redo, "another change was made since");
-    assertThrows(InputException.class, () -> live.removeCamera(99));
-    assertThrows(InputException.class, () -> live.removeTarget(-1));
+    assertThrows(InputException.class, () -> live.edit(now -> now.removeCamera(99)));
+    assertThrows(InputException.class, () -> live.edit(now -> now.removeTarget(-1)));
   }
 
   /** Where a camera is in the next step, x. */
@@ -332,7 +335,7 @@ class LiveRunTest {
     LiveRun live = live("cluster-scripted", 0);
     steps(live, 10);
     live.paused(true);
-    live.wall(-3, -3, -2, -3);
+    live.edit(now -> now.wall(-3, -3, -2, -3));
     assertEquals(9, live.step().number());
     live.undo();
     assertEquals(9, live.step().number());
@@ -350,11 +353,13 @@ class LiveRunTest {
     Waypoint to = target.waypoints().get(1);
     double x = (from.x() + to.x()) / 2;
     double y = (from.y() + to.y()) / 2;
-    live.wall(
-        x - 0.1 * (to.y() - from.y()),
-        y + 0.1 * (to.x() - from.x()),
-        x + 0.1 * (to.y() - from.y()),
-        y - 0.1 * (to.x() - from.x()));
+    live.edit(
+        now ->
+            now.wall(
+                x - 0.1 * (to.y() - from.y()),
+                y + 0.1 * (to.x() - from.x()),
+                x + 0.1 * (to.y() - from.y()),
+                y - 0.1 * (to.x() - from.x())));
     assertTrue(live.warning().contains(" leads through a solid obstacle"), live.warning());
     live.undo();
     assertEquals("", live.warning());
@@ -387,8 +392,8 @@ class LiveRunTest {
   @Test
   void wallsAndOpticsAreReadBackFromWhatIsSaved() throws Exception {
     LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of());
-    live.wall(25, 15, 28.5, 15);
-    live.remove(1);
+    live.edit(now -> now.wall(25, 15, 28.5, 15));
+    live.edit(now -> now.removeObstacle(1));
     live.turn(0, 45);
     Path file = folder.resolve("edited.xml");
     Files.writeString(file, ScenarioWriter.write(live.scenario()));

@@ -130,10 +130,11 @@ public final class Photograph implements AutoCloseable {
       return work.get();
     } catch (CvException | OutOfMemoryError e) {
       String reason = String.valueOf(e.getMessage()).lines().findFirst().orElse("").strip();
-      throw new InputException(
-          "%s: %s fails, expected a picture that it can take (%s). Maybe there is too little memory: use smaller photos, fewer --threads or other --detectors"
-              .formatted(file, detector, reason),
-          e);
+      throw InputException.of(
+              "%s: %s fails, expected a picture that it can take (%s). Maybe there is too"
+                  + " little memory: use smaller photos, fewer --threads or other --detectors",
+              file, detector, reason)
+          .because(e);
     }
   }
 

@@ -73,9 +73,9 @@ public final class LeastSquares {
 
   /** The fault of rows that leave a fit open. */
   static InputException undetermined(int rows, List<String> names, Exception cause) {
-    return new InputException(
-        "%s rows do not determine a fit, expected several values of %s"
-            .formatted(rows, String.join(" or ", names)),
-        cause);
+    return InputException.of(
+            "%s rows do not determine a fit, expected several values of %s",
+            rows, String.join(" or ", names))
+        .because(cause);
   }
 }

@@ -1,13 +1,13 @@
 package org.hificamsim.profiling.report;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.measure.PipReading;
@@ -76,7 +76,9 @@ public final class FitReport {
   private void write() throws IOException {
     Map<String, Part> parts = parts();
     boolean leftOut = false;
-    for (String block : template().split("\n\n")) {
+    String template =
+        new String(Io.resource(FitReport.class, "report.txt"), StandardCharsets.UTF_8);
+    for (String block : template.split("\n\n")) {
       String text = block.strip().replace('\n', ' ');
       if (text.startsWith("# ")) {
         leftOut =
@@ -89,12 +91,6 @@ public final class FitReport {
     }
     claims.write(folder);
     folder.write(FitFolder.REPORT, page.text());
-  }
-
-  private static String template() throws IOException {
-    try (InputStream in = FitReport.class.getResourceAsStream("report.txt")) {
-      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-    }
   }
 
   private void add(String text, Map<String, Part> parts) throws IOException {

@@ -3,12 +3,10 @@ package org.hificamsim.profiling.report;
 import com.fasterxml.jackson.databind.ObjectReader;
 import com.fasterxml.jackson.dataformat.csv.CsvMapper;
 import com.fasterxml.jackson.dataformat.csv.CsvSchema;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.hificamsim.core.file.Io;
 
 /** The thesis's numbers, as tables of texts. */
 final class PublishedTables {
@@ -64,10 +62,7 @@ final class PublishedTables {
   }
 
   private static List<Map<String, String>> rows(String table) {
-    try (InputStream in = PublishedTables.class.getResourceAsStream(table)) {
-      return CSV.<Map<String, String>>readValues(in).readAll();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    byte[] csv = Io.resource(PublishedTables.class, table);
+    return Io.get(() -> CSV.<Map<String, String>>readValues(csv).readAll());
   }
 }

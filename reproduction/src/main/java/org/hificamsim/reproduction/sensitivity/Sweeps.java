@@ -13,6 +13,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -70,14 +71,12 @@ public final class Sweeps {
             "0.15 0.25 0.35 0.45 0.55",
             camsim.threshold(),
             one -> one.withCamSim(detection(camsim.name() + "@" + one.value()))),
-        sweep(
+        world(
             "targets",
             "number of targets",
             "1 2 3 4 5 6 8",
             3,
-            one ->
-                one.withScenarios(
-                    scenario -> ChangedWorld.withTargets(scenario, Integer.parseInt(one.value())))),
+            (scenario, count) -> ChangedWorld.withTargets(scenario, count.intValue())),
         options(
             "gamma",
             "discount factor of SARSA and QB-SARSA",
@@ -88,24 +87,18 @@ public final class Sweeps {
         options("k", "cameras that QB-SARSA asks", "0 1 2 4 6 8", "4", List.of(QB_SARSA)),
         options(
             "reward", "reading of Eq 7.5", "count-change sign literal", "count-change", TEMPORAL),
-        sweep(
+        world(
             "size",
             "targets' size q, m",
             "0.3 0.4 0.45 0.5 0.55 0.6 0.66",
             TargetSpec.DEFAULT_SIZE,
-            one ->
-                one.withScenarios(
-                    scenario -> ChangedWorld.withSize(scenario, Double.parseDouble(one.value())))),
-        sweep(
+            ChangedWorld::withSize),
+        world(
             "optics",
             "focal length of the narrowest level, m",
             "0.03 0.05 0.07 0.085 0.1",
             optics.longestFocalLength(),
-            one ->
-                one.withScenarios(
-                    scenario ->
-                        ChangedWorld.withFocalLength(
-                            scenario, optics, Double.parseDouble(one.value())))),
+            (scenario, z) -> ChangedWorld.withFocalLength(scenario, optics, z)),
         sweep(
             "f",
             "feature abstraction f of the hi-fi model",
@@ -130,23 +123,14 @@ public final class Sweeps {
             "camsim-range camsim-standard camsim-visibility geometric",
             camsim.name(),
             one -> one.withCamSim(detection(one.value()))),
-        sweep(
-            "speed",
-            "targets' speed, m a step",
-            "0.25 0.5 1.0 2.0",
-            1.0,
-            one ->
-                one.withScenarios(
-                    scenario -> ChangedWorld.withSpeed(scenario, Double.parseDouble(one.value())))),
-        sweep(
+        world(
+            "speed", "targets' speed, m a step", "0.25 0.5 1.0 2.0", 1.0, ChangedWorld::withSpeed),
+        world(
             "radii",
             "widest level's radius, m, the others in proportion",
             "6.0 6.75 7.5 8.25 9.0",
             7.5,
-            one ->
-                one.withScenarios(
-                    scenario ->
-                        ChangedWorld.withWidestRadius(scenario, Double.parseDouble(one.value())))),
+            ChangedWorld::withWidestRadius),
         options(
             "alpha",
             "learning rate of SARSA and QB-SARSA",
@@ -183,6 +167,18 @@ public final class Sweeps {
 
   private Detection detection(String name) {
     return ReproductionPlans.detection(name, models);
+  }
+
+  /** A number that scenarios are changed by. */
+  private ParameterSweep world(
+      String parameter,
+      String meaning,
+      String values,
+      Object standard,
+      BiFunction<Scenario, Double, Scenario> change) {
+    UnaryOperator<Variant> changed =
+        one -> one.withScenarios(of -> change.apply(of, Double.valueOf(one.value())));
+    return sweep(parameter, meaning, values, standard, changed);
   }
 
   /** An option of some policies. */

@@ -53,10 +53,10 @@ public record ResultFolder(Path path) {
         return node;
       }
     } catch (JsonProcessingException e) {
-      throw new InputException(
-          "%s:%s:%s: not JSON, expected what 'hificamsim' writes"
-              .formatted(file, e.getLocation().getLineNr(), e.getLocation().getColumnNr()),
-          e);
+      throw InputException.of(
+              "%s:%s:%s: not JSON, expected what 'hificamsim' writes",
+              file, e.getLocation().getLineNr(), e.getLocation().getColumnNr())
+          .because(e);
     }
     throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
   }
