@@ -69,7 +69,13 @@ public final class StepPicture implements Paintable {
         "%s, step %s of %s".formatted(setup.scenario(), run.step(index), run.last()),
         run.scores().map(scores -> scores.text(run.course(index))),
         settings(setup, run.recording().seed()),
-        Texts.format("k_min %d, %.2f cameras per target; of %d targets %d covered by none, %d by one", coverage.kMin(), coverage.meanK(), coverage.targets(), coverage.covered0(), coverage.covered1()));
+        Texts.format(
+            "k_min %d, %.2f cameras per target; of %d targets %d covered by none, %d by one",
+            coverage.kMin(),
+            coverage.meanK(),
+            coverage.targets(),
+            coverage.covered0(),
+            coverage.covered1()));
     run.script().paint(graphics, area, run, index, null, null);
     int top = (int) area.getMaxY();
     legend.paint(graphics, MARGIN, top);

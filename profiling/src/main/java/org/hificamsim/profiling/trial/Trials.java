@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.Texts;
-import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Counted;
@@ -105,7 +104,9 @@ public record Trials(
         byChance
             .map(
                 by ->
-                    Texts.format("; by chance %.0f%% and %.0f%%", 100 * by.once(), 100 * measuredByChance.once()))
+                    Texts.format(
+                        "; by chance %.0f%% and %.0f%%",
+                        100 * by.once(), 100 * measuredByChance.once()))
             .orElse(""));
   }
 

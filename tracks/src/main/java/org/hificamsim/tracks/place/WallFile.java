@@ -30,7 +30,8 @@ public final class WallFile {
       Path file, Unit unit, LocalProjection projection, Optional<PictureFrame> frame) {
     String name = file.toString().toLowerCase(Locale.ROOT);
     if (unit == Unit.PX && !name.endsWith(".svg")) {
-      throw InputException.of("%s: --walls-unit is px, expected m, cm, mm or deg: a homography takes no walls", file);
+      throw InputException.of(
+          "%s: --walls-unit is px, expected m, cm, mm or deg: a homography takes no walls", file);
     }
     WallCollector walls = new WallCollector(unit, projection);
     if (name.endsWith(".json") || name.endsWith(".geojson")) {
@@ -42,13 +43,15 @@ public final class WallFile {
     } else if (name.endsWith(".svg")) {
       return new SvgWalls(file, frame.orElseThrow(() -> noScale(file))).read();
     } else {
-      throw InputException.of("%s: expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg", file);
+      throw InputException.of(
+          "%s: expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg", file);
     }
     return walls.all();
   }
 
   private static InputException noScale(Path file) {
-    return InputException.of("%s: expected --scale M with an SVG, how many metres a unit of the drawing is", file);
+    return InputException.of(
+        "%s: expected --scale M with an SVG, how many metres a unit of the drawing is", file);
   }
 
   /** Elements {@code <Line x1="" y1="" x2="" y2=""/>}, wherever they stand. */

@@ -91,7 +91,8 @@ final class WktWalls {
     }
     double[] heights = Arrays.stream(positions).mapToDouble(Coordinate::getZ).distinct().toArray();
     if (heights.length > 1) {
-      throw place.error("Z is %s and %s, expected one height for a line or ring", heights[0], heights[1]);
+      throw place.error(
+          "Z is %s and %s, expected one height for a line or ring", heights[0], heights[1]);
     }
     if (heights.length == 1 && !Double.isNaN(heights[0])) {
       walls.raise(place, first, heights[0]);
