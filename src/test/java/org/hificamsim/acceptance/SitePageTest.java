@@ -22,6 +22,14 @@ import org.openqa.selenium.WebElement;
 class SitePageTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
 
+  /** The score that is shown is the share of targets that two cameras cover, as the hall asks. */
+  private static final String SCORE_IS_THAT_OF_THE_TARGETS =
+      """
+const [run] = hificamsim.runs, at = run.count - 1;
+const share = (run.covered[2][at] + run.covered[3][at]) / run.targets[at];
+return Math.abs(parseFloat(document.querySelector('.readout .score dd').textContent) - 100 * share) < 0.06;
+""";
+
   @TempDir static Path folder;
   private static Browser browser;
   private static Path scenario;
@@ -200,6 +208,32 @@ class SitePageTest {
       browser.find(".agent .free").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].level[2].at(-1) !== 3");
       browser.until("return document.querySelector('.agent .free').hidden");
+      browser.leave();
+    }
+  }
+
+  @Test
+  void theScoreIsShownNextToKMinWhileACameraIsDragged() {
+    try (ViewProcess view = new ViewProcess(Cli.scenario("hall"), "--policy", "zoom-out")) {
+      browser.open(view.address());
+      browser.until("return hificamsim.runs[0].count > 3");
+      WebElement field = browser.find("canvas.field");
+      String pose = "return hificamsim.runs[0].poses[0][0].pose.";
+      double x = ((Number) browser.run(pose + "x")).doubleValue();
+      double y = ((Number) browser.run(pose + "y")).doubleValue();
+      browser
+          .actions()
+          .moveToElement(field, right(x, field), down(y, field))
+          .clickAndHold()
+          .moveByOffset(30, 0)
+          .perform();
+      browser.until(
+          "const {poses, step} = hificamsim.runs[0], last = poses[0].at(-1);"
+              + "return hificamsim.players[0].field.grabbed && last.step > 0 && !last.preview"
+              + "    && step.at(-1) > last.step");
+      browser.until(SCORE_IS_THAT_OF_THE_TARGETS);
+      assertTrue(browser.text(".readout .k_min").contains("k_min"));
+      browser.actions().release().perform();
       browser.leave();
     }
   }
