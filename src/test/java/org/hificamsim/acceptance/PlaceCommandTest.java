@@ -70,6 +70,23 @@ class PlaceCommandTest {
   }
 
   @Test
+  void whereASiteHasHeightsNewCamerasHangAndTilt() throws IOException {
+    Path site = site(WALL.replace("/>", " height=\"1.2\"/>"), "");
+    Path plan = folder.resolve("plan");
+    Cli made = place(site, "--cameras 3 --reading fixed --out " + plan);
+    assertEquals(0, made.exit(), made.err());
+    String planned = Files.readString(plan.resolve("plan.xml"));
+    assertEquals(3, planned.split("z=\"3.0\"", -1).length - 1, planned);
+    assertTrue(planned.contains("tilt=\"15.0\""), planned);
+    assertEquals(0, Cli.run("place", "--verify", plan).exit());
+    Path mounted = folder.resolve("mounted.xml");
+    String text = Files.readString(site);
+    Files.writeString(mounted, text.replace("steps=", "mount_height=\"4\" steps="));
+    place(mounted, "--cameras 1 --out " + folder.resolve("at"));
+    assertFalse(Files.readString(folder.resolve("at/plan.xml")).contains(" z="));
+  }
+
+  @Test
   void theSameSeedGivesTheSamePlan() throws IOException {
     Path site = site("", "");
     place(site, "--cameras 3 --seed 4 --out " + folder.resolve("a"));

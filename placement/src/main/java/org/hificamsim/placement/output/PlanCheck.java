@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -126,8 +127,10 @@ public final class PlanCheck {
           proven + ", which the multipliers prove, and none that " + score + " passes");
     }
     return List.of(
-        cameras.size() + " cameras meet " + share + " of the demand",
-        "the bound " + bound + " holds for " + candidates.size() + " candidates");
+        String.format(
+            Locale.ROOT, "%d cameras meet %.2f %% of the demand", cameras.size(), 100 * share),
+        String.format(
+            Locale.ROOT, "the bound %s holds for %d candidates", bound, candidates.size()));
   }
 
   private void requireSame(String name, double found) {

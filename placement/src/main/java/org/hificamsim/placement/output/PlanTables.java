@@ -26,6 +26,9 @@ final class PlanTables {
               Column.ofDouble("y", "m", "", row -> row.camera.y()),
               Column.ofDouble(
                   "heading", "degrees", "0 is +y, 90 is +x", row -> row.camera.heading()),
+              Column.ofDouble(
+                  "z", "m", "where it has a height", row -> row.camera.z().orElse(Double.NaN)),
+              Column.ofDouble("tilt", "degrees", "downwards", row -> row.camera.tilt()),
               Column.ofText(
                   "lens",
                   "its optics",

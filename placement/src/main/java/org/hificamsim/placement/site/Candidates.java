@@ -3,13 +3,16 @@ package org.hificamsim.placement.site;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
 
 /**
  * Cameras that could be mounted, with the samples that each covers: every kind at every place in
@@ -23,15 +26,35 @@ public record Candidates(List<Candidate> all, int[][] columns) {
   /** Degrees from one heading to the next. */
   private static final int TURN = 15;
 
+  /** Degrees below the horizon, where the site has heights. */
+  private static final List<Double> TILTS = List.of(0.0, 15.0, 30.0);
+
+  /** How high new cameras hang where a site with heights does not say, metres. */
+  private static final double HIGH = 3;
+
   /**
    * A camera that could be mounted.
    *
+   * @param z metres; empty in a flat world, and where it is the site's own
+   * @param tilt degrees
    * @param heading degrees, from -180
    */
-  public record Candidate(CameraKind kind, OpticsSpec optics, Point at, double heading) {
+  public record Candidate(
+      CameraKind kind,
+      OpticsSpec optics,
+      Point at,
+      Optional<Double> z,
+      double tilt,
+      double heading) {
+    private Candidate looking(OpticsSpec through, double towards) {
+      return new Candidate(kind, through, at, z, tilt, towards);
+    }
+
     /** The camera as a scenario has it. */
     public CameraSpec camera(String name) {
       return new CameraSpec(name, at.x(), at.y(), optics.reach().orElse(0))
+          .with(CameraSpec.Z, z)
+          .with(CameraSpec.TILT, tilt)
           .with(CameraSpec.HEADING, heading)
           .with(CameraSpec.VIEWING_ANGLE, Collections.max(optics.anglesOfView()))
           .with(CameraSpec.OPTICS, optics);
@@ -63,15 +86,25 @@ public record Candidates(List<Candidate> all, int[][] columns) {
 
   private static List<Found> at(
       Point at, List<CameraKind> kinds, CoverageReading reading, SampleSight sight) {
-    List<CameraSpec> scouts = new ArrayList<>(); // one of each kind that turns all round
+    Scenario site = sight.site();
+    Optional<Double> z =
+        site.hasHeights() && site.mountHeight().isEmpty() ? Optional.of(HIGH) : Optional.empty();
+    List<Candidate> scouts = new ArrayList<>(); // of each kind, at each tilt, all round
     for (CameraKind kind : kinds) {
       OpticsSpec round = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
-      scouts.add(new Candidate(kind, round, at, 0).camera("scout " + scouts.size()));
+      boolean tilts = site.hasHeights() && round.law() == OpticsLaw.PINHOLE;
+      for (double tilt : tilts ? TILTS : List.of(0.0)) {
+        scouts.add(new Candidate(kind, round, at, z, tilt, 0));
+      }
     }
-    int[][][] seen = sight.seen(scouts);
-    return IntStream.range(0, kinds.size())
+    int[][][] seen =
+        sight.seen(
+            IntStream.range(0, scouts.size())
+                .mapToObj(i -> scouts.get(i).camera("scout " + i))
+                .toList());
+    return IntStream.range(0, scouts.size())
         .boxed()
-        .flatMap(i -> ofKind(at, kinds.get(i), reading, seen[i]))
+        .flatMap(i -> ofScout(scouts.get(i), reading, seen[i]))
         .filter(one -> one.covered.length > 0)
         .toList();
   }
@@ -97,9 +130,8 @@ public record Candidates(List<Candidate> all, int[][] columns) {
             .toList();
   }
 
-  private static Stream<Found> ofKind(
-      Point at, CameraKind kind, CoverageReading reading, int[][] seen) {
-    OpticsSpec optics = kind.optics();
+  private static Stream<Found> ofScout(Candidate scout, CoverageReading reading, int[][] seen) {
+    OpticsSpec optics = scout.kind.optics();
     int levels = optics.anglesOfView().size();
     if (reading == CoverageReading.FIXED) {
       return headings().stream()
@@ -109,7 +141,7 @@ public record Candidates(List<Candidate> all, int[][] columns) {
                       .mapToObj(
                           level ->
                               new Found(
-                                  new Candidate(kind, fixed(optics, level), at, heading),
+                                  scout.looking(fixed(optics, level), heading),
                                   seen[headings().indexOf(heading) * levels + level])));
     }
     TreeMap<Double, int[]> byAngle = new TreeMap<>();
@@ -126,7 +158,7 @@ public record Candidates(List<Candidate> all, int[][] columns) {
             .map(
                 heading ->
                     new Found(
-                        new Candidate(kind, optics, at, heading),
+                        scout.looking(optics, heading),
                         SampleSight.union(
                             optics.pans().stream().map(p -> byAngle.get(angle(heading, p))))));
   }

@@ -50,6 +50,11 @@ public final class SampleSight {
     }
   }
 
+  /** The site as it is. */
+  Scenario site() {
+    return demand.site();
+  }
+
   /** The world of a zone's samples under these cameras. */
   public World world(Demand.Watched zone, List<CameraSpec> cameras) {
     Scenario site = worlds.get(demand.zones().indexOf(zone));
