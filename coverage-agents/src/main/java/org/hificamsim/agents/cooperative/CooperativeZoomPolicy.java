@@ -47,7 +47,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
         options.choice(
             "agree",
             Agreement.Rule.GREEDY,
-            "who chooses what: greedy (in turn), cbba (auction), log-linear, none (no messages)");
+            "who chooses what: greedy (in turn), cbba, log-linear, max-sum, none (no messages)");
     parameters = Parameters.from(options);
     map = options.text("map", SITE, "site, none, or a scenario file whose obstacles are the map");
     other = map.equals(SITE) || map.equals("none") ? Obstacles.NONE : read(Path.of(map));
