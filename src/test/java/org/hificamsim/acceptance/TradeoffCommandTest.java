@@ -7,13 +7,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -92,6 +97,119 @@ class TradeoffCommandTest {
     assertArrayEquals(
         Files.readAllBytes(out.resolve("results.csv")),
         Files.readAllBytes(resumed.resolve("results.csv")));
+  }
+
+  /** A finished run is written before its thread begins the next one, and is never done again. */
+  @Test
+  void killsLoseAtMostTheRunsUnderWay() throws Exception {
+    Object[] words = words(List.of(OWN), 400, 4, "--heterogeneous", "sample:30", "--threads", "2");
+    Path part = folder.resolve("killed");
+    Path journal = part.resolve("runs.jsonl");
+    List<String> kept = List.of();
+    Random random = new Random(40);
+    for (int kill = 0; kill < 3; kill++) {
+      Object[] again = join(words, "--shard", "1/1", "--resume", "--out", part);
+      Process process = Java.main(System.getProperty("java.class.path"), again);
+      int enough = kept.size() + 1 + random.nextInt(35);
+      while (process.isAlive() && whole(journal).size() < enough) {
+        Thread.sleep(1);
+      }
+      process.destroyForcibly().waitFor();
+      List<String> now = whole(journal);
+      assertEquals(kept, now.subList(0, kept.size()), "what was finished is not done again");
+      kept = now;
+    }
+    assertTrue(kept.size() >= 3 && kept.size() < 144, kept.size() + " runs before the last call");
+    run(words, "--shard", "1/1", "--resume", "--out", part);
+    List<String> all = whole(journal);
+    assertEquals(kept, all.subList(0, kept.size()));
+    assertEquals(144, all.size());
+    Path merged = folder.resolve("merged");
+    run(words, "--merge", part, "--out", merged);
+    Path never = folder.resolve("never-killed");
+    run(words, "--out", never);
+    for (String name : List.of("results.csv", "networks.csv", "fronts.csv", "verdicts.csv")) {
+      assertArrayEquals(
+          Files.readAllBytes(never.resolve(name)), Files.readAllBytes(merged.resolve(name)), name);
+    }
+  }
+
+  /** The lines that have an end. */
+  private static List<String> whole(Path journal) throws IOException {
+    String text = Files.exists(journal) ? Files.readString(journal) : "";
+    return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
+  }
+
+  @Test
+  void whatPapersSayIsJudgedByTheNetworksOfAllScenarios() throws IOException {
+    List<Path> files = List.of(OWN, Cli.ROOT.resolve("scenarios/studies/yard.xml"));
+    String[] more = {"--heterogeneous", "sample:12", "--bandits", "UCB1,SoftMax"};
+    Path out = study(files, 80, 5, more);
+    Map<String, List<Double>> gains = new TreeMap<>();
+    Map<String, List<Double>> volumes = new TreeMap<>();
+    for (String[] row : rows(out.resolve("fronts.csv"))) {
+      volumes.computeIfAbsent(row[2], set -> new ArrayList<>()).add(Double.valueOf(row[5]));
+      gains.computeIfAbsent(row[2], set -> new ArrayList<>()).add(Double.valueOf(row[8]));
+    }
+    double near = 1;
+    double beyond = -1;
+    for (int i = 0; i < files.size(); i++) {
+      double frontOfStatic = volumes.get("static").get(i);
+      near = Math.min(near, 0.05 + volumes.get("bandit").get(i) - frontOfStatic);
+      beyond = Math.max(beyond, volumes.get("all").get(i) - frontOfStatic);
+    }
+    assertVerdict(out, "heterogeneous-extend", Collections.min(gains.get("static")));
+    assertVerdict(out, "bandits-near", near);
+    assertVerdict(out, "bandits-extend", Collections.max(gains.get("adaptive")));
+    assertVerdict(out, "bandits-beyond", beyond);
+    List<Map<String, Double>> areas = files.stream().map(file -> areas(out, file)).toList();
+    String best =
+        STRATEGIES.stream()
+            .max(Comparator.comparing(one -> areas.get(0).get(one) + areas.get(1).get(one)))
+            .orElseThrow();
+    double lead =
+        areas.stream()
+            .mapToDouble(
+                own ->
+                    STRATEGIES.stream()
+                            .filter(one -> !one.equals(best))
+                            .mapToDouble(own::get)
+                            .max()
+                            .orElseThrow()
+                        - own.get(best))
+            .max()
+            .orElseThrow();
+    assertVerdict(out, "best-depends", lead);
+    Path alone = study(List.of(OWN), 30, 2);
+    assertEquals(1, Files.readAllLines(alone.resolve("verdicts.csv")).size());
+  }
+
+  private static Map<String, Double> areas(Path out, Path file) {
+    try {
+      return of(out, file).stream()
+          .filter(row -> STRATEGIES.contains(row[3]))
+          .collect(
+              Collectors.toMap(
+                  row -> row[3],
+                  row -> Double.parseDouble(row[10]) * (1 - Double.parseDouble(row[11]))));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static void assertVerdict(Path out, String id, double margin) throws IOException {
+    String row =
+        Files.readAllLines(out.resolve("verdicts.csv")).stream()
+            .filter(line -> line.startsWith("statement," + id + ","))
+            .findFirst()
+            .orElseThrow();
+    String[] numbers = row.substring(row.indexOf(".,,") + 3).split(",");
+    assertEquals(margin, Double.parseDouble(numbers[0]), 1e-9, row);
+    double low = Double.parseDouble(numbers[1]);
+    double high = Double.parseDouble(numbers[2]);
+    String verdict = low > 0 ? "reproduced" : high < 0 ? "not reproduced" : "within interval";
+    assertTrue(Integer.parseInt(numbers[3]) > 1 || verdict.equals(numbers[5]), row);
+    assertFalse(verdict.equals("not reproduced") && !numbers[5].equals(verdict), row);
   }
 
   @Test
@@ -216,8 +334,12 @@ class TradeoffCommandTest {
         .toArray();
   }
 
+  private static Object[] join(Object[] words, Object... more) {
+    return Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray();
+  }
+
   private static Cli run(Object[] words, Object... more) {
-    Cli run = Cli.run(Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray());
+    Cli run = Cli.run(join(words, more));
     assertEquals(0, run.exit(), run.err());
     return run;
   }

@@ -21,8 +21,12 @@ import org.hificamsim.network.study.NetworkChoice;
 import org.hificamsim.network.study.NetworkSearch;
 import org.hificamsim.network.study.StudyFiles;
 import org.hificamsim.network.study.StudyFiles.SetFront;
+import org.hificamsim.network.study.StudyGroup.Members;
 import org.hificamsim.network.study.StudyPlan;
 import org.hificamsim.network.study.StudyResults;
+import org.hificamsim.reproduction.Judgement.Judged;
+import org.hificamsim.reproduction.ReproductionFiles;
+import org.hificamsim.reproduction.StudyStatements;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.compare.ReferencePolicies;
@@ -114,7 +118,11 @@ final class TradeoffCommand implements Callable<Integer> {
           if (camSimFiles) {
             StudyFiles.writeSummaries(folder, results);
           }
-          return StudyFiles.write(folder, results);
+          List<SetFront> fronts = StudyFiles.write(folder, results);
+          List<Judged> statements =
+              StudyStatements.judged(fronts.stream().map(SetFront::group).distinct().toList());
+          ReproductionFiles.VERDICTS.write(folder, statements.stream());
+          return new Study(fronts, statements);
         },
         TradeoffCommand::print);
   }
@@ -190,11 +198,13 @@ final class TradeoffCommand implements Callable<Integer> {
     return networks;
   }
 
-  private static void print(PrintWriter out, List<SetFront> fronts) {
+  private record Study(List<SetFront> fronts, List<Judged> statements) {}
+
+  private static void print(PrintWriter out, Study study) {
     TextTable table =
         new TextTable(
             3, List.of("scenario", "detection", "networks", "on front", "hypervolume", "gain"));
-    for (SetFront one : fronts) {
+    for (SetFront one : study.fronts) {
       RunPlan plan = one.group().plan();
       table.row(
           List.of(
@@ -203,8 +213,9 @@ final class TradeoffCommand implements Callable<Integer> {
               Spelling.of(one.members()),
               Integer.toString(one.group().front(one.members()).length),
               one.group().hypervolume(one.members()).text("%.3f"),
-              one.group().gain(one.members()).text("%+.3f")));
+              one.group().gain(one.members(), Members.HOMOGENEOUS).text("%+.3f")));
     }
     table.print(out);
+    study.statements.forEach(one -> out.printf("%-15s %s%n", one.verdict().label(), one.text()));
   }
 }

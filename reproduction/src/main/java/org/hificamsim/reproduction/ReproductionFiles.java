@@ -101,7 +101,10 @@ public final class ReproductionFiles {
           .with(
               Column.ofText("kind", "`cell` or `statement`", Judged::kind),
               Column.ofText("id", "its name", Judged::id),
-              Column.ofText("source", "the thesis's section, table or figure", Judged::source),
+              Column.ofText(
+                  "source",
+                  "the thesis's section, table or figure; of `tradeoff` the papers",
+                  Judged::source),
               Column.ofText("claim", "what it says", Judged::text),
               Column.ofDouble("published", "share", "cells only", Judged::published))
           .with(

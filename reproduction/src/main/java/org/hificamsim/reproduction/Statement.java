@@ -7,8 +7,8 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.runs.Metric;
 
 /**
- * Something that the text says of the hi-fi model, with the checks on the runs that decide it, from
- * the resource {@code statements.json}.
+ * Something that the thesis says of the hi-fi model, with the checks on the runs that decide it, or
+ * that a paper says of CamSim's strategies.
  *
  * @param source section, table or figure
  * @param remark what to know about the reading; may be empty. With a published number it has a
@@ -16,7 +16,7 @@ import org.hificamsim.runs.Metric;
  * @param role held out unless Table 8.1's hi-fi column implies it, at least in part
  * @param metric what is compared; the mean of k_min unless said otherwise
  * @param published a proportion of the optimum that the text names, or null
- * @param checks empty where {@link DetectionStatements} has them
+ * @param checks empty where {@link DetectionStatements} or {@link StudyStatements} has them
  * @param otherwise or null
  */
 record Statement(
@@ -55,13 +55,12 @@ record Statement(
     checks = checks == null ? List.of() : List.copyOf(checks);
   }
 
-  /** All of them, in the order of the text. */
-  static List<Statement> all() {
+  /** Those of a resource, in the order of the text. */
+  static List<Statement> read(String resource) {
     return Io.get(
         () ->
             List.of(
                 new ObjectMapper()
-                    .readValue(
-                        Io.resource(Statement.class, "statements.json"), Statement[].class)));
+                    .readValue(Io.resource(Statement.class, resource), Statement[].class)));
   }
 }

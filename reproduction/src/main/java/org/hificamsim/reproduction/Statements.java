@@ -34,17 +34,22 @@ final class Statements {
 
   /** All statements, in the order of the text. */
   List<Judged> judged() {
-    return Statement.all().stream().map(this::judged).toList();
+    return Statement.read("statements.json").stream().map(this::judged).toList();
   }
 
   private Judged judged(Statement one) {
     List<Margin> margins =
         one.checks().isEmpty() ? detections.margins(one.id()) : margins(one, one.checks());
-    Stream<String> reasons =
-        Stream.of(
-            reason(margins),
-            one.published() == null ? one.remark() : withOurs(one),
-            otherwise(one));
+    return judged(
+        one, margins, one.published() == null ? one.remark() : withOurs(one), otherwise(one));
+  }
+
+  /**
+   * One that its margins decide.
+   *
+   * @param remarks to its reason; empty ones are left out
+   */
+  static Judged judged(Statement one, List<Margin> margins, String... remarks) {
     return new Judged(
         "statement",
         one.id(),
@@ -55,7 +60,9 @@ final class Statements {
         margins.size(),
         held(margins),
         verdict(margins),
-        reasons.filter(reason -> !reason.isEmpty()).collect(Collectors.joining("; ")),
+        Stream.concat(Stream.of(reason(margins)), Arrays.stream(remarks))
+            .filter(reason -> !reason.isEmpty())
+            .collect(Collectors.joining("; ")),
         one.role());
   }
 

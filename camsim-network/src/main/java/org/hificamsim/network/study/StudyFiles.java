@@ -119,7 +119,8 @@ public final class StudyFiles {
           .with(
               Column.ofText(
                   "networks",
-                  "`homogeneous`; `static`, these and the heterogeneous ones; `bandit`; `all`",
+                  "`homogeneous`; `static`, these and the heterogeneous ones; `bandit`; `adaptive`,"
+                      + " homogeneous ones and bandits; `all`",
                   row -> Spelling.of(row.members)),
               Column.ofInt("count", "", "how many", row -> row.group.members(row.members).length),
               Column.ofInt(
@@ -143,7 +144,7 @@ public final class StudyFiles {
                   "gain_high",
                   "share",
                   "this less that of the homogeneous networks",
-                  row -> row.group.gain(row.members)))
+                  row -> row.group.gain(row.members, Members.HOMOGENEOUS)))
           .with(
               Column.ofText(
                   "front",
@@ -180,6 +181,9 @@ public final class StudyFiles {
         groups.stream()
             .flatMap(group -> Stream.of(Members.values()).map(set -> new SetFront(group, set)))
             .filter(row -> row.group.members(row.members).length > 0)
+            .filter(
+                row ->
+                    row.members != Members.ADAPTIVE || row.group.members(Members.BANDIT).length > 0)
             .toList();
     FRONTS.write(folder, fronts.stream());
     return fronts;

@@ -20,6 +20,7 @@ public final class StudyGroup {
     /** Of strategies that never change, the same for all cameras or not. */
     STATIC(kind -> kind != StudyPlan.Kind.BANDIT),
     BANDIT(kind -> kind == StudyPlan.Kind.BANDIT),
+    ADAPTIVE(kind -> kind != StudyPlan.Kind.HETEROGENEOUS),
     ALL(kind -> true);
 
     @SuppressWarnings("ImmutableEnumChecker") // a function
@@ -116,7 +117,8 @@ public final class StudyGroup {
     return plans.get(0).plan();
   }
 
-  int[] members(Members members) {
+  /** The places of a set's networks. */
+  public int[] members(Members members) {
     return IntStream.range(0, plans.size())
         .filter(i -> members.has.test(plans.get(i).kind()))
         .toArray();
@@ -154,16 +156,29 @@ public final class StudyGroup {
     return jackknife(without -> hypervolume(members, without));
   }
 
-  /** By how much more than homogeneous networks. */
-  public Estimate gain(Members members) {
-    return jackknife(
-        without -> hypervolume(members, without) - hypervolume(Members.HOMOGENEOUS, without));
+  /** How much more a set's front beats than another's. */
+  public Estimate gain(Members members, Members over) {
+    return jackknife(without -> hypervolume(members, without) - hypervolume(over, without));
   }
 
   private double hypervolume(Members members, int without) {
+    return area(without, members(members));
+  }
+
+  /** What a network beats by itself, 0 to 1. */
+  public double area(int network) {
+    return area(NO_SEED, network);
+  }
+
+  /** How much more a network beats than another. */
+  public Estimate lead(int network, int over) {
+    return jackknife(without -> area(without, network) - area(without, over));
+  }
+
+  private double area(int without, int... networks) {
     Means means = without == NO_SEED ? all : means(without);
     return Front.hypervolume(
-        means.utility, means.cost, members(members), means.mostUtility, means.mostCost);
+        means.utility, means.cost, networks, means.mostUtility, means.mostCost);
   }
 
   /**

@@ -46,8 +46,10 @@ public final class TradeoffReport {
     ObjectNode data = new ObjectMapper().createObjectNode();
     CsvRows networks = NETWORKS.read(folder);
     ComparisonReport.write(data.putObject("networks"), networks, Integer.MAX_VALUE);
-    ComparisonReport.write(
-        data.putObject("fronts"), Table.of("fronts.csv").read(folder), Integer.MAX_VALUE);
+    for (String table : List.of("fronts", "verdicts")) {
+      ComparisonReport.write(
+          data.putObject(table), Table.of(table + ".csv").read(folder), Integer.MAX_VALUE);
+    }
     ObjectNode cameras = data.putObject("cameras");
     ObjectNode runs = data.putObject("runs");
     for (JsonNode plan : files.json(ResultFolder.SETTINGS)) {

@@ -21,6 +21,11 @@ export async function tradeoffPage(root, data) {
   root.append(card('Fronts', el('div', {class: 'scroll'}, sortable('hypervolume and what it gains on the homogeneous networks, with 95 % intervals over seeds', [
     {name: 'scenario'}, {name: 'detection'}, {name: 'networks'}, {name: 'count'}, {name: 'on_front', label: 'on the front'},
     {name: 'hypervolume', show: (text, row) => estimate(row, 'hypervolume', 3)}, {name: 'gain', show: (text, row) => estimate(row, 'gain', 3)}], fronts))));
+  const verdicts = rowsOf(data.verdicts);
+  if (verdicts.length) {
+    root.append(card('What papers say', el('div', {class: 'scroll'}, sortable('statements of Esterle et al. (TOSN 2014) and Lewis et al. (TAAS 2015), judged by these networks', [
+      {name: 'claim', label: 'statement'}, {name: 'source'}, {name: 'verdict'}, {name: 'why', label: 'checks that hold, and the weakest margin'}], verdicts))));
+  }
   root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
   root.dataset.ready = '';
 }
@@ -71,7 +76,7 @@ function picture(networks, front, show) {
     svg('text', {transform: `translate(16 ${SIZE.height / 2}) rotate(-90)`, 'text-anchor': 'middle', fill: ink, 'font-size': 13}, 'utility, of the largest')];
   const steps = front.map((row, i) => (i ? `H ${x(row)} V ${y(row)}` : `M ${x(row)} ${y(row)}`)).join(' ');
   const points = [...KINDS].sort((a, b) => a[2] - b[2]).flatMap(([kind, colour, r]) => networks.filter(row => row.kind === kind).map(row =>
-    svg('circle', {cx: x(row), cy: y(row), r, fill: style(colour), 'fill-opacity': kind === 'heterogeneous' ? 0.55 : 0.95, cursor: 'pointer', onclick: () => show(row)},
+    svg('circle', {'data-network': row.network, cx: x(row), cy: y(row), r, fill: style(colour), 'fill-opacity': kind === 'heterogeneous' ? 0.55 : 0.95, cursor: 'pointer', onclick: () => show(row)},
       svg('title', {}, `${row.network}: utility ${percent(row.utility_share)}, cost ${percent(row.cost_share)}`))));
   return svg('svg', {viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: 'img', 'aria-label': 'Utility against cost of all networks, with the front', style: 'max-width: 52rem; width: 100%'},
     ...axes, ...titles, ...points, svg('path', {d: steps, fill: 'none', stroke: ink, 'stroke-width': 1.5, 'pointer-events': 'none'}));

@@ -1,0 +1,103 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.WebElement;
+
+/** The page of a study of strategies in a browser. */
+class TradeoffPageTest {
+  @TempDir static Path folder;
+  private static Browser browser;
+  private static Path out;
+
+  @BeforeAll
+  static void studyAndStart() {
+    browser = Browser.shared();
+    out = folder.resolve("study");
+    List<Object> study =
+        List.of("tradeoff", Cli.scenario("tutorial-camsim"), Cli.scenario("studies/yard"));
+    Cli cli =
+        Cli.run(
+            study.get(0),
+            study.get(1),
+            study.get(2),
+            "--heterogeneous",
+            "sample:20",
+            "--bandits",
+            "UCB1",
+            "--steps",
+            60,
+            "--repeat",
+            3,
+            "--out",
+            out);
+    assertEquals(0, cli.exit(), cli.err());
+    cli = Cli.run("report", out, "--replays");
+    assertEquals(0, cli.exit(), cli.err());
+  }
+
+  private static void open() {
+    browser.open(out.resolve("report.html").toUri().toString());
+  }
+
+  @Test
+  void hasAPointForEachNetworkWithinItsPicture() throws IOException {
+    open();
+    List<String> rows = Files.readAllLines(out.resolve("networks.csv"));
+    assertEquals(rows.size() - 1, browser.findAll("svg circle[data-network]").size());
+    Object outside =
+        browser.run(
+            """
+return [...document.querySelectorAll('svg circle[data-network]')].filter(point => {
+  const [own, all] = [point.getBBox(), point.ownerSVGElement.viewBox.baseVal];
+  return own.x < 0 || own.y < 0 || own.x + own.width > all.width || own.y + own.height > all.height;
+}).length;
+""");
+    assertEquals(0L, outside);
+    String said = browser.text("main");
+    assertTrue(said.contains("Heterogeneous networks extend the front"), said);
+    assertTrue(said.contains("Bandits come near the front"), said);
+    browser.assertQuietConsole();
+  }
+
+  @Test
+  void aPointTellsWhoDoesWhatAndLeadsToTheReplay() throws IOException {
+    open();
+    String front = Files.readAllLines(out.resolve("fronts.csv")).get(2).split(",")[11];
+    for (String network : List.of(front.split(" ")[0], "A0")) {
+      WebElement point =
+          browser.find("svg circle[data-network='" + network + "']"); // of the first scenario
+      browser.run("arguments[0].dispatchEvent(new MouseEvent('click', {bubbles: true}))", point);
+      String told = browser.text("section.card:first-of-type [aria-live]");
+      assertTrue(told.startsWith(network) && told.contains("utility"), told);
+      assertTrue(told.contains(network.contains("-") ? "; " : "all cameras: "), told);
+      assertTrue(told.contains("./hificamsim run "), told);
+      List<WebElement> links = browser.findAll("section.card:first-of-type [aria-live] a");
+      String page = "replay-tutorial-camsim-" + network + "/report.html";
+      assertEquals(Files.exists(out.resolve(page)) ? 1 : 0, links.size());
+      if (network.equals(front.split(" ")[0])) {
+        assertEquals(out.resolve(page).toUri().toString(), links.get(0).getDomProperty("href"));
+        browser.open(links.get(0).getDomProperty("href"));
+        assertTrue(browser.text("main").contains("tutorial-camsim"));
+        open();
+      }
+    }
+    browser.assertQuietConsole();
+  }
+
+  @Test
+  void hasNothingThatHindersAndNothingSticksOut() {
+    open();
+    browser.run("document.querySelector('button').click()");
+    Accessibility.checkEverywhere(browser);
+    browser.size(1280, 1000);
+  }
+}
