@@ -29,6 +29,7 @@ public final class TradeoffReport {
   private static final List<String> KINDS = List.of("heterogeneous", "bandit", "homogeneous");
   private static final List<Color> COLORS = List.of(Palette.SKY, Palette.VERMILION, Palette.BLUE);
   private static final String REPLAY = "replay-";
+  private static final double WITH_ROOM = 0.94; // of a panel, so that no dot is cut
 
   /** Settings that are options of {@code run}. */
   private static final List<String> OPTIONS =
@@ -95,8 +96,8 @@ public final class TradeoffReport {
           panel.dots(new Curve(values(own, "cost"), values(own, "utility")), COLORS.get(i));
         }
       }
-      List<CsvRow> front = front(folder, scenario, rows);
-      panel.straight(new Curve(values(front, "cost"), values(front, "utility")), Palette.BLACK);
+      panel.straight(steps(front(folder, scenario, rows)), Palette.BLACK);
+      panel.getStyler().setPlotContentSize(WITH_ROOM);
       panels.add(panel);
     }
     List<LegendEntry> legend =
@@ -117,6 +118,16 @@ public final class TradeoffReport {
         .flatMap(name -> networks.stream().filter(row -> row.text("network").equals(name)))
         .filter(row -> row.text("scenario").equals(scenario))
         .toList();
+  }
+
+  /** What a front beats has corners. */
+  private static Curve steps(List<CsvRow> front) {
+    double[] cost = values(front, "cost");
+    double[] utility = values(front, "utility");
+    int corners = Math.max(0, 2 * cost.length - 1);
+    return new Curve(
+        IntStream.range(0, corners).mapToDouble(i -> cost[(i + 1) / 2]).toArray(),
+        IntStream.range(0, corners).mapToDouble(i -> utility[i / 2]).toArray());
   }
 
   private static double[] values(List<CsvRow> rows, String column) {

@@ -3,9 +3,10 @@ import { el, style } from './dom.js';
 import { rowsOf, sortable } from './table.js';
 
 const KINDS = [['bandit', '--unseen', 4], ['heterogeneous', '--twice', 3], ['homogeneous', '--cameras', 5.5]];
-const SIZE = {width: 640, height: 460, left: 62, right: 28, top: 14, bottom: 48};
+const SIZE = {width: 640, height: 460, left: 74, right: 28, top: 14, bottom: 48};
 const WORDS = {A: 'Active', P: 'Passive', HA: 'HistActive', HP: 'HistPassive'};
 const POLICIES = ['Broadcast', 'Smooth', 'Step', 'Fix'];
+const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2];
 const TICKS = 5;
 const percent = share => `${Number((100 * share).toFixed(1))} %`;
 const estimate = (row, name, digits) => `${Number(row[name]).toFixed(digits)}${row[`${name}_low`] === '' ? '' : ` [${Number(row[`${name}_low`]).toFixed(digits)}, ${Number(row[`${name}_high`]).toFixed(digits)}]`}`;
@@ -48,16 +49,18 @@ function group(data, networks, fronts, scenario) {
   const front = names(fronts, 'static').map(name => networks.find(row => row.network === name)).filter(Boolean);
   const buttons = front.map(row => el('button', {type: 'button', onclick: () => show(row)}, row.network));
   return card(`${scenario}, ${networks[0].detection}`, picture(networks, front, show), legend(networks),
-    el('p', {}, 'On the front, by rising cost: ', ...buttons), told);
+    el('p', {class: 'networks'}, 'On the front, by rising cost: ', ...buttons), told);
 }
 
 const names = (fronts, set) => (fronts.find(row => row.networks === set)?.front ?? '').split(' ');
 
-/** Places along an axis that begins a little below the least share and ends at 1. */
+/** Places along an axis of round shares that ends at 1 and begins below the least. */
 function axis(networks, share, from, to) {
-  const least = Math.max(0, Math.floor(20 * Math.min(...networks.map(row => Number(row[share]))) - 0.01) / 20);
-  const at = value => from + (Number(value) - least) / (1 - least || 1) * (to - from);
-  return {of: row => at(row[share]), at, ticks: Array.from({length: TICKS + 1}, (_, i) => least + (i / TICKS) * (1 - least))};
+  const span = 1 - Math.min(...networks.map(row => Number(row[share])));
+  const step = STEPS.find(one => span / one <= TICKS) ?? 0.2;
+  const count = Math.min(Math.ceil(span / step + 0.1), Math.round(1 / step));
+  const at = value => to - (1 - Number(value)) / (step * count) * (to - from);
+  return {of: row => at(row[share]), at, ticks: Array.from({length: count + 1}, (_, i) => 1 - step * (count - i))};
 }
 
 function picture(networks, front, show) {
@@ -78,14 +81,14 @@ function picture(networks, front, show) {
   const points = [...KINDS].sort((a, b) => a[2] - b[2]).flatMap(([kind, colour, r]) => networks.filter(row => row.kind === kind).map(row =>
     svg('circle', {'data-network': row.network, cx: x(row), cy: y(row), r, fill: style(colour), 'fill-opacity': kind === 'heterogeneous' ? 0.55 : 0.95, cursor: 'pointer', onclick: () => show(row)},
       svg('title', {}, `${row.network}: utility ${percent(row.utility_share)}, cost ${percent(row.cost_share)}`))));
-  return svg('svg', {viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: 'img', 'aria-label': 'Utility against cost of all networks, with the front', style: 'max-width: 52rem; width: 100%'},
+  return svg('svg', {viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: 'img', 'aria-label': 'Utility against cost of all networks, with the front', class: 'tradeoff'},
     ...axes, ...titles, ...points, svg('path', {d: steps, fill: 'none', stroke: ink, 'stroke-width': 1.5, 'pointer-events': 'none'}));
 }
 
 function legend(networks) {
   const there = KINDS.filter(([kind]) => networks.some(row => row.kind === kind));
   const mark = colour => svg('svg', {width: 14, height: 12, 'aria-hidden': 'true'}, svg('circle', {cx: 6, cy: 6, r: 5, fill: style(colour)}));
-  return el('p', {class: 'note'}, ...there.flatMap(([kind, colour]) => [mark(colour), `${kind} `]), ' line: the front of strategies that never change');
+  return el('p', {class: 'note'}, ...there.flatMap(([kind, colour]) => [mark(colour), `${kind} `]), 'The line is the front of strategies that never change.');
 }
 
 const spelled = code => `${WORDS[code.slice(0, -1)] ?? code} ${POLICIES[code.slice(-1)] ?? ''}`;
