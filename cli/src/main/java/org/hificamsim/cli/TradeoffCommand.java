@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -45,22 +44,22 @@ import picocli.CommandLine.Parameters;
     })
 final class TradeoffCommand implements Callable<Integer> {
   private static final Pattern HETEROGENEOUS =
-      Pattern.compile("(none|all)|(sample|search):([1-9]\\d{0,6})");
+      Pattern.compile("none|all|(sample|search):([1-9]\\d{0,6})");
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
-  @Option(names = "--of", paramLabel = "A0,A1,...")
-  private String of;
+  @Option(names = "--of", split = ",", paramLabel = "A0,A1,...")
+  private List<String> of;
 
   @Option(names = "--heterogeneous", paramLabel = "none|all|sample:N|search:N")
   private String heterogeneous;
 
-  @Option(names = "--bandits", paramLabel = "none|all|A,B")
-  private String bandits;
+  @Option(names = "--bandits", split = ",", paramLabel = "none|all|A,B")
+  private List<String> bandits;
 
-  @Option(names = "--alphas", paramLabel = "X,Y")
-  private String alphas;
+  @Option(names = "--alphas", split = ",", paramLabel = "X,Y")
+  private List<Double> alphas;
 
   @Option(names = "--camsim-files")
   private boolean camSimFiles;
@@ -96,7 +95,11 @@ final class TradeoffCommand implements Callable<Integer> {
         "the scenarios' names", bases.stream().map(base -> base.scenario().name()).toList());
     List<StudyPlan> networks = networks(choice, bases);
     List<RunPlan> all = networks.stream().map(StudyPlan::plan).toList();
-    int searched = searched();
+    int searched = count("search");
+    if (searched > 0 && batch.isInParts()) {
+      throw new InputException(
+          "--heterogeneous search has no parts: expected sample:N beside --shard or --merge");
+    }
     long steps =
         all.stream().mapToLong(RunPlan::work).sum()
             + bases.stream().mapToLong(base -> searched * base.work()).sum();
@@ -127,57 +130,8 @@ final class TradeoffCommand implements Callable<Integer> {
         TradeoffCommand::print);
   }
 
-  /** How many networks of each scenario a search runs; 0 without one. */
-  private int searched() {
-    Matcher form = HETEROGENEOUS.matcher(heterogeneous);
-    boolean search = form.matches() && heterogeneous.startsWith("search");
-    if (search && batch.isInParts()) {
-      throw new InputException(
-          "--heterogeneous search has no parts: expected sample:N beside --shard or --merge");
-    }
-    return search ? Integer.parseInt(form.group(3)) : 0;
-  }
-
-  private NetworkChoice choice() {
-    List<String> names = words(of);
-    NameLists.requireDistinct("--of", names);
-    return new NetworkChoice(
-        names.stream().map(TradeoffCommand::strategy).toList(),
-        bandits(),
-        words(alphas).stream()
-            .map(text -> Numbers.within("--alphas", number("--alphas", text), 0, 1))
-            .toList());
-  }
-
-  private static Strategy strategy(String text) {
-    List<Strategy> one = Strategy.list(text);
-    if (one.size() != 1) {
-      throw new InputException("--of has '" + text + "', expected one strategy, such as A0");
-    }
-    return one.get(0);
-  }
-
-  private static double number(String option, String text) {
-    try {
-      return Double.parseDouble(text);
-    } catch (NumberFormatException e) {
-      throw new InputException(option + " has '" + text + "', expected numbers from 0 to 1", e);
-    }
-  }
-
-  private List<BanditAlgorithm> bandits() {
-    return switch (bandits) {
-      case "none" -> List.of();
-      case "all" -> List.of(BanditAlgorithm.values());
-      default -> words(bandits).stream().map(NetworkText::bandit).toList();
-    };
-  }
-
-  private static List<String> words(String list) {
-    return Arrays.stream(list.split(",", -1)).map(String::strip).toList();
-  }
-
-  private List<StudyPlan> networks(NetworkChoice choice, List<RunPlan> bases) {
+  /** The number of heterogeneous networks that are asked for in this way; 0 in another. */
+  private int count(String way) {
     Matcher form = HETEROGENEOUS.matcher(heterogeneous);
     if (!form.matches()) {
       throw InputException.of(
@@ -185,13 +139,32 @@ final class TradeoffCommand implements Callable<Integer> {
               + " 1 to 9999999",
           heterogeneous);
     }
+    return way.equals(form.group(1)) ? Integer.parseInt(form.group(2)) : 0;
+  }
+
+  private NetworkChoice choice() {
+    NameLists.requireDistinct("--of", of);
+    alphas.forEach(alpha -> Numbers.within("--alphas", alpha, 0, 1));
+    List<Strategy> strategies = of.stream().map(Strategy::list).flatMap(List::stream).toList();
+    return new NetworkChoice(strategies.stream().distinct().toList(), bandits(), alphas);
+  }
+
+  private List<BanditAlgorithm> bandits() {
+    return switch (String.join(",", bandits)) {
+      case "none" -> List.of();
+      case "all" -> List.of(BanditAlgorithm.values());
+      default -> bandits.stream().map(NetworkText::bandit).toList();
+    };
+  }
+
+  private List<StudyPlan> networks(NetworkChoice choice, List<RunPlan> bases) {
     List<StudyPlan> networks = new ArrayList<>();
     for (RunPlan base : bases) {
       networks.addAll(choice.homogeneous(base));
       if (heterogeneous.equals("all")) {
         networks.addAll(choice.all(base));
-      } else if (heterogeneous.startsWith("sample")) {
-        networks.addAll(choice.sample(base, Integer.parseInt(form.group(3))));
+      } else if (count("sample") > 0) {
+        networks.addAll(choice.sample(base, count("sample")));
       }
       networks.addAll(choice.bandits(base));
     }

@@ -44,11 +44,7 @@ final class Statements {
         one, margins, one.published() == null ? one.remark() : withOurs(one), otherwise(one));
   }
 
-  /**
-   * One that its margins decide.
-   *
-   * @param remarks to its reason; empty ones are left out
-   */
+  /** One that its margins decide; of the remarks to its reason empty ones are left out. */
   static Judged judged(Statement one, List<Margin> margins, String... remarks) {
     return new Judged(
         "statement",

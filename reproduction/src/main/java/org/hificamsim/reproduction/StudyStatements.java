@@ -1,20 +1,12 @@
 package org.hificamsim.reproduction;
 
-import static org.hificamsim.network.study.StudyGroup.Members.ADAPTIVE;
-import static org.hificamsim.network.study.StudyGroup.Members.ALL;
-import static org.hificamsim.network.study.StudyGroup.Members.BANDIT;
-import static org.hificamsim.network.study.StudyGroup.Members.HOMOGENEOUS;
-import static org.hificamsim.network.study.StudyGroup.Members.STATIC;
-
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.hificamsim.network.study.StudyGroup;
 import org.hificamsim.network.study.StudyGroup.Members;
 import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.reproduction.Statements.Margin;
-import org.hificamsim.runs.Estimate;
 
 /**
  * Judges what two papers find in CamSim's studies of strategies: Esterle, Lewis, Yao and Rinner
@@ -24,11 +16,7 @@ import org.hificamsim.runs.Estimate;
 public final class StudyStatements {
   private StudyStatements() {}
 
-  /**
-   * Those that a study has the networks for.
-   *
-   * @param groups the study's scenarios
-   */
+  /** Those that a study has the networks for, by its scenarios. */
   public static List<Judged> judged(List<StudyGroup> groups) {
     return Statement.read("study-statements.json").stream()
         .filter(one -> !margins(one, groups).isEmpty())
@@ -38,10 +26,10 @@ public final class StudyStatements {
 
   private static List<Margin> margins(Statement one, List<StudyGroup> groups) {
     return switch (one.id()) {
-      case "heterogeneous-extend" -> gains(groups, STATIC, HOMOGENEOUS, 0);
-      case "bandits-near" -> gains(groups, BANDIT, STATIC, Verdict.TOLERANCE);
-      case "bandits-extend" -> widest(gains(groups, ADAPTIVE, HOMOGENEOUS, 0));
-      case "bandits-beyond" -> widest(gains(groups, ALL, STATIC, 0));
+      case "heterogeneous-extend" -> gains(groups, Members.STATIC, Members.HOMOGENEOUS, 0);
+      case "bandits-near" -> gains(groups, Members.BANDIT, Members.STATIC, Verdict.TOLERANCE);
+      case "bandits-extend" -> widest(gains(groups, Members.ADAPTIVE, Members.HOMOGENEOUS, 0));
+      case "bandits-beyond" -> widest(gains(groups, Members.ALL, Members.STATIC, 0));
       case "best-depends" -> groups.size() < 2 ? List.of() : widest(leads(groups));
       default -> throw new IllegalArgumentException("statement '" + one.id() + "' has no checks");
     };
@@ -60,57 +48,38 @@ public final class StudyStatements {
     return groups.stream()
         .filter(group -> group.members(members).length > 0)
         .filter(group -> !Arrays.equals(group.members(members), group.members(over)))
-        .map(group -> new Margin(name(group), plus(slack, group.gain(members, over))))
+        .map(
+            group ->
+                new Margin(group.plan().scenario().name(), group.gain(members, over).plus(slack)))
         .toList();
-  }
-
-  private static String name(StudyGroup group) {
-    return group.plan().scenario().name();
-  }
-
-  private static Estimate plus(double slack, Estimate gain) {
-    return new Estimate(gain.mean() + slack, gain.low() + slack, gain.high() + slack);
   }
 
   /** In each scenario, how far another strategy is ahead of the one that is best over all. */
   private static List<Margin> leads(List<StudyGroup> groups) {
-    int best =
-        strategies(groups)
-            .boxed()
-            .max(
-                Comparator.comparingDouble(
-                    place -> groups.stream().mapToDouble(group -> area(group, place)).sum()))
-            .orElseThrow();
+    int best = best(groups, -1);
     return groups.stream()
         .map(
             group -> {
-              int rival =
-                  strategies(groups)
-                      .filter(place -> place != best)
-                      .boxed()
-                      .max(Comparator.comparingDouble(place -> area(group, place)))
-                      .orElse(best);
-              return new Margin(
-                  name(group) + ", " + label(group, rival) + " over " + label(group, best),
-                  group.lead(network(group, rival), network(group, best)));
+              int rival = best(List.of(group), best);
+              String where =
+                  "%s, %s over %s"
+                      .formatted(
+                          group.plan().scenario().name(),
+                          group.plans().get(rival).label(),
+                          group.plans().get(best).label());
+              return new Margin(where, group.lead(rival, best));
             })
         .toList();
   }
 
-  /** The places of homogeneous networks, which have one order in all scenarios. */
-  private static IntStream strategies(List<StudyGroup> groups) {
-    return IntStream.range(0, groups.get(0).members(HOMOGENEOUS).length);
-  }
-
-  private static int network(StudyGroup group, int place) {
-    return group.members(HOMOGENEOUS)[place];
-  }
-
-  private static String label(StudyGroup group, int place) {
-    return group.plans().get(network(group, place)).label();
-  }
-
-  private static double area(StudyGroup group, int place) {
-    return group.area(network(group, place));
+  /** The strategy, one of the first networks in every scenario, that alone beats most in all. */
+  private static int best(List<StudyGroup> groups, int without) {
+    return Arrays.stream(groups.get(0).members(Members.HOMOGENEOUS))
+        .filter(one -> one != without)
+        .boxed()
+        .max(
+            Comparator.comparingDouble(
+                one -> groups.stream().mapToDouble(group -> group.area(one)).sum()))
+        .orElse(without);
   }
 }

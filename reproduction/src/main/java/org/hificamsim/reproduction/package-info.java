@@ -1,5 +1,2 @@
-/**
- * The thesis's Table 8.1, figures and statements, computed again and judged; what papers say of
- * CamSim.
- */
+/** The thesis's table, figures and statements, computed again and judged; CamSim's studies, too. */
 package org.hificamsim.reproduction;

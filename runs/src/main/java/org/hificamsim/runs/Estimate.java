@@ -131,6 +131,11 @@ public record Estimate(double mean, double low, double high) {
     return new Estimate(factor * mean, factor * low, factor * high);
   }
 
+  /** The same, moved by a known number. */
+  public Estimate plus(double known) {
+    return new Estimate(mean + known, low + known, high + known);
+  }
+
   /** Whether there were several seeds, and all of them gave this value. */
   public boolean isTheSameInEverySeed() {
     return low == mean && high == mean;

@@ -181,9 +181,6 @@ public final class StudyFiles {
         groups.stream()
             .flatMap(group -> Stream.of(Members.values()).map(set -> new SetFront(group, set)))
             .filter(row -> row.group.members(row.members).length > 0)
-            .filter(
-                row ->
-                    row.members != Members.ADAPTIVE || row.group.members(Members.BANDIT).length > 0)
             .toList();
     FRONTS.write(folder, fronts.stream());
     return fronts;

@@ -1,6 +1,10 @@
 package org.hificamsim.network.study;
 
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.toList;
+
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.function.Predicate;
@@ -54,32 +58,27 @@ public final class StudyGroup {
 
   /** The groups of a study, in its order. */
   public static List<StudyGroup> of(StudyResults results) {
-    List<StudyPlan> plans = results.plans();
-    return plans.stream()
-        .map(StudyGroup::name)
-        .distinct()
+    return IntStream.range(0, results.plans().size())
+        .boxed()
+        .collect(groupingBy(i -> name(results, i), LinkedHashMap::new, toList()))
+        .values()
+        .stream()
         .map(
-            name -> {
-              int[] own =
-                  IntStream.range(0, plans.size())
-                      .filter(i -> name(plans.get(i)).equals(name))
-                      .toArray();
-              return new StudyGroup(
-                  Arrays.stream(own).mapToObj(plans::get).toList(),
-                  values(results, own, Metric.UTILITY),
-                  values(results, own, Metric.MESSAGES));
-            })
+            own ->
+                new StudyGroup(
+                    own.stream().map(results.plans()::get).toList(),
+                    values(results, own, Metric.UTILITY),
+                    values(results, own, Metric.MESSAGES)))
         .toList();
   }
 
-  private static List<String> name(StudyPlan plan) {
-    return List.of(plan.plan().scenario().name(), plan.plan().detection().name());
+  private static List<String> name(StudyResults results, int network) {
+    RunPlan plan = results.plans().get(network).plan();
+    return List.of(plan.scenario().name(), plan.detection().name());
   }
 
-  private static double[][] values(StudyResults results, int[] plans, Metric metric) {
-    return Arrays.stream(plans)
-        .mapToObj(plan -> results.values(plan, metric))
-        .toArray(double[][]::new);
+  private static double[][] values(StudyResults results, List<Integer> networks, Metric metric) {
+    return networks.stream().map(i -> results.values(i, metric)).toArray(double[][]::new);
   }
 
   private static double[] sums(double[][] values) {
@@ -153,16 +152,12 @@ public final class StudyGroup {
 
   /** What a set's front beats of all that is possible, 0 to 1. */
   public Estimate hypervolume(Members members) {
-    return jackknife(without -> hypervolume(members, without));
+    return jackknife(without -> area(without, members(members)));
   }
 
   /** How much more a set's front beats than another's. */
   public Estimate gain(Members members, Members over) {
-    return jackknife(without -> hypervolume(members, without) - hypervolume(over, without));
-  }
-
-  private double hypervolume(Members members, int without) {
-    return area(without, members(members));
+    return jackknife(without -> area(without, members(members)) - area(without, members(over)));
   }
 
   /** What a network beats by itself, 0 to 1. */
@@ -205,7 +200,6 @@ public final class StudyGroup {
             IntStream.range(0, seeds)
                 .mapToDouble(seed -> seeds * whole - (seeds - 1) * figure.applyAsDouble(seed))
                 .toArray());
-    double shift = whole - pseudo.mean();
-    return new Estimate(whole, pseudo.low() + shift, pseudo.high() + shift);
+    return pseudo.plus(whole - pseudo.mean());
   }
 }

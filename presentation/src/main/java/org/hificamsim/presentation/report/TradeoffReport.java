@@ -62,15 +62,12 @@ public final class TradeoffReport {
           .forEach(camera -> names.add(camera.name()));
       runs.put(scenario, "./hificamsim " + String.join(" ", run(plan, folder, "NETWORK")));
     }
-    ArrayNode replays = data.putArray("replays");
+    ObjectNode replays = data.putObject("replays");
     for (CsvRow row : networks.rows()) {
-      String page = REPLAY + row.text("scenario") + "-" + row.text("network") + "/report.html";
+      String network = row.text("scenario") + "-" + row.text("network");
+      String page = REPLAY + network + "/report.html";
       if (Files.isRegularFile(folder.resolve(page))) {
-        replays
-            .addObject()
-            .put("scenario", row.text("scenario"))
-            .put("network", row.text("network"))
-            .put("page", page);
+        replays.put(network, page);
       }
     }
     data.put("command", files.command());
@@ -85,18 +82,16 @@ public final class TradeoffReport {
     List<XyPanel> panels = new ArrayList<>();
     for (String scenario : rows.stream().map(row -> row.text("scenario")).distinct().toList()) {
       XyPanel panel = new XyPanel(scenario, "messages", "utility");
+      List<CsvRow> all =
+          rows.stream().filter(row -> row.text("scenario").equals(scenario)).toList();
       for (int i = 0; i < KINDS.size(); i++) {
         String kind = KINDS.get(i);
-        List<CsvRow> own =
-            rows.stream()
-                .filter(
-                    one -> one.text("scenario").equals(scenario) && one.text("kind").equals(kind))
-                .toList();
+        List<CsvRow> own = all.stream().filter(row -> row.text("kind").equals(kind)).toList();
         if (!own.isEmpty()) {
           panel.dots(new Curve(values(own, "cost"), values(own, "utility")), COLORS.get(i));
         }
       }
-      panel.straight(steps(front(folder, scenario, rows)), Palette.BLACK);
+      panel.straight(steps(front(folder, scenario, all)), Palette.BLACK);
       panel.getStyler().setPlotContentSize(WITH_ROOM);
       panels.add(panel);
     }
@@ -116,7 +111,6 @@ public final class TradeoffReport {
         .filter(row -> row.text("networks").equals("static"))
         .flatMap(row -> Stream.of(row.text("front").split(" ")))
         .flatMap(name -> networks.stream().filter(row -> row.text("network").equals(name)))
-        .filter(row -> row.text("scenario").equals(scenario))
         .toList();
   }
 

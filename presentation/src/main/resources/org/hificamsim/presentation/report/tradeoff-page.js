@@ -99,9 +99,9 @@ function details(data, row) {
   const codes = row.network.split('-');
   const who = row.kind === 'bandit' ? `all cameras choose by ${row.network.replace('@', ', alpha ')}`
     : codes.length === 1 ? `all cameras: ${spelled(codes[0])}` : codes.map((code, i) => `${cameras[i] ?? `camera ${i + 1}`}: ${spelled(code)}`).join('; ');
-  const replay = data.replays.find(one => one.scenario === row.scenario && one.network === row.network);
+  const replay = data.replays[`${row.scenario}-${row.network}`];
   return [el('p', {}, el('b', {}, row.network), ` (${row.kind}): ${who}`),
     el('p', {}, `utility ${estimate(row, 'utility', 2)}, cost ${estimate(row, 'cost', 0)}`),
-    replay ? el('p', {}, el('a', {href: replay.page}, 'Replay of the first seed')) : null,
+    replay ? el('p', {}, el('a', {href: replay}, 'Replay of the first seed')) : null,
     el('pre', {tabindex: 0}, data.runs[row.scenario].replace('NETWORK', row.option))].filter(Boolean);
 }
