@@ -99,20 +99,20 @@ def readings(folder):
     put("reproduction.md", "readings", table(["", "hi-fi", "within 0.05", "CamSim", "within 0.05"], lines))
 
 
-def verdicts(folder):
+def verdicts(folder, page, name):
     statements = [row for row in rows(folder, "verdicts.csv") if row["kind"] == "statement"]
     lines = []
     for row in statements:
         fitted = " *(fitted)*" if row["role"] == "fitted" else ""
         why = row["why"].replace(" checks hold; weakest:", ";")
         lines.append([row["claim"], row["source"], row["verdict"] + fitted, why])
-    put("reproduction.md", "verdicts", table(["statement", "source", "verdict", "checks that hold; the weakest margin"], lines))
+    put(page, name, table(["statement", "source", "verdict", "checks that hold; the weakest margin"], lines))
 
 
 def reproduce(folder):
     table_81(folder)
     readings(folder)
-    verdicts(folder)
+    verdicts(folder, "reproduction.md", "verdicts")
 
 
 # sensitivity
@@ -306,11 +306,80 @@ def loss(row):
     return text + share + (f" [{low}, {high}]" if low != high else "")
 
 
+# camsim-studies.md
+
+STUDIES = "camsim-studies.md"
+FRACTILE = 2.045  # Student's, of 30 seeds
+
+
+def studies(plain, *changed):
+    """The statements; fronts under each condition; what each strategy keeps of its utility under loss and delay."""
+    verdicts(plain, STUDIES, "statements")
+    folders = [plain, *changed]
+    scenarios = list(dict.fromkeys(row["scenario"] for row in rows(plain, "networks.csv")))
+    lines = []
+    for folder in folders:
+        networks, fronts = rows(folder, "networks.csv"), rows(folder, "fronts.csv")
+        for scenario in scenarios:
+            own = [row for row in networks if row["scenario"] == scenario]
+            front = {row["networks"]: row for row in fronts if row["scenario"] == scenario}
+            alike = [row for row in own if row["kind"] == "homogeneous"]
+            best = max(alike, key=lambda row: number(row["utility_share"]) * (1 - number(row["cost_share"])))
+            cheap = min((row for row in own if number(row["utility_share"]) >= 0.95), key=lambda row: number(row["cost"]))
+            lines.append([pathlib.Path(folder).name, scenario, f"{max(number(row['utility']) for row in own):.0f}", f"{max(number(row['cost']) for row in own):.0f}",
+                between(front["homogeneous"], "hypervolume", ".3f"), between(front["static"], "gain", "+.3f"), best["network"], f"{cheap['network']}, {100 * number(cheap['cost_share']):.0f} %"])
+    put(STUDIES, "conditions", table(["", "scenario", "most utility", "most messages", "hypervolume of homogeneous networks", "heterogeneous ones add", "best alone", "cheapest with 95 % of the utility"], lines))
+    lines = []
+    for network in dict.fromkeys(row["network"] for row in rows(plain, "networks.csv") if row["kind"] == "homogeneous"):
+        line = [network]
+        for folder in changed:
+            line += [kept(plain, folder, scenario, network) for scenario in scenarios]
+        lines.append(line)
+    put(STUDIES, "kept", table(["", *(f"{pathlib.Path(folder).name}: {scenario}" for folder in changed for scenario in scenarios)], lines))
+
+
+def saso(folder):
+    verdicts(folder, STUDIES, "saso")
+
+
+def between(row, name, form):
+    return f"{number(row[name]):{form}} [{number(row[name + '_low']):{form}}, {number(row[name + '_high']):{form}}]"
+
+
+def kept(plain, changed, scenario, network):
+    """The percentage of a strategy's utility that a condition leaves, seed by seed."""
+    before, after = (
+        [number(row["utility"]) for row in rows(folder, "results.csv") if (row["scenario"], row["network"]) == (scenario, network)]
+        for folder in (plain, changed)
+    )
+    shares = [100 * y / x for x, y in zip(before, after) if x > 0]
+    return f"{statistics.mean(shares):.0f} ± {FRACTILE * statistics.stdev(shares) / math.sqrt(len(shares)):.0f}"
+
+
+def search(*folders):
+    """How much of the hypervolume of all networks a search finds: pairs of folders, all networks and the search."""
+    lines = []
+    for full, found in zip(folders[::2], folders[1::2]):
+        networks, some = rows(full, "networks.csv"), rows(found, "networks.csv")
+        most = [max(number(row[name]) for row in networks) for name in ("utility", "cost")]
+        whole, part = volume(networks, *most), volume(some, *most)
+        lines.append([networks[0]["scenario"], f"{len(networks):,}", f"{len(some):,}", f"{whole:.4f}", f"{100 * part / whole:.2f} %"])
+    put(STUDIES, "search", table(["scenario", "networks", "the search runs", "hypervolume of all", "of it found"], lines))
+
+
+def volume(networks, utility, cost):
+    area, best = 0.0, 0.0
+    for row in sorted(networks, key=lambda row: (number(row["cost"]), -number(row["utility"]))):
+        area += max(0, number(row["utility"]) - best) * (cost - number(row["cost"]))
+        best = max(best, number(row["utility"]))
+    return area / (utility * cost)
+
+
 def steps_of(folder):
     with open(pathlib.Path(folder, "settings.json"), encoding="utf-8") as file:
         return json.load(file)[0]["steps"]
 
 
 if __name__ == "__main__":
-    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, rungs)
+    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, rungs, studies, saso, search)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])
