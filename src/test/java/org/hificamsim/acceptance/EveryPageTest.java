@@ -71,11 +71,13 @@ class EveryPageTest {
         firstNumber(text.substring(browser.text("h1").length())),
         0.0051);
     for (int width : new int[] {400, 1400}) {
-      browser.dark(width == 400);
-      Accessibility.assertNothingSticksOut(browser, width);
-      if (ALL || CHECKED.contains(site) && width == 400) {
-        browser.size(width, 1000);
-        Accessibility.check(browser);
+      for (boolean dark : ALL ? new boolean[] {true, false} : new boolean[] {width == 400}) {
+        browser.dark(dark);
+        Accessibility.assertNothingSticksOut(browser, width);
+        if (ALL || CHECKED.contains(site) && dark) {
+          browser.size(width, 1000);
+          Accessibility.check(browser);
+        }
       }
     }
     browser.dark(false);
