@@ -10,4 +10,9 @@ public final class Texts {
   public static String format(String form, Object... values) {
     return String.format(Locale.ROOT, form, values);
   }
+
+  /** A number of things: "1 photo", "2 photos". */
+  public static String counted(long count, String thing) {
+    return count + " " + thing + (count == 1 ? "" : thing.endsWith("s") ? "es" : "s");
+  }
 }

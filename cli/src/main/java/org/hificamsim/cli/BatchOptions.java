@@ -8,7 +8,6 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.EngineSettings;
-import org.hificamsim.runs.compare.Engines;
 import org.hificamsim.runs.compare.LocalEngine;
 import org.hificamsim.runs.compare.MergedShards;
 import org.hificamsim.runs.compare.RunEngine;
@@ -76,7 +75,7 @@ final class BatchOptions {
    * @throws InputException when there is no such engine, it cannot work, or shards are missing
    */
   RunEngine engine(Catalogue catalogue, List<RunPlan> plans) throws IOException {
-    RunEngine made = Engines.registry().create(engine);
+    RunEngine made = RunEngine.registry().create(engine);
     EngineSettings settings = new EngineSettings(catalogue, threads(), master);
     if (merge != null) {
       return new MergedShards(merge, plans);

@@ -15,9 +15,9 @@ final class Descriptions {
   static String of(Scenario scenario) {
     return Texts.format(
         "%s, %s, %s, field %s x %s m, %s, %s order",
-        count(scenario.cameras().size(), "camera"),
+        Texts.counted(scenario.cameras().size(), "camera"),
         targets(scenario),
-        count(scenario.events().size(), "event"),
+        Texts.counted(scenario.events().size(), "event"),
         plain(scenario.field().width()),
         plain(scenario.field().height()),
         views(scenario),
@@ -32,10 +32,10 @@ final class Descriptions {
             .map(ScenarioEvent.AddTarget::target)
             .filter(target -> target.track().isPresent())
             .toList();
-    String others = count(scenario.targets().size(), "target");
+    String others = Texts.counted(scenario.targets().size(), "target");
     long samples = recorded.stream().mapToLong(one -> one.track().orElseThrow().samples()).sum();
     int each = (int) recorded.stream().map(TargetSpec::features).distinct().count();
-    String found = Texts.format("%,d samples of %s", samples, count(each, "target"));
+    String found = Texts.format("%,d samples of %s", samples, Texts.counted(each, "target"));
     return recorded.isEmpty()
         ? others
         : scenario.targets().isEmpty() ? found : others + ", " + found;
@@ -50,15 +50,11 @@ final class Descriptions {
       return optics
           + (optics == 1 ? " kind" : " kinds")
           + " of optics, "
-          + count(obstacles, "obstacle");
+          + Texts.counted(obstacles, "obstacle");
     }
     return scenario.inCoverageDialect()
-        ? count(scenario.zooms().size(), "zoom level")
+        ? Texts.counted(scenario.zooms().size(), "zoom level")
         : "one zoom level (no <zoom> list)";
-  }
-
-  private static String count(int number, String noun) {
-    return number + " " + noun + (number == 1 ? "" : "s");
   }
 
   private static String plain(double value) {

@@ -11,7 +11,6 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.dataset.PhotoCamera;
-import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.DetectorShape;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -125,7 +124,7 @@ final class FitCommand implements Callable<Integer> {
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
     out.println(Recommendation.lens(result));
     trials.forEach(one -> out.println(one.sentence()));
-    out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve(FittedModel.FOLDER));
+    out.printf("%s in %s%n", Texts.counted(models, "model"), folder.resolve(FittedModel.FOLDER));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {
       throw InputException.of(

@@ -97,11 +97,6 @@ public record RunPlan(
     return with(Setting.NETWORK, network);
   }
 
-  /** The same plan with another number of steps. */
-  public RunPlan withSteps(int steps) {
-    return with(Setting.STEPS, Integer.toString(steps));
-  }
-
   private RunPlan with(Setting setting, String value) {
     Map<Setting, String> changed = new EnumMap<>(own);
     changed.put(setting, value);

@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.runs.compare.EngineSettings;
-import org.hificamsim.runs.compare.Engines;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunEngineContract;
 import org.junit.jupiter.api.BeforeAll;
@@ -27,7 +26,7 @@ class SparkEngineTest {
   }
 
   private static RunEngine engine() {
-    RunEngine engine = Engines.registry().create("spark");
+    RunEngine engine = RunEngine.registry().create("spark");
     engine.configure(new EngineSettings(Catalogue.load(), 1, Optional.of("local[2]")));
     return engine;
   }

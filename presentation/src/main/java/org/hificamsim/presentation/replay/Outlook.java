@@ -47,7 +47,7 @@ final class Outlook {
   private Obstacles hiding(double z) {
     return new Obstacles(
         obstacles.stream()
-            .filter(one -> one.solid() && (one.full() || one.base() == 0 && one.height() >= z))
+            .filter(one -> one.solid() && (one.full() || (one.base() == 0 && one.height() >= z)))
             .map(one -> one.between(0, Double.POSITIVE_INFINITY))
             .toList());
   }

@@ -145,7 +145,7 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
 
   private Provenance provenance() {
     return Provenance.UNKNOWN
-        .with("source", "profile fit, " + Counted.of(result.measurements().size(), "photo"))
+        .with("source", "profile fit, " + Texts.counted(result.measurements().size(), "photo"))
         .with("equation", f.fit().equation())
         .with(
             "f",

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import org.hificamsim.core.Texts;
-import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.trial.Trials;
@@ -17,8 +16,8 @@ final class Advice {
   static String headline(FitResult result) {
     return Texts.format(
         "%s of %s. %s",
-        Counted.of(result.measurements().size(), "photo"),
-        Counted.of(result.byObject().size(), "object"),
+        Texts.counted(result.measurements().size(), "photo"),
+        Texts.counted(result.byObject().size(), "object"),
         first(result).sentence());
   }
 

@@ -8,7 +8,6 @@ import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.TableLayout;
-import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.FittedModel;
 
 /**
@@ -94,11 +93,11 @@ public record Trials(
             + " %.0f%%%s.",
         model.name(),
         100 * share(Trial::agrees),
-        Counted.of(photos.size(), "photo"),
+        Texts.counted(photos.size(), "photo"),
         100 * share(Trial::missed),
         100 * share(Trial::invented),
         100 * simulated.once(),
-        Counted.of(TrialRun.SCENES, "target"),
+        Texts.counted(TrialRun.SCENES, "target"),
         TrialRun.CAMERAS,
         100 * measured.once(),
         byChance

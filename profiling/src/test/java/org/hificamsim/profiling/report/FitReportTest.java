@@ -181,8 +181,8 @@ class FitReportTest {
     assertEquals("0.000", CellText.fixed(-1e-9, 3));
     assertEquals("-0.001", CellText.fixed(-1e-3, 3));
     assertEquals("0", CellText.fixed(-0.0, 0));
-    assertEquals("1 photo", org.hificamsim.profiling.fit.Counted.of(1, "photo"));
-    assertEquals("0 lenses", org.hificamsim.profiling.fit.Counted.of(0, "lens"));
+    assertEquals("1 photo", org.hificamsim.core.Texts.counted(1, "photo"));
+    assertEquals("0 lenses", org.hificamsim.core.Texts.counted(0, "lens"));
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.hificamsim.runs.compare;
 
 import java.io.IOException;
 import java.util.List;
+import org.hificamsim.core.registry.Registry;
 import org.hificamsim.runs.RunPlan;
 
 /**
@@ -39,5 +40,12 @@ public interface RunEngine {
   interface Finished {
     /** Takes one; several threads may call at a time. */
     void take(RunTask task, FinishedRun run) throws IOException;
+  }
+
+  /** The engines: the one that comes with the simulator, then those on the class path. */
+  static Registry<RunEngine> registry() {
+    return new Registry<RunEngine>("engine")
+        .register(LocalEngine.NAME, "the threads of this machine", LocalEngine::new)
+        .registerServices(RunEngine.class, RunEngine::name, (engine, options) -> {});
   }
 }

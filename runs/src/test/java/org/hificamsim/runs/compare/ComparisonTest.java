@@ -66,7 +66,7 @@ class ComparisonTest {
 
   private static List<CaseResult> compare(Journal journal, RunProgress progress)
       throws IOException {
-    RunEngine engine = Engines.registry().create("local");
+    RunEngine engine = RunEngine.registry().create("local");
     engine.configure(new EngineSettings(CATALOGUE, 1, Optional.empty()));
     return Comparison.run(
         List.of(plan()),

@@ -13,7 +13,7 @@ class LocalEngineTest {
   }
 
   private static RunEngine engine() {
-    RunEngine engine = Engines.registry().create("local");
+    RunEngine engine = RunEngine.registry().create("local");
     engine.configure(new EngineSettings(Catalogue.load(), 2, Optional.empty()));
     return engine;
   }
