@@ -28,6 +28,7 @@ final class ReplayCommand implements Callable<Integer> {
   private Path episode;
 
   @Option(names = "--format", required = true, paramLabel = "mate")
+  @SuppressWarnings("UnusedVariable") // picocli refuses any other
   private Format format;
 
   @Spec private CommandSpec spec;
