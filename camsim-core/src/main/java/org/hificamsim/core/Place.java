@@ -46,9 +46,17 @@ public record Place(String file, int line, int column) {
 
   /** The line {@code FILE:LINE:COLUMN: problem}. */
   public String line(String problem) {
-    String shortened =
-        problem.length() <= MAX_PROBLEM ? problem : problem.substring(0, MAX_PROBLEM) + "...";
-    return printable(this + ": " + shortened);
+    return printable(this + ": " + fitting(problem));
+  }
+
+  /** The start of a long problem, and what was expected instead. */
+  private static String fitting(String problem) {
+    int expected = problem.lastIndexOf(", expected ");
+    boolean kept = expected >= 0 && problem.length() - expected < MAX_PROBLEM / 2;
+    String end = kept ? problem.substring(expected) : "";
+    return problem.length() <= MAX_PROBLEM
+        ? problem
+        : problem.substring(0, MAX_PROBLEM - end.length()) + "..." + end;
   }
 
   /** A text as one line that is read as it is written. */

@@ -26,5 +26,10 @@ class PlaceTest {
     String longest = "x".repeat(500);
     assertEquals("town.xml:3:14: " + longest, PLACE.line(longest));
     assertEquals("town.xml:3:14: " + longest + "...", PLACE.line(longest + "y"));
+    String expected = ", expected columns";
+    String start = "x".repeat(500 - expected.length());
+    assertEquals("town.xml:3:14: " + start + "..." + expected, PLACE.line(longest + expected));
+    String far = ", expected " + "y".repeat(300);
+    assertEquals("town.xml:3:14: " + longest + "...", PLACE.line(longest + far));
   }
 }

@@ -153,9 +153,7 @@ public final class TextLines implements Fields, Closeable {
             ? fault.getReason()
             : String.valueOf(e.getMessage());
     return new InputException(
-        new Place(file, line, 1)
-            .line("cannot be read (" + Place.shortened(reason) + "), expected a text file"),
-        e);
+        new Place(file, line, 1).line("cannot be read (" + reason + "), expected a text file"), e);
   }
 
   @Override

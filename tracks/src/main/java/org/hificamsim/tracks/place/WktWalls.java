@@ -41,7 +41,7 @@ final class WktWalls {
         try {
           add(reader.read(in));
         } catch (ParseException | IllegalArgumentException e) {
-          String problem = Place.shortened(e.getMessage().replaceFirst(" \\(line \\d+\\)$", ""));
+          String problem = e.getMessage().replaceFirst(" \\(line \\d+\\)$", "");
           throw line(file, in).error(problem + ", expected geometries in well-known text");
         }
       }
