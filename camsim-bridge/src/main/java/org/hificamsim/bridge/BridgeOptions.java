@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.hificamsim.bridge.run.BridgeSettings;
+import org.hificamsim.bridge.run.ScenarioFile;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -43,10 +44,12 @@ final class BridgeOptions {
 
   private final Catalogue catalogue;
   private final Options given;
+  private final Map<String, String> question; // of the scenario on the command line
 
   private BridgeOptions(String text, Catalogue catalogue) {
     this.catalogue = catalogue;
     this.given = Options.parse(OWNER, text);
+    this.question = ScenarioFile.onCommandLine().map(ScenarioFile::question).orElse(Map.of());
   }
 
   /** The words of {@code strict}. */
@@ -65,9 +68,11 @@ final class BridgeOptions {
   }
 
   private BridgeSettings settings() {
-    Optional<String> model = text("detection");
-    Optional<String> threshold = text("threshold");
-    Optional<String> detect = text("detect");
+    Optional<String> named = text("detection");
+    Optional<String> model = named.or(() -> asks("detection", true));
+    boolean follows = named.isEmpty() && model.isPresent();
+    Optional<String> threshold = text("threshold").or(() -> asks("threshold", follows));
+    Optional<String> detect = text("detect").or(() -> asks("detect", model.isPresent()));
     Optional<String> size = text("size");
     Optional<String> policy = text("policy");
     Optional<String> zooms = text("zooms");
@@ -75,10 +80,12 @@ final class BridgeOptions {
     Optional<String> law = text("law");
     Optional<String> pan = text("pan");
     Optional<String> pixels = text("pixels");
-    Optional<String> objective = text("objective");
+    Optional<String> told = text("objective");
     Optional<String> seed = text("seed");
     Optional<String> tracks = text("tracks");
     Optional<String> out = text("out");
+    boolean scores = policy.isPresent() || out.isPresent();
+    Optional<String> objective = told.or(() -> asks("objective", scores));
     given.choice("strict", Strict.FALSE, "");
     rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
@@ -87,7 +94,7 @@ final class BridgeOptions {
     Optional<Detection> used = model.map(name -> detection(name, threshold, detect));
     boolean draws = policy.isPresent() || used.filter(one -> !one.certain()).isPresent();
     requireFor("seed", seed, draws, "policy or detect");
-    requireFor("objective", objective, policy.isPresent() || out.isPresent(), "policy or out");
+    requireFor("objective", objective, scores, "policy or out");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     requireFor("hfov", hfov, policy.isPresent(), "policy");
     requireFor("law", law, hfov.isPresent(), "hfov");
@@ -110,6 +117,11 @@ final class BridgeOptions {
         seed.map(text -> integer("seed", text, Integer.MIN_VALUE, Integer.MAX_VALUE)).orElse(0),
         tracks.map(BridgeOptions::tracks),
         out.map(Path::of));
+  }
+
+  /** What the scenario asks, where that counts. */
+  private Optional<String> asks(String key, boolean counts) {
+    return Optional.ofNullable(question.get(key)).filter(any -> counts);
   }
 
   private Optional<String> text(String key) {

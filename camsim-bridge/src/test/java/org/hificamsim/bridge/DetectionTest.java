@@ -180,4 +180,26 @@ class DetectionTest {
   private CamSimRun run(String name, String options) {
     return CamSimRun.of(folder.resolve(name), options);
   }
+
+  @Test
+  void theScenariosQuestionIsTakenWhereOptionsNameNone() throws IOException {
+    String asks = " detection=\"hifi:orb-lin\" threshold=\"0.2\" objective=\"covered:k=1\">";
+    Path asking =
+        Files.writeString(
+            folder.resolve("crossing.xml"),
+            Files.readString(CamSimRun.CROSSING).replace("max_y=\"15\">", "max_y=\"15\"" + asks));
+    String told = "detection=hifi:orb-lin,threshold=0.2,objective=covered:k=1,out=results";
+    CamSimRun plain = started("plain", told, CamSimRun.CROSSING);
+    assertEquals("", plain.err());
+    assertEquals(plain.all(), started("asked", "out=results", asking).all());
+    String other = "detection=hifi:orb-power,objective=sum,out=results";
+    CamSimRun before = started("before", other, asking);
+    assertEquals(started("other", other, CamSimRun.CROSSING).all(), before.all());
+  }
+
+  private CamSimRun started(String name, String options, Path scenario) {
+    List<String> arguments = List.of("-t", "30", "-o", "output.csv", scenario.toString());
+    List<Path> doubles = List.of(CamSimRun.DOUBLES);
+    return CamSimRun.start(folder.resolve(name), options, doubles, "epics.camwin.Main", arguments);
+  }
 }

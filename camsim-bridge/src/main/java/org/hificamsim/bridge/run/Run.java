@@ -170,7 +170,7 @@ final class Run {
     if (step == 0) {
       scenario = ScenarioFile.with(network.cameraNames());
       scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
-      scenario.map(ScenarioFile::channel).filter(told -> !told.isEmpty()).ifPresent(Run::tell);
+      scenario.map(file -> file.question().get("channel")).ifPresent(Run::tell);
     }
     steering.ifPresent(policy -> policy.decide(network));
     network.forget();

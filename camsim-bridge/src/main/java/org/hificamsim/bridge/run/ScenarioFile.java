@@ -6,8 +6,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -24,12 +26,21 @@ import javax.xml.stream.XMLStreamReader;
  * @param cameras names of the cameras of the start, in order
  * @param allCameras how many cameras there will ever be
  * @param allTargets how many targets there will ever be
- * @param channel what becomes of messages; empty where it says nothing
+ * @param question the attributes of its simulation: what was asked of it
  */
-record ScenarioFile(
-    String name, List<String> cameras, int allCameras, int allTargets, String channel) {
+public record ScenarioFile(
+    String name,
+    List<String> cameras,
+    int allCameras,
+    int allTargets,
+    Map<String, String> question) {
   private static final String ENDING = ".xml";
   private static final Set<String> TARGETS = Set.of("object", "object_with_waypoints");
+
+  /** The first scenario on the JVM's command line. */
+  public static Optional<ScenarioFile> onCommandLine() {
+    return all().findFirst();
+  }
 
   /**
    * The file on the JVM's command line that has these cameras.
@@ -37,11 +48,13 @@ record ScenarioFile(
    * @param names of the cameras in the first step; empty for one whose name is not known
    */
   static Optional<ScenarioFile> with(List<String> names) {
+    return all().filter(file -> file.starts(names)).findFirst();
+  }
+
+  private static Stream<ScenarioFile> all() {
     return arguments()
         .filter(argument -> argument.toLowerCase(Locale.ROOT).endsWith(ENDING))
-        .flatMap(argument -> read(Path.of(argument)))
-        .filter(file -> file.starts(names))
-        .findFirst();
+        .flatMap(argument -> read(Path.of(argument)));
   }
 
   /**
@@ -73,12 +86,13 @@ record ScenarioFile(
     List<String> cameras = new ArrayList<>();
     int cameraEvents = 0;
     int targets = 0;
-    String channel = "";
+    Map<String, String> question = new HashMap<>();
     while (xml.hasNext()) {
       if (xml.next() == XMLStreamConstants.START_ELEMENT) {
         String tag = xml.getLocalName();
-        String told = tag.equals("simulation") ? xml.getAttributeValue(null, "channel") : null;
-        channel = told == null ? channel : told;
+        for (int i = 0; tag.equals("simulation") && i < xml.getAttributeCount(); i++) {
+          question.put(xml.getAttributeLocalName(i), xml.getAttributeValue(i));
+        }
         if (tag.equals("camera")) {
           cameras.add(String.valueOf(xml.getAttributeValue(null, "name")));
         }
@@ -86,7 +100,7 @@ record ScenarioFile(
         targets += TARGETS.contains(tag) || adds(xml, "object") ? 1 : 0;
       }
     }
-    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets, channel);
+    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets, question);
   }
 
   private static boolean adds(XMLStreamReader xml, String participant) {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,7 +33,8 @@ class ScenarioFileTest {
   @Test
   void countsWhoIsThereAndWhoIsToCome() throws IOException {
     ScenarioFile read = read(TEXT);
-    assertEquals(new ScenarioFile("some", List.of("A", "B"), 3, 3, "loss=0.2"), read);
+    assertEquals(
+        new ScenarioFile("some", List.of("A", "B"), 3, 3, Map.of("channel", "loss=0.2")), read);
   }
 
   @Test
