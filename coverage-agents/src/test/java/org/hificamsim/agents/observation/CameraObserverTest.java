@@ -45,7 +45,7 @@ class CameraObserverTest {
 
   @Test
   void aCameraKnowsWhereItStandsAndLooks() {
-    Observed observed = observe(to(1, 1), 1);
+    Observed observed = observe(RealWorld.always(1, 1), 1);
     assertEquals(1, observed.of("online"));
     assertEquals(-1, observed.of("x"));
     assertEquals(-0.375, observed.of("y"));
@@ -59,7 +59,7 @@ class CameraObserverTest {
 
   @Test
   void theNearestTargetsComeFirst() {
-    Observed observed = observe(to(1, 1), 1);
+    Observed observed = observe(RealWorld.always(1, 1), 1);
     assertEquals(0.2, observed.of("target0_ahead"), 1e-6);
     assertEquals(0.1, observed.of("target0_right"), 1e-6);
     assertEquals(0.5, observed.of("target1_ahead"), 1e-6);
@@ -72,7 +72,7 @@ class CameraObserverTest {
 
   @Test
   void whatIsNotSeenIsZero() {
-    Observed observed = observe(to(3, 1), 4);
+    Observed observed = observe(RealWorld.always(3, 1), 4);
     assertEquals(0.5, observed.of("pan"), "turned to the right, where nothing is");
     assertEquals(0, observed.of("target0_seen"));
     assertEquals(0, observed.of("target0_ahead"));
@@ -80,7 +80,7 @@ class CameraObserverTest {
 
   @Test
   void aCameraOnItsWayKnowsItsGoalAndHowLongItMoves() {
-    Observed observed = observe(to(3, 1), 2);
+    Observed observed = observe(RealWorld.always(3, 1), 2);
     assertEquals(1, observed.of("moving"));
     assertEquals(1, observed.of("blind"));
     assertEquals(0.5, observed.of("goal_pan"));
@@ -95,7 +95,8 @@ class CameraObserverTest {
         CAMERAS
             .replace("pan_speed='40'", "tilt='0 45' pan_speed='40'")
             .replace("heading='0'", "heading='0' z='4' tilt='9'");
-    Watching still = new Watching(to(3, 1), high); // the widest level at the second tilt
+    Watching still =
+        new Watching(RealWorld.always(3, 1), high); // the widest level at the second tilt
     RealWorld.run(cameras + TARGETS, still, 1).run(5);
     Observed under = new Observed(still.seen.get(1), high);
     assertEquals(0.4, under.of("height"), 1e-6, "4 m of 10");
@@ -109,7 +110,7 @@ class CameraObserverTest {
   @Test
   void aCameraThatIsOffKnowsNothing() {
     String off = "<event timestep='1' participant='camera' event='error' name='a' duration='-1'/>";
-    Watching watching = new Watching(to(1, 1));
+    Watching watching = new Watching(RealWorld.always(1, 1));
     RealWorld.run(CAMERAS + TARGETS + events(off), watching, 1).run(3);
     float[] last = watching.seen.get(2);
     float[] first = new float[LAYOUT.size()];
@@ -141,7 +142,7 @@ class CameraObserverTest {
 
   @Test
   void observingAllocatesNothing() {
-    Simulation run = RealWorld.run(CAMERAS + TARGETS, to(1, 1), 1);
+    Simulation run = RealWorld.run(CAMERAS + TARGETS, RealWorld.always(1, 1), 1);
     run.step();
     CameraObserver observer = new CameraObserver(run.network(), LAYOUT);
     float[] out = new float[2 * LAYOUT.size()];
@@ -159,20 +160,6 @@ class CameraObserverTest {
     Watching watching = new Watching(policy);
     RealWorld.run(CAMERAS + TARGETS, watching, 1).run(steps + 1);
     return new Observed(watching.seen.get(steps), LAYOUT);
-  }
-
-  private static ZoomPolicy to(int... views) {
-    return new ZoomPolicy() {
-      @Override
-      public String name() {
-        return "to";
-      }
-
-      @Override
-      public void decide(NetworkView network, int[] chosen) {
-        System.arraycopy(views, 0, chosen, 0, views.length);
-      }
-    };
   }
 
   /** What the first camera knew. */

@@ -8,7 +8,6 @@ import java.util.SplittableRandom;
 import org.hificamsim.agents.CoveragePolicies;
 import org.hificamsim.agents.toy.RealWorld;
 import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
@@ -39,7 +38,7 @@ class TiltedOptimumTest {
       double level = 0; // the best without the second tilt
       for (int a = 0; a < VIEWS; a++) {
         for (int b = 0; b < VIEWS; b++) {
-          double score = score(parts, fixed(a, b));
+          double score = score(parts, RealWorld.always(a, b));
           best = Math.max(best, score);
           level = a % 4 < 2 && b % 4 < 2 ? Math.max(level, score) : level;
         }
@@ -69,19 +68,5 @@ class TiltedOptimumTest {
     Simulation run = RealWorld.run(parts, policy, 1);
     run.step();
     return run.coverage().score();
-  }
-
-  private static ZoomPolicy fixed(int... views) {
-    return new ZoomPolicy() {
-      @Override
-      public String name() {
-        return "fixed";
-      }
-
-      @Override
-      public void decide(NetworkView network, int[] chosen) {
-        System.arraycopy(views, 0, chosen, 0, views.length);
-      }
-    };
   }
 }

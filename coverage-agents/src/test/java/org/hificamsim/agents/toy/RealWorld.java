@@ -9,6 +9,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -34,6 +35,21 @@ public final class RealWorld {
   public static Simulation run(String parts, DetectionModel model, ZoomPolicy policy, long seed) {
     World world = new World(scenario(parts), Movements.registry(), seed);
     return new Simulation(world, Detection.of(model), policy, seed, List.of());
+  }
+
+  /** A policy that chooses these views, one for each camera, at every decision. */
+  public static ZoomPolicy always(int... views) {
+    return new ZoomPolicy() {
+      @Override
+      public String name() {
+        return "always";
+      }
+
+      @Override
+      public void decide(NetworkView network, int[] chosen) {
+        System.arraycopy(views, 0, chosen, 0, views.length);
+      }
+    };
   }
 
   private static Scenario scenario(String parts) {
