@@ -12,7 +12,7 @@ from pettingzoo.test.state_test import state_test
 
 import hificamsim
 
-SCENARIOS = ["campus", "mate-4v8-9", "cluster-random"]
+SCENARIOS = ["campus", "campus-heights", "mate-4v8-9", "cluster-random"]
 
 
 @pytest.mark.parametrize("scenario", SCENARIOS)
