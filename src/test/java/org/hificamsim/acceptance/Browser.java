@@ -44,7 +44,8 @@ final class Browser {
   private static final String DRAWN =
       """
 const {player, players = player ? [player] : []} = window.hificamsim ?? {};
-return document.getElementById('page').dataset.ready !== undefined
+const page = document.getElementById('page'); // none in the documentation
+return (page ? page.dataset.ready !== undefined : document.readyState === 'complete')
     && players.every(one => one.field.map)
     && [...document.querySelectorAll('.plot, .lines')].every(box => box.querySelector('canvas'));
 """;

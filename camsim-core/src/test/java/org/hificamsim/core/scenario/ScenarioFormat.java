@@ -5,44 +5,28 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.regex.MatchResult;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Writes what people and editors read about scenario files, from what the reader declares: the
- * schema, and the tables of the documentation. {@code gradle scenarioFormat} runs it.
+ * What people and editors read about scenario files, from what the reader declares: the schema, and
+ * the tables of the documentation. {@code gradle scenarioFormat} writes the schema.
  */
 public final class ScenarioFormat {
-  private static final Pattern TABLE =
-      Pattern.compile("(<!-- table of (\\w+) -->\n).*?(<!-- end of table -->)", Pattern.DOTALL);
-
   private ScenarioFormat() {}
 
-  /** Writes both files; the argument is the folder of the whole project. */
+  /** Writes the schema; the argument is the folder of the whole project. */
   public static void main(String[] args) throws IOException {
-    for (Map.Entry<Path, String> file : files(Path.of(args[0])).entrySet()) {
-      Files.writeString(file.getKey(), file.getValue());
-    }
+    Files.writeString(schema(Path.of(args[0])), ScenarioSchema.text());
   }
 
-  /** What the files must say. */
-  static Map<Path, String> files(Path project) throws IOException {
-    Path document = project.resolve("docs/scenario-format.md");
-    return Map.of(
-        project.resolve("scenarios/camsim.xsd"),
-        ScenarioSchema.text(),
-        document,
-        TABLE.matcher(Files.readString(document)).replaceAll(ScenarioFormat::table));
+  static Path schema(Path project) {
+    return project.resolve("scenarios/camsim.xsd");
   }
 
-  private static String table(MatchResult mark) {
-    String of = mark.group(2);
-    String table = of.equals("events") ? events() : attributes(elements(of));
-    return Matcher.quoteReplacement(mark.group(1) + table + mark.group(3));
+  /** A table in Markdown: of an element's attributes, of all obstacles', or of the events. */
+  public static String table(String of) {
+    return of.equals("events") ? events() : attributes(elements(of));
   }
 
   /** The element of this name, or all that it holds any number of. */

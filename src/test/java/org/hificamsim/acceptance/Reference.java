@@ -1,0 +1,176 @@
+package org.hificamsim.acceptance;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.IOException;
+import java.lang.reflect.Field;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.core.scenario.ScenarioFormat;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.output.Column;
+import org.hificamsim.runs.output.Table;
+
+/**
+ * The parts of the documentation that follow from declarations in the code: each stands in a page
+ * as {@code <!-- reference: NAME -->}, and {@code tools/site} puts it there. {@code gradle
+ * reference} writes them.
+ */
+public final class Reference {
+  private static final Pattern COMMAND = Pattern.compile("(?m)^  ([a-z][a-z-]+) .*");
+  private static final List<String> ELEMENTS =
+      List.of("simulation", "object", "optics", "obstacles", "zone", "events");
+
+  private Reference() {}
+
+  /** Writes all parts to a JSON file: Markdown by name. */
+  public static void main(String[] args) throws IOException {
+    new ObjectMapper().writeValue(Path.of(args[0]).toFile(), parts());
+  }
+
+  /** Every part in Markdown, by its name. */
+  static Map<String, String> parts() {
+    Map<String, String> parts = new TreeMap<>();
+    tables().forEach((file, table) -> parts.put("columns of " + file, columns(table)));
+    ELEMENTS.forEach(name -> parts.put("attributes of " + name, ScenarioFormat.table(name)));
+    parts.put("metrics", metrics());
+    parts.put("commands", String.join("", help(2, List.of()).toList()));
+    parts.put("policies", policies());
+    parts.put("detection models", detections());
+    return parts;
+  }
+
+  private static Map<String, Table<?>> tables() {
+    Map<String, Table<?>> tables = new TreeMap<>();
+    new ClassFileImporter()
+        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+            .importPackages("org.hificamsim").stream()
+            .flatMap(type -> type.getFields().stream())
+            .filter(field -> field.getRawType().isEquivalentTo(Table.class))
+            .filter(field -> field.getModifiers().contains(JavaModifier.STATIC))
+            .map(Reference::table)
+            .forEach(table -> tables.merge(table.file(), table, Reference::wider));
+    return tables;
+  }
+
+  private static Table<?> table(JavaField constant) {
+    try {
+      Field field = constant.reflect();
+      field.setAccessible(true);
+      return (Table<?>) field.get(null);
+    } catch (IllegalAccessException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private static Table<?> wider(Table<?> one, Table<?> other) {
+    return one.columns().size() < other.columns().size() ? other : one;
+  }
+
+  private static String columns(Table<?> table) {
+    return markdown(
+        "column",
+        "unit",
+        "meaning",
+        table.columns().stream()
+            .map(column -> List.of(code(column.name()), column.unit(), meaning(column))));
+  }
+
+  private static String meaning(Column<?> column) {
+    return column.meaning() + (column.isLater() ? "; missing in folders of version 0.1.0" : "");
+  }
+
+  private static String metrics() {
+    return markdown(
+        "metric",
+        "unit",
+        "meaning",
+        Arrays.stream(Metric.values())
+            .map(metric -> List.of(code(metric.label()), metric.unit(), metric.meaning())));
+  }
+
+  /** The help of a command and of all below it, each under a heading. */
+  private static Stream<String> help(int depth, List<String> command) {
+    String help = Cli.run(Stream.concat(command.stream(), Stream.of("--help")).toArray()).out();
+    String heading = "#".repeat(depth) + " " + String.join(" ", command) + "\n\n";
+    String own = (command.isEmpty() ? "" : heading) + "```text\n" + help.strip() + "\n```\n\n";
+    int commands = help.indexOf("\nCommands:\n");
+    Stream<String> names =
+        commands < 0
+            ? Stream.of()
+            : COMMAND.matcher(help.substring(commands)).results().map(name -> name.group(1));
+    return Stream.concat(
+        Stream.of(own),
+        names
+            .filter(name -> !name.equals("help"))
+            .flatMap(
+                name ->
+                    help(
+                        command.isEmpty() ? depth : depth + 1,
+                        Stream.concat(command.stream(), Stream.of(name)).toList())));
+  }
+
+  private static String policies() {
+    Registry<ZoomPolicy> policies = Catalogue.load().policies();
+    return markdown(
+        "policy",
+        "option",
+        "meaning",
+        policies.entries().stream()
+            .flatMap(
+                one ->
+                    Stream.concat(
+                        Stream.of(List.of(code(one.name()), "", one.summary())),
+                        policies.options(one.name()).stream().map(Reference::option))));
+  }
+
+  private static List<String> option(Options.Declared option) {
+    return List.of("", code(option.key() + "=" + option.defaultValue()), option.meaning());
+  }
+
+  private static String detections() {
+    Registry<DetectionModel> models = Catalogue.load().detections();
+    return markdown(
+        "model",
+        "threshold",
+        "what it is",
+        models.entries().stream()
+            .map(one -> detection(one.name(), one.summary(), models.create(one.name()))));
+  }
+
+  private static List<String> detection(String name, String summary, DetectionModel model) {
+    String equation = model instanceof HiFiDetection one ? "; g(p) = " + one.g().equation() : "";
+    String threshold = String.format(java.util.Locale.ROOT, "%.4g", model.defaultThreshold());
+    return List.of(code(name), threshold, summary + equation);
+  }
+
+  private static String code(String text) {
+    return "`" + text + "`";
+  }
+
+  private static String markdown(
+      String first, String second, String third, Stream<List<String>> rows) {
+    return Stream.concat(
+            Stream.of(List.of(first, second, third), List.of("---", "---", "---")), rows)
+        .map(row -> "| " + String.join(" | ", row.stream().map(Reference::cell).toList()) + " |\n")
+        .reduce("", String::concat);
+  }
+
+  private static String cell(String text) {
+    return text.replace("|", "\\|");
+  }
+}

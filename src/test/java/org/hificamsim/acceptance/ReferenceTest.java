@@ -1,0 +1,46 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** Every declaration that users look up stands on one page of the documentation. */
+class ReferenceTest {
+  private static final Pattern MARK = Pattern.compile("(?m)^<!-- reference: (.+) -->$");
+
+  @Test
+  void everyPartStandsOnOnePage() throws IOException {
+    try (Stream<Path> pages = Files.list(Cli.ROOT.resolve("docs"))) {
+      List<String> marked =
+          pages
+              .filter(page -> page.toString().endsWith(".md"))
+              .flatMap(ReferenceTest::marks)
+              .sorted()
+              .toList();
+      assertEquals(List.copyOf(Reference.parts().keySet()), marked);
+    }
+  }
+
+  @Test
+  void everyPartSaysSomething() {
+    for (Map.Entry<String, String> part : Reference.parts().entrySet()) {
+      assertFalse(part.getValue().lines().count() < 3, part.toString());
+    }
+  }
+
+  private static Stream<String> marks(Path page) {
+    try {
+      return MARK.matcher(Files.readString(page)).results().map(mark -> mark.group(1));
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+}

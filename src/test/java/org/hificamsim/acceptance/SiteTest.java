@@ -1,0 +1,58 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The documentation site: MkDocs builds it without a dead link, and its pages are accessible. */
+class SiteTest {
+  private static final Path PYTHON = Cli.ROOT.resolve("build/site-venv/bin/python");
+  private static final Path HTML = Cli.ROOT.resolve("build/site/html");
+
+  @BeforeAll
+  static void build() throws Exception {
+    assumeTrue(Files.exists(PYTHON), "skipped: MkDocs Material from PyPI is not here (build/site-venv)");
+    Files.createDirectories(Cli.ROOT.resolve("build/site/pages"));
+    Reference.main(new String[] {Cli.ROOT.resolve("build/reference.json").toString()});
+    Path log = Cli.ROOT.resolve("build/site/log");
+    ProcessBuilder site =
+        new ProcessBuilder(PYTHON.toString(), "-m", "mkdocs", "build", "--strict", "--quiet")
+            .directory(Cli.ROOT.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(log.toFile());
+    site.environment().put("NO_MKDOCS_2_WARNING", "1");
+    assertEquals(0, site.start().waitFor(), () -> text(log));
+  }
+
+  @Test
+  void everyDeclarationIsOnItsPage() {
+    assertTrue(text(HTML.resolve("docs/data.html")).contains("<code>expected_covered_k</code>"));
+    assertTrue(text(HTML.resolve("docs/scenario-format.html")).contains("<code>pan_speed</code>"));
+    assertTrue(text(HTML.resolve("docs/commands.html")).contains("id=\"profile-fit\""));
+    assertTrue(text(HTML.resolve("docs/python-reference.html")).contains("id=\"hificamsim.make\""));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"index", "docs/data", "docs/world"})
+  void aPageIsAccessibleInTheLightInTheDarkAndOnAPhone(String page) {
+    Browser browser = Browser.shared();
+    browser.open(HTML.resolve(page + ".html").toUri().toString());
+    Accessibility.checkEverywhere(browser);
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+}
