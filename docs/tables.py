@@ -1,10 +1,9 @@
-"""Puts tables into the pages of docs/, between <!-- NAME --> and <!-- end -->, from results: tables.py NAME FOLDER...; for docs/make-figures."""
+"""Writes the tables of docs/, docs/tables/*.csv in Markdown cells, from results: tables.py NAME FOLDER...; for docs/make-figures."""
 
 import csv
 import json
 import math
 import pathlib
-import re
 import statistics
 import sys
 
@@ -22,19 +21,9 @@ def number(text):
     return float(text) if text else math.nan
 
 
-def put(page, name, text):
-    path = DOCS / page
-    pattern = re.compile(rf"(<!-- {re.escape(name)} -->\n).*?(<!-- end -->)", re.S)
-    old = path.read_text(encoding="utf-8")
-    if not pattern.search(old):
-        sys.exit(f"error: docs/{page}: no <!-- {name} --> ... <!-- end -->")
-    path.write_text(pattern.sub(lambda part: part[1] + text + part[2], old), encoding="utf-8")
-
-
-def table(header, lines):
-    return "".join(
-        "| " + " | ".join(cells) + " |\n" for cells in [header, ["---"] * len(header), *lines]
-    ).replace("| --- |", "|---|").replace(" --- |", "---|")
+def put(name, header, lines):
+    with open(DOCS / "tables" / f"{name}.csv", "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([header, *lines])
 
 
 # reproduce
@@ -71,7 +60,7 @@ def table_81(folder):
                 read = " / ".join(cell(r, column) for r in own)
                 line.append("" if set(read) <= set("- /") else read.removeprefix("- / - / "))
             lines.append(line)
-    put("reproduction.md", "table-8.1", table(["", "published", "ours", "", *OTHERS.values()], lines))
+    put("table-8.1", ["", "published", "ours", "", *OTHERS.values()], lines)
 
 
 READINGS = {
@@ -96,23 +85,23 @@ def readings(folder):
             own = next(r for r in found if (r["reading"], r["detection"]) == (name, detection))
             line += [f"{number(own['distance']):.3f}", f"{own['within']} of 9"]
         lines.append(line)
-    put("reproduction.md", "readings", table(["", "hi-fi", "within 0.05", "CamSim", "within 0.05"], lines))
+    put("readings", ["", "hi-fi", "within 0.05", "CamSim", "within 0.05"], lines)
 
 
-def verdicts(folder, page, name):
+def verdicts(folder, name):
     statements = [row for row in rows(folder, "verdicts.csv") if row["kind"] == "statement"]
     lines = []
     for row in statements:
         fitted = " *(fitted)*" if row["role"] == "fitted" else ""
         why = row["why"].replace(" checks hold; weakest:", ";")
         lines.append([row["claim"], row["source"], row["verdict"] + fitted, why])
-    put(page, name, table(["statement", "source", "verdict", "checks that hold; the weakest margin"], lines))
+    put(name, ["statement", "source", "verdict", "checks that hold; the weakest margin"], lines)
 
 
 def reproduce(folder):
     table_81(folder)
     readings(folder)
-    verdicts(folder, "reproduction.md", "verdicts")
+    verdicts(folder, "verdicts")
 
 
 # sensitivity
@@ -142,7 +131,7 @@ def sensitivity(folder):
                 ", ".join(flips) or "nowhere",
             ]
         )
-    put("reproduction.md", "sensitivity", table(["parameter", "values", "holds", "flips"], lines))
+    put("sensitivity", ["parameter", "values", "holds", "flips"], lines)
 
 
 # the sites of world.md
@@ -184,11 +173,11 @@ def sites(*folders):
             if policy not in HIDDEN:
                 shares.setdefault(policy, {})[name] = f"{number(row['mean']):.2f}"
     header = ["site", "seeds", "`optimal`, mean score", "value of adapting, jumping", "value of adapting, moving"]
-    put("world.md", "sites", table(header, values))
+    put("sites", header, values)
     names = [pathlib.Path(folder).name for folder in folders]
     order = sorted(shares, key=lambda policy: -sum(float(shares[policy].get(name, 0)) for name in names))
     lines = [[f"`{policy}`", *(shares[policy].get(name, DASH) for name in names)] for policy in order]
-    put("world.md", "shares", table(["", *names], lines))
+    put("shares", ["", *names], lines)
 
 
 PARTS = {"nothing": "as it is", "pan": "no `pan`", "obstacles": "no obstacles", "occlusion": "no `occlusion`", "time": "no `pan_speed`, no `zoom_time`"}
@@ -206,7 +195,7 @@ def realism(*folders):
 
     lines = [line("optimal", part, words) for part, words in PARTS.items() if part != "time"]
     lines += [line("independent-greedy", part, f"`independent-greedy`, {PARTS[part]}") for part in ("nothing", "time")]
-    put("world.md", "realism", table(["value of adapting", *names], lines))
+    put("realism", ["value of adapting", *names], lines)
 
 
 def ranked(folder):
@@ -242,7 +231,7 @@ def ranks(layouts, sites):
     policies.sort(key=lambda policy: both[0][policy])
     words = ("the six of chapter 8 (`hifi:orb-lin`, k_min)", "the eight sites (as above)")
     lines = [[text, *(f"{order[policy]:.1f}" for policy in policies)] for text, order in zip(words, both)]
-    put("world.md", "ranks", table(["", *policies], lines))
+    put("ranks", ["", *policies], lines)
     six, eight = (list(order.values()) for order in orders)
     pairs = lambda order: mean(tau(a, b) for i, a in enumerate(order) for b in order[:i])
     print(f"tau of both {tau(*both):.2f}; mean among the six {pairs(six):.2f}, among the sites {pairs(eight):.2f}, ", end="")
@@ -259,7 +248,7 @@ def arenas(folder):
         steps = {"mate-4v8-9": 300, "hit-mac": 100}[scenario]
         adapting = means(folder, "value_of_adapting", scenario)["optimal"]
         lines.append([f"[{scenario}](../scenarios/{scenario}.xml)", *(f"{number(shares[policy]['mean']) / steps:.2f}" for policy in policies), interval(adapting, ".2f")])
-    put("world.md", "arenas", table(["", *policies, "value of adapting"], lines))
+    put("arenas", ["", *policies, "value of adapting"], lines)
 
 
 def turning(folder):
@@ -269,7 +258,7 @@ def turning(folder):
     lines = []
     for policy in found[names[0]]:
         lines.append([f"`{policy}`", *(f"{number(found[name][policy]['mean']) / 300:.2f}" for name in names)])
-    put("policies.md", "turning", table(["policy", *names], lines))
+    put("turning", ["policy", *names], lines)
 
 
 def ratios(*folders):
@@ -296,8 +285,8 @@ def rungs(*folders):
         mean = f"{sum(taus) / len(taus):.2f}; {sum(lost) / len(lost):.0f}"
         losses.append([f"`{rung}`", *(loss(row) for row in own), mean])
         levels.append([f"`{rung}`", *(f"{number(row['optimum']):.2f}" for row in own)])
-    put("world.md", "rungs", table(["rung", *names, "mean"], losses))
-    put("world.md", "rungs-optimum", table(["rung", *names], levels))
+    put("rungs", ["rung", *names, "mean"], losses)
+    put("rungs-optimum", ["rung", *names], levels)
 
 
 def loss(row):
@@ -308,13 +297,12 @@ def loss(row):
 
 # camsim-studies.md
 
-STUDIES = "camsim-studies.md"
 FRACTILE = 2.045  # Student's, of 30 seeds
 
 
 def studies(plain, *changed):
     """The statements; fronts under each condition; what each strategy keeps of its utility under loss and delay."""
-    verdicts(plain, STUDIES, "statements")
+    verdicts(plain, "statements")
     folders = [plain, *changed]
     scenarios = list(dict.fromkeys(row["scenario"] for row in rows(plain, "networks.csv")))
     lines = []
@@ -328,18 +316,18 @@ def studies(plain, *changed):
             cheap = min((row for row in own if number(row["utility_share"]) >= 0.95), key=lambda row: number(row["cost"]))
             lines.append([pathlib.Path(folder).name, scenario, f"{max(number(row['utility']) for row in own):.0f}", f"{max(number(row['cost']) for row in own):.0f}",
                 between(front["homogeneous"], "hypervolume", ".3f"), between(front["static"], "gain", "+.3f"), best["network"], f"{cheap['network']}, {100 * number(cheap['cost_share']):.0f} %"])
-    put(STUDIES, "conditions", table(["", "scenario", "most utility", "most messages", "hypervolume of homogeneous networks", "heterogeneous ones add", "best alone", "cheapest with 95 % of the utility"], lines))
+    put("conditions", ["", "scenario", "most utility", "most messages", "hypervolume of homogeneous networks", "heterogeneous ones add", "best alone", "cheapest with 95 % of the utility"], lines)
     lines = []
     for network in dict.fromkeys(row["network"] for row in rows(plain, "networks.csv") if row["kind"] == "homogeneous"):
         line = [network]
         for folder in changed:
             line += [kept(plain, folder, scenario, network) for scenario in scenarios]
         lines.append(line)
-    put(STUDIES, "kept", table(["", *(f"{pathlib.Path(folder).name}: {scenario}" for folder in changed for scenario in scenarios)], lines))
+    put("kept", ["", *(f"{pathlib.Path(folder).name}: {scenario}" for folder in changed for scenario in scenarios)], lines)
 
 
 def saso(folder):
-    verdicts(folder, STUDIES, "saso")
+    verdicts(folder, "saso")
 
 
 def between(row, name, form):
@@ -364,7 +352,7 @@ def search(*folders):
         most = [max(number(row[name]) for row in networks) for name in ("utility", "cost")]
         whole, part = volume(networks, *most), volume(some, *most)
         lines.append([networks[0]["scenario"], f"{len(networks):,}", f"{len(some):,}", f"{whole:.4f}", f"{100 * part / whole:.2f} %"])
-    put(STUDIES, "search", table(["scenario", "networks", "the search runs", "hypervolume of all", "of it found"], lines))
+    put("search", ["scenario", "networks", "the search runs", "hypervolume of all", "of it found"], lines)
 
 
 def volume(networks, utility, cost):

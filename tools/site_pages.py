@@ -28,10 +28,16 @@ def on_pre_build(config) -> None:
     files = {pathlib.Path(name) for name in tracked.split("\0") if name and (ROOT / name).exists()}
     pages = [name for name in files if name.suffix == ".md" and (len(name.parts) == 1 or name.parts[0] == "docs")]
     for page in pages:
-        linked = (within(page, link[3]) for link in LINK.finditer((ROOT / page).read_text(encoding="utf-8")))
+        linked = set(links(page, page))
+        linked |= {name for file in linked if file.suffix == ".csv" for name in links(file, page)}
         for name in {page, *linked, pathlib.Path("docs/site.css"), pathlib.Path("docs/site.js")} & files:
             (PAGES / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / name, PAGES / name)
+
+
+def links(file: pathlib.Path, page: pathlib.Path):
+    """Where the links in a file lead that is part of a page."""
+    return (within(page, link[3]) for link in LINK.finditer((ROOT / file).read_text(encoding="utf-8")))
 
 
 def within(page: pathlib.Path, link: str) -> pathlib.Path:
