@@ -57,8 +57,9 @@ public final class Reference {
   private static Map<String, Table<?>> tables() {
     Map<String, Table<?>> tables = new TreeMap<>();
     new ClassFileImporter()
-        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages("org.hificamsim").stream()
+            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+            .importPackages("org.hificamsim")
+            .stream()
             .flatMap(type -> type.getFields().stream())
             .filter(field -> field.getRawType().isEquivalentTo(Table.class))
             .filter(field -> field.getModifiers().contains(JavaModifier.STATIC))

@@ -19,7 +19,8 @@ class SiteTest {
 
   @BeforeAll
   static void build() throws Exception {
-    assumeTrue(Files.exists(PYTHON), "skipped: MkDocs Material from PyPI is not here (build/site-venv)");
+    assumeTrue(
+        Files.exists(PYTHON), "skipped: MkDocs Material from PyPI is not here (build/site-venv)");
     Files.createDirectories(Cli.ROOT.resolve("build/site/pages"));
     Reference.main(new String[] {Cli.ROOT.resolve("build/reference.json").toString()});
     Path log = Cli.ROOT.resolve("build/site/log");
