@@ -87,17 +87,27 @@ class SetUpTest {
   }
 
   @Test
-  void parquetIsFetchedWhereItIsMissingAndSaidBefore() throws Exception {
-    String words =
-        "build_if_stale() { echo $2; }; . " + Cli.ROOT.resolve("tools/parquet.sh").toRealPath();
-    String wanted = "Parquet from Maven Central (11 MB), for --format parquet";
-    assertEquals(
-        List.of("hificamsim: fetching " + wanted, ":parquet:libraries"), source(words).lines());
+  void whatIsFetchedForOneOptionIsSaidBefore() throws Exception {
+    saysBefore(
+        "parquet",
+        "org.apache.parquet",
+        "Parquet from Maven Central (11 MB), for --format parquet");
+    saysBefore(
+        "ortools",
+        "com.google.ortools",
+        "OR-Tools from Maven Central (33 MB), for place --method exact");
+  }
+
+  private void saysBefore(String module, String group, String wanted) throws Exception {
+    Path script = Cli.ROOT.resolve("tools/" + module + ".sh").toRealPath();
+    String words = "build_if_stale() { echo $2; }; . " + script;
+    String built = ":" + module + ":libraries";
+    assertEquals(List.of("hificamsim: fetching " + wanted, built), source(words).lines());
     Said refused = source("installing=no; " + words);
     assertEquals(1, refused.exit());
     assertEquals(List.of("hificamsim: missing: " + wanted), refused.lines());
-    Files.createDirectories(folder.resolve("gradle/caches/modules-2/files-2.1/org.apache.parquet"));
-    assertEquals(List.of(":parquet:libraries"), source(words).lines());
+    Files.createDirectories(folder.resolve("gradle/caches/modules-2/files-2.1/" + group));
+    assertEquals(List.of(built), source(words).lines());
   }
 
   /** What was said, on either output. */

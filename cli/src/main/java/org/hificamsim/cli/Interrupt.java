@@ -1,20 +1,25 @@
 package org.hificamsim.cli;
 
 import java.lang.reflect.Proxy;
-import java.util.concurrent.TimeUnit;
 
 /** Says when a search is to end: after some time, or at the first Ctrl-C; a second one ends all. */
 final class Interrupt {
-  private final long end;
+  private final long start = System.nanoTime();
+  private final double seconds;
   private volatile boolean interrupted;
 
   Interrupt(double seconds) {
-    this.end = System.nanoTime() + (long) (Math.min(seconds, 1e9) * TimeUnit.SECONDS.toNanos(1));
+    this.seconds = seconds;
     listen();
   }
 
   boolean isDue() {
-    return interrupted || System.nanoTime() - end > 0;
+    return isDue(1);
+  }
+
+  /** The same where a share of the time is enough. */
+  boolean isDue(double share) {
+    return interrupted || System.nanoTime() - start > share * seconds * 1e9;
   }
 
   /** By reflection: the compiler warns of the JDK's one class for signals, though it stays. */

@@ -22,6 +22,8 @@ import org.hificamsim.core.scenario.Zone;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
+import org.hificamsim.placement.cover.Effort;
+import org.hificamsim.placement.cover.ExactMethod;
 import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
@@ -54,6 +56,7 @@ import picocli.CommandLine.Parameters;
 final class PlaceCommand implements Callable<Integer> {
   private static final int MAX_CAMERAS = 100_000;
   private static final int ROUNDS = 60; // without a better plan
+  private static final double SEARCHED = 0.2; // of the time, before an exact method goes on
   private static final int USUAL_CELLS = 60;
   private static final double USUAL_PLACES = 40; // along the longer side of the field
 
@@ -92,6 +95,9 @@ final class PlaceCommand implements Callable<Integer> {
 
   @Option(names = "--cells", paramLabel = "N")
   private Optional<Integer> cells;
+
+  @Option(names = "--method", paramLabel = "search|exact")
+  private String method;
 
   @Option(names = "--time", paramLabel = "S")
   private double time;
@@ -132,8 +138,7 @@ final class PlaceCommand implements Callable<Integer> {
     }
     Path folder = out.orElseGet(() -> Path.of("out", name(file) + "-plan"));
     PlacementProblem problem = problem(goal);
-    Interrupt interrupt = new Interrupt(time);
-    SitePlan plan = problem.solve(seed(), ROUNDS, interrupt::isDue, watcher(goal, "%.2f %%", 100));
+    SitePlan plan = problem.solve(effort(), watcher(goal, "%.2f %%", 100));
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan);
       if (form.isPresent()) {
@@ -152,8 +157,21 @@ final class PlaceCommand implements Callable<Integer> {
     return path.getFileName().toString().replaceFirst("\\.[^.]*$", "");
   }
 
-  private long seed() {
-    return settings.settings().seed();
+  private enum Method {
+    SEARCH,
+    EXACT
+  }
+
+  private Effort effort() {
+    boolean exact = Spelling.require(Method.class, "--method", method) == Method.EXACT;
+    Interrupt interrupt = new Interrupt(time);
+    return new Effort(
+        settings.settings().seed(),
+        ROUNDS,
+        exact ? Optional.of(ExactMethod.found()) : Optional.empty(),
+        threads.count(),
+        () -> interrupt.isDue(SEARCHED),
+        interrupt::isDue);
   }
 
   private Goal goal() {
@@ -278,6 +296,9 @@ final class PlaceCommand implements Callable<Integer> {
       screen.say("  no plan of these meets more than %.2f %%", 100 * plan.bound());
       screen.say("  gap %.2f %%", 100 * (plan.bound() - plan.share()) / plan.bound());
     }
+    if (found.isProven()) {
+      screen.say("  proven: no plan of these candidates is better");
+    }
     screen.say(
         "  %d candidates, %d samples, cells of %.2f m, %.1f s",
         plan.problem().candidates().all().size(),
@@ -309,9 +330,7 @@ final class PlaceCommand implements Callable<Integer> {
   private int solve(Path path, Goal goal) throws IOException {
     CoverInstance read = InstanceFile.read(path, instanceForm());
     CoverInstance all = goal.isAll() ? read.coverable() : read;
-    CoverPlan plan =
-        CoverSearch.solve(
-            all, goal, seed(), ROUNDS, new Interrupt(time)::isDue, watcher(goal, "%.2f", 1));
+    CoverPlan plan = CoverSearch.solve(all, goal, effort(), watcher(goal, "%.2f", 1));
     screen.say(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
@@ -322,6 +341,9 @@ final class PlaceCommand implements Callable<Integer> {
     screen.say(
         "score %.2f, bound %.2f, gap %.3f %%, %.1f s",
         plan.score(), plan.bound(), 100 * plan.gap(), plan.seconds());
+    if (plan.isProven()) {
+      screen.say("proven: no plan is better");
+    }
     return 0;
   }
 
@@ -334,7 +356,8 @@ final class PlaceCommand implements Callable<Integer> {
             folder,
             path -> scenarioOptions.read(path, Settings.NONE, catalogue, screen.err()),
             catalogue,
-            detections(catalogue))
+            detections(catalogue),
+            effort())
         .forEach(line -> screen.out().println(line));
     return 0;
   }

@@ -45,22 +45,47 @@ public final class CoverSearch {
    *
    * @param all what is asked where everything is to be seen has to be {@link
    *     CoverInstance#coverable}
-   * @param rounds without a better plan after which the search ends
-   * @param stop ends the search at the next opportunity; there is a plan whatever it says
    */
-  public static CoverPlan solve(
-      CoverInstance all, Goal goal, long seed, int rounds, BooleanSupplier stop, Watcher watcher) {
+  public static CoverPlan solve(CoverInstance all, Goal goal, Effort effort, Watcher watcher) {
     long started = System.nanoTime();
     int[] left = Dominance.left(all);
     CoverInstance instance = all.with(left);
-    CoverSearch search = new CoverSearch(instance, goal, seed, stop);
+    CoverSearch search = new CoverSearch(instance, goal, effort.seed(), effort::isEnough);
     search.first();
     Duals duals = new Duals(instance, goal, instance.counts(search.best));
     watcher.improved(search.score, duals.bound());
-    search.rounds(rounds, duals, watcher);
+    search.rounds(effort.rounds(), duals, watcher);
+    double bound = duals.bound();
+    if (effort.exact().isPresent() && !duals.isClosed(search.score)) {
+      bound = search.close(duals, effort, watcher);
+    }
     int[] chosen = Arrays.stream(search.best).map(one -> left[one]).toArray();
-    return new CoverPlan(
-        chosen, search.score, duals.bound(), duals.proof(), (System.nanoTime() - started) / 1e9);
+    double seconds = (System.nanoTime() - started) / 1e9;
+    return new CoverPlan(chosen, search.score, bound, duals.bound(), duals.proof(), seconds);
+  }
+
+  /** Goes on exactly with what the bound leaves; returns the new bound. */
+  private double close(Duals duals, Effort effort, Watcher watcher) {
+    int[] open = duals.open(score, best);
+    ExactMethod.Found found =
+        effort
+            .exact()
+            .orElseThrow()
+            .solve(
+                instance.with(open),
+                goal,
+                Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray(),
+                duals.bound(),
+                effort.threads(),
+                effort.stop(),
+                watcher);
+    keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
+    double bound = goal.tightened(found.bound(), goal.quantum(instance));
+    boolean passed = goal.isAll() ? bound > score : bound < score;
+    if (passed && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
+      throw new IllegalStateException("a plan scores " + score + " beyond its bound " + bound);
+    }
+    return passed ? score : bound; // by rounding
   }
 
   private void first() {

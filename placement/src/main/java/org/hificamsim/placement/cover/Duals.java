@@ -2,6 +2,7 @@ package org.hificamsim.placement.cover;
 
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 
 /**
  * A bound on what any plan can reach, by Lagrangian relaxation: seeing a sample has a price of its
@@ -63,6 +64,20 @@ public final class Duals {
   /** No plan is worth more; or, where everything is to be seen, costs less. */
   double bound() {
     return goal.tightened(bound, quantum);
+  }
+
+  /** The candidates that a better plan may have, and those of the best so far: rising. */
+  int[] open(double score, int[] plan) {
+    goBack();
+    double value = value(instance, goal, best, sums);
+    return IntStream.range(0, sums.length)
+        .filter(
+            j -> {
+              double worth = Math.min(0, sums[j] - threshold * instance.prices()[j]);
+              double with = goal.tightened(value + (goal.isAll() ? -worth : worth), quantum);
+              return !goal.closes(with, score) || Arrays.binarySearch(plan, j) >= 0;
+            })
+        .toArray();
   }
 
   /** The multipliers that prove the bound, by sample. */

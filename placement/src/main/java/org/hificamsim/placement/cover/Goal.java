@@ -17,12 +17,12 @@ public record Goal(double budget) {
   }
 
   /** Whether a price is within the budget. */
-  boolean affords(double price) {
+  public boolean affords(double price) {
     return price <= budget * (1 + ROUNDING);
   }
 
   /** What a plan is judged by: its price where all is to be seen, else what it is worth. */
-  double score(CoverInstance instance, int[] plan) {
+  public double score(CoverInstance instance, int[] plan) {
     return isAll() ? instance.price(plan) : instance.worth(instance.counts(plan));
   }
 

@@ -81,7 +81,9 @@ public final class PlanFiles {
     json.put("share_bound", plan.bound());
     json.put("score", plan.plan().score());
     json.put("bound", plan.plan().bound());
+    json.put("bound_of_multipliers", plan.plan().relaxed());
     json.put("gap", plan.plan().gap());
+    json.put("proven", plan.plan().isProven());
     json.put("share_of_site", plan.today());
     ArrayNode zones = json.putArray("zones");
     for (Demand.Watched zone : demand.zones()) {

@@ -3,7 +3,6 @@ package org.hificamsim.placement.site;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.BooleanSupplier;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -15,6 +14,7 @@ import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
 import org.hificamsim.placement.cover.Duals;
+import org.hificamsim.placement.cover.Effort;
 import org.hificamsim.placement.cover.Goal;
 
 /**
@@ -134,15 +134,10 @@ public record PlacementProblem(
   }
 
   /** Searches for a plan. */
-  public SitePlan solve(long seed, int rounds, BooleanSupplier stop, CoverSearch.Watcher watcher) {
+  public SitePlan solve(Effort effort, CoverSearch.Watcher watcher) {
     CoverPlan plan =
         CoverSearch.solve(
-            left(),
-            goal,
-            seed,
-            rounds,
-            stop,
-            (score, bound) -> watcher.improved(shown(score), shown(bound)));
+            left(), goal, effort, (score, bound) -> watcher.improved(shown(score), shown(bound)));
     List<CameraSpec> cameras = new ArrayList<>(kept);
     List<Double> prices = new ArrayList<>();
     kept.forEach(any -> prices.add(0.0));

@@ -13,38 +13,8 @@ import org.junit.jupiter.api.Test;
 class CoverSearchTest {
   private static final int CASES = 300;
 
-  /** Samples worth 0 to 4 that count up to three times, candidates that cost 1, or up to 5. */
-  static CoverInstance random(SplittableRandom random, int samples, int candidates, boolean equal) {
-    double[] units = random.doubles(samples).map(one -> equal ? 1 : Math.rint(4 * one)).toArray();
-    int[] needs = random.ints(samples, 1, equal ? 2 : 4).toArray();
-    int[][] columns = new int[candidates][];
-    for (int j = 0; j < candidates; j++) {
-      columns[j] = IntStream.range(0, samples).filter(s -> random.nextDouble() < 0.3).toArray();
-    }
-    double[] prices = random.ints(candidates, 1, equal ? 2 : 6).asDoubleStream().toArray();
-    return new CoverInstance(units, needs, columns, prices);
-  }
-
-  private static double best(CoverInstance instance, Goal goal) {
-    double best = goal.isAll() ? Double.POSITIVE_INFINITY : 0;
-    for (int set = 0; set < 1 << instance.candidates(); set++) {
-      int bits = set;
-      int[] plan =
-          IntStream.range(0, instance.candidates()).filter(j -> (bits >> j & 1) == 1).toArray();
-      int[] counts = instance.counts(plan);
-      boolean whole =
-          IntStream.range(0, counts.length).allMatch(s -> counts[s] >= instance.needs()[s]);
-      if (goal.isAll() && whole) {
-        best = Math.min(best, instance.price(plan));
-      } else if (!goal.isAll() && instance.price(plan) <= goal.budget()) {
-        best = Math.max(best, instance.worth(counts));
-      }
-    }
-    return best;
-  }
-
   private static CoverPlan solve(CoverInstance instance, Goal goal) {
-    return CoverSearch.solve(instance, goal, 1, 30, () -> false, (score, bound) -> {});
+    return CoverSearch.solve(instance, goal, Effort.of(1, 30, () -> false), (score, bound) -> {});
   }
 
   @Test
@@ -52,9 +22,9 @@ class CoverSearchTest {
     SplittableRandom random = new SplittableRandom(7);
     int found = 0;
     for (int i = 0; i < CASES; i++) {
-      CoverInstance instance = random(random, 12, 9, i % 2 == 0).coverable();
+      CoverInstance instance = SmallInstances.random(random, 12, 9, i % 2 == 0).coverable();
       Goal goal = i % 3 == 0 ? Goal.ALL : new Goal(1 + random.nextInt(6));
-      double best = best(instance, goal);
+      double best = SmallInstances.best(instance, goal);
       CoverPlan plan = solve(instance, goal);
       double margin = 1e-6;
       assertTrue(
@@ -63,7 +33,7 @@ class CoverSearchTest {
           goal.isAll() ? plan.score() >= best - margin : plan.score() <= best + margin, "" + i);
       assertEquals(goal.score(instance, plan.chosen()), plan.score(), margin);
       CoverInstance left = instance.with(Dominance.left(instance));
-      assertEquals(plan.bound(), Duals.value(left, goal, plan.proof()), margin, "" + i);
+      assertEquals(plan.relaxed(), Duals.value(left, goal, plan.proof()), margin, "" + i);
       found += Math.abs(best - plan.score()) < margin ? 1 : 0;
     }
     assertTrue(found >= CASES * 0.98, found + " of " + CASES);
@@ -71,7 +41,7 @@ class CoverSearchTest {
 
   @Test
   void givesTheSamePlanForTheSameSeed() {
-    CoverInstance instance = random(new SplittableRandom(3), 200, 150, false);
+    CoverInstance instance = SmallInstances.random(new SplittableRandom(3), 200, 150, false);
     CoverPlan plan = solve(instance, new Goal(12));
     assertArrayEquals(plan.chosen(), solve(instance, new Goal(12)).chosen());
     assertTrue(plan.gap() < 0.1, "" + plan.gap());
@@ -89,8 +59,10 @@ class CoverSearchTest {
 
   @Test
   void hasAPlanWhenItIsStoppedAtOnce() {
-    CoverInstance instance = random(new SplittableRandom(5), 50, 40, true).coverable();
-    CoverPlan plan = CoverSearch.solve(instance, Goal.ALL, 1, 9, () -> true, (score, bound) -> {});
+    CoverInstance instance =
+        SmallInstances.random(new SplittableRandom(5), 50, 40, true).coverable();
+    CoverPlan plan =
+        CoverSearch.solve(instance, Goal.ALL, Effort.of(1, 9, () -> true), (score, bound) -> {});
     int[] counts = instance.counts(plan.chosen());
     assertTrue(IntStream.range(0, 50).allMatch(s -> counts[s] >= instance.needs()[s]));
     assertTrue(Arrays.stream(plan.chosen()).count() > 0);

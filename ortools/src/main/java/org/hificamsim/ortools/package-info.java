@@ -1,0 +1,2 @@
+/** The exact method of {@code place}: CP-SAT of OR-Tools. */
+package org.hificamsim.ortools;

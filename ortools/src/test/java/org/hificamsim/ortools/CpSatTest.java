@@ -1,0 +1,112 @@
+package org.hificamsim.ortools;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.hificamsim.cli.Main;
+import org.hificamsim.placement.cover.CoverInstance;
+import org.hificamsim.placement.cover.CoverPlan;
+import org.hificamsim.placement.cover.CoverSearch;
+import org.hificamsim.placement.cover.Effort;
+import org.hificamsim.placement.cover.ExactMethod;
+import org.hificamsim.placement.cover.Goal;
+import org.hificamsim.placement.cover.SmallInstances;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The exact method beside all plans of small instances, alone, and in the command. */
+class CpSatTest {
+  private static final int CASES = 60;
+  private static final Path SCENARIOS = Path.of(System.getProperty("hificamsim.root"), "scenarios");
+
+  @TempDir private Path folder;
+
+  private static Effort exact(int threads) {
+    return new Effort(1, 0, Optional.of(new CpSat()), threads, () -> true, () -> false);
+  }
+
+  private static CoverPlan solve(CoverInstance instance, Goal goal, int threads) {
+    return CoverSearch.solve(instance, goal, exact(threads), (score, bound) -> {});
+  }
+
+  /** The method without search, bound or reduction before it. */
+  private static double alone(CoverInstance instance, Goal goal) {
+    int[] start = goal.isAll() ? IntStream.range(0, instance.candidates()).toArray() : new int[0];
+    double bound = goal.isAll() ? 0 : instance.total();
+    ExactMethod.Found found =
+        new CpSat().solve(instance, goal, start, bound, 1, () -> false, (score, its) -> {});
+    assertEquals(goal.score(instance, found.chosen()), found.bound(), 1e-6);
+    return goal.score(instance, found.chosen());
+  }
+
+  @Test
+  void provesTheBestOfAllPlans() {
+    SplittableRandom random = new SplittableRandom(11);
+    for (int i = 0; i < CASES; i++) {
+      CoverInstance instance = SmallInstances.random(random, 12, 9, i % 2 == 0).coverable();
+      Goal goal = i % 3 == 0 ? Goal.ALL : new Goal(1 + random.nextInt(6));
+      double best = SmallInstances.best(instance, goal);
+      CoverPlan plan = solve(instance, goal, 1);
+      assertTrue(plan.isProven(), "" + i);
+      assertEquals(best, plan.score(), 1e-6, "" + i);
+      assertEquals(best, alone(instance, goal), 1e-6, "" + i);
+    }
+  }
+
+  @Test
+  void provesOddWeightsAndClosesWhatMultipliersLeave() {
+    SplittableRandom random = new SplittableRandom(2);
+    CoverInstance plain = SmallInstances.random(random, 60, 40, false).coverable();
+    double[] odd = random.doubles(60).toArray();
+    CoverInstance instance = new CoverInstance(odd, plain.needs(), plain.columns(), plain.prices());
+    CoverPlan plan = solve(instance, new Goal(9), 2);
+    assertTrue(plan.isProven(), plan.bound() + " " + plan.score());
+    assertTrue(plan.relaxed() > plan.bound() + 1e-6);
+    assertArrayEquals(plan.chosen(), solve(instance, new Goal(9), 1).chosen());
+  }
+
+  @Test
+  void stopsAtOnceWithThePlanItHad() {
+    CoverInstance instance =
+        SmallInstances.random(new SplittableRandom(3), 400, 300, false).coverable();
+    Effort stopped = new Effort(1, 0, Optional.of(new CpSat()), 1, () -> true, () -> true);
+    CoverPlan plan = CoverSearch.solve(instance, Goal.ALL, stopped, (score, bound) -> {});
+    int[] counts = instance.counts(plan.chosen());
+    assertTrue(IntStream.range(0, 400).allMatch(s -> counts[s] >= instance.needs()[s]));
+    assertTrue(plan.bound() <= plan.score());
+    plan = CoverSearch.solve(instance, new Goal(9), stopped, (score, bound) -> {});
+    assertTrue(plan.bound() >= plan.score() && plan.relaxed() >= plan.bound());
+  }
+
+  @Test
+  void theCommandSaysThatAPlanIsProvenAndTheCheckProvesItAgain() throws IOException {
+    Path plan = folder.resolve("plan");
+    Path site = SCENARIOS.resolve("corridor.xml");
+    String words = "--cameras 3 --catalogue site --cells 24 --candidates every=4 --method exact";
+    String said = run("place " + site + " " + words + " --out " + plan);
+    assertTrue(said.contains("proven: no plan of these candidates is better"), said);
+    Path summary = plan.resolve("summary.json");
+    String text = Files.readString(summary);
+    assertTrue(text.contains("\"proven\" : true"), text);
+    assertTrue(run("place --verify " + plan + " --method exact").contains("holds"));
+    Files.writeString(summary, text.replace("\"bound\" : ", "\"bound\" : 0.5, \"x\" : "));
+    assertTrue(run("place --verify " + plan + " --method exact").contains("error: "));
+  }
+
+  private static String run(String words) {
+    StringWriter out = new StringWriter();
+    try (PrintWriter writer = new PrintWriter(out)) {
+      Main.execute(writer, writer, words.split(" "));
+    }
+    return out.toString();
+  }
+}
