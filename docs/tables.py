@@ -134,7 +134,7 @@ def sensitivity(folder):
     put("sensitivity", ["parameter", "values", "holds", "flips"], lines)
 
 
-# the sites of world.md
+# the sites of sites.md
 
 HIDDEN = ("optimal",)  # by which all are divided
 
