@@ -137,7 +137,8 @@ final class TrainedNetwork {
   }
 
   private static String firstLine(OrtException e) {
-    return e.getMessage().lines().findFirst().orElse("");
+    String line = e.getMessage().lines().findFirst().orElse("");
+    return line.replaceFirst(".*(message|initialization|\\.cc:\\d+):? ", ""); // where in its code
   }
 
   private static NodeInfo only(String what, Collection<NodeInfo> nodes) {

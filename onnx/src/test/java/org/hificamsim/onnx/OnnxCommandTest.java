@@ -139,6 +139,15 @@ class OnnxCommandTest {
   }
 
   @Test
+  void ofWhatOnnxRuntimeSaysOnlyTheReasonIsRepeated() throws IOException {
+    byte[] damaged = Files.readAllBytes(Shipped.file("linear.onnx"));
+    damaged[11_540] ^= 0x40; // the length of its bias
+    Path file = Files.write(folder.resolve("damaged.onnx"), damaged);
+    assertRefused(
+        "onnx:" + file, "expected a trained one: CopyLittleEndian source and destination buffer");
+  }
+
+  @Test
   void thereMustBeAFile() {
     assertRefused("onnx", "no file, expected a trained network: onnx:FILE");
     assertRefused("onnx:" + folder, "cannot be read");
