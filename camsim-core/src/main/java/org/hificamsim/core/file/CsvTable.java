@@ -45,7 +45,7 @@ public final class CsvTable implements Rows {
   @Override
   public void add(String content) {
     String text = harmless(content);
-    boolean plain = text.indexOf(separator) < 0 && text.indexOf('"') < 0 && text.indexOf('\n') < 0;
+    boolean plain = text.chars().noneMatch(c -> c == separator || "\"\r\n".indexOf(c) >= 0);
     row.append(plain ? text : '"' + text.replace("\"", "\"\"") + '"').append(separator);
   }
 

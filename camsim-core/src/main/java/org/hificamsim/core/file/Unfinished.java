@@ -8,8 +8,8 @@ import java.util.Set;
 
 /** Files and folders that are being written: closing one deletes what has not been committed. */
 public final class Unfinished {
-  private static final Set<Closeable> ALL = new HashSet<>();
-  private static boolean ending;
+  static final Set<Closeable> ALL = new HashSet<>();
+  static boolean ending;
 
   private Unfinished() {}
 
@@ -34,7 +34,7 @@ public final class Unfinished {
     ALL.remove(one);
   }
 
-  private static void closeAll() {
+  static void closeAll() {
     for (Closeable one : end()) {
       try {
         one.close();

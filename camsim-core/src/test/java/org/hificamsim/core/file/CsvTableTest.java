@@ -1,6 +1,7 @@
 package org.hificamsim.core.file;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.StringWriter;
@@ -66,15 +67,34 @@ class CsvTableTest {
   @Test
   void quotesWhatWouldEndACellOrARow() throws IOException {
     assertEquals(
-        "a;b;c;d\r\n\"1;2\";\"a \"\"b\"\"\";\"c\nd\";e,f\r\n",
+        "a;b;c;d\r\n\";\";\"\"\"\";\"\n\";\"c\rd\"\r\n\"1;2\";\"a \"\"b\"\"\";\"c\nd\";e,f\r\n",
         written(
             rows -> {
+              rows.add(";");
+              rows.add("\"");
+              rows.add("\n");
+              rows.add("c\rd");
+              rows.end();
               rows.add("1;2");
               rows.add("a \"b\"");
               rows.add("c\nd");
               rows.add("e,f");
               rows.end();
             }));
+  }
+
+  @Test
+  void whoClosesTheTableClosesTheFile() throws IOException {
+    boolean[] closed = {false};
+    StringWriter file =
+        new StringWriter() {
+          @Override
+          public void close() {
+            closed[0] = true;
+          }
+        };
+    new CsvTable(file, "a", ',', "\n").close();
+    assertTrue(closed[0]);
   }
 
   private interface Filling {
@@ -93,7 +113,17 @@ class CsvTableTest {
   @CsvSource(
       delimiter = '|',
       quoteCharacter = '"',
-      value = {"=1+1 | '=1+1", "@sum | '@sum", "+a | '+a", "-b | '-b", "-3.5 | -3.5", "a=b | a=b"})
+      value = {
+        "=1+1 | '=1+1",
+        "@sum | '@sum",
+        "+a | '+a",
+        "-b | '-b",
+        "-3.5 | -3.5",
+        "a=b | a=b",
+        "\"\" | \"\"",
+        "' | '",
+        "'a | 'a"
+      })
   void aTextThatASpreadsheetWouldTakeForAFormulaIsMadeHarmlessAndReadAsItWas(
       String text, String written) {
     assertEquals(written, CsvTable.harmless(text));

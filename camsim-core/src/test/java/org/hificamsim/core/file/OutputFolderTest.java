@@ -1,6 +1,7 @@
 package org.hificamsim.core.file;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -8,9 +9,14 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.BeforeEach;
@@ -81,6 +87,49 @@ class OutputFolderTest {
     String told = assertThrows(InputException.class, () -> OutputFolder.made(path)).getMessage();
     assertEquals(refused, told.substring(0, Math.min(refused.length(), told.length())));
     assertTrue(told.matches(".*(expected .*|: [A-Za-z ]+)"), told);
+    assertFalse(told.contains("Exception"), "what the system says: " + told);
+  }
+
+  @Test
+  void whereTheSystemGivesNoReasonTheKindOfFaultIsOne() throws IOException {
+    Path link = Files.createSymbolicLink(above.resolve("link"), above.resolve("nowhere"));
+    String told = assertThrows(InputException.class, () -> OutputFolder.made(link)).getMessage();
+    assertEquals("folder '" + link + "' cannot be made: FileAlreadyExistsException", told);
+  }
+
+  @Test
+  void itIsOneFromTheFirstDraftOn() throws IOException {
+    Path other = above.resolve("other");
+    assertFalse(OutputFolder.isOne(other));
+    try (OutputFolder output = new OutputFolder(other)) {
+      assertTrue(OutputFolder.isOne(other));
+      write(output, "b");
+      assertEquals("later", Files.readString(output.drafts().resolve("b")));
+      output.commit(List.of());
+    }
+    assertTrue(OutputFolder.isOne(other));
+  }
+
+  @Test
+  void whatIsWrittenTwiceIsWhatWasWrittenLast() throws IOException {
+    try (OutputFolder output = new OutputFolder(folder)) {
+      output.write("b", "first");
+      output.write("b", "last");
+      output.commit(List.of());
+    }
+    assertEquals("last", Files.readString(folder.resolve("b")));
+  }
+
+  @Test
+  void whatIsCommittedMayBeTheUsersBeforeTheNextCommit() throws IOException {
+    try (OutputFolder output = new OutputFolder(folder)) {
+      write(output, "b");
+      output.commit(List.of());
+      Files.writeString(folder.resolve("b"), "mine");
+      write(output, "c");
+      output.commit(List.of());
+    }
+    assertEquals("a=earlier b=mine c=later ", contents());
   }
 
   @Test
@@ -88,8 +137,21 @@ class OutputFolderTest {
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");
     }
-    assertEquals(List.of("a"), names());
-    assertEquals("earlier", Files.readString(folder.resolve("a")));
+    assertEquals("a=earlier ", contents());
+    assertFalse(Files.exists(folder.resolve(".hificamsim")));
+  }
+
+  @Test
+  void aFolderWithoutARecordMayBeOfAnEarlierVersion() throws IOException {
+    for (Path one : List.of(folder, Files.createDirectory(above.resolve("old")))) {
+      Files.writeString(one.resolve("steps.csv"), "mine");
+      try (OutputFolder output = new OutputFolder(one)) {
+        String told =
+            assertThrows(InputException.class, () -> output.claim(List.of("steps.csv")))
+                .getMessage();
+        assertEquals(one != folder, told.contains("versions before 0.2"), told);
+      }
+    }
   }
 
   @Test
@@ -228,6 +290,75 @@ class OutputFolderTest {
       }
       return true;
     }
+  }
+
+  @Test
+  void betweenTwoStepsTheDiskChangesOnce() throws IOException {
+    earlier("a", "b", "stale");
+    List<Set<String>> steps = new ArrayList<>();
+    List<Map<String, String>> disk = new ArrayList<>(List.of(Map.of()));
+    Runnable compare =
+        () -> {
+          Map<String, String> now = Io.get(this::disk);
+          Set<String> changed = new TreeSet<>(now.keySet());
+          changed.addAll(disk.get(0).keySet());
+          changed.removeIf(file -> Objects.equals(now.get(file), disk.get(0).get(file)));
+          steps.add(changed);
+          disk.set(0, now);
+        };
+    try (OutputFolder output = new OutputFolder(folder, compare)) {
+      write(output, "a");
+      write(output, "b");
+      write(output, "new");
+      compare.run();
+      steps.clear();
+      output.commit(List.of("stale"));
+      write(output, "never");
+      compare.run();
+    }
+    String hidden = ".hificamsim/";
+    assertEquals(
+        List.of(
+            Set.of(),
+            Set.of(hidden + "commit.part"),
+            Set.of(hidden + "commit.part", hidden + "commit"),
+            Set.of(hidden + "a", "a"),
+            Set.of(hidden + "b", "b"),
+            Set.of(hidden + "new", "new"),
+            Set.of("stale"),
+            Set.of(hidden + "commit", ".hificamsim.sha256", hidden + "never"),
+            Set.of()), // before the draft goes
+        steps);
+  }
+
+  private Map<String, String> disk() throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      Map<String, String> disk = new TreeMap<>();
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        disk.put(folder.relativize(file).toString(), Files.readString(file));
+      }
+      disk.remove(".hificamsim/lock");
+      return disk;
+    }
+  }
+
+  @Test
+  void aCommitThatFailsOnceItIsDecidedIsEndedByTheNext() throws IOException {
+    int[] acts = {0};
+    OutputFolder output =
+        new OutputFolder(
+            folder,
+            () -> {
+              if (acts[0]++ == 2) {
+                throw new IllegalStateException("the disk is full");
+              }
+            });
+    write(output, "a");
+    assertThrows(IllegalStateException.class, () -> output.commit(List.of()));
+    output.close();
+    assertEquals("a=earlier ", contents());
+    OutputFolder.settle(folder);
+    assertEquals("a=later ", contents());
   }
 
   private String contents() throws IOException {

@@ -9,8 +9,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.Reader;
 import java.io.StringReader;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
@@ -40,6 +42,31 @@ class TextLinesTest {
     assertTrue(lines.nextFields());
     assertEquals("t:6:1", lines.place(0).toString());
     assertFalse(lines.nextFields());
+  }
+
+  @Test
+  void aFieldBeginsAfterThoseBeforeItAndAMissingOneAtTheEnd() {
+    TextLines lines = new TextLines("t", new StringReader(" ab\tab  a b"), 3);
+    assertTrue(lines.next());
+    int[] columns = {2, 5, 9, 11, 12, 12};
+    for (int field = 0; field < columns.length; field++) {
+      assertEquals("t:3:" + columns[field], lines.place(field).toString());
+    }
+  }
+
+  @Test
+  void whatTheSystemSaysOfAFaultStandsInTheLine() {
+    Map<IOException, String> said =
+        Map.of(
+            new FileSystemException("a", null, "too many links"), "too many links",
+            new FileSystemException("b"), "b",
+            new IOException("no more"), "no more",
+            new IOException(), "null");
+    said.forEach(
+        (fault, words) ->
+            assertEquals(
+                "t:2:1: cannot be read (" + words + "), expected a text file",
+                TextLines.unreadable("t", 2, fault).getMessage()));
   }
 
   @Test
