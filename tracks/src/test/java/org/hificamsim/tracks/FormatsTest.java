@@ -92,6 +92,14 @@ class FormatsTest {
   }
 
   @Test
+  void motRowsMayEndWithTheBoxWhichMayBeEmpty() {
+    Imported imported =
+        new Imported(folder).rate(10).unit(Unit.PX).homography("1 0 0\n0 1 0\n0 0 1\n");
+    imported.of("mot", "1,3,100,20,10,40\n2,3,110,20,0,0\n");
+    assertEquals("target 3 width 10 height 40;0 105 60;110 20;", imported.tracks());
+  }
+
+  @Test
   void motBoxesWithoutAWorldAreRefusedWithoutAHomography() {
     assertRefused(
         new Imported(folder).rate(10).unit(Unit.M),
@@ -170,6 +178,52 @@ class FormatsTest {
         "gpx",
         GPX.replace("12:00:00Z", "noon"),
         ": <time> is '2024-05-31Tnoon', expected as 2024-05-31T12:00:00Z");
+  }
+
+  @Test
+  void floatingCarDataMayHaveDegrees() {
+    Imported imported = new Imported(folder).unit(Unit.DEG);
+    imported.of(
+        "fcd",
+        "<f><timestep time='0'><person id='a' x='16' y='48'/></timestep>"
+            + "<timestep time='1'><person id='a' x='16.001' y='48'/></timestep></f>");
+    assertEquals("target 1 size 0.66;0 0 0;74.625 0;", imported.tracks());
+  }
+
+  @Test
+  void timesHaveFractionsOfASecond() {
+    assertEquals(10.5, new Imported(folder).of("gpx", GPX).interval());
+  }
+
+  @Test
+  void aTableOfNumbersAndNamesIsReadByBoth() {
+    Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("x", "4", "y", "north"));
+    imported.of("csv", "time,id,north,east,width,height\n0,1,2,3,1e9,1\n");
+    assertEquals("target 1 width 1000000000 height 1;0 3 2;", imported.tracks());
+    assertRefused(
+        new Imported(folder).unit(Unit.M).columns(Map.of("x", "5", "y", "y")),
+        "csv",
+        "time,id,y,z\n0,1,2,3\n",
+        ":1:1: no column '5' for x, expected --columns with it, of: time, id, y, z");
+    assertRefused(
+        new Imported(folder).unit(Unit.M).columns(Map.of("z", "4")),
+        "csv",
+        "time,id,x,y\n0,1,2,3\n",
+        "--columns has 'z', expected time or frame, id, x, y, width, height");
+  }
+
+  @Test
+  void aFeatureWithoutAPlaceIsPassedOver() {
+    Imported imported = new Imported(folder).unit(Unit.M);
+    imported.of(
+        "geojson",
+        """
+{"features": [
+  {"geometry": null, "properties": null},
+  {"id": "a", "geometry": {"type": "LineString", "coordinates": [[1, 2], [3, 2]]},
+   "properties": {"name": "b", "coordinateProperties": {"times": [0, 2], "speeds": [1, 1]}}}]}
+""");
+    assertEquals("target 1 size 0.66;0 1 2;3 2;", imported.tracks());
   }
 
   @Test
@@ -260,6 +314,12 @@ class FormatsTest {
         "fcd|<f><timestep time='1'><vehicle id='a' x='1' y='2'/>|cut off",
         "fcd|<!DOCTYPE f []><f/>|not well-formed XML",
         "fcd|<f><timestep time='x'/></f>|<timestep> time is 'x', expected a number",
+        "trajnet|{\"track\": {\"f\": 1, \"p\": 1, \"x\": 1e10, \"y\": 1}}|:1:33: x is '1e10'",
+        "trajnet|{\"scene\": {\"fps\": 0}}|:1:19: fps is '0', expected a number above 0",
+        "trajnet|{\"scene\": {\"fps\": 2}} {\"scene\": {\"fps\": 3}}|expected 2.0 as before",
+        "csv|time,id,x,y,width;0,1,2,3,0|:2:9: width is '0', expected a number above 0",
+        "csv|time,id,x,y,height;0,1,2,3,1e10|:2:9: height is '1e10', expected a number above 0",
+        "petrack|# framerate: 5;;# x/cm|samples of targets; the file, or what is cut from it",
         "csv|time,id,x,y;0,1,2|:2:1: the row has 3 cells, expected 4",
         "csv|time,id,x,y;0,1,2 ,;|:2:8: y is '', expected a number",
         "csv|when,id,x,y;0,1,2,3|:1:1: no column 'time' for time, expected --columns with it, of:",

@@ -48,6 +48,72 @@ class TracksImportTest {
   }
 
   @Test
+  void allThatIsSaidOfARecording() {
+    ImportSummary found =
+        new Imported(folder)
+            .rate(1)
+            .cut(1, 1e9)
+            .of(
+                "ethucy",
+                "0 1 0 0\n6 1 0 -1\n7 1 3 3\n8 1 6 7\n12 1 6 8\n13 1 6 9.23456\n9 2 1e6 0\n");
+    assertEquals(
+        List.of(
+            "6 samples of 2 targets in 12 s",
+            "nobody before 5 s: --from leaves that out",
+            "a sample every 1 s (1 a second)",
+            "speeds: a quarter up to 1.23 m/s, half up to 5, three quarters up to 5",
+            "1 gaps longer than 3 s, up to 4 s: the target is away meanwhile",
+            "places: x from 0 to 1000000 m, y from -1 to 9.235 m",
+            "odd: 1 targets with one sample alone"),
+        found.lines());
+    assertEquals(12, found.duration());
+    assertEquals(3, found.gap());
+  }
+
+  @Test
+  void aPartOfAllSpeedsIsNotAboveTheirQuantile() {
+    Jumps.Speeds speeds = new Jumps.Speeds();
+    assertEquals(Double.NaN, speeds.quantile(0.5));
+    for (double speed : new double[] {0, 1, 2, 5000}) {
+      speeds.add(speed);
+    }
+    double[] quantiles = {0, 0.25, 0.26, 0.5, 0.75, 1};
+    double[] expected = {0, 0, 1, 1, 2, 1000};
+    for (int i = 0; i < quantiles.length; i++) {
+      assertEquals(expected[i], speeds.quantile(quantiles[i]), 1e-9);
+    }
+    assertEquals(4, speeds.above(-1));
+    assertEquals(3, speeds.above(0));
+    assertEquals(1, speeds.above(2));
+    assertEquals(0, speeds.above(1000));
+  }
+
+  @Test
+  void aWayIsAJumpBesideTheSlowerOfThoseAroundItInItsOwnTrack() {
+    assertEquals(List.of(), jumps(1, 5, 1)); // five times as fast is none
+    assertEquals(
+        List.of("1 jumps, faster than 5 m/s", "target a jumps 6 m before 2 s, 6 m/s"),
+        jumps(1, 6, 1));
+    assertEquals(2, jumps(9, 1).size()); // at the start, and 9 m/s among the others is odd
+    assertEquals(2, jumps(1, 9).size());
+    assertEquals(List.of(), jumps(2, 9, 9, 2));
+    assertEquals(4, jumps(1, 6, 1, 7, 1, 8, 1, 9, 1).size()); // four, of which three are named
+  }
+
+  /** Of a track with these speeds, a way each second, between two slow ones. */
+  private static List<String> jumps(double... speeds) {
+    Jumps jumps = new Jumps();
+    jumps.add(new Jumps.Leg("b", 1, 0.01, 0.01));
+    jumps.endTrack();
+    for (int i = 0; i < speeds.length; i++) {
+      jumps.add(new Jumps.Leg("a", i + 1, speeds[i], speeds[i]));
+    }
+    jumps.endTrack();
+    jumps.add(new Jumps.Leg("b", 1, 0.01, 0.01));
+    return jumps.lines(1);
+  }
+
+  @Test
   void quartilesAreOfTheSpeedBetweenSamples() {
     ImportSummary found =
         new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 3 0\n3 1 6 0\n4 1 10 0\n");

@@ -99,7 +99,7 @@ class WallHeightsTest {
   void draftsHangWhereWallsHaveHeights() throws IOException {
     List<Obstacle> walls =
         read("walls.xml", "<Lines><Line x1='4' y1='5' x2='6' y2='5' height='1.2'/></Lines>");
-    Field field = new Field(0, 40, 0, 30);
+    Field field = new Field(100, 140, -50, -20);
     CameraSpec hung = DraftCameras.of(1, field, new Obstacles(walls)).get(0);
     assertEquals(3, hung.z().orElseThrow());
     double half = Math.toDegrees(Math.atan(Math.tan(Math.toRadians(30)) * 9 / 16));
