@@ -199,7 +199,7 @@ class FormatsTest {
   void aTableOfNumbersAndNamesIsReadByBoth() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("x", "4", "y", "north"));
     imported.of("csv", "time,id,north,east,width,height\n0,1,2,3,1e9,1\n");
-    assertEquals("target 1 width 1000000000 height 1;0 3 2;", imported.tracks());
+    assertEquals("target 1 width 1.0E9 height 1;0 3 2;", imported.tracks());
     assertRefused(
         new Imported(folder).unit(Unit.M).columns(Map.of("x", "5", "y", "y")),
         "csv",
