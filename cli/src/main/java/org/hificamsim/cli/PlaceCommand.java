@@ -28,6 +28,7 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
+import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.CameraKind;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
@@ -35,6 +36,7 @@ import org.hificamsim.placement.site.MountPoints;
 import org.hificamsim.placement.site.PlacementProblem;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.placement.site.Visits;
+import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -57,7 +59,9 @@ final class PlaceCommand implements Callable<Integer> {
   private static final int MAX_CAMERAS = 100_000;
   private static final int ROUNDS = 60; // without a better plan
   private static final double SEARCHED = 0.2; // of the time, before an exact method goes on
+  private static final double TRIED = 0.8; // of the time, before it goes on with all candidates
   private static final int USUAL_CELLS = 60;
+  private static final int SPOTS = 3; // that the terminal names
   private static final double USUAL_PLACES = 40; // along the longer side of the field
 
   @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
@@ -140,7 +144,12 @@ final class PlaceCommand implements Callable<Integer> {
     PlacementProblem problem = problem(goal);
     SitePlan plan = problem.solve(effort(), watcher(goal, "%.2f %%", 100));
     try (OutputFolder output = screen.folder(folder)) {
-      PlanFiles.write(output, plan);
+      PlanFiles.write(
+          output,
+          plan,
+          Catalogue.load(),
+          FloorPictures.of(file, plan.demand().site()),
+          screen.words());
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
           InstanceFile.write(writer, problem.left(), instanceForm());
@@ -171,6 +180,7 @@ final class PlaceCommand implements Callable<Integer> {
         exact ? Optional.of(ExactMethod.found()) : Optional.empty(),
         threads.count(),
         () -> interrupt.isDue(SEARCHED),
+        () -> interrupt.isDue(TRIED),
         interrupt::isDue);
   }
 
@@ -316,11 +326,14 @@ final class PlaceCommand implements Callable<Integer> {
           zone.detection().name(),
           zone.k());
     }
-    if (!plan.blindSpots().isEmpty()) {
-      screen.say("  seen by no camera: %s", String.join(", ", plan.blindSpots()));
+    List<BlindSpot> spots = plan.blindSpots();
+    spots.stream().limit(SPOTS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
+    if (spots.size() > SPOTS) {
+      screen.say("  and %d more places", spots.size() - SPOTS);
     }
     screen.say(
-        "%s; under policies: ./hificamsim compare %s", folder, folder.resolve(PlanFiles.SCENARIO));
+        "%s/index.html, plan.pdf; under policies: ./hificamsim compare %s",
+        folder, folder.resolve(PlanFiles.SCENARIO));
   }
 
   private InstanceFile.Form instanceForm() {

@@ -104,13 +104,13 @@ public final class CpSat implements ExactMethod {
       this.taken = new BoolVar[instance.candidates()];
       Arrays.setAll(taken, j -> model.newBoolVar("x"));
       this.scale = goal.isAll() ? scale(instance.prices()) : scale(instance.units());
-      build(rows(instance));
       boolean[] hinted = new boolean[taken.length];
       Arrays.stream(start).forEach(j -> hinted[j] = true);
       IntStream.range(0, taken.length).forEach(j -> model.addHint(taken[j], hinted[j]));
+      build(rows(instance), hinted);
     }
 
-    private void build(Map<Row, Double> rows) {
+    private void build(Map<Row, Double> rows, boolean[] hinted) {
       LinearExprBuilder objective = LinearExpr.newBuilder();
       rows.forEach(
           (row, unit) -> {
@@ -121,6 +121,8 @@ public final class CpSat implements ExactMethod {
             } else {
               IntVar times = model.newIntVar(0, row.needs, "y");
               model.addLessOrEqual(times, seen);
+              long before = row.candidates.stream().filter(j -> hinted[j]).count();
+              model.addHint(times, Math.min(row.needs, before));
               objective.addTerm(times, whole(unit * scale, true));
             }
           });

@@ -31,7 +31,8 @@ class CpSatTest {
   @TempDir private Path folder;
 
   private static Effort exact(int threads) {
-    return new Effort(1, 0, Optional.of(new CpSat()), threads, () -> true, () -> false);
+    return new Effort(
+        1, 0, Optional.of(new CpSat()), threads, () -> true, () -> false, () -> false);
   }
 
   private static CoverPlan solve(CoverInstance instance, Goal goal, int threads) {
@@ -78,7 +79,8 @@ class CpSatTest {
   void stopsAtOnceWithThePlanItHad() {
     CoverInstance instance =
         SmallInstances.random(new SplittableRandom(3), 400, 300, false).coverable();
-    Effort stopped = new Effort(1, 0, Optional.of(new CpSat()), 1, () -> true, () -> true);
+    Effort stopped =
+        new Effort(1, 0, Optional.of(new CpSat()), 1, () -> true, () -> true, () -> true);
     CoverPlan plan = CoverSearch.solve(instance, Goal.ALL, stopped, (score, bound) -> {});
     int[] counts = instance.counts(plan.chosen());
     assertTrue(IntStream.range(0, 400).allMatch(s -> counts[s] >= instance.needs()[s]));

@@ -22,6 +22,7 @@ public final class CoverSearch {
   private static final int STEPS = 40; // of the bound, between two rounds
   private static final double LEAST = 1e-3; // of a price, that remains of it
   private static final double NOISE = 0.1;
+  private static final int KERNEL = 1000; // candidates
 
   private final CoverInstance instance;
   private final Goal goal;
@@ -64,9 +65,33 @@ public final class CoverSearch {
     return new CoverPlan(chosen, search.score, bound, duals.bound(), duals.proof(), seconds);
   }
 
-  /** Goes on exactly with what the bound leaves; returns the new bound. */
+  /**
+   * Goes on exactly with what the bound leaves; where that is much, with what the bound makes the
+   * best of it first, to find a better plan (kernel search: Angelelli, Mansini and Speranza 2010).
+   *
+   * @return the new bound
+   */
   private double close(Duals duals, Effort effort, Watcher watcher) {
+    double before = duals.bound();
     int[] open = duals.open(score, best);
+    if (open.length > 2 * KERNEL) {
+      exactly(
+          duals.kernel(KERNEL, best),
+          before,
+          effort.kernel(),
+          (its, any) -> watcher.improved(its, before));
+      open = duals.open(score, best);
+    }
+    double bound = goal.tightened(exactly(open, before, effort, watcher), goal.quantum(instance));
+    boolean passed = goal.isAll() ? bound > score : bound < score;
+    if (passed && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
+      throw new IllegalStateException("a plan scores " + score + " beyond its bound " + bound);
+    }
+    return passed ? score : bound; // by rounding
+  }
+
+  /** Solves for these candidates alone, which the best plan is among; returns the bound. */
+  private double exactly(int[] open, double bound, Effort effort, Watcher watcher) {
     ExactMethod.Found found =
         effort
             .exact()
@@ -75,17 +100,12 @@ public final class CoverSearch {
                 instance.with(open),
                 goal,
                 Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray(),
-                duals.bound(),
+                bound,
                 effort.threads(),
                 effort.stop(),
                 watcher);
     keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
-    double bound = goal.tightened(found.bound(), goal.quantum(instance));
-    boolean passed = goal.isAll() ? bound > score : bound < score;
-    if (passed && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
-      throw new IllegalStateException("a plan scores " + score + " beyond its bound " + bound);
-    }
-    return passed ? score : bound; // by rounding
+    return found.bound();
   }
 
   private void first() {

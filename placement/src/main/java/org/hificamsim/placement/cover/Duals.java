@@ -1,6 +1,7 @@
 package org.hificamsim.placement.cover;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
@@ -78,6 +79,18 @@ public final class Duals {
               return !goal.closes(with, score) || Arrays.binarySearch(plan, j) >= 0;
             })
         .toArray();
+  }
+
+  /** The candidates that cost least beyond what they are worth, and those of a plan: rising. */
+  int[] kernel(int count, int[] plan) {
+    goBack();
+    IntStream first =
+        IntStream.range(0, sums.length)
+            .boxed()
+            .sorted(Comparator.comparingDouble(this::reducedPrice))
+            .limit(count)
+            .mapToInt(Integer::intValue);
+    return IntStream.concat(first, Arrays.stream(plan)).distinct().sorted().toArray();
   }
 
   /** The multipliers that prove the bound, by sample. */

@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
  *
  * @param rounds without a better plan after which the search ends
  * @param enough ends the search, where an exact method goes on
+ * @param most ends an exact method's search for a better plan among few candidates
  * @param stop ends all at the next opportunity; there is a plan whatever it says
  */
 public record Effort(
@@ -16,10 +17,16 @@ public record Effort(
     Optional<ExactMethod> exact,
     int threads,
     BooleanSupplier enough,
+    BooleanSupplier most,
     BooleanSupplier stop) {
   /** Search alone. */
   public static Effort of(long seed, int rounds, BooleanSupplier stop) {
-    return new Effort(seed, rounds, Optional.empty(), 1, stop, stop);
+    return new Effort(seed, rounds, Optional.empty(), 1, stop, stop, stop);
+  }
+
+  /** The same until {@code most}. */
+  Effort kernel() {
+    return new Effort(seed, rounds, exact, threads, enough, most, most);
   }
 
   boolean isEnough() {

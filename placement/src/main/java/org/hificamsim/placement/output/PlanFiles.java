@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
@@ -13,7 +14,9 @@ import org.hificamsim.placement.output.PlanTables.Covered;
 import org.hificamsim.placement.output.PlanTables.Planned;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
+import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 
 /** Writes a plan: the scenario that runs, and all that is to be said of it. */
@@ -26,8 +29,21 @@ public final class PlanFiles {
 
   private PlanFiles() {}
 
-  /** Adds the files to a folder's. */
-  public static void write(OutputFolder folder, SitePlan plan) throws IOException {
+  /**
+   * Adds the files to a folder's.
+   *
+   * @param floor of the site
+   * @param command that made the plan
+   */
+  public static void write(
+      OutputFolder folder,
+      SitePlan plan,
+      Catalogue catalogue,
+      List<Setup.Floor> floor,
+      List<String> command)
+      throws IOException {
+    new PlanSheet(plan, catalogue, floor)
+        .write(folder, "./hificamsim " + String.join(" ", command), ManifestFile.version());
     folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
     JsonOutput.write(folder, ResultFolder.SUMMARY, summary(plan));
     int[] counts = plan.counts();
@@ -93,9 +109,7 @@ public final class PlanFiles {
       one.put("share", demand.share(zone, counts, false));
       one.put("share_whole", demand.share(zone, counts, true));
     }
-    List<String> blind = plan.blindSpots();
-    ArrayNode spots = json.putArray("blind_spots");
-    blind.forEach(spots::add);
+    plan.blindSpots().forEach(json.putArray("blind_spots")::addPOJO);
     return json;
   }
 }

@@ -1,7 +1,6 @@
 package org.hificamsim.placement.site;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
@@ -64,12 +63,6 @@ public record SitePlan(
   /** What all new cameras cost. */
   public double price() {
     return prices.stream().mapToDouble(Double::doubleValue).sum();
-  }
-
-  /** The samples that are covered by no camera. */
-  public int[] blind() {
-    int[] counts = counts();
-    return IntStream.range(0, counts.length).filter(sample -> counts[sample] == 0).toArray();
   }
 
   /** A point of the curve: how much is met by the first cameras, and could be at their price. */
@@ -143,18 +136,8 @@ public record SitePlan(
         .with(Scenario.TARGETS, List.of(Demand.target(usual, 0, first.x(), first.y())));
   }
 
-  /** The names of the zones that have a blind spot, with how many cells. */
-  public List<String> blindSpots() {
-    int[] counts = counts();
-    return demand().zones().stream()
-        .filter(zone -> Arrays.stream(counts, zone.first(), zone.end()).anyMatch(k -> k == 0))
-        .map(
-            zone ->
-                "%s (%s of %s cells)"
-                    .formatted(
-                        zone.name(),
-                        Arrays.stream(counts, zone.first(), zone.end()).filter(k -> k == 0).count(),
-                        zone.count()))
-        .toList();
+  /** The connected parts of zones that no camera covers, the largest first. */
+  public List<BlindSpot> blindSpots() {
+    return BlindSpot.of(demand(), counts());
   }
 }

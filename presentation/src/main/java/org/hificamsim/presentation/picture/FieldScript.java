@@ -12,7 +12,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.presentation.plot.Legend;
 import org.hificamsim.presentation.plot.LegendEntry;
-import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.Scripts;
@@ -107,7 +106,7 @@ final class FieldScript {
   /**
    * Paints a frame of a run within an area.
    *
-   * @param heat painted in its place; null for none
+   * @param heat a heat map or the cells of a plan, painted in its place; null for none
    * @param values of the heat map's cells
    */
   void paint(
@@ -115,7 +114,7 @@ final class FieldScript {
       Rectangle2D area,
       RunFrames run,
       int index,
-      PackedHeat.ShownFigure heat,
+      Record heat,
       double[] values) {
     Graphics2D place = (Graphics2D) graphics.create();
     place.clip(area);

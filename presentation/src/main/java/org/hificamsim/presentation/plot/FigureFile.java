@@ -93,7 +93,8 @@ public final class FigureFile {
       ByteArrayOutputStream svg = new ByteArrayOutputStream();
       stream(graphics, root, svg);
       ByteArrayOutputStream pdf = new ByteArrayOutputStream();
-      PdfFile.write(pdf, laid, width.map(PrintWidth::points).orElse((double) laid.width()));
+      PdfFile.write(
+          pdf, List.of(laid), width.map(PrintWidth::points).orElse((double) laid.width()));
       return new Drawn(List.of(png.toByteArray(), svg.toByteArray(), pdf.toByteArray()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -135,7 +136,7 @@ public final class FigureFile {
     switch (format) {
       case "png" -> png(out, picture);
       case "svg" -> svg(out, picture);
-      case "pdf" -> PdfFile.write(out, picture, picture.width());
+      case "pdf" -> PdfFile.write(out, List.of(picture), picture.width());
       default -> throw new IllegalArgumentException(format);
     }
   }
@@ -168,8 +169,13 @@ public final class FigureFile {
     }
   }
 
+  /** Writes a PDF document of these pages, which are as wide as they say. */
+  public static void pages(OutputStream out, List<? extends Paintable> pages) throws IOException {
+    PdfFile.write(out, pages, pages.get(0).width());
+  }
+
   /** Writes an SVG document. */
-  private static void svg(OutputStream out, Paintable picture) throws IOException {
+  public static void svg(OutputStream out, Paintable picture) throws IOException {
     SVGGraphics2D graphics = painted(picture);
     stream(graphics, graphics.getRoot(), out);
   }

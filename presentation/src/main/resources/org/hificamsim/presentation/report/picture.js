@@ -1,5 +1,5 @@
 // Scenes as Java's FieldScript asks for them: the numbers of a run come as Java's arrays, all else as JSON. Rhino runs this file: see scene.js.
-import { fit, hatch, HEAT, heightFor, LAYERS, legend, MAP_LAYERS, NEVER, paintScene, paintTracks } from './scene.js';
+import { fit, hatch, HEAT, heightFor, LAYERS, legend, MAP_LAYERS, NEVER, paintScene, PLAN_LAYERS, paintTracks } from './scene.js';
 import { scaleColour } from './palette.js';
 
 const TRACK_POINTS = 200000;
@@ -17,7 +17,7 @@ export const scale = count => Array.from({length: count}, (none, i) => scaleColo
 export const never = host => hatch(host, NEVER, 1);
 
 /**
- * Paints a frame, or a heat map where there is one.
+ * Paints a frame, or a heat map or the cells of a plan where there are such.
  * @param columns of the run: `frame`, the one that is shown, `most`, and the lists `step`, `online`, ...
  * @param zoned the camera whose pixel densities are shown, -1 for none
  */
@@ -29,5 +29,5 @@ export function paint(host, setup, colours, width, height, columns, poses, image
   };
   const every = 1 + Math.floor((count * setup.targets.length) / TRACK_POINTS);
   if (tracked) scene.tracks = () => paintTracks(host, scene, 0, every);
-  paintScene(host, scene, heat ? MAP_LAYERS : LAYERS);
+  paintScene(host, scene, scene.heat?.classes ? PLAN_LAYERS : heat ? MAP_LAYERS : LAYERS);
 }

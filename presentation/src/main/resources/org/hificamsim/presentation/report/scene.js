@@ -27,13 +27,16 @@ export const LAYERS = [floor, grid, heat, beliefs, zones, views, shadows, obstac
 /** The layers of a heat map's picture: what belongs to one step is left out. */
 export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleBar];
 
+/** The layers of a plan's picture: cells in classes, what each camera looks at, and its name. */
+export const PLAN_LAYERS = [floor, grid, heat, views, obstacles, cameras, names, scaleBar];
+
 /**
  * Paints layers of a scene.
  *
  * `run`: what is shown, with `setup`, `most` (targets at the same time) and lists by camera or target and by frame; `frame`;
  * `map`: from `fit`; `unit`: pixels of a pixel, which grow with the text; `colours`: by their names in the style sheet;
  * `selected`: the chosen camera and `zoned`: the one whose pixel densities are shown, -1 for none;
- * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; `floor`: a list of {area, image}, `opacity` of these; `trails`: whether targets have their last steps behind them; `tracks(context)` or nothing; `belief`: as the record BeliefFrame, or nothing;
+ * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; with `classes`, colours that the values number, it has no scale; `floor`: a list of {area, image}, `opacity` of these; `trails`: whether targets have their last steps behind them; `tracks(context)` or nothing; `belief`: as the record BeliefFrame, or nothing;
  * `host`: what each canvas does in its own way: `pattern(side, paint)`, a style for filling, `cells(columns, rows, colourOf)`, an image,
  * and `through(context, mask, style)`, which fills what `mask(canvas)` covers and leaves covered.
  */
@@ -159,21 +162,21 @@ export function hatch(host, colour, unit) {
 /** The cells of a heat map: in colours what is above 0, hatched what is 0, nothing where there is nothing to show. */
 function heat(context, {heat, map, run, unit, host}) {
   if (!heat) return;
-  const {columns, rows, values, end, logarithmic} = heat;
+  const {columns, rows, values, end, logarithmic, classes} = heat;
   const share = value => (logarithmic ? (end > 1 ? Math.log(value) / Math.log(end) : 1) : value / end);
   const {minX, maxX, minY, maxY} = run.setup.field;
   const [left, bottom, width, height] = [map.x(minX), map.y(minY), map.scale * (maxX - minX), map.scale * (maxY - minY)];
   context.beginPath();
   for (let cell = 0; cell < values.length; cell++) {
-    if (values[cell] !== 0) continue;
+    if (classes || values[cell] !== 0) continue;
     let row = Math.floor(cell / columns);
     context.rect(left + ((cell - row * columns) * width) / columns, bottom - ((1 + row) * height) / rows, width / columns, height / rows);
   }
   context.fillStyle = hatch(host, NEVER, unit);
   context.fill();
-  context.globalAlpha = HEAT;
+  context.globalAlpha = classes ? 0.4 : HEAT;
   context.imageSmoothingEnabled = false;
-  heat.image ??= host.cells(columns, rows, cell => (values[cell] > 0 ? scaleColour(share(values[cell])) : null));
+  heat.image ??= host.cells(columns, rows, cell => (classes ? classes[values[cell]] ?? null : values[cell] > 0 ? scaleColour(share(values[cell])) : null));
   context.drawImage(heat.image, left, bottom - height, width, height);
 }
 
@@ -271,9 +274,9 @@ function views(context, scene) {
     inSight(context, map, view, () => {
       context.globalAlpha = chosen ? 0.4 : 0.13;
       if (!blind && i !== zoned && !scene.heat) fillDetected(context, map, view);
-      context.globalAlpha = chosen ? 1 : 0.55;
+      context.globalAlpha = chosen || scene.heat ? 1 : 0.55;
       context.lineWidth = (chosen ? 2.5 : 1) * unit;
-      context.setLineDash(dashes(blind ? BLIND : chosen ? [] : VIEW, unit));
+      context.setLineDash(dashes(blind ? BLIND : chosen || scene.heat ? [] : VIEW, unit));
       context.beginPath();
       border(context, map, view);
       context.stroke();
@@ -431,6 +434,25 @@ function cameras(context, scene) {
       context.lineTo(x + r, y + r);
     }
     context.stroke();
+  });
+}
+
+/** A camera's name behind it, where it does not look. */
+function names(context, scene) {
+  const {run, frame, map, colours, unit} = scene;
+  const away = 9 * figureSize(scene) + 5 * unit;
+  context.font = `bold ${10 * unit}px sans-serif`;
+  context.textAlign = 'center';
+  context.lineJoin = 'round';
+  context.lineWidth = 3 * unit;
+  context.strokeStyle = colours.paper;
+  context.fillStyle = colours.ink;
+  run.setup.cameras.forEach(({name}, i) => {
+    const {heading} = viewAt(run, i, frame);
+    const pose = poseAt(run, i, frame);
+    const [x, y] = [map.x(pose.x) - away * Math.sin(heading), map.y(pose.y) + away * Math.cos(heading) + 4 * unit];
+    context.strokeText(name, x, y);
+    context.fillText(name, x, y);
   });
 }
 

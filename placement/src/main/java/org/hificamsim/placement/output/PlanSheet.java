@@ -1,0 +1,276 @@
+package org.hificamsim.placement.output;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.world.World;
+import org.hificamsim.placement.cover.CoverPlan;
+import org.hificamsim.placement.site.BlindSpot;
+import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.presentation.picture.PlanPicture;
+import org.hificamsim.presentation.plot.A4Pages;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Paintable;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.XyPanel;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.report.Page;
+
+/** A plan to be handed on: a page, a PDF of A4, and the floor plan as SVG. */
+final class PlanSheet {
+  private static final int MOST_SPOTS = 25;
+
+  private record Listing(String title, List<String> columns, List<List<String>> rows) {}
+
+  private final SitePlan plan;
+  private final Demand demand;
+  private final int[] counts;
+  private final Paintable floor;
+  private final Figure curve;
+  private final List<Listing> listings;
+
+  PlanSheet(SitePlan plan, Catalogue catalogue, List<Setup.Floor> floor) {
+    this.plan = plan;
+    this.demand = plan.demand();
+    this.counts = plan.counts();
+    this.floor =
+        new PlanPicture(
+            new World(plan.scenario(), catalogue.movements(), 0),
+            demand.zones().get(0).detection(),
+            catalogue.policies().create("fixed"),
+            floor,
+            demand.cells(),
+            classes(),
+            List.of(Palette.UNSEEN, Palette.SEEN_ONCE, Palette.SEEN_OFTEN),
+            List.of("seen by no camera", "by fewer than asked for", "as asked for"));
+    this.curve = curve();
+    this.listings = List.of(zones(), cameras(), failures(), spots());
+  }
+
+  /** By cell: 0 unseen, 1 seen by fewer cameras than a zone asks for, 2 as all its zones ask. */
+  private double[] classes() {
+    double[] classes = new double[demand.cells().count()];
+    Arrays.fill(classes, Double.NaN);
+    for (int s = 0; s < counts.length; s++) {
+      Demand.Sample sample = demand.samples().get(s);
+      int met = counts[s] == 0 ? 0 : counts[s] < demand.zones().get(sample.zone()).k() ? 1 : 2;
+      int cell = demand.cells().at(sample.x(), sample.y());
+      classes[cell] = Double.isNaN(classes[cell]) ? met : Math.min(classes[cell], met);
+    }
+    return classes;
+  }
+
+  private String title() {
+    return "Camera plan of " + demand.site().name();
+  }
+
+  private List<String> facts() {
+    CoverPlan found = plan.plan();
+    String bound =
+        plan.problem().goal().isAll()
+            ? format("No plan of the candidates costs less than %.2f", found.bound())
+            : format("No plan of the candidates meets more than %.2f %%", 100 * plan.bound());
+    return List.of(
+        format(
+            "%d cameras, %d of them stay; price of the new ones %.2f",
+            plan.cameras().size(), plan.problem().kept().size(), plan.price()),
+        format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading()),
+        bound + (found.isProven() ? ": the plan is proven to be the best" : ""),
+        format(
+            "The site's own %d cameras meet %.2f %%",
+            demand.site().cameras().size(), 100 * plan.today()));
+  }
+
+  private String reading() {
+    return plan.problem().reading().words();
+  }
+
+  private Figure curve() {
+    List<SitePlan.Reached> points = plan.curve();
+    double[] cameras = points.stream().mapToDouble(SitePlan.Reached::cameras).toArray();
+    double[] met = points.stream().mapToDouble(one -> 100 * one.share()).toArray();
+    double[] most = points.stream().mapToDouble(one -> 100 * one.bound()).toArray();
+    XyPanel panel =
+        new XyPanel("", "new cameras", "% of the demand")
+            .x(0, Math.max(1, cameras[cameras.length - 1]))
+            .y(0, Math.min(100, 10 * Math.ceil(0.1 + most[most.length - 1] / 10)))
+            .straight(new Curve(cameras, most), Palette.GREY)
+            .straight(new Curve(cameras, met), Palette.BLUE);
+    List<LegendEntry> legend =
+        List.of(
+            new LegendEntry("met by the plan", Palette.BLUE, LegendEntry.Mark.LINE),
+            new LegendEntry("no plan meets more", Palette.GREY, LegendEntry.Mark.LINE));
+    return new Figure("", "", legend, List.of(panel), 1, 500, 240);
+  }
+
+  private Listing zones() {
+    List<List<String>> rows =
+        demand.zones().stream()
+            .map(
+                zone ->
+                    List.of(
+                        zone.name(),
+                        zone.detection().name(),
+                        Integer.toString(zone.k()),
+                        Integer.toString(zone.count()),
+                        percent(demand.share(zone, counts, false)),
+                        percent(demand.share(zone, counts, true)),
+                        percent(unseen(zone, counts))))
+            .toList();
+    return new Listing(
+        "Zones", List.of("zone", "asks for", "k", "cells", "met", "met by k", "unseen"), rows);
+  }
+
+  private static double unseen(Demand.Watched zone, int[] counts) {
+    return Arrays.stream(counts, zone.first(), zone.end()).filter(k -> k == 0).count()
+        / Math.max(1.0, zone.count());
+  }
+
+  private Listing cameras() {
+    List<List<String>> rows = new ArrayList<>();
+    for (int i = 0; i < plan.cameras().size(); i++) {
+      CameraSpec camera = plan.cameras().get(i);
+      rows.add(
+          List.of(
+              camera.name(),
+              format("%.2f", camera.x()),
+              format("%.2f", camera.y()),
+              height(camera),
+              format("%.1f", camera.heading()),
+              format("%.1f", camera.tilt()),
+              camera.optics().map(OpticsSpec::name).orElse("own"),
+              i < plan.problem().kept().size() ? "stays" : format("%.2f", plan.prices().get(i)),
+              Integer.toString(plan.covered()[i].length)));
+    }
+    return new Listing(
+        "Cameras",
+        List.of("camera", "x, m", "y, m", "z, m", "heading", "tilt", "lens", "price", "cells"),
+        rows);
+  }
+
+  private String height(CameraSpec camera) {
+    double z = camera.z().orElse(demand.site().mountHeight().orElse(Double.NaN));
+    return Double.isNaN(z) ? "" : format("%.1f", z);
+  }
+
+  private Listing failures() {
+    List<List<String>> rows = new ArrayList<>();
+    for (int i = 0; i < plan.cameras().size(); i++) {
+      int[] left = plan.countsWithout(i);
+      Demand.Watched worst =
+          demand.zones().stream()
+              .max(Comparator.comparingDouble(zone -> unseen(zone, left) - unseen(zone, counts)))
+              .orElseThrow();
+      double lost = plan.share() - plan.share(left);
+      double blind = unseen(worst, left) - unseen(worst, counts);
+      rows.add(
+          List.of(
+              plan.cameras().get(i).name(),
+              percent(plan.share(left)),
+              percent(lost),
+              blind > 0 ? worst.name() + ", " + percent(blind) + " of it" : "none"));
+    }
+    return new Listing(
+        "What if a camera fails",
+        List.of("camera", "still met", "lost", "most goes blind in"),
+        rows);
+  }
+
+  private Listing spots() {
+    List<BlindSpot> spots = plan.blindSpots();
+    double small = spots.stream().skip(MOST_SPOTS).mapToDouble(BlindSpot::area).sum();
+    Stream<List<String>> rest =
+        small > 0
+            ? Stream.of(List.of(spots.size() - MOST_SPOTS + " more", format("%.1f", small), "", ""))
+            : Stream.of();
+    return new Listing(
+        "Seen by no camera",
+        List.of("zone", "square metres", "around x, m", "y, m"),
+        Stream.concat(
+                spots.stream()
+                    .limit(MOST_SPOTS)
+                    .map(
+                        spot ->
+                            List.of(
+                                spot.zone(),
+                                format("%.1f", spot.area()),
+                                format("%.1f", spot.x()),
+                                format("%.1f", spot.y()))),
+                rest)
+            .toList());
+  }
+
+  private static String percent(double share) {
+    return format("%.1f %%", 100 * share);
+  }
+
+  private static String format(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
+  }
+
+  /** Writes {@code index.html}, {@code plan.pdf}, {@code plan.svg}. */
+  void write(OutputFolder folder, String command, String version) throws IOException {
+    folder.write("index.html", page(command, version).html());
+    try (OutputStream out = folder.stream("plan.pdf")) {
+      FigureFile.pages(out, pages());
+    }
+    try (OutputStream out = folder.stream("plan.svg")) {
+      FigureFile.svg(out, floor);
+    }
+  }
+
+  private List<Paintable> pages() {
+    A4Pages pages = new A4Pages(title());
+    pages.heading(title());
+    pages.text(facts());
+    pages.picture(floor, 0.62);
+    pages.heading("Coverage over the number of cameras");
+    pages.picture(curve, 0.3);
+    for (Listing listing : listings) {
+      if (!listing.rows.isEmpty()) {
+        pages.heading(listing.title);
+        pages.table(listing.columns, listing.rows);
+      }
+    }
+    return pages.pages();
+  }
+
+  private Page page(String command, String version) throws IOException {
+    ObjectNode data = new ObjectMapper().createObjectNode();
+    data.put("title", title()).put("command", command).put("version", version);
+    data.put("floor", image(floor)).put("curve", image(curve));
+    facts().forEach(data.putArray("facts")::add);
+    ArrayNode tables = data.putArray("tables");
+    for (Listing listing : listings) {
+      ObjectNode table = tables.addObject().put("title", listing.title);
+      listing.columns.forEach(table.putArray("columns")::add);
+      ArrayNode rows = table.putArray("rows");
+      listing.rows.forEach(row -> row.forEach(rows.addArray()::add));
+    }
+    return new Page(title(), "plan-page.js", "planPage", data.toString());
+  }
+
+  private static String image(Paintable picture) throws IOException {
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    FigureFile.svg(svg, picture);
+    return "data:image/svg+xml;base64," + Base64.getEncoder().encodeToString(svg.toByteArray());
+  }
+}

@@ -1,0 +1,164 @@
+package org.hificamsim.presentation.plot;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** Pages of A4, filled from top to bottom with texts, pictures and tables, and numbered. */
+public final class A4Pages {
+  private static final int WIDTH = 595; // points
+  private static final int HEIGHT = 842;
+  private static final int MARGIN = 42;
+  private static final int INSIDE = WIDTH - 2 * MARGIN;
+  private static final int LINE = 14;
+  private static final int GAP = 12; // between columns
+
+  private record Block(int top, Paintable content) {}
+
+  private final List<List<Block>> pages = new ArrayList<>();
+  private final String footer;
+  private int top = HEIGHT; // of what comes next: no page yet
+
+  /**
+   * @param footer beside the number of each page
+   */
+  public A4Pages(String footer) {
+    this.footer = footer;
+  }
+
+  /** Adds a heading, which does not stay alone at the end of a page. */
+  public void heading(String text) {
+    if (top + 5 * LINE > HEIGHT - MARGIN) {
+      top = HEIGHT;
+    }
+    add(lines(List.of(text), Fonts.TITLE, 2 * LINE));
+  }
+
+  /** Adds lines of text, broken where they are too long. */
+  public void text(List<String> lines) {
+    for (String line : lines) {
+      for (String part : Fonts.lines(line, Fonts.TEXT, INSIDE)) {
+        add(lines(List.of(part), Fonts.TEXT, LINE));
+      }
+    }
+  }
+
+  /** Adds a picture, as wide as the page or as high as there is room. */
+  public void picture(Paintable picture, double share) {
+    double scale = Math.min((double) INSIDE / picture.width(), share * HEIGHT / picture.height());
+    add(
+        new Drawn(
+            (int) Math.ceil(scale * picture.height()) + LINE,
+            graphics -> {
+              graphics.scale(scale, scale);
+              picture.paint(graphics);
+            }));
+  }
+
+  /** Adds a table, whose head is repeated on each page. */
+  public void table(List<String> columns, List<List<String>> rows) {
+    int[] widths =
+        IntStream.range(0, columns.size())
+            .map(
+                i ->
+                    Math.max(
+                        Fonts.width(columns.get(i), Fonts.PANEL),
+                        rows.stream()
+                            .mapToInt(row -> Fonts.width(row.get(i), Fonts.TICKS))
+                            .max()
+                            .orElse(0)))
+            .toArray();
+    Paintable head = row(columns, widths, Fonts.PANEL);
+    if (top + 2 * LINE > HEIGHT - MARGIN) {
+      top = HEIGHT;
+    }
+    add(head);
+    for (List<String> row : rows) {
+      if (top + LINE > HEIGHT - MARGIN) {
+        top = HEIGHT;
+        add(head);
+      }
+      add(row(row, widths, Fonts.TICKS));
+    }
+    top += LINE;
+  }
+
+  /** A row; smaller where it would be too wide. */
+  private static Paintable row(List<String> cells, int[] widths, Font font) {
+    double scale =
+        Math.min(1, (double) INSIDE / (IntStream.of(widths).sum() + GAP * widths.length));
+    return new Drawn(
+        LINE,
+        graphics -> {
+          graphics.scale(scale, scale);
+          graphics.setFont(font);
+          graphics.setColor(Palette.BLACK);
+          int left = 0;
+          for (int i = 0; i < widths.length; i++) {
+            graphics.drawString(cells.get(i), left, LINE - 3);
+            left += widths[i] + GAP;
+          }
+        });
+  }
+
+  private static Paintable lines(List<String> lines, Font font, int height) {
+    return new Drawn(
+        height * lines.size(),
+        graphics -> {
+          graphics.setFont(font);
+          graphics.setColor(Palette.BLACK);
+          for (int i = 0; i < lines.size(); i++) {
+            graphics.drawString(lines.get(i), 0, height * (i + 1) - 4);
+          }
+        });
+  }
+
+  private void add(Paintable content) {
+    if (top + content.height() > HEIGHT - MARGIN) {
+      pages.add(new ArrayList<>());
+      top = MARGIN;
+    }
+    pages.get(pages.size() - 1).add(new Block(top, content));
+    top += content.height();
+  }
+
+  /** The pages. */
+  public List<Paintable> pages() {
+    return IntStream.range(0, pages.size()).mapToObj(this::page).toList();
+  }
+
+  private Paintable page(int number) {
+    return new Drawn(
+        HEIGHT,
+        graphics -> {
+          for (Block block : pages.get(number)) {
+            Graphics2D place = (Graphics2D) graphics.create();
+            place.translate(MARGIN, block.top);
+            block.content.paint(place);
+            place.dispose();
+          }
+          graphics.setFont(Fonts.TICKS);
+          graphics.setColor(Palette.GREY);
+          String text = "%s, page %s of %s".formatted(footer, number + 1, pages.size());
+          graphics.drawString(text, MARGIN, HEIGHT - MARGIN / 2);
+        });
+  }
+
+  private record Drawn(int height, Painter painter) implements Paintable {
+    interface Painter {
+      void paint(Graphics2D graphics);
+    }
+
+    @Override
+    public int width() {
+      return WIDTH;
+    }
+
+    @Override
+    public void paint(Graphics2D graphics) {
+      painter.paint(graphics);
+    }
+  }
+}
