@@ -19,6 +19,7 @@ from statistics import fmean, median, quantiles
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "performance.md"
+TABLE = ROOT / "docs" / "tables" / "bench.csv"
 BEGIN = "<!-- bench/run --write: begin -->"
 END = "<!-- bench/run --write: end -->"
 PLAIN = "plain Java objects"
@@ -202,33 +203,39 @@ def processor() -> str:
     return found.group(1) if found else platform.processor() or platform.machine()
 
 
-def markdown(results: Results, command: str) -> str:
-    header = ["what (one thread)", "peer", "ours", "peer's", "peer's / ours"]
-    lines = [header, ["---"] * len(header)] + [row.cells() for row in results.table()]
-    text = "\n".join("| " + " | ".join(cells) + " |" for cells in lines)
+HEADER = ["what (one thread)", "peer", "ours", "peer's", "peer's / ours"]
+
+
+def markdown(lines: list[list[str]]) -> str:
+    return "".join("| " + " | ".join(cells) + " |\n" for cells in [HEADER, ["---"] * len(HEADER), *lines])
+
+
+def note(results: Results, command: str) -> str:
     load = (results.folder / "load.txt").read_text().strip()
-    note = f"`{command}`; {results.machine()}; load when it began: {load}."
-    note += "".join(f"\nSkipped: {line}." for line in results.skipped())
-    return f"{text}\n\n{note}\n"
+    text = f"`{command}`; {results.machine()}; load when it began: {load}."
+    return text + "".join(f"\nSkipped: {line}." for line in results.skipped())
 
 
-def write(text: str) -> None:
-    """Puts the table between its two markers."""
-    document = DOCUMENT.read_text()
+def write(lines: list[list[str]], text: str) -> None:
+    """Writes the table, and puts the note under the link to it, between two markers."""
+    document = DOCUMENT.read_text(encoding="utf-8")
     if BEGIN not in document or END not in document:
         sys.exit(f"error: {DOCUMENT.name} has no line '{BEGIN}' followed by '{END}'")
     before, rest = document.split(BEGIN, 1)
     after = rest.split(END, 1)[1]
-    DOCUMENT.write_text(f"{before}{BEGIN}\n{text}{END}{after}")
+    DOCUMENT.write_text(f"{before}{BEGIN}\n[Table: bench](tables/{TABLE.name})\n\n{text}\n{END}{after}", encoding="utf-8")
+    with open(TABLE, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([HEADER, *lines])
 
 
 def main() -> None:
     folder, *options = sys.argv[1:]
     results = Results(Path(folder))
-    text = markdown(results, (results.folder / "command.txt").read_text().strip())
-    print(text, end="")
+    lines = [row.cells() for row in results.table()]
+    text = note(results, (results.folder / "command.txt").read_text().strip())
+    print(f"{markdown(lines)}\n{text}")
     if "--write" in options:
-        write(text)
+        write(lines, text)
 
 
 if __name__ == "__main__":

@@ -269,6 +269,22 @@ def ratios(*folders):
         print(f"{pathlib.Path(folder).name}: R2 {statistics.correlation(pip, confidence) ** 2:.2f} of {len(photos)} photos")
 
 
+def ladder(folder):
+    """Of a ladder of detections, the top rung first: its optimum, tau, regret in percent in the mean and in each scenario, and cost."""
+    found = rows(folder, "rungs.csv")
+    scenarios = list(dict.fromkeys(row["scenario"] for row in found if row["scenario"] != "all"))
+    costs = json.loads(pathlib.Path(folder, "cost.json").read_text(encoding="utf-8"))["steps"]
+    lines = []
+    for mean in reversed([row for row in found if row["scenario"] == "all"]):
+        low, share, high = (f"{100 * number(mean[name]):.0f}" for name in ("share_low", "share", "share_high"))
+        own = {row["scenario"]: row for row in found if row["rung"] == mean["rung"]}
+        cost = statistics.mean(entry["nanoseconds"] for entry in costs if entry["rung"] == mean["rung"])
+        lines.append([f"`{mean['rung']}`", f"{number(mean['optimum']):.2f}", between(mean, "tau", ".2f"), f"{share} [{low}, {high}]",
+            *(f"{100 * number(own[scenario]['share']):.0f}" for scenario in scenarios), f"{cost:.0f}"])
+    names = (scenario.replace("-", " ") for scenario in scenarios)
+    put("ladder", ["rung", "optimum's `k_min`", "tau", "regret, %", *names, "ns a step"], lines)
+
+
 def rungs(*folders):
     """Of each ladder of a world: tau and what the choice loses, in percent; and what a rung predicts."""
     names = [pathlib.Path(folder).name.removeprefix("ladder-") for folder in folders]
@@ -369,5 +385,5 @@ def steps_of(folder):
 
 
 if __name__ == "__main__":
-    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, rungs, studies, saso, search)
+    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])
