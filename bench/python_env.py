@@ -1,10 +1,13 @@
 """Environment steps a second from Python, beside the Java kernel: random actions, observations and auto-reset on.
 
     python/build/venv/bin/python bench/python_env.py [--seconds 3] [--threads 1] [--csv FILE]
+    python/build/venv/bin/python bench/python_env.py --checks 101
 
 Each row is one way to step; steps are counted by networks (environment steps) and by cameras (agent steps), and
 divided by the processor time of the process, so that other work on the machine counts little; a process backend's
 time is that of both processes. mate-4v8-9 is the scenario of that name. MATE is not on PyPI: `mate` is another package.
+With --checks, what looking at the actions costs: so many pairs of rounds with and without it in turn, by the time of the
+thread that steps, of which the median of the ratios is printed with its 95 % interval (order statistics).
 """
 
 from __future__ import annotations
@@ -20,6 +23,7 @@ from collections.abc import Callable
 import numpy as np
 
 import hificamsim
+from hificamsim import spaces
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CLUSTER = str(ROOT / "bench" / "cluster-8.xml")
@@ -103,13 +107,47 @@ ROWS = [
 ]
 
 
+def checks(pairs: int) -> None:
+    """Prints how much longer a step takes because its actions are looked at."""
+    told = spaces.told
+
+    def unchecked(actions: object, counts: np.ndarray, name: object) -> np.ndarray:
+        return np.asarray(actions)
+
+    for what, make, scenario, num_envs, backend, settings in ROWS:
+        if make is kernel or backend != "jvm":
+            continue
+        step, worlds = make(scenario, num_envs, 1, backend, **settings)
+        ratios = []
+        for pair in range(-20, pairs):  # the first ones warm up
+            took = {}
+            for look in (told, unchecked) if pair % 2 else (unchecked, told):
+                spaces.told = look
+                began = time.thread_time()  # without those that compile and collect
+                for _ in range(max(1, 80_000 // num_envs // len(worlds.cameras))):
+                    step()
+                took[look] = time.thread_time() - began
+            if pair >= 0:
+                ratios.append(took[told] / took[unchecked] - 1)
+        spaces.told = told
+        worlds.close()
+        ratios.sort()
+        off = round(0.98 * pairs**0.5)
+        low, high = ratios[max(0, pairs // 2 - off)], ratios[min(pairs - 1, pairs // 2 + off)]
+        print(what, num_envs, f"{ratios[pairs // 2]:+.1%} ({low:+.1%} .. {high:+.1%})", sep="\t", flush=True)
+
+
 def main() -> None:
     """Prints the table."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--seconds", type=float, default=3)
     options.add_argument("--threads", type=int, default=1)
     options.add_argument("--csv")
+    options.add_argument("--checks", type=int, metavar="PAIRS")
     chosen = options.parse_args()
+    if chosen.checks:
+        checks(chosen.checks)
+        return
     rows = [("what", "networks", "backend", "threads", "env_steps_per_cpu_second", "env_steps_per_second", "agent_steps_per_cpu_second")]
     for what, make, scenario, num_envs, backend, settings in ROWS:
         step, worlds = make(scenario, num_envs, chosen.threads, backend, **settings)

@@ -40,7 +40,8 @@ def joint_action(worlds: Worlds) -> gymnasium.spaces.MultiDiscrete:
 
 def counts(of: gymnasium.spaces.Space[Any]) -> Array:
     """Of how many each number of an action of a space is one."""
-    return np.asarray(of.n if isinstance(of, gymnasium.spaces.Discrete) else of.nvec)  # type: ignore[attr-defined]
+    n = of.n if isinstance(of, gymnasium.spaces.Discrete) else of.nvec  # type: ignore[attr-defined]
+    return np.asarray(n, np.uint64)  # as which a negative action is a large one
 
 
 def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) -> Array:
@@ -54,14 +55,15 @@ def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) ->
         values = np.empty(0, object)  # not even rows of one length
     if values.shape != counts.shape:
         raise InputError(f"actions have shape {values.shape}, expected {counts.shape}")
-    if values.dtype.kind in "iu" and not ((values < 0) | (values >= counts)).any():
+    if values.dtype.kind in "iu" and not np.count_nonzero(values.astype(np.uint64) >= counts):
         return values
     for index, value in np.ndenumerate(np.asarray(actions, object)):
         whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-        if not whole or not 0 <= value < counts[index]:
+        last = int(counts[index]) - 1
+        if not whole or not 0 <= value <= last:
             said = value if isinstance(value, (int, float, np.number)) else shown(value)
             raise InputError(
-                f"action {said} of {name(index)}, expected a whole number from 0 to {counts[index] - 1}"
+                f"action {said} of {name(index)}, expected a whole number from 0 to {last}"
             )
     raise InputError(f"actions are of type {values.dtype}, expected whole numbers")
 
