@@ -56,10 +56,10 @@ def path(value: Any, what: str) -> str:
 def whole(value: Any, what: str, least: int = -(2**63), most: int = 2**63 - 1) -> int:
     """A whole number from ``least`` to ``most``."""
     try:
-        number = -(2**64) if isinstance(value, bool) else operator.index(value)
+        number = None if isinstance(value, bool) else operator.index(value)
     except TypeError:
-        number = -(2**64)
-    if not least <= number <= most:
+        number = None
+    if number is None or not least <= number <= most:
         raise InputError(f"{what} is {shown(value)}, expected a whole number from {least} to {most}")
     return number
 

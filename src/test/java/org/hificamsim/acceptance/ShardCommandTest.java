@@ -71,6 +71,16 @@ class ShardCommandTest {
   }
 
   @Test
+  void aPartOfABillionIsRefusedWithoutAListOfTheOthers() throws IOException {
+    Path first = parts(folder, 3).get(0);
+    Path shard = first.resolve("shard.json");
+    Files.writeString(shard, Files.readString(shard).replace("\"of\":3", "\"of\":1e9"));
+    assertRefused(
+        "--merge lacks 999999999 of 1000000000 shards (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, ...)",
+        merging(List.of(first)));
+  }
+
+  @Test
   void aPartThatComesTwiceIsNamed() {
     List<Path> twice = new ArrayList<>(thirds);
     twice.add(thirds.get(1));

@@ -92,15 +92,18 @@ public final class MergedShards implements RunEngine {
 
   private void requireAll() {
     int of = shards.values().iterator().next().shard().of();
-    List<Integer> missing =
-        IntStream.rangeClosed(1, of).filter(i -> !shards.containsKey(i)).boxed().toList();
-    if (!missing.isEmpty()) {
+    int missing = of - shards.size();
+    if (missing > 0) {
       throw InputException.of(
           "--merge lacks %s of %s shards (%s%s), expected all",
-          missing.size(),
+          missing,
           of,
-          missing.stream().limit(MAX_NAMED).map(String::valueOf).collect(Collectors.joining(", ")),
-          missing.size() > MAX_NAMED ? ", ..." : "");
+          IntStream.rangeClosed(1, of)
+              .filter(i -> !shards.containsKey(i))
+              .limit(MAX_NAMED)
+              .mapToObj(String::valueOf)
+              .collect(Collectors.joining(", ")),
+          missing > MAX_NAMED ? ", ..." : "");
     }
   }
 

@@ -1,7 +1,6 @@
 package org.hificamsim.runs.output;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -49,9 +48,7 @@ public final class InputFiles {
         .distinct()
         .forEach(file -> add(files, file));
     for (Map.Entry<String, byte[]> file : files.entrySet()) {
-      try (OutputStream out = folder.stream(file.getKey())) {
-        out.write(file.getValue());
-      }
+      folder.write(file.getKey(), file.getValue());
     }
   }
 

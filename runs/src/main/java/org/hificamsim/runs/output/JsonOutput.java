@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.NumericNode;
 import java.io.IOException;
-import java.io.Writer;
 import org.hificamsim.core.file.OutputFolder;
 
 /** Writes JSON files, indented, with a line end after them. */
@@ -15,9 +14,7 @@ public final class JsonOutput {
 
   /** Adds a file to a folder's. */
   public static void write(OutputFolder folder, String name, JsonNode content) throws IOException {
-    try (Writer out = folder.open(name)) {
-      out.write(text(content));
-    }
+    folder.write(name, text(content));
   }
 
   /** The text of a file. */

@@ -1,0 +1,213 @@
+package org.hificamsim.runs.output;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Estimate;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Files of results, written and read. */
+class ResultFilesTest {
+  private record Item(long id, double size, String name, Estimate mean) {}
+
+  private static final Table<Item> ITEMS =
+      Table.<Item>of("items.csv")
+          .with(
+              Column.ofInt("id", "", "a number", item -> (int) item.id()),
+              Column.ofLong("big", "", "a large one", item -> item.id() << 40),
+              Column.ofDouble("size", "m", "a length", Item::size),
+              Column.ofPlain("plain", "m", "the same", Item::size),
+              Column.ofText("name", "a text", Item::name))
+          .with(Column.ofEstimate("mean", "low", "high", "m", "a mean", Item::mean))
+          .with(List.of(Column.<Item>ofInt("later", "", "not always", item -> 1).later()), i -> i);
+
+  @TempDir Path folder;
+
+  @Test
+  void aTableIsReadAsItWasWritten() throws IOException {
+    try (OutputFolder out = new OutputFolder(folder)) {
+      ITEMS.write(
+          out,
+          Stream.of(
+              new Item(1, 2.5, "a", new Estimate(1, 2, 3)),
+              new Item(2, 3, "=b", new Estimate(4, 5, 6))));
+      out.commit(List.of());
+    }
+    Path file = folder.resolve("items.csv");
+    Estimate one = new Estimate(1, 2, 3);
+    Estimate two = new Estimate(4, 5, 6);
+    assertEquals(
+        "id,big,size,plain,name,mean,low,high,later\n"
+            + "1,1099511627776,2.5,2.5,a,%s,%s,%s,1\n".formatted(one.mean(), one.low(), one.high())
+            + "2,2199023255552,3.0,3,'=b,%s,%s,%s,1\n".formatted(two.mean(), two.low(), two.high()),
+        Files.readString(file));
+    assertTrue(ITEMS.isIn(folder));
+    assertFalse(Table.of("others.csv").isIn(folder));
+    List<String> names = new ArrayList<>();
+    ITEMS.read(folder, row -> names.add(row.text("name")));
+    assertEquals(2, names.size());
+    Files.writeString(file, Files.readString(file).replace(",later", "").replace(",1\n", "\n"));
+    names.clear();
+    ITEMS.read(folder, row -> names.add(row.text("name"))); // files of earlier versions
+    assertEquals(2, names.size());
+    Files.writeString(file, Files.readString(file).replace("size", "length"));
+    assertThrows(InputException.class, () -> ITEMS.read(folder));
+    assertThrows(InputException.class, () -> ITEMS.read(folder, row -> {}));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0.0, 0",
+    "-3.0, -3",
+    "2.5, 2.5",
+    "9007199254740991, 9007199254740991",
+    "9007199254740992, 9.007199254740992E15",
+    "-9007199254740992, -9.007199254740992E15"
+  })
+  void aNumberHasAFractionWhereItIsNotWholeOrTooLarge(double value, String text) {
+    assertEquals(text, JsonOutput.number(value).toString());
+  }
+
+  @Test
+  void aRowOfStepsKnowsWhereItsCellsAre() throws IOException {
+    Path file = folder.resolve("steps.csv");
+    Files.writeString(file, "run,step,k_min,score\n10,7,3,2.5\n0,x,y,z\n1,2\n");
+    List<StepRow> rows = new ArrayList<>();
+    InputException short_ =
+        assertThrows(InputException.class, () -> StepRow.each(folder, rows::add));
+    assertEquals(file + ":4:1: '1,2' is no row, expected run,step,k_min,...", short_.getMessage());
+    StepRow row = rows.get(0);
+    assertEquals(7, row.step(8));
+    assertEquals(3, row.kMin());
+    assertEquals(2.5, row.score());
+    assertFault(":2:4: step is 7, expected one below 7", () -> row.step(7));
+    assertFault(
+        ":2:6: none",
+        () -> {
+          throw row.error("none");
+        });
+    StepRow odd = rows.get(1);
+    assertFault(":3:3: step is 'x', expected a whole number", () -> odd.step(9));
+    assertFault(":3:5: k_min is 'y', expected a whole number", odd::kMin);
+    assertFault(":3:7: score is 'z', expected a number", odd::score);
+    StepRow before = new StepRow(file, 2, "0", "-1", "1");
+    assertFault(":2:3: step is -1, expected one below 9", () -> before.step(9));
+    assertEquals(0, new StepRow(file, 2, "0", "0", "1").step(1));
+    Files.writeString(file, "run,step,k_min,score\n");
+    assertEquals(file, StepRow.each(folder, rows::add));
+  }
+
+  private void assertFault(String expected, org.junit.jupiter.api.function.Executable act) {
+    String told = assertThrows(InputException.class, act).getMessage();
+    assertEquals(folder.resolve("steps.csv") + expected, told);
+  }
+
+  @Test
+  void aFileOfAFolderIsThereAndJson() throws IOException {
+    ResultFolder results = new ResultFolder(folder);
+    Path file = folder.resolve("summary.json");
+    String missing =
+        assertThrows(InputException.class, () -> results.json("summary.json")).getMessage();
+    assertTrue(missing.startsWith("no file '" + file + "', expected a folder that"), missing);
+    Files.writeString(file, "{\n \"a\": }");
+    String broken =
+        assertThrows(InputException.class, () -> results.json("summary.json")).getMessage();
+    assertTrue(broken.startsWith(file + ":2:"), broken);
+    assertTrue(broken.endsWith(": not JSON, expected what 'hificamsim' writes"), broken);
+    for (String other : List.of("3", "\"a\"", "")) {
+      Files.writeString(file, other);
+      assertEquals(
+          file + ": not a JSON object, expected what 'hificamsim' writes",
+          assertThrows(InputException.class, () -> results.json("summary.json")).getMessage());
+    }
+    Files.writeString(file, "[1]");
+    assertEquals(1, results.json("summary.json").get(0).asInt());
+    assertEquals(folder.getFileName().toString(), ResultFolder.name(folder.resolve("a/..")));
+  }
+
+  @Test
+  void aCommandIsToldAsAShellTakesIt() throws IOException {
+    Files.writeString(
+        folder.resolve("manifest.json"),
+        "{\"command\": [\"run\", \"a-b_1.xml\", \"it's\", \"\"], \"hificamsim\": \"0.2\"}");
+    ResultFolder results = new ResultFolder(folder);
+    assertEquals("./hificamsim run a-b_1.xml 'it'\\''s' ''", results.command());
+    assertEquals("0.2", results.version());
+  }
+
+  /** A crate is a file of a folder, and may be anyone's. */
+  @Test
+  void whatACrateNamesGoesOnlyWhereItIsAFileOfOursHere() throws IOException {
+    try (OutputFolder out = new OutputFolder(folder)) {
+      for (String name :
+          List.of("old.csv", "scenario-a.xml", "detection-a.json", "policy-a.onnx")) {
+        out.write(name, "ours");
+      }
+      out.write(
+          ResultFolder.CRATE,
+          Stream.of("old.csv", "scenario-a.xml", "detection-a.json", "policy-a.onnx", "mine.csv")
+              .map("{\"@type\": \"File\", \"name\": \"%s\"}"::formatted)
+              .toList()
+              .toString()
+              .replaceFirst("(?s)(.*)", "{\"@graph\": $1}"));
+      out.commit(List.of());
+    }
+    Files.writeString(folder.resolve("mine.csv"), "mine");
+    commit();
+    assertEquals(
+        List.of(
+            "detection-a.json",
+            "mine.csv",
+            "new",
+            "policy-a.onnx",
+            "ro-crate-metadata.json",
+            "scenario-a.xml"),
+        names());
+    Files.writeString(folder.resolve(ResultFolder.CRATE), "no JSON");
+    commit(); // what cannot be read names nothing
+    assertTrue(names().contains("policy-a.onnx"));
+  }
+
+  private void commit() throws IOException {
+    try (OutputFolder out = new OutputFolder(folder)) {
+      out.write("new", "ours");
+      ResultFolder.commit(out, List.of());
+    }
+  }
+
+  private List<String> names() throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> !name.startsWith(".hificamsim"))
+          .sorted()
+          .toList();
+    }
+  }
+
+  @Test
+  void filesThatAPolicysOptionsNameAreItsOwn() throws IOException {
+    PolicyFiles policies = new PolicyFiles();
+    Path file = Files.writeString(folder.resolve("net"), "weights");
+    assertEquals(List.of(), policies.of("zoom-out"));
+    assertEquals(List.of(), policies.of("unheard-of:file=" + file));
+    assertEquals(
+        "weights", new String(PolicyFiles.content(file), java.nio.charset.StandardCharsets.UTF_8));
+    String told =
+        assertThrows(InputException.class, () -> PolicyFiles.content(folder)).getMessage();
+    assertEquals(folder + " cannot be read, expected a file of a policy", told);
+  }
+}
