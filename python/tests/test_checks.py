@@ -77,7 +77,8 @@ def test_what_is_no_array_of_whole_numbers_is_said_as_a_whole(actions: Any, line
 def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
     by_view: Any = SimpleNamespace(choices=[5], views=[3, 5], cameras=["a", "b"])
     by_step: Any = SimpleNamespace(choices=[3, 2], views=[3, 5], cameras=["a", "b"])
-    assert spaces.state(SimpleNamespace(states=np.zeros((2, 7)))) == gymnasium.spaces.Box(-1, 1, (7,), np.float32)  # type: ignore[arg-type]
+    with_state: Any = SimpleNamespace(states=np.zeros((2, 7)))
+    assert spaces.state(with_state) == gymnasium.spaces.Box(-1, 1, (7,), np.float32)
     assert spaces.action(by_view) == gymnasium.spaces.Discrete(5)
     assert spaces.action(by_view, 0) == gymnasium.spaces.Discrete(3)
     assert spaces.action(by_step, 0) == gymnasium.spaces.MultiDiscrete([3, 2])
@@ -86,7 +87,9 @@ def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
     assert spaces.counts(spaces.action(by_view, 0)) == 3
     assert spaces.counts(spaces.joint_action(by_step)).tolist() == [3, 2, 3, 2]
     assert spaces.mask(by_view, 0, np.array([1, 0, 1, 0, 0])).tolist() == [1, 0, 1]
-    assert [one.tolist() for one in spaces.mask(by_step, 0, np.array([1, 0, 1, 1, 0]))] == [[1, 0, 1], [1, 0]]  # type: ignore[union-attr]
+    by_parts: Any = SimpleNamespace(choices=[3, 2, 1])
+    parts = spaces.mask(by_parts, 0, np.array([1, 0, 1, 1, 0, 1]))
+    assert [part.tolist() for part in parts] == [[1, 0, 1], [1, 0], [1]]
 
 
 @pytest.mark.parametrize("per", ["world", "camera"])

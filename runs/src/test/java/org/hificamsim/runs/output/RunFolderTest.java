@@ -134,7 +134,8 @@ class RunFolderTest {
     Map<String, String> west = zooms.get(0);
     assertEquals("west", west.get("camera"));
     assertEquals("20.0", west.get("viewing_angle"));
-    assertEquals("0", west.get("moving"));
+    assertEquals("1", west.get("moving")); // two seconds long
+    assertEquals("0", zooms.get(zooms.size() - 1).get("moving"));
     assertEquals(0, Math.abs(Double.parseDouble(west.get("pan"))) % 40, 1e-9);
     assertEquals("4.0", targets.get(0).get("y"));
   }
