@@ -178,7 +178,6 @@ final class PlaceCommand implements Callable<Integer> {
         settings.settings().seed(),
         ROUNDS,
         exact ? Optional.of(ExactMethod.found()) : Optional.empty(),
-        threads.count(),
         () -> interrupt.isDue(SEARCHED),
         () -> interrupt.isDue(TRIED),
         interrupt::isDue);

@@ -24,7 +24,8 @@ import org.hificamsim.placement.cover.Goal;
 
 /**
  * CP-SAT of OR-Tools. Samples that the same candidates see, as often, are one. What it counts in
- * whole numbers is rounded so that its bound stays one.
+ * whole numbers is rounded so that its bound stays one. One worker: of several, the first to find a
+ * plan decides which of the best it is.
  */
 public final class CpSat implements ExactMethod {
   private static final long STEPS = 1L << 40; // of a total that has no common measure
@@ -39,11 +40,10 @@ public final class CpSat implements ExactMethod {
       Goal goal,
       int[] start,
       double bound,
-      int threads,
       BooleanSupplier stop,
       CoverSearch.Watcher watcher) {
     Loader.loadNativeLibraries();
-    return new Search(instance, goal, start, bound, watcher).run(threads, stop);
+    return new Search(instance, goal, start, bound, watcher).run(stop);
   }
 
   /** The rows of an instance that count, with what each time that one is seen is worth. */
@@ -139,8 +139,8 @@ public final class CpSat implements ExactMethod {
       }
     }
 
-    Found run(int threads, BooleanSupplier stop) {
-      solver.getParameters().setNumWorkers(threads).setInterleaveSearch(true).setRandomSeed(1);
+    Found run(BooleanSupplier stop) {
+      solver.getParameters().setNumWorkers(1);
       Thread guard = new Thread(() -> guard(stop), "stops OR-Tools");
       guard.setDaemon(true);
       guard.start();

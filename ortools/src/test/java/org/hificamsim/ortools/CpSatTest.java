@@ -30,13 +30,12 @@ class CpSatTest {
 
   @TempDir private Path folder;
 
-  private static Effort exact(int threads) {
-    return new Effort(
-        1, 0, Optional.of(new CpSat()), threads, () -> true, () -> false, () -> false);
+  private static Effort exact() {
+    return new Effort(1, 0, Optional.of(new CpSat()), () -> true, () -> false, () -> false);
   }
 
-  private static CoverPlan solve(CoverInstance instance, Goal goal, int threads) {
-    return CoverSearch.solve(instance, goal, exact(threads), (score, bound) -> {});
+  private static CoverPlan solve(CoverInstance instance, Goal goal) {
+    return CoverSearch.solve(instance, goal, exact(), (score, bound) -> {});
   }
 
   /** The method without search, bound or reduction before it. */
@@ -44,7 +43,7 @@ class CpSatTest {
     int[] start = goal.isAll() ? IntStream.range(0, instance.candidates()).toArray() : new int[0];
     double bound = goal.isAll() ? 0 : instance.total();
     ExactMethod.Found found =
-        new CpSat().solve(instance, goal, start, bound, 1, () -> false, (score, its) -> {});
+        new CpSat().solve(instance, goal, start, bound, () -> false, (score, its) -> {});
     assertEquals(goal.score(instance, found.chosen()), found.bound(), 1e-6);
     return goal.score(instance, found.chosen());
   }
@@ -56,7 +55,7 @@ class CpSatTest {
       CoverInstance instance = SmallInstances.random(random, 12, 9, i % 2 == 0).coverable();
       Goal goal = i % 3 == 0 ? Goal.ALL : new Goal(1 + random.nextInt(6));
       double best = SmallInstances.best(instance, goal);
-      CoverPlan plan = solve(instance, goal, 1);
+      CoverPlan plan = solve(instance, goal);
       assertTrue(plan.isProven(), "" + i);
       assertEquals(best, plan.score(), 1e-6, "" + i);
       assertEquals(best, alone(instance, goal), 1e-6, "" + i);
@@ -69,18 +68,17 @@ class CpSatTest {
     CoverInstance plain = SmallInstances.random(random, 60, 40, false).coverable();
     double[] odd = random.doubles(60).toArray();
     CoverInstance instance = new CoverInstance(odd, plain.needs(), plain.columns(), plain.prices());
-    CoverPlan plan = solve(instance, new Goal(9), 2);
+    CoverPlan plan = solve(instance, new Goal(9));
     assertTrue(plan.isProven(), plan.bound() + " " + plan.score());
     assertTrue(plan.relaxed() > plan.bound() + 1e-6);
-    assertArrayEquals(plan.chosen(), solve(instance, new Goal(9), 1).chosen());
+    assertArrayEquals(plan.chosen(), solve(instance, new Goal(9)).chosen());
   }
 
   @Test
   void stopsAtOnceWithThePlanItHad() {
     CoverInstance instance =
         SmallInstances.random(new SplittableRandom(3), 400, 300, false).coverable();
-    Effort stopped =
-        new Effort(1, 0, Optional.of(new CpSat()), 1, () -> true, () -> true, () -> true);
+    Effort stopped = new Effort(1, 0, Optional.of(new CpSat()), () -> true, () -> true, () -> true);
     CoverPlan plan = CoverSearch.solve(instance, Goal.ALL, stopped, (score, bound) -> {});
     int[] counts = instance.counts(plan.chosen());
     assertTrue(IntStream.range(0, 400).allMatch(s -> counts[s] >= instance.needs()[s]));

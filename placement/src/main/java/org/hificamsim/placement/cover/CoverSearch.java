@@ -101,7 +101,6 @@ public final class CoverSearch {
                 goal,
                 Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray(),
                 bound,
-                effort.threads(),
                 effort.stop(),
                 watcher);
     keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());

@@ -15,18 +15,17 @@ public record Effort(
     long seed,
     int rounds,
     Optional<ExactMethod> exact,
-    int threads,
     BooleanSupplier enough,
     BooleanSupplier most,
     BooleanSupplier stop) {
   /** Search alone. */
   public static Effort of(long seed, int rounds, BooleanSupplier stop) {
-    return new Effort(seed, rounds, Optional.empty(), 1, stop, stop, stop);
+    return new Effort(seed, rounds, Optional.empty(), stop, stop, stop);
   }
 
   /** The same until {@code most}. */
   Effort kernel() {
-    return new Effort(seed, rounds, exact, threads, enough, most, most);
+    return new Effort(seed, rounds, exact, enough, most, most);
   }
 
   boolean isEnough() {

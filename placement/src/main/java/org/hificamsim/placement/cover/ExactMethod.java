@@ -19,14 +19,12 @@ public interface ExactMethod {
    *
    * @param start a plan that is allowed; where everything is to be seen, it sees everything
    * @param bound what is known already
-   * @param threads the answer, if it is not stopped, does not depend on them
    */
   Found solve(
       CoverInstance instance,
       Goal goal,
       int[] start,
       double bound,
-      int threads,
       BooleanSupplier stop,
       CoverSearch.Watcher watcher);
 

@@ -166,7 +166,7 @@ public final class PlanCheck {
     ExactMethod.Found found =
         exact
             .orElseThrow()
-            .solve(left, goal, again.chosen(), again.bound(), 1, stop, (score, its) -> {});
+            .solve(left, goal, again.chosen(), again.bound(), stop, (score, its) -> {});
     double best = goal.score(left, found.chosen());
     requireNoBetter("bound", bound, best, "of a plan that is better", goal);
     double margin = MARGIN * Math.max(1, Math.abs(bound));
