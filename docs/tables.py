@@ -384,6 +384,18 @@ def steps_of(folder):
         return json.load(file)[0]["steps"]
 
 
+def placement(*folders):
+    """Plans and the sites' own cameras under both readings: folders SITE-any and SITE-fixed."""
+    plans = {pathlib.Path(folder).name: json.loads(pathlib.Path(folder, "summary.json").read_text()) for folder in folders}
+    lines = []
+    for name, plan in sorted(plans.items()):
+        site, reading = name.rsplit("-", 1)
+        gap = (plan["share_bound"] - plan["share"]) / plan["share_bound"]
+        shares = [f"{100 * plan[key]:.2f} %" for key in ("share_of_site", "share", "share_bound")]
+        lines.append([site, plan["cameras"], reading, *shares, "proven" if plan["proven"] else f"{100 * gap:.2f} %"])
+    put("placement", ["site", "cameras", "reading", "met by its own", "by the plan", "by none more than", "gap"], lines)
+
+
 if __name__ == "__main__":
-    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search)
+    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])

@@ -87,6 +87,31 @@ class PlaceCommandTest {
   }
 
   @Test
+  void runAndCompareSayHowMuchOfTheZonesIsMetAsPlaceDoes() throws IOException {
+    Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\" weight=\"0.5\"/>");
+    Path plan = folder.resolve("plan");
+    Cli.run(
+        (Object[])
+            ("place " + site + " --cameras 1 --catalogue site --candidates every=9 --out " + plan)
+                .split(" "));
+    String share = value(plan.resolve("summary.json"), "share_of_site");
+    Path run = folder.resolve("run");
+    Cli ran = Cli.run("run", site, "--policy", "fixed:1,0", "--repeat", 2, "--out", run);
+    assertTrue(ran.out().contains("zones met"), ran.out() + ran.err());
+    assertEquals(share, value(run.resolve("summary.json"), "zones_met"));
+    assertTrue(value(run.resolve("summary.json"), "least_zone_met").startsWith("0.2355"));
+    Path compared = folder.resolve("compared");
+    Cli.run("compare", site, "--policies", "fixed,zoom-out", "--repeat", 2, "--out", compared);
+    assertTrue(Files.readString(compared.resolve("metrics.csv")).contains(",zones_met,"));
+    Cli plain = Cli.run("run", site("", ""), "--policy", "fixed", "--out", folder.resolve("none"));
+    assertFalse(plain.out().contains("zones met"), plain.out());
+  }
+
+  private static String value(Path json, String name) throws IOException {
+    return Files.readString(json).replaceAll("(?s).*?\"" + name + "\" : ([-0-9.E]+).*", "$1");
+  }
+
+  @Test
   void theSameSeedGivesTheSamePlan() throws IOException {
     Path site = site("", "");
     place(site, "--cameras 3 --seed 4 --out " + folder.resolve("a"));

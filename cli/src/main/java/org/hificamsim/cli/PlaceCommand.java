@@ -40,7 +40,7 @@ import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;

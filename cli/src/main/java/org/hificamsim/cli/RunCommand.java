@@ -30,7 +30,7 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatRecorder;
 import org.hificamsim.runs.heat.HeatTable;

@@ -105,7 +105,8 @@ final class RunSummary {
 
   private void figures(RunPlan plan) {
     for (Metric metric : Metric.values()) {
-      if (metric.isPrinted()) {
+      boolean has = results.stream().anyMatch(run -> run.has(metric));
+      if (metric.isPrinted() && has) {
         figure(metric.title(), metric, metric.format(), metric.note());
       }
       if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {

@@ -17,6 +17,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param proof what the policy proved; empty under one that does not claim to be the best
  * @param expectedGap what the least expected coverage might gain, over all steps; NaN where none is
  *     known
+ * @param zones how much of them is seen as they ask
  */
 public record Measured(
     RunCoverage coverage,
@@ -24,26 +25,33 @@ public record Measured(
     Traffic traffic,
     NetworkSums network,
     Optional<Proof> proof,
-    double expectedGap) {
+    double expectedGap,
+    Zones zones) {
+  /** How much of the zones is met, all together and of the least one; NaN without zones. */
+  public record Zones(double met, double least) {
+    static final Zones NONE = new Zones(Double.NaN, Double.NaN);
+  }
+
   /** A repeat under a policy. */
   static Measured of(
       RunCoverage coverage,
       Objective objective,
       ZoomPolicy policy,
       Channel channel,
-      NetworkSums network) {
+      NetworkSums network,
+      Zones zones) {
     double gap =
         policy instanceof ProvingZoomPolicy proving && proving.ofExpectation()
             ? proving.gap()
             : Double.NaN;
     Traffic traffic = Traffic.of(policy, channel).with(network);
-    return new Measured(coverage, objective, traffic, network, Proof.of(policy), gap);
+    return new Measured(coverage, objective, traffic, network, Proof.of(policy), gap, zones);
   }
 
   /** A repeat that others ran. */
   public Measured(
       RunCoverage coverage, Objective objective, Traffic traffic, Optional<Proof> proof) {
-    this(coverage, objective, traffic, NetworkSums.NONE, proof, Double.NaN);
+    this(coverage, objective, traffic, NetworkSums.NONE, proof, Double.NaN, Zones.NONE);
   }
 
   /** The number of steps that are not proven; NaN without a claim. */

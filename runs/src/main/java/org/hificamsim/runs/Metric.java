@@ -172,7 +172,18 @@ public enum Metric {
   TRACKED(
       "share x steps",
       "of targets, that their owner sees",
-      measured(run -> run.network().tracked()));
+      measured(run -> run.network().tracked())),
+  ZONES_MET(
+      "share",
+      "of scenarios with [zones](scenario-format.md#zones) alone: how much of their cells is seen"
+          + " as they ask, by weight, mean over the steps, as [`place`](placement.md) counts it",
+      measured(run -> run.zones().met()),
+      new Line("zones met", "%.4f", "share")),
+  LEAST_ZONE_MET(
+      "share",
+      "the same of the zone of which least is met",
+      measured(run -> run.zones().least()),
+      new Line("least of a zone", "%.4f", ""));
 
   private static final String EXPECTED = "EXPECTED_";
 

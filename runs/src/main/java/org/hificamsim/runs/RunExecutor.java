@@ -16,6 +16,7 @@ import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
+import org.hificamsim.runs.cells.ZoneRecorder;
 
 /** Runs a plan, one repeat after the other. */
 public final class RunExecutor {
@@ -60,12 +61,27 @@ public final class RunExecutor {
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
+    ZoneRecorder zones = plan.scenario().zones().isEmpty() ? null : zones(plan);
+    if (zones != null) {
+      all.add(zones);
+    }
     Simulation simulation = simulation(plan, run, policy, all);
     run(simulation, plan, run);
     Channel channel = simulation.network().channel();
     NetworkSums sums = simulation.cooperation().sums();
-    Measured measured = Measured.of(coverage, plan.objective(), policy, channel, sums);
+    Measured.Zones met =
+        zones == null ? Measured.Zones.NONE : new Measured.Zones(zones.met(), zones.least());
+    Measured measured = Measured.of(coverage, plan.objective(), policy, channel, sums, met);
     return RunResult.of(run, plan.seed(run), measured);
+  }
+
+  private ZoneRecorder zones(RunPlan plan) {
+    World world = new World(plan.scenario(), catalogue.movements(), 0);
+    return new ZoneRecorder(
+        plan.scenario(),
+        Reach.usualTarget(world),
+        plan.detection(),
+        name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE));
   }
 
   /**

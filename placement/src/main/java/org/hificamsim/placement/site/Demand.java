@@ -15,7 +15,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.scenario.Zone;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 
 /**
  * What is demanded: samples, the middles of cells of the field, zone by zone. A cell in two zones

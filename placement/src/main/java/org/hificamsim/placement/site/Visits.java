@@ -3,7 +3,7 @@ package org.hificamsim.placement.site;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 
 /** Where targets are over a run, recorded or simulated: demand is where people were. */
 public final class Visits {

@@ -15,7 +15,7 @@ import org.hificamsim.presentation.plot.Paintable;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 
 /** A field to scale with its cells in classes, and the cameras with what they look at and names. */
 public final class PlanPicture implements Paintable {

@@ -18,7 +18,7 @@ import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
 import org.hificamsim.presentation.report.ObjectiveWords;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatRecorder;
 
 /** A simulation that is watched step by step: a world under one choice of model and policy. */

@@ -20,7 +20,7 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
-import org.hificamsim.runs.heat.FieldCells;
+import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatMap.Place;

@@ -2,6 +2,8 @@ package org.hificamsim.runs.heat;
 
 import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.runs.cells.FieldCells;
+import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**

@@ -3,6 +3,7 @@ package org.hificamsim.runs.heat;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.Texts;
+import org.hificamsim.runs.cells.FieldCells;
 
 /**
  * How each cell of a field was covered over the steps of one or more runs.

@@ -10,6 +10,8 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.Reach;
+import org.hificamsim.runs.cells.FieldCells;
+import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**

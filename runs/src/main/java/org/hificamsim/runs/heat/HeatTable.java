@@ -11,6 +11,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.ResultFolder;

@@ -23,6 +23,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -1,4 +1,4 @@
-package org.hificamsim.runs.heat;
+package org.hificamsim.runs.cells;
 
 import org.hificamsim.core.scenario.Field;
 

@@ -1,4 +1,4 @@
-package org.hificamsim.runs.heat;
+package org.hificamsim.runs.cells;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.Detection;
@@ -15,7 +15,7 @@ import org.hificamsim.core.visibility.Visibility;
  * What each camera sees of the cells in each of its views. It is found when a view is first used,
  * and kept until a camera is moved, or until there is too much of it.
  */
-final class ViewCells {
+public final class ViewCells {
   /**
    * The cells in whose middle a camera would detect a target, in one view, found by the pipeline
    * that cameras see through.
@@ -23,7 +23,7 @@ final class ViewCells {
    * @param cells their numbers, rising
    * @param chances to detect it, above 0, one for each of the cells
    */
-  record Seen(int[] cells, double[] chances) {
+  public record Seen(int[] cells, double[] chances) {
     private static final Seen NOTHING = new Seen(new int[0], new double[0]);
   }
 
@@ -39,7 +39,10 @@ final class ViewCells {
   private double[][] pans = {};
   private long kept;
 
-  ViewCells(FieldCells cells, Detection detection, Obstacles obstacles, double size) {
+  /**
+   * @param size of the targets, metres
+   */
+  public ViewCells(FieldCells cells, Detection detection, Obstacles obstacles, double size) {
     this.cells = cells;
     this.visibility = Visibility.of(detection);
     this.obstacles = obstacles;
@@ -47,7 +50,7 @@ final class ViewCells {
   }
 
   /** Forgets everything, as cameras are elsewhere now. */
-  void forget(NetworkView network) {
+  public void forget(NetworkView network) {
     regions = new VisibleRegion[network.cameras()];
     seen = new Seen[network.cameras()][];
     pans = new double[network.cameras()][];
@@ -59,7 +62,7 @@ final class ViewCells {
    *
    * @param view -1 for a camera that sees nothing
    */
-  Seen of(NetworkView network, int camera, int view) {
+  public Seen of(NetworkView network, int camera, int view) {
     if (view < 0) {
       return Seen.NOTHING;
     }
