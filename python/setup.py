@@ -1,4 +1,4 @@
-"""Puts the jars into the wheel: those that Gradle builds, or those of the folder HIFICAMSIM_JARS."""
+"""Puts the jars into the wheel: those of an sdist, of the folder HIFICAMSIM_JARS, or those that Gradle builds."""
 
 import os
 import pathlib
@@ -15,7 +15,7 @@ BUILT = HERE / "build" / "wheel" / "jars"
 
 def jars() -> pathlib.Path:
     """The folder of jars, built if need be."""
-    given = os.environ.get("HIFICAMSIM_JARS")
+    given = os.environ.get("HIFICAMSIM_JARS") or (HERE / "jars" if (HERE / "jars").exists() else None)
     if given:
         return pathlib.Path(given)
     build = f'root="{ROOT}"; . "$root/tools/setup.sh"; build_if_stale "{BUILT}" :python:jars'
@@ -32,7 +32,8 @@ class WithJars(build_py):
             shutil.rmtree(package, ignore_errors=True)  # a module that is gone would stay in the wheel
         super().run()
         self.copy(jars().glob("*.jar"), package / "jars")
-        self.copy((ROOT / "scenarios").glob("*"), package / "scenarios")
+        scenarios = HERE / "scenarios" if (HERE / "scenarios").exists() else ROOT / "scenarios"
+        self.copy(scenarios.glob("*"), package / "scenarios")
 
     def copy(self, files, folder: pathlib.Path) -> None:
         shutil.rmtree(folder, ignore_errors=True)

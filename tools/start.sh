@@ -10,6 +10,9 @@ files=$(ulimit -n)
     echo "error: at most $files files may be open (ulimit -n), expected 128 or more" >&2
     exit 2
 }
+native= # Java 24 and later warn of libraries with parts in C, and of what these do with memory
+! grep -qs '^JAVA_VERSION="\(2[4-9]\|[3-9][0-9]\)' "$home/release" ||
+    native='--enable-native-access=ALL-UNNAMED --sun-misc-unsafe-memory-access=allow'
 terminal=$([ -t 2 ] && echo true || echo false)
 libraries="$lib/*"
 [ "${1:-}" != profile ] || libraries="$libraries:$lib/profile/*" # OpenCV and its like: nothing else pays for them
@@ -56,5 +59,5 @@ set -- ${HIFICAMSIM_OPTS:-} "$@"
 # One thread collects garbage: the inner loops leave none, and starting is faster.
 # An archive of classes that does not fit (another JVM, a changed jar) is passed over, without a word on the screen.
 [ ! -f "$archive" ] || set -- "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' -Xlog:class+path=off "$@"
-# shellcheck disable=SC2086 # two options or none
-exec "$home/bin/java" -XX:+UseSerialGC $young "-Dhificamsim.root=$root" "-Dhificamsim.terminal=$terminal" "$@"
+# shellcheck disable=SC2086 # several options or none
+exec "$home/bin/java" -XX:+UseSerialGC $young $native "-Dhificamsim.root=$root" "-Dhificamsim.terminal=$terminal" "$@"

