@@ -33,7 +33,7 @@ import org.hificamsim.runs.output.Table;
 public final class Reference {
   private static final Pattern COMMAND = Pattern.compile("(?m)^  ([a-z][a-z-]+) .*");
   private static final List<String> ELEMENTS =
-      List.of("simulation", "object", "optics", "obstacles", "zone", "events");
+      List.of("simulation", "camera", "object", "optics", "obstacles", "zone", "events");
 
   private Reference() {}
 
