@@ -27,7 +27,8 @@ class TutorialTest {
   private static final Path PAGES = Cli.ROOT.resolve("docs/tutorials");
   private static final Pattern BLOCK =
       Pattern.compile("(?ms)^```(\\w+)(?: title=\"([^\"]+)\")?\n(.*?)^```$");
-  private static final Pattern TYPED = Pattern.compile("(?ms)^\\$ ([^\n]+)\n((?:(?!\\$ )[^\n]*\n)*)");
+  private static final Pattern TYPED =
+      Pattern.compile("(?ms)^\\$ ([^\n]+)\n((?:(?!\\$ )[^\n]*\n)*)");
 
   /** The name under which a checkout has its jars. */
   private static final String JARS = "'cli/build/install/hificamsim/lib/*'";
@@ -76,7 +77,9 @@ class TutorialTest {
   /** What the page shows, with three dots for anything. */
   private static Pattern pattern(String shown) {
     String lines =
-        Arrays.stream(shown.strip().split("\\.\\.\\.", -1)).map(Pattern::quote).collect(joining(".*"));
+        Arrays.stream(shown.strip().split("\\.\\.\\.", -1))
+            .map(Pattern::quote)
+            .collect(joining(".*"));
     return Pattern.compile(lines + "\\s*", Pattern.DOTALL);
   }
 
