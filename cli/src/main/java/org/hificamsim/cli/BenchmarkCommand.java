@@ -5,6 +5,6 @@ import picocli.CommandLine.Command;
 /** {@code hificamsim benchmark}: what others have measured, measured again. */
 @Command(
     name = "benchmark",
-    description = "Scores recorded episodes of another simulator by this one.",
+    description = "Scores recorded episodes of another simulator.",
     subcommands = ReplayCommand.class)
 final class BenchmarkCommand {}

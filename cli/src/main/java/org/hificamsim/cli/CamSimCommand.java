@@ -27,8 +27,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "camsim",
     description = {
-      "Runs a scenario as CamSim does, network and all, and writes CamSim's files.",
-      "A --policy zooms over the file's zoom list, which CamSim ignores."
+      "Runs scenarios as CamSim does, with auctions and handovers, and writes CamSim's files.",
+      "With --policy cameras use the zoom levels of the file, which CamSim ignores."
     })
 final class CamSimCommand implements Callable<Integer> {
   /** CamSim's own default. */

@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim profile fit}: models and a report from measurements. */
 @Command(
     name = "fit",
-    description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
+    description = "Fits detection models to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
   private static final double PARSIMONY = 0.001; // what a node of a formula costs
@@ -54,7 +54,7 @@ final class FitCommand implements Callable<Integer> {
     }
   }
 
-  @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
+  @Parameters(paramLabel = "DIR", description = "The folder of a measured data set.")
   private Path folder;
 
   @Option(names = "--confidences", paramLabel = "FILE")

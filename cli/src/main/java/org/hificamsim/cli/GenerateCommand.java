@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim generate}: writes a random scenario of any size. */
 @Command(
     name = "generate",
-    description = "Writes a scenario of cameras and targets strewn over a field at random.")
+    description = "Generates a scenario with randomly placed cameras and targets.")
 final class GenerateCommand implements Callable<Integer> {
   private static final int MAX = 200_000;
   private static final int MAX_WALLS = 10_000;

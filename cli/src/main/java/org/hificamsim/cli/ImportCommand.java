@@ -31,9 +31,9 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim import}: makes a scenario of recorded tracks. */
 @Command(
     name = "import",
-    description = "Makes a scenario of recorded tracks, walls and a floor plan.")
+    description = "Makes a scenario from recorded tracks, walls and a floor plan.")
 final class ImportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "FILE", description = "The recording; unpacked if it ends in .gz.")
+  @Parameters(paramLabel = "FILE", description = "The recording; may be packed (.gz).")
   private Path file;
 
   @Option(names = "--format", required = true, paramLabel = "F")

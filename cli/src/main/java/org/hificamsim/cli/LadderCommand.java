@@ -33,8 +33,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "ladder",
     description = {
-      "Chooses a policy by each rung of realism, and judges the choices by the top rung:",
-      "predicted score, order of the policies, what the choice costs, what a step costs."
+      "Shows how much realism you need to choose the right policy: for each rung of realism, the",
+      "predicted scores, the order of the policies, the loss by its choice, and the time of a step."
     })
 final class LadderCommand implements Callable<Integer> {
   /** What rises from rung to rung. */
@@ -56,7 +56,7 @@ final class LadderCommand implements Callable<Integer> {
       names = "--detection",
       paramLabel = "NAME|FILE.json[@T|@RULE]",
       description =
-          "With --of world: what all rungs detect by; default: the scenario's, else "
+          "With --of world: the detection of all rungs; default: the scenario's, else "
               + Rungs.WORLD_DETECTION
               + ".")
   private Optional<String> detection;

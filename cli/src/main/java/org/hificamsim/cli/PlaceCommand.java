@@ -52,8 +52,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "place",
     description = {
-      "Plans where to put cameras on a site: the most of what is to be seen by N cameras or for a",
-      "budget, or all of it for the least; with a bound that no plan of the candidates passes."
+      "Plans where to put cameras on a site: the best coverage by N cameras or for a budget, or full",
+      "coverage at the lowest price. Also prints a bound that no plan of the candidates exceeds."
     })
 final class PlaceCommand implements Callable<Integer> {
   private static final int MAX_CAMERAS = 100_000;

@@ -14,9 +14,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "replay",
     description = {
-      "Replays an episode with the poses that it was recorded with, through the walls and lenses"
-          + " of",
-      "this simulator, and says what share of the targets its cameras cover."
+      "Replays the recorded poses of an episode with this simulator's walls and lenses, and",
+      "prints the share of the targets that its cameras cover."
     })
 final class ReplayCommand implements Callable<Integer> {
   /** The simulators whose episodes are read. */

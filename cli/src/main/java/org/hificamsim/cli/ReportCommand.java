@@ -24,11 +24,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "report",
     description = {
-      "Makes one HTML file, for any browser, of what run --record or compare wrote.",
-      "Asked for pictures of a run, it makes those; and the page too, if --out says where."
+      "Makes one HTML page from the folder of run --record, compare, ladder or tradeoff.",
+      "With options for pictures it makes these, and the page only if --out is given."
     })
 final class ReportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "DIR", description = "The folder that the command wrote.")
+  @Parameters(paramLabel = "DIR", description = "The folder of results.")
   private Path folder;
 
   @Option(

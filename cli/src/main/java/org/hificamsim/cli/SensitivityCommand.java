@@ -15,8 +15,8 @@ import picocli.CommandLine.Mixin;
 @Command(
     name = "sensitivity",
     description =
-        "Sweeps thresholds, targets, their size and speed, radii, optics, f, g, CamSim's formula,"
-            + " the reading of greedy and the learners' settings around defaults.")
+        "Shows what chapter 8 depends on: varies thresholds, targets, radii, optics, f, g, CamSim's"
+            + " formula, the reading of greedy and the learners' settings, one at a time.")
 final class SensitivityCommand implements Callable<Integer> {
   @Mixin private BatchOptions batch;
 

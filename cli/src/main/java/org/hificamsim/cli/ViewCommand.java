@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
     name = "view",
     description = {
       "Shows a scenario live in the browser: choose models and policies, drag cameras, draw walls.",
-      "Only this machine can reach the page, and only by the address that is printed.",
+      "Only this machine can open the page, and only by the printed address.",
       "Closing the page ends the command."
     })
 final class ViewCommand implements Callable<Integer> {

@@ -33,8 +33,8 @@ public enum Setting {
           (name, text) -> {},
           (scenario, text) -> scenario,
           scenario -> scenario.find(Scenario.DETECTION)),
-      "The detection model, perhaps with its threshold or rule (--detect), in place of the"
-          + " scenario's; see 'list detections'."),
+      "Detection model, optionally with a threshold or rule (--detect); overrides the"
+          + " scenario's. See 'list detections'."),
   THRESHOLD(
       Kind.NUMBER,
       "T",
@@ -44,7 +44,7 @@ public enum Setting {
           (name, text) -> DetectionSpec.threshold(text),
           (scenario, text) -> scenario.withoutOwnRule(),
           null),
-      "Detection threshold, 0 to 1; default: that of NAME@T, the scenario's, else the model's."),
+      "Detection threshold, 0 to 1; default: T in NAME@T, the scenario's, else the model's."),
   DETECT(
       Kind.TEXT,
       "RULE",
@@ -54,9 +54,9 @@ public enum Setting {
           (name, text) -> DetectionRule.parse(text),
           (scenario, text) -> scenario.withDetect(DetectionRule.parse(text)),
           scenario -> scenario.detect().map(DetectionRule::text)),
-      "How a confidence becomes a detection: threshold; chance, drawn from the scatter of the"
-          + " model's fit; or probability, the value itself.",
-      "With options: chance:alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
+      "When a target counts as detected: threshold, if its confidence reaches one; chance, by a draw"
+          + " from the scatter of the model's fit; probability, with the confidence as probability.",
+      "Settings of chance: alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
           + " threshold."),
   POLICY(
       Kind.TEXT,
@@ -86,14 +86,14 @@ public enum Setting {
               scenario.with(
                   Scenario.STEPS, scenario.find(Scenario.STEPS).map(any -> Integer.valueOf(text))),
           scenario -> scenario.find(Scenario.STEPS).map(String::valueOf)),
-      "Steps, 1 to 1,000,000,000, in place of the scenario's."),
+      "Number of steps, 1 to 1,000,000,000; overrides the scenario's."),
   SEED(
       Kind.LONG,
       "N",
       "0",
       own(range(Long.MIN_VALUE, Long.MAX_VALUE)),
-      "Seed of all chance; where there are repeats, i uses seed + i."),
-  REPEAT(Kind.INT, "N", "1", own(range(1, 1_000_000)), "Repeats, 1 to 1,000,000."),
+      "Random seed; repeat i, counted from 0, uses seed + i."),
+  REPEAT(Kind.INT, "N", "1", own(range(1, 1_000_000)), "Number of repeats, 1 to 1,000,000."),
   CHANNEL(
       Kind.TEXT,
       "key=value,...",
@@ -103,9 +103,9 @@ public enum Setting {
           (name, text) -> ChannelModel.parse(text),
           (scenario, text) -> scenario.with(Scenario.CHANNEL, ChannelModel.parse(text)),
           null),
-      "What becomes of messages between cameras, as "
+      "How messages between cameras are lost or delayed, such as "
           + ChannelModel.EXAMPLE
-          + ", or perfect; before the scenario's own. See docs/channel.md."),
+          + ", or perfect; overrides the scenario's. See docs/channel.md."),
   ORDER(
       Kind.TEXT,
       "coverage|camsim",
@@ -117,14 +117,14 @@ public enum Setting {
       "degrees|as-radians",
       null,
       choice(Headings.class, Scenario.HEADINGS),
-      "How targets' headings are read; as-radians is the coverage study's way."),
+      "Unit of targets' headings; as-radians as in the coverage study's simulator."),
   NETWORK(
       Kind.TEXT,
       "NAME[:key=value,...]",
       "",
       own((name, text) -> {}),
-      "The network of the cameras, such as camsim:strategies=A0-P2; without it each works for"
-          + " itself. See docs/camsim-studies.md.");
+      "Network of the cameras, such as camsim:strategies=A0-P2; default: none, each camera works"
+          + " alone. See docs/camsim-studies.md.");
 
   /** What the values are. */
   public enum Kind {
