@@ -26,7 +26,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "check",
     description = {
-      "Compares the box sizes that the simulator's optics predict with those of a MOT file and with",
+      "Compares the box sizes that the simulator's optics predict with those of a MOT file and"
+          + " with",
       "those of the full calibration; writes reality.csv, boxes.csv and reality.png."
     })
 final class CheckCommand implements Callable<Integer> {

@@ -40,7 +40,8 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim profile fit}: models and a report from measurements. */
 @Command(
     name = "fit",
-    description = "Fits detection models to measurements.csv; writes models/*.json and report.html.")
+    description =
+        "Fits detection models to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
   private static final double PARSIMONY = 0.001; // what a node of a formula costs

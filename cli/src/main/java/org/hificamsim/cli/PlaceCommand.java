@@ -52,7 +52,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "place",
     description = {
-      "Plans where to put cameras on a site: the best coverage by N cameras or for a budget, or full",
+      "Plans where to put cameras on a site: the best coverage by N cameras or for a budget, or"
+          + " full",
       "coverage at the lowest price. Also prints a bound that no plan of the candidates exceeds."
     })
 final class PlaceCommand implements Callable<Integer> {

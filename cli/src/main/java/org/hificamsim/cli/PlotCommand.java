@@ -29,7 +29,8 @@ import picocli.CommandLine.Parameters;
 /** {@code hificamsim plot}: the score over time of a few runs, in one picture. */
 @Command(
     name = "plot",
-    description = "Plots the score over time for several runs (k_min if their scores differ in kind).")
+    description =
+        "Plots the score over time for several runs (k_min if their scores differ in kind).")
 final class PlotCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "DIR", description = "Folders that 'run' has written.")
   private List<Path> folders;

@@ -27,7 +27,8 @@ import picocli.CommandLine.Mixin;
 /** {@code hificamsim reproduce}: the thesis's Table 8.1, figures and statements, judged. */
 @Command(
     name = "reproduce",
-    description = "Computes the thesis's Table 8.1 and Figures 7.3 to 8.1, next to the published numbers.")
+    description =
+        "Computes the thesis's Table 8.1 and Figures 7.3 to 8.1, next to the published numbers.")
 final class ReproduceCommand implements Callable<Integer> {
   @Mixin private BatchOptions batch;
 

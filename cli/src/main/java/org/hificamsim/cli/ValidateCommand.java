@@ -31,7 +31,8 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim validate}: reads scenario files and reports all that is wrong or odd. */
 @Command(
     name = "validate",
-    description = "Checks scenario files; prints errors (exit code 2) and warnings with line and column.")
+    description =
+        "Checks scenario files; prints errors (exit code 2) and warnings with line and column.")
 final class ValidateCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;

@@ -54,8 +54,9 @@ public enum Setting {
           (name, text) -> DetectionRule.parse(text),
           (scenario, text) -> scenario.withDetect(DetectionRule.parse(text)),
           scenario -> scenario.detect().map(DetectionRule::text)),
-      "When a target counts as detected: threshold, if its confidence reaches one; chance, by a draw"
-          + " from the scatter of the model's fit; probability, with the confidence as probability.",
+      "When a target counts as detected: threshold, if its confidence reaches one; chance, by a"
+          + " draw from the scatter of the model's fit; probability, with the confidence as"
+          + " probability.",
       "Settings of chance: alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
           + " threshold."),
   POLICY(
