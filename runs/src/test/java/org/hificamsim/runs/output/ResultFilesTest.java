@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ResultFilesTest {
   private record Item(long id, double size, String name, Estimate mean) {}
 
-  private static final Table<Item> ITEMS =
+  private final Table<Item> items =
       Table.<Item>of("items.csv")
           .with(
               Column.ofInt("id", "", "a number", item -> (int) item.id()),
@@ -39,7 +39,7 @@ class ResultFilesTest {
   @Test
   void aTableIsReadAsItWasWritten() throws IOException {
     try (OutputFolder out = new OutputFolder(folder)) {
-      ITEMS.write(
+      items.write(
           out,
           Stream.of(
               new Item(1, 2.5, "a", new Estimate(1, 2, 3)),
@@ -54,18 +54,18 @@ class ResultFilesTest {
             + "1,1099511627776,2.5,2.5,a,%s,%s,%s,1\n".formatted(one.mean(), one.low(), one.high())
             + "2,2199023255552,3.0,3,'=b,%s,%s,%s,1\n".formatted(two.mean(), two.low(), two.high()),
         Files.readString(file));
-    assertTrue(ITEMS.isIn(folder));
+    assertTrue(items.isIn(folder));
     assertFalse(Table.of("others.csv").isIn(folder));
     List<String> names = new ArrayList<>();
-    ITEMS.read(folder, row -> names.add(row.text("name")));
+    items.read(folder, row -> names.add(row.text("name")));
     assertEquals(2, names.size());
     Files.writeString(file, Files.readString(file).replace(",later", "").replace(",1\n", "\n"));
     names.clear();
-    ITEMS.read(folder, row -> names.add(row.text("name"))); // files of earlier versions
+    items.read(folder, row -> names.add(row.text("name"))); // files of earlier versions
     assertEquals(2, names.size());
     Files.writeString(file, Files.readString(file).replace("size", "length"));
-    assertThrows(InputException.class, () -> ITEMS.read(folder));
-    assertThrows(InputException.class, () -> ITEMS.read(folder, row -> {}));
+    assertThrows(InputException.class, () -> items.read(folder));
+    assertThrows(InputException.class, () -> items.read(folder, row -> {}));
   }
 
   @ParameterizedTest

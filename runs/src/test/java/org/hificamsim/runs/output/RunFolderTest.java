@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
@@ -25,6 +26,7 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.Traffic;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -250,16 +252,86 @@ class RunFolderTest {
             .asText()
             .matches("git commit [0-9a-f]{40}.*"));
     assertTrue(entities.get("#java").get("operatingSystem").asText().length() > 3);
-    assertEquals("#licence", root.get("license").get("@id").asText());
+    assertEquals("#licence", id(root.get("license")));
+    assertEquals("#thesis", id(root.get("citation")));
+    assertEquals("#run", id(root.get("mentions")));
+    assertEquals("#hificamsim", id(action.get("instrument")));
+    assertEquals("#java", id(entities.get("#hificamsim").get("softwareRequirements")));
+    assertEquals("#vejdanparast", id(entities.get("#thesis").get("author")));
+    JsonNode crate = entities.get("ro-crate-metadata.json");
+    assertEquals("./", id(crate.get("about")));
+    assertEquals("https://w3id.org/ro/crate/1.1", id(crate.get("conformsTo")));
     assertEquals("Person", entities.get("#vejdanparast").get("@type").asText());
     assertEquals("CreativeWork", entities.get("#licence").get("@type").asText());
     assertEquals(action.get("startTime"), root.get("datePublished"));
   }
 
+  private static String id(JsonNode reference) {
+    return reference.get("@id").asText();
+  }
+
   private static List<String> ids(JsonNode references) {
     List<String> ids = new ArrayList<>();
-    references.forEach(one -> ids.add(one.get("@id").asText()));
+    references.forEach(one -> ids.add(id(one)));
     return ids;
+  }
+
+  @Test
+  void settingsOfSeveralPlansAreAListWithTheLensOfEach() throws IOException {
+    Scenario plain = read(Path.of("../scenarios/ring-random.xml"));
+    RunPlan lens =
+        new RunPlan(plain, plan("hifi:orb-lin", "fixed", 1).detection(), "fixed", STEPS, 7, 1);
+    Path out = folder.resolve("plans");
+    try (OutputFolder output = new OutputFolder(out)) {
+      SettingsFile.write(output, List.of(plan("geometric", "fixed", 1), lens));
+      output.commit(List.of());
+    }
+    JsonNode settings = json(out.resolve("settings.json"));
+    assertEquals("site", settings.get(0).get("scenario").asText());
+    JsonNode second = settings.get(1);
+    assertFalse(second.has("optics"));
+    assertTrue(second.get("zooms").size() > 1);
+    assertEquals(second.get("zooms").size(), second.get("focal_lengths").size());
+    assertTrue(second.get("mount_height").asDouble() > 0);
+    assertEquals("cameras", second.get("score_unit").asText());
+    assertEquals(Detail.VIEWS, Detail.full(scenario));
+    assertEquals(Detail.ZOOMS, Detail.full(plain));
+  }
+
+  @Test
+  void whatAPolicyProvesStandsWithEachRun() throws IOException {
+    JsonNode optimal =
+        json(run("proof", plan("geometric", "optimal", 1), Detail.STEPS).resolve("summary.json"));
+    JsonNode claims = optimal.get("runs").get(0);
+    JsonNode fixed =
+        json(run("none", plan("geometric", "fixed", 1), Detail.STEPS).resolve("summary.json"));
+    List<String> more = new ArrayList<>();
+    claims.fieldNames().forEachRemaining(more::add);
+    fixed.get("runs").get(0).fieldNames().forEachRemaining(more::remove);
+    assertFalse(more.isEmpty(), "what is proved: " + claims);
+  }
+
+  @Test
+  void aProgramThatTakesTheStepsItselfGetsTheSameFiles() throws IOException {
+    RunPlan plan = plan("geometric", "random", 1);
+    Path whole = run("whole", plan, Detail.VIEWS);
+    Path out = folder.resolve("own");
+    try (SingleRun own = new SingleRun(out, 0, plan.detection(), Detail.VIEWS)) {
+      assertEquals(0, own.steps());
+      RunResult result = new RunExecutor(Catalogue.load()).repeat(plan, 0, List.of(own));
+      assertEquals(STEPS, own.steps());
+      own.folder().inputs(plan);
+      own.commit(plan, Traffic.NONE, Optional.empty());
+      assertEquals(plan.seed(), result.seed());
+    }
+    for (String name : List.of("steps.csv", "zooms.csv", "targets.csv", "scenario-site.xml")) {
+      assertEquals(Files.readString(whole.resolve(name)), Files.readString(out.resolve(name)));
+    }
+    assertEquals(
+        json(whole.resolve("summary.json")).get("performance"),
+        json(out.resolve("summary.json")).get("performance"));
+    assertFalse(OutputFolder.isOne(out.resolve("none")));
+    assertFalse(Files.exists(out.resolve(".hificamsim")), "its lock is gone");
   }
 
   @Test
