@@ -278,7 +278,8 @@ class RunFolderTest {
 
   @Test
   void settingsOfSeveralPlansAreAListWithTheLensOfEach() throws IOException {
-    Scenario plain = read(Path.of("../scenarios/ring-random.xml"));
+    Scenario plain =
+        read(Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml"));
     RunPlan lens =
         new RunPlan(plain, plan("hifi:orb-lin", "fixed", 1).detection(), "fixed", STEPS, 7, 1);
     Path out = folder.resolve("plans");
