@@ -87,6 +87,29 @@ class PlaceCommandTest {
   }
 
   @Test
+  void aPlanOfTheSitesOwnLensesIsTrueWhateverTheirLawAndTilts() throws IOException {
+    for (String words :
+        new String[] {
+          "mate-4v8-9 --reading fixed", "warehouse-heights", "warehouse-heights --reading any"
+        }) {
+      String site = words.split(" ")[0];
+      Path spots = folder.resolve(site + ".csv");
+      Path plan = folder.resolve(words.replace(' ', '-'));
+      Files.writeString(spots, "x,y\n40,20\n79,49\n");
+      String rest = words.substring(site.length()) + " --candidates " + spots + " --out " + plan;
+      Cli made =
+          Cli.run(
+              (Object[])
+                  ("place " + Cli.scenario(site) + " --cameras 2 --cells 12 --catalogue site")
+                      .concat(rest)
+                      .split(" "));
+      assertEquals(0, made.exit(), made.err());
+      Cli checked = Cli.run("place", "--verify", plan);
+      assertEquals(0, checked.exit(), words + checked.err());
+    }
+  }
+
+  @Test
   void runAndCompareSayHowMuchOfTheZonesIsMetAsPlaceDoes() throws IOException {
     Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\" weight=\"0.5\"/>");
     Path plan = folder.resolve("plan");

@@ -91,7 +91,9 @@ public record Candidates(List<Candidate> all, int[][] columns) {
         site.hasHeights() && site.mountHeight().isEmpty() ? Optional.of(HIGH) : Optional.empty();
     List<Candidate> scouts = new ArrayList<>(); // of each kind, at each tilt, all round
     for (CameraKind kind : kinds) {
-      OpticsSpec round = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
+      OpticsSpec turned = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
+      boolean still = reading == CoverageReading.FIXED;
+      OpticsSpec round = still ? turned.with(OpticsSpec.TILTS, List.of(0.0)) : turned;
       boolean tilts = site.hasHeights() && round.law() == OpticsLaw.PINHOLE;
       for (double tilt : tilts ? TILTS : List.of(0.0)) {
         scouts.add(new Candidate(kind, round, at, z, tilt, 0));
@@ -146,11 +148,12 @@ public record Candidates(List<Candidate> all, int[][] columns) {
     }
     TreeMap<Double, int[]> byAngle = new TreeMap<>();
     List<Double> angles = angles(optics, reading);
+    int each = levels * optics.tilts().size();
     for (int i = 0; i < angles.size(); i++) {
-      int first = i * levels;
+      int first = i * each;
       byAngle.put(
           angles.get(i),
-          SampleSight.union(IntStream.range(first, first + levels).mapToObj(v -> seen[v])));
+          SampleSight.union(IntStream.range(first, first + each).mapToObj(v -> seen[v])));
     }
     boolean round = angles(optics, CoverageReading.ANY).size() == optics.pans().size();
     return (round ? List.of(0.0) : headings())
@@ -165,14 +168,22 @@ public record Candidates(List<Candidate> all, int[][] columns) {
 
   /** The same lens at one of its levels. */
   private static OpticsSpec fixed(OpticsSpec optics, int level) {
-    double angle = optics.anglesOfView().get(level);
+    List<Double> angles = optics.anglesOfView();
+    List<Double> vertical = optics.get(OpticsSpec.VERTICAL_ANGLES);
     OpticsSpec still =
-        new OpticsSpec("%s at %s degrees".formatted(optics.name(), angle))
-            .with(OpticsSpec.LAW, optics.law())
-            .with(OpticsSpec.PIXELS, optics.pixels())
-            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(angle));
+        optics
+            .with(OpticsSpec.NAME, "%s at %s degrees".formatted(optics.name(), angles.get(level)))
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(angles.get(level)))
+            .with(
+                OpticsSpec.VERTICAL_ANGLES,
+                level < vertical.size() ? List.of(vertical.get(level)) : vertical)
+            .with(OpticsSpec.PANS, List.of(0.0))
+            .with(OpticsSpec.TILTS, List.of(0.0))
+            .with(OpticsSpec.ZOOM_TIME, 0)
+            .without(OpticsSpec.PAN_SPEED);
     return optics.reach().isPresent()
-        ? still.with(OpticsSpec.REACH, optics.reach().getAsDouble())
+        ? still.with(
+            OpticsSpec.REACH, optics.law().radii(angles, optics.reach().getAsDouble()).get(level))
         : still;
   }
 }
