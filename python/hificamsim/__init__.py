@@ -10,9 +10,10 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from .errors import Closed, Error, InputError, JavaError, WorkerDied
-from .worlds import Worlds, scenarios
+from .worlds import Worlds, scenarios, tasks
 
 if TYPE_CHECKING:
+    from .entries import benchmark
     from .experts import dataset
     from .parallel import CameraEnv, env, parallel_env
     from .registry import ids, make, register
@@ -24,6 +25,7 @@ __version__ = "0.2.0.dev0"
 
 _LATER = {
     "CameraEnv": "parallel",
+    "benchmark": "entries",
     "dataset": "experts",
     "env": "parallel",
     "parallel_env": "parallel",
@@ -52,12 +54,14 @@ __all__ = [
     "WorkerDied",
     "Worlds",
     "scenarios",
+    "tasks",
     "sb3_vec_env",
     "CameraEnv",
     "CameraVectorEnv",
     "NetworkEnv",
     "Plan",
     "Results",
+    "benchmark",
     "benchmarl_task",
     "compare",
     "dataset",

@@ -31,13 +31,13 @@ class Backend(Protocol):
 
     def step(self) -> None: ...
 
-    def reset(self, seed: int, fresh: bool) -> None: ...
+    def reset(self, world: int, seed: int, fresh: bool) -> None: ...
 
     def state(self) -> None: ...
 
     def seed(self) -> int: ...
 
-    def picture(self, width: int) -> bytes: ...
+    def picture(self, world: int, width: int) -> bytes: ...
 
     def close(self) -> None: ...
 
@@ -143,8 +143,8 @@ class JvmBackend:
     def step(self) -> None:
         self._call(self._open().step)
 
-    def reset(self, seed: int, fresh: bool) -> None:
-        self._call(self._open().reset, seed, fresh)
+    def reset(self, world: int, seed: int, fresh: bool) -> None:
+        self._call(self._open().reset, world, seed, fresh)
 
     def state(self) -> None:
         self._call(self._open().state)
@@ -152,8 +152,8 @@ class JvmBackend:
     def seed(self) -> int:
         return int(self._open().seed())
 
-    def picture(self, width: int) -> bytes:
-        return bytes(self._call(self._open().picture, width))
+    def picture(self, world: int, width: int) -> bytes:
+        return bytes(self._call(self._open().picture, world, width))
 
     def close(self) -> None:
         """Ends the worlds. The JVM stays: it cannot be started twice in a process."""
@@ -262,8 +262,8 @@ class ProcessBackend:
     def step(self) -> None:
         self._ask(b"s")
 
-    def reset(self, seed: int, fresh: bool) -> None:
-        self._ask(b"r", struct.pack(">qb", seed, fresh))
+    def reset(self, world: int, seed: int, fresh: bool) -> None:
+        self._ask(b"r", struct.pack(">iqb", world, seed, fresh))
 
     def state(self) -> None:
         self._ask(b"t")
@@ -271,8 +271,8 @@ class ProcessBackend:
     def seed(self) -> int:
         return int(struct.unpack(">q", self._ask(b"n"))[0])
 
-    def picture(self, width: int) -> bytes:
-        return self._ask(b"p", struct.pack(">i", width))
+    def picture(self, world: int, width: int) -> bytes:
+        return self._ask(b"p", struct.pack(">ii", world, width))
 
     def close(self) -> None:
         """Ends the worlds and their process."""

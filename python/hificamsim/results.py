@@ -15,7 +15,7 @@ import pandas as pd
 
 from . import java
 from .errors import Error, InputError, path, shown
-from .worlds import Worlds, scenario_file
+from .worlds import Worlds, scenario_file, shipped
 
 BAD_INPUT = 2
 
@@ -160,7 +160,8 @@ def _words(key: str, value: Any) -> list[str]:
 
 def execute(*words: str) -> str:
     """Runs any command of ``hificamsim``, and returns what it prints."""
-    command = [java.executable(), *java.options(), "-cp", os.pathsep.join(java.class_path())]
+    root = f"-Dhificamsim.root={shipped().resolve().parent}"
+    command = [java.executable(), *java.options(), root, "-cp", os.pathsep.join(java.class_path())]
     done = subprocess.run(
         [*command, "org.hificamsim.cli.Main", *words],
         capture_output=True,
@@ -180,6 +181,8 @@ def record(
     worlds: Worlds, actions: pathlib.Path, steps: int, folder: str | os.PathLike[str]
 ) -> pathlib.Path:
     """Plays actions again into a folder, and returns the page of the episode."""
+    if worlds.file.endswith(".json"):
+        raise InputError("a task has no report, expected a scenario: its site is drawn for each episode")
     asked = {key: value for key, value in worlds.settings.items() if key in worlds.run_settings}
     kind = "steps" if len(worlds.choices) > 1 else "view"
     episode = {"policy": f"played:actions={kind},file={actions}", "steps": steps, "seed": worlds.episode_seed()}

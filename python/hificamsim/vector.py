@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import Any
 
 import gymnasium
@@ -23,13 +24,19 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         rewards. ``camera``: an environment is a camera, all of one network's one after the other, so that
         ``num_envs`` of the object is the number of networks times that of cameras
     :param copy: whether each step returns arrays of its own; if not, they change with the next step
+    :param autoreset_mode: Gymnasium's. ``SAME_STEP``: when an episode ends the next one begins within the same step, and
+        the last observation is in ``infos["final_obs"]``. ``NEXT_STEP``: in the step that follows, whose actions do not
+        count. ``DISABLED``: by ``reset(options={"reset_mask": ...})``
     :param settings: those of ``Worlds``
 
-    When an episode ends the next one begins within the same step: the last observation is in ``infos["final_obs"]``.
     Nothing is terminated; all is truncated after ``steps``.
     """
 
-    metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP, "render_modes": ["rgb_array"]}
+    metadata: dict[str, Any] = {
+        "autoreset_mode": AutoresetMode.SAME_STEP,
+        "render_modes": ["rgb_array"],
+        "render_fps": 10,
+    }
 
     def __init__(
         self,
@@ -39,12 +46,20 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         per: str = "world",
         copy: bool = True,
         render_mode: str | None = None,
+        autoreset_mode: AutoresetMode | str = AutoresetMode.SAME_STEP,
         **settings: Any,
     ) -> None:
+        try:
+            mode = AutoresetMode(autoreset_mode)
+        except ValueError:
+            expected = ", ".join(one.value for one in AutoresetMode)
+            raise InputError(f"autoreset_mode is {shown(autoreset_mode)}, expected one of {expected}") from None
+        self.metadata = {**self.metadata, "autoreset_mode": mode}
         if not isinstance(per, str) or per not in ("world", "camera"):
             raise InputError(f"per is {shown(per)}, expected 'world' or 'camera'")
         self.worlds = rendered(
-            scenario, render_mode, self.metadata["render_modes"], settings, num_envs=num_envs
+            scenario, render_mode, self.metadata["render_modes"], settings, num_envs=num_envs,
+            auto_reset=mode.name.lower().replace("_", "-"),
         )
         self.render_mode = render_mode
         self.per = per
@@ -66,10 +81,23 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         self._never = np.zeros(self.num_envs, np.bool_)
 
     def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+        self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
-        """Begins an episode everywhere: network i of ``seed + i``, or each its next one."""
-        self.worlds.begin(seed)
+        """Begins an episode everywhere: network i of ``seed + i``, of the i-th of a list of seeds, or each its next one.
+
+        :param options: ``reset_mask``, bool for each environment: which of them begin
+        """
+        mask = (options or {}).get("reset_mask")
+        if mask is None and (seed is None or not isinstance(seed, (Sequence, np.ndarray))):
+            self.worlds.begin(seed)  # type: ignore[arg-type]
+        else:
+            of_worlds = self._of_worlds(True if mask is None else mask, "reset_mask")
+            listed = isinstance(seed, (Sequence, np.ndarray))
+            seeds = self._of_worlds(seed if listed else None, "seed")
+            for i in range(self.worlds.num_envs):
+                if of_worlds[i]:
+                    own = seeds[i] if listed or seed is None else whole(seed, "seed") + i
+                    self.worlds.reset_world(i, own)
         return self._own(self._observations), self._infos()
 
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
@@ -80,7 +108,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         worlds.step()
         ends = self._spread(worlds.ends).astype(np.bool_)
         infos = self._infos()
-        if ends.any():
+        if ends.any() and self.metadata["autoreset_mode"] == AutoresetMode.SAME_STEP:
             self._add_finals(infos, ends)
         never = self._never.copy() if self.copy else self._never
         return self._own(self._observations), self._rewards(), never, ends, infos
@@ -89,6 +117,17 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         each = self.worlds.actions.shape[2]
         place = int(np.ravel_multi_index(index, self._counts.shape)) // each
         return f"camera {self.worlds.cameras[place % self._each]} in world {place // self._each}"
+
+    def _of_worlds(self, values: Any, what: str) -> list[Any]:
+        """One value for each network of one for each environment; a single one is for all."""
+        listed = list(values) if isinstance(values, (Sequence, np.ndarray)) else [values] * self.num_envs
+        each = self.num_envs // self.worlds.num_envs
+        of_worlds = listed[::each]
+        if len(listed) != self.num_envs or any(one != of_worlds[i // each] for i, one in enumerate(listed)):
+            raise InputError(
+                f"{what} is {shown(values)}, expected {self.num_envs} values, the same for all cameras of a network"
+            )
+        return of_worlds
 
     def _rewards(self) -> Array:
         if self.per == "camera":
@@ -126,8 +165,11 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         return np.array(self.worlds.state())
 
     def render(self) -> tuple[Array, ...] | None:
-        """The first network as a picture."""
-        return None if self.render_mode is None else (self.worlds.picture(),)
+        """A picture for each environment: that of its network."""
+        if self.render_mode is None:
+            return None
+        pictures = [self.worlds.picture(world=i) for i in range(self.worlds.num_envs)]
+        return tuple(pictures[i * len(pictures) // self.num_envs] for i in range(self.num_envs))
 
     def close_extras(self, **kwargs: Any) -> None:
         self.worlds.close()

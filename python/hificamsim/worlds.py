@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 from collections.abc import Callable
@@ -22,17 +23,28 @@ SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
 
 def scenarios() -> list[str]:
     """The names of the scenarios that come with the package."""
-    return sorted(file.stem for file in _shipped().glob("*.xml"))
+    return sorted(file.stem for file in shipped().glob("*.xml"))
 
 
-def _shipped() -> pathlib.Path:
+def shipped() -> pathlib.Path:
+    """The folder of the scenarios."""
     return pathlib.Path(os.environ.get("HIFICAMSIM_SCENARIOS") or SCENARIOS)
+
+
+TASKS = "bench/"  # what names of tasks begin with
+TESTING = tuple(range(1_000_001, 1_000_011))  # the seeds of their testing episodes
+
+
+def tasks() -> list[str]:
+    """The names of the benchmark's tasks, as ``bench/campus-v1``."""
+    file = shipped() / "benchmark.json"
+    return [TASKS + name for name in json.loads(file.read_text(encoding="utf-8"))] if file.exists() else []
 
 
 def scenario_file(scenario: str | os.PathLike[str]) -> str:
     """The file of a scenario: one of the package's by its name, or any file."""
     text = path(scenario, "scenario")
-    named = _shipped() / f"{text}.xml"
+    named = shipped() / f"{text}.xml"
     if not os.path.isfile(text) and os.path.exists(named):
         return str(named)
     if not os.path.isfile(text):
@@ -70,12 +82,13 @@ class Worlds:
     - reward: coverage, kmin, score, difference or thesis
     - actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
     - targets, neighbours: how many of the nearest seen targets and of the nearest cameras are observed
-    - auto_reset: whether the next episode begins within the call that ends one
+    - auto_reset: True or ``same-step``: the next episode begins within the call that ends one; ``next-step``: in the
+      call that follows, whose actions do not count; False or ``disabled``: after a ``reset``
     - expert: a policy, as ``cooperative``, that is asked in each step what it would do: ``advice``; an action of -1
       does it
     - paints: whether ``picture`` will be asked for
 
-    :param scenario: a name of ``scenarios()`` or a file
+    :param scenario: a name of ``scenarios()`` or ``tasks()``, or a file
     :param threads: that share the worlds; by default as many as there are processors, from 16 worlds on
     :param backend: jvm (in this process) or process; by default jvm where JPype is installed
     """
@@ -89,7 +102,8 @@ class Worlds:
         backend: str | None = None,
         **settings: Any,
     ) -> None:
-        self.file = scenario_file(scenario)
+        task = str(scenario) if str(scenario) in tasks() else None
+        self.file = scenario_file(scenario) if task is None else str(shipped() / "benchmark.json")
         num_envs = whole(num_envs, "num_envs")
         if threads is None:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
@@ -98,6 +112,8 @@ class Worlds:
         if "worlds" in settings:
             raise InputError("unknown setting 'worlds', expected num_envs")
         own = {"scenario": self.file, "worlds": num_envs, "threads": whole(threads, "threads")}
+        if task is not None:
+            own["task"] = task
         self._backend = open_backend(backend, {**self.settings, **own})
         self._begun = False
         said = self._backend.description
@@ -137,7 +153,12 @@ class Worlds:
 
     def reset(self, seed: int | None = None) -> None:
         """Begins an episode in every world: of new seeds from this one on, or each its next one."""
-        self._backend.reset(0 if seed is None else whole(seed, "seed"), seed is not None)
+        self.reset_world(-1, seed)
+
+    def reset_world(self, world: int, seed: int | None = None) -> None:
+        """Begins an episode in one world, of this seed or its next one; the others stay as they are."""
+        number = 0 if seed is None else whole(seed, "seed")
+        self._backend.reset(whole(world, "world", -1, self.num_envs - 1), number, seed is not None)
 
     def begin(self, seed: int | None) -> None:
         """As ``reset``; but the first time, no seed means that of the settings."""
@@ -155,9 +176,9 @@ class Worlds:
         """The seed of the episode that the first world is in."""
         return self._backend.seed()
 
-    def picture(self, width: int = 800) -> Array:
-        """The first world as it is now, uint8 (height, width, 3)."""
-        data = self._backend.picture(width)
+    def picture(self, width: int = 800, world: int = 0) -> Array:
+        """A world as it is now, uint8 (height, width, 3)."""
+        data = self._backend.picture(whole(world, "world", 0, self.num_envs - 1), width)
         wide, high = np.frombuffer(data, ">i4", 2)
         picture: Array = np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
         return picture

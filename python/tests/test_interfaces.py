@@ -71,22 +71,22 @@ def test_gymnasium_check_env(scenario: str, backend: str) -> None:
 def test_gymnasium_makes_what_is_registered() -> None:
     hificamsim.register()
     hificamsim.register()
-    env = gymnasium.make("hificamsim/campus-v0", steps=30)
+    env = gymnasium.make("hificamsim/campus-v1", steps=30)
     env.reset(seed=1)
     env.step(env.action_space.sample())
     env.close()
     many = gymnasium.make_vec(
-        "hificamsim/campus-v0", num_envs=3, vectorization_mode="vector_entry_point", steps=30
+        "hificamsim/campus-v1", num_envs=3, vectorization_mode="vector_entry_point", steps=30
     )
     assert many.reset(seed=1)[0].shape[0] == 3
     many.close()
 
 
 def test_make_knows_every_scenario() -> None:
-    env = hificamsim.make("campus-v0", steps=5)
+    env = hificamsim.make("campus-v1", steps=5)
     assert env.worlds.name == "campus"
     env.close()
-    with pytest.raises(hificamsim.InputError, match="id is 'campsu-v0', expected one of .*campus-v0"):
+    with pytest.raises(hificamsim.InputError, match="id is 'campsu-v0', expected one of .*campus-v1"):
         hificamsim.make("campsu-v0")
 
 
@@ -172,7 +172,7 @@ def test_a_camera_that_fails_stays_an_agent_and_sees_nothing() -> None:
 
 
 def test_a_picture_and_the_page_of_an_episode(backend: str, tmp_path: object) -> None:
-    env = hificamsim.make("campus-v0", render_mode="rgb_array", width=400, steps=50, backend=backend)
+    env = hificamsim.make("campus-v1", render_mode="rgb_array", width=400, steps=50, backend=backend)
     env.reset(seed=4)
     before = env.render()
     covered = []

@@ -67,13 +67,14 @@ public class WorldsBenchmark {
     WorldSettings settings =
         new WorldSettings(
             read,
+            null,
             catalogue.movements(),
             Detection.of(catalogue.detection(detection)),
             ObservationLayout.DEFAULT,
             ActionKind.VIEW,
             () -> Rewards.registry().create(reward),
             EPISODE,
-            true,
+            WorldSettings.AutoReset.SAME_STEP,
             null);
     worlds = new Worlds(settings, WORLDS, 1, 0, ByteBuffer::allocateDirect);
     Block.Section section = worlds.block().sections().get(0);

@@ -2,9 +2,14 @@ package org.hificamsim.cli;
 
 import picocli.CommandLine.Command;
 
-/** {@code hificamsim benchmark}: what others have measured, measured again. */
+/** {@code hificamsim benchmark}: frozen tasks that others can enter. */
 @Command(
     name = "benchmark",
-    description = "Scores recorded episodes of another simulator.",
-    subcommands = ReplayCommand.class)
+    description = "Plays frozen tasks that anybody can enter, and checks and ranks the results.",
+    subcommands = {
+      EntryCommand.class,
+      EntryCheckCommand.class,
+      LeaderboardCommand.class,
+      ReplayCommand.class
+    })
 final class BenchmarkCommand {}

@@ -11,6 +11,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.benchmark.Benchmark;
 
 /** The scenarios that come with the simulator: the folder {@code scenarios} of the project. */
 final class ShippedScenarios {
@@ -37,6 +38,11 @@ final class ShippedScenarios {
               folder.resolve(name + ".xml"), catalogue.movements()::knows, warning -> {}));
     }
     return scenarios;
+  }
+
+  /** The tasks on them. */
+  static Benchmark tasks() {
+    return Benchmark.read(folder().resolve(Benchmark.FILE), Catalogue.load());
   }
 
   private static Path folder() {

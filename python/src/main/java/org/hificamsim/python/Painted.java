@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
@@ -20,14 +21,18 @@ import org.hificamsim.presentation.replay.Snapshots;
 
 /** The episode of a world, kept frame by frame to be painted. */
 final class Painted implements StepListener {
-  private final Setup setup;
+  private final Supplier<Setup> setups;
   private final Detection detection;
   private final List<Frame> frames = new ArrayList<>();
   private final List<Move> moves = new ArrayList<>();
+  private Setup setup;
   private Snapshots snapshots;
 
-  Painted(Setup setup, Detection detection) {
-    this.setup = setup;
+  /**
+   * @param setups what there is to paint in the episode that begins
+   */
+  Painted(Supplier<Setup> setups, Detection detection) {
+    this.setups = setups;
     this.detection = detection;
   }
 
@@ -35,6 +40,7 @@ final class Painted implements StepListener {
   public void started(NetworkView network, ZoomPolicy policy) {
     frames.clear();
     moves.clear();
+    setup = setups.get();
     snapshots = new Snapshots(setup, detection, policy);
   }
 

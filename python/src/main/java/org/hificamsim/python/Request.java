@@ -25,9 +25,11 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.benchmark.Benchmark;
 import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.Rewards;
 import org.hificamsim.worlds.WorldSettings;
+import org.hificamsim.worlds.WorldSettings.AutoReset;
 
 /**
  * What Python asks for, as JSON: settings of a run by their names, and those of environments alone.
@@ -44,7 +46,7 @@ record Request(Settings asked, Environment own) {
       EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT, Setting.NETWORK));
 
   /** What the Python package says by arguments of its own. */
-  private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads");
+  private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads", "task");
 
   private static final ObjectMapper MAPPER =
       new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
@@ -60,6 +62,7 @@ record Request(Settings asked, Environment own) {
    * @param neighbours that an observation has room for
    * @param paints whether pictures of the first world will be asked for
    * @param expert the policy whose advice is written; null for none
+   * @param task of the tasks that the scenario's file has; null for a scenario
    */
   record Environment(
       String scenario,
@@ -69,15 +72,16 @@ record Request(Settings asked, Environment own) {
       String actions,
       Integer targets,
       Integer neighbours,
-      Boolean autoReset,
+      String autoReset,
       boolean paints,
-      String expert) {
+      String expert,
+      String task) {
     Environment {
       reward = Optional.ofNullable(reward).orElse("coverage");
       actions = Optional.ofNullable(actions).orElse("view");
       targets = Optional.ofNullable(targets).orElse(4);
       neighbours = Optional.ofNullable(neighbours).orElse(2);
-      autoReset = Optional.ofNullable(autoReset).orElse(true);
+      autoReset = Optional.ofNullable(autoReset).orElse("true");
     }
   }
 
@@ -116,19 +120,46 @@ record Request(Settings asked, Environment own) {
   /** Reads the scenario, and finds everything by its name. */
   WorldSettings worldSettings(Catalogue catalogue) {
     Path file = Path.of(own.scenario);
+    Benchmark tasks = own.task == null ? null : Benchmark.read(file, catalogue);
+    if (tasks != null) {
+      requireSeedAlone();
+    }
     Scenario scenario =
-        asked.scenario(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}));
+        tasks == null
+            ? asked.scenario(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}))
+            : tasks.layout(own.task, asked.seed());
     Rewards.registry().create(own.reward); // a wrong one is refused here
     return new WorldSettings(
         scenario,
+        tasks == null ? null : seed -> tasks.layout(own.task, seed),
         catalogue.movements(),
         DetectionSpec.of(asked, scenario, file, catalogue),
         new ObservationLayout(own.targets, own.neighbours, scenario.hasHeights()),
         Spelling.require(ActionKind.class, "actions", own.actions),
         () -> Rewards.registry().create(own.reward),
         Integer.parseInt(asked.value(Setting.STEPS, scenario)),
-        own.autoReset,
+        autoReset(),
         own.expert == null ? null : expert(catalogue));
+  }
+
+  private AutoReset autoReset() {
+    return switch (own.autoReset) {
+      case "true" -> AutoReset.SAME_STEP;
+      case "false" -> AutoReset.DISABLED;
+      default -> Spelling.require(AutoReset.class, "auto_reset", own.autoReset);
+    };
+  }
+
+  /** A task is as it is. */
+  private void requireSeedAlone() {
+    SETTINGS.stream()
+        .filter(setting -> setting != Setting.SEED && asked.asked(setting).isPresent())
+        .findFirst()
+        .ifPresent(
+            setting -> {
+              throw InputException.of(
+                  "task %s with its own %s, expected the seed alone", own.task, setting.label());
+            });
   }
 
   /** Experts that can be asked step by step; a wrong name is refused here. */

@@ -23,9 +23,10 @@ import org.hificamsim.core.InputException;
  * input.
  *
  * <p>Every message is a letter and the length of what follows, four bytes, the highest first. In: o
- * settings as JSON, s step, r reset (seed, 8 bytes; 1 where it counts, else 0), t state, n seed of
- * the episode, p picture (width, 4 bytes). Out: k for done, with what was asked for; i for input
- * that is wrong, e for anything else, each with a line that says what.
+ * settings as JSON, s step, r reset (world or -1, 4 bytes; seed, 8 bytes; 1 where it counts, else
+ * 0), t state, n seed of the episode, p picture (world and width, 4 bytes each). Out: k for done,
+ * with what was asked for; i for input that is wrong, e for anything else, each with a line that
+ * says what.
  */
 public final class Server {
   private final DataInputStream in;
@@ -105,13 +106,13 @@ public final class Server {
         return bytes(session.description());
       }
       case 's' -> session.step();
-      case 'r' -> session.reset(message.getLong(), message.get() != 0);
+      case 'r' -> session.reset(message.getInt(), message.getLong(), message.get() != 0);
       case 't' -> session.state();
       case 'n' -> {
         return ByteBuffer.allocate(Long.BYTES).putLong(session.seed()).array();
       }
       case 'p' -> {
-        return session.picture(message.getInt());
+        return session.picture(message.getInt(), message.getInt());
       }
       default -> throw new IllegalArgumentException("no message begins with '" + letter + "'");
     }

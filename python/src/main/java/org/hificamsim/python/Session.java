@@ -1,11 +1,11 @@
 package org.hificamsim.python;
 
 import java.nio.ByteBuffer;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
@@ -16,7 +16,7 @@ public final class Session implements AutoCloseable {
 
   private final WorldSettings settings;
   private final Worlds worlds;
-  private final Painted painted;
+  private final List<Painted> painted = new ArrayList<>();
 
   /**
    * Opens worlds in memory of the JVM's.
@@ -37,17 +37,18 @@ public final class Session implements AutoCloseable {
     long seed = request.asked().seed();
     settings = request.worldSettings(catalogue);
     worlds = new Worlds(settings, request.own().worlds(), request.own().threads(), seed, memory);
-    painted = request.own().paints() ? painted(catalogue, seed) : null;
-    if (painted != null) {
-      worlds.watch(0, painted);
+    for (int i = 0; request.own().paints() && i < request.own().worlds(); i++) {
+      int world = i;
+      painted.add(new Painted(() -> setup(worlds.seed(world)), settings.detection()));
+      worlds.watch(i, painted.get(i));
+    }
+    if (!painted.isEmpty()) {
       worlds.reset(seed, true);
     }
   }
 
-  private Painted painted(Catalogue catalogue, long seed) {
-    World world = new World(settings.scenario(), catalogue.movements(), seed);
-    return new Painted(
-        Setup.of(world, settings.detection(), "played", seed, List.of()), settings.detection());
+  private Setup setup(long seed) {
+    return Setup.of(settings.world(seed), settings.detection(), "played", seed, List.of());
   }
 
   /** What there is to know of the worlds, as JSON, see {@link Description}. */
@@ -69,9 +70,13 @@ public final class Session implements AutoCloseable {
     worlds.step();
   }
 
-  /** Begins an episode in all worlds: with new seeds from this one on, or each its next one. */
-  public void reset(long seed, boolean fresh) {
-    worlds.reset(seed, fresh);
+  /** Begins an episode in a world, of this seed or its next one; below 0 in all worlds. */
+  public void reset(int world, long seed, boolean fresh) {
+    if (world < 0) {
+      worlds.reset(seed, fresh);
+    } else {
+      worlds.reset(world, seed, fresh);
+    }
   }
 
   /** Writes the states. */
@@ -85,18 +90,18 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * A picture of the first world.
+   * A picture of a world.
    *
    * @throws InputException when pictures were not asked for at first
    */
-  public byte[] picture(int width) {
-    if (painted == null) {
+  public byte[] picture(int world, int width) {
+    if (painted.isEmpty()) {
       throw new InputException("no pictures were asked for, expected render_mode='rgb_array'");
     }
     if (width < 1 || width > MAX_WIDTH) {
       throw new InputException("a picture " + width + " wide, expected 1 to " + MAX_WIDTH);
     }
-    return painted.picture(worlds.network(0), worlds.seed(0), width);
+    return painted.get(world).picture(worlds.network(world), worlds.seed(world), width);
   }
 
   /** Ends the threads. */

@@ -54,10 +54,14 @@ public final class RunExecutor {
    * @throws RunFault when a policy, model, movement or listener fails
    */
   public RunResult repeat(RunPlan plan, int run, List<StepListener> listeners) {
+    return repeat(plan, run, catalogue.policies().create(plan.policy()), listeners);
+  }
+
+  /** The same by a policy that may have no name. */
+  public RunResult repeat(RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
     RunCoverage coverage = new RunCoverage();
     List<StepListener> all = new ArrayList<>(listeners);
     all.add(0, coverage);
-    ZoomPolicy policy = catalogue.policies().create(plan.policy());
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }

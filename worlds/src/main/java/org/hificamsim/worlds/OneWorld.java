@@ -27,7 +27,7 @@ final class OneWorld implements StepListener {
   private static final int STATE_OF_TARGET = 4;
 
   private final WorldSettings settings;
-  private final World world;
+  private World world;
   private final PlayedPolicy policy;
   private final Reward reward;
   private final float[] rewards;
@@ -48,17 +48,14 @@ final class OneWorld implements StepListener {
   OneWorld(WorldSettings settings, long seed, OneWorld first) {
     this.settings = settings;
     like = first == null ? null : first.like;
-    world =
-        first == null
-            ? new World(settings.scenario(), settings.movements(), seed)
-            : first.world.another(seed);
+    world = first == null || isDrawn() ? settings.world(seed) : first.world.another(seed);
     policy = new PlayedPolicy(settings.actions(), settings.expert());
     reward = settings.reward().get();
     int cameras = world.cameras().count();
     rewards = new float[cameras];
     actions = new int[cameras * settings.actions().numbers()];
     reset(seed);
-    like = first == null ? observer : like;
+    like = first == null && !isDrawn() ? observer : like;
     masks = new Masks(network(), settings.actions());
   }
 
@@ -77,7 +74,11 @@ final class OneWorld implements StepListener {
 
   private void begin() {
     long ofEpisode = episodeSeed(seed, episode);
-    world.restart(ofEpisode);
+    if (isDrawn()) {
+      world = settings.world(ofEpisode);
+    } else {
+      world.restart(ofEpisode);
+    }
     reward.begin();
     simulation =
         new Simulation(world, settings.detection(), policy, ofEpisode, List.of(this, watcher));
@@ -86,7 +87,14 @@ final class OneWorld implements StepListener {
     observer = observer();
   }
 
-  /** All episodes of all worlds have the same cameras, as long as nothing happens to them. */
+  private boolean isDrawn() {
+    return settings.layouts() != null;
+  }
+
+  /**
+   * Without layouts, all episodes of all worlds have the same cameras, as long as nothing happens
+   * to them.
+   */
   private CameraObserver observer() {
     return like == null
         ? new CameraObserver(network(), settings.layout())

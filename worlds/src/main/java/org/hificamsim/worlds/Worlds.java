@@ -11,6 +11,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
+import org.hificamsim.worlds.WorldSettings.AutoReset;
 
 /**
  * Simulations side by side, stepped by one call and shared out among threads. Actions are read from
@@ -160,6 +161,13 @@ public final class Worlds implements AutoCloseable {
     workers.run(resetting);
   }
 
+  /** Begins an episode in one world, of this seed or its next one; others stay as they are. */
+  public void reset(int world, long itsSeed, boolean fresh) {
+    seed = itsSeed - world;
+    restarted = fresh;
+    reset(world, 0);
+  }
+
   private void reset(int i, int worker) {
     if (restarted) {
       worlds[i].reset(seed + i);
@@ -182,13 +190,17 @@ public final class Worlds implements AutoCloseable {
 
   private void step(int i, int worker) {
     OneWorld world = worlds[i];
+    if (world.over()) { // with NEXT_STEP
+      renew(i, worker);
+      return;
+    }
     actions.get(i * world.actions().length, world.actions());
     world.step();
     rewards.put(i * world.rewards().length, world.rewards());
     measures.put(i * OneWorld.MEASURES, world.measures());
     advice.put(i * world.advice().length, world.advice());
     ends.put(i, (byte) (world.over() ? 1 : 0));
-    if (world.over() && settings.autoReset()) {
+    if (world.over() && settings.autoReset() == AutoReset.SAME_STEP) {
       observe(i, finals, worker);
       world.next();
     }
@@ -196,6 +208,16 @@ public final class Worlds implements AutoCloseable {
     if (maskOften || world.network().revision() != maskedRevision[i]) {
       writeMasks(i);
     }
+  }
+
+  private void renew(int i, int worker) {
+    float[] none = worlds[i].rewards();
+    Arrays.fill(none, 0);
+    rewards.put(i * none.length, none);
+    ends.put(i, (byte) 0);
+    worlds[i].next();
+    observe(i, observations, worker);
+    writeMasks(i);
   }
 
   /** By way of arrays that all worlds of a worker share: they stay near. */
@@ -214,7 +236,7 @@ public final class Worlds implements AutoCloseable {
   private void checkActions() {
     int each = worlds[0].actions().length;
     for (int i = 0; i < worlds.length; i++) {
-      if (!settings.autoReset() && worlds[i].over()) {
+      if (settings.autoReset() == AutoReset.DISABLED && worlds[i].over()) {
         throw InputException.of(
             "the episode of %s steps is over, expected a reset", settings.steps());
       }

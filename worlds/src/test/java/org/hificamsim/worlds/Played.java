@@ -28,13 +28,14 @@ final class Played implements AutoCloseable {
       String scenario, String reward, ActionKind actions, int steps, boolean auto) {
     return new WorldSettings(
         scenario(scenario),
+        null,
         CATALOGUE.movements(),
         Detection.of(CATALOGUE.detection("hifi:orb-lin")),
         ObservationLayout.DEFAULT,
         actions,
         () -> Rewards.registry().create(reward),
         steps,
-        auto,
+        auto ? WorldSettings.AutoReset.SAME_STEP : WorldSettings.AutoReset.DISABLED,
         null);
   }
 

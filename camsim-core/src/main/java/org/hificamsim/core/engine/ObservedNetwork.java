@@ -224,7 +224,7 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public Obstacles obstacles() {
-    return lines.obstacles();
+    return lines.map();
   }
 
   @Override

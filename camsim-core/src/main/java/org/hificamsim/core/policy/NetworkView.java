@@ -117,7 +117,7 @@ public interface NetworkView extends CoveredTargets, Stations {
     return 0;
   }
 
-  /** The site's map: what blocks or dims lines of sight, known to whoever installs a camera. */
+  /** The map: what blocks or dims lines of sight, as far as whoever installed the cameras knows. */
   default Obstacles obstacles() {
     return Obstacles.NONE;
   }

@@ -135,6 +135,9 @@ shows, m (ours) | the field's borders
   /** In file order. */
   public static final Property<Scenario, List<Obstacle>> OBSTACLES = ELEMENT.property(List.of());
 
+  /** What cameras take for the obstacles, where that is not what stands there; in no file. */
+  public static final Property<Scenario, List<Obstacle>> MAP = ELEMENT.property(null);
+
   /** In file order, with unique names. */
   public static final Property<Scenario, List<Zone>> ZONES = ELEMENT.property(List.of());
 

@@ -220,6 +220,11 @@ public final class TargetSpec extends Spec<TargetSpec> {
     return with(MOVE, name).with(TRACK, along ? track() : Optional.empty());
   }
 
+  /** The same target on another track. */
+  public TargetSpec along(Track track) {
+    return with(X, track.x(0)).with(Y, track.y(0)).with(TRACK, Optional.of(track));
+  }
+
   /** Mean of each coordinate's step, metres; Brownian only. */
   public double mean() {
     return get(MEAN);

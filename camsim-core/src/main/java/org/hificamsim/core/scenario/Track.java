@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import java.util.Arrays;
+import java.util.function.UnaryOperator;
 
 /**
  * Where a target was from when it came to when it went: samples in order of time, as a recording
@@ -68,6 +69,32 @@ public final class Track {
   /** Where it is at each step; null where that is worked out on the way. */
   StepPlaces places() {
     return places;
+  }
+
+  /**
+   * The same from a time on, by a clock that begins then, at other places.
+   *
+   * @param start seconds, at or before the last sample
+   */
+  public Track from(double start, UnaryOperator<Waypoint> moved) {
+    int first = 0;
+    while (first + 1 < samples() && time(first + 1) <= start) {
+      first++;
+    }
+    double[] rest = Arrays.copyOfRange(samples, FIELDS * first, samples.length);
+    if (time(first) < start && first + 1 < samples()) {
+      double part = (start - time(first)) / (time(first + 1) - time(first));
+      for (int i = 0; i < FIELDS; i++) {
+        rest[i] += part * (rest[FIELDS + i] - rest[i]);
+      }
+    }
+    for (int i = 0; i < rest.length; i += FIELDS) {
+      Waypoint place = moved.apply(new Waypoint(rest[i + 1], rest[i + 2]));
+      rest[i] = Math.max(0, rest[i] - start);
+      rest[i + 1] = place.x();
+      rest[i + 2] = place.y();
+    }
+    return new Track(rest, stepTime);
   }
 
   /** The speed from the first sample to the last along the way, metres a step. */

@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.Scenario;
  */
 public final class SightLines {
   private final Obstacles obstacles;
+  private final Obstacles map;
   private final Scenario scenario;
   private final boolean flat;
   private final boolean byTargets;
@@ -25,6 +26,7 @@ public final class SightLines {
 
   SightLines(Obstacles obstacles, Scenario scenario, Cameras cameras, Targets targets) {
     this.obstacles = obstacles;
+    this.map = scenario.find(Scenario.MAP).map(Obstacles::new).orElse(obstacles);
     this.scenario = scenario;
     this.flat = !scenario.hasHeights();
     this.byTargets = scenario.occlusion() == Occlusion.TARGETS;
@@ -52,9 +54,9 @@ public final class SightLines {
     return regions[camera] == null || !regions[camera].isFrom(cameras.x(camera), cameras.y(camera));
   }
 
-  /** The obstacles alone. */
-  public Obstacles obstacles() {
-    return obstacles;
+  /** The map of the obstacles that cameras have. */
+  public Obstacles map() {
+    return map;
   }
 
   /** Whether no camera has a height. */

@@ -1,0 +1,75 @@
+"""The benchmark: a policy written in Python enters."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+
+from .errors import InputError, shown
+from .results import execute
+from .spaces import told
+from .worlds import TASKS, TESTING, Array, Worlds, tasks
+
+Policy = Callable[[Array, Array], Any]
+
+
+def benchmark(
+    policy: Policy | Callable[[str], Policy],
+    out: str | os.PathLike[str],
+    *,
+    name: str,
+    only: Iterable[str] | None = None,
+    per_task: bool = False,
+    **settings: Any,
+) -> dict[str, Array]:
+    """Plays the testing episodes of the tasks, and writes the folder of ``hificamsim benchmark run``.
+
+    :param policy: takes observations float32 (C, F) and masks uint8 (C, M), and returns an action for each camera;
+        where it has a method ``begin``, that is called before each episode
+    :param name: of the entry
+    :param only: some of the tasks
+    :param per_task: ``policy`` takes a task's name, and returns the policy for it
+    :param settings: of the observation and the actions, as of ``Worlds``: targets, neighbours, actions
+    :returns: the scores of each task's episodes, mean of a step
+    """
+    known = tasks()
+    asked = [one if one.startswith(TASKS) else TASKS + one for one in (known if only is None else only)]
+    for one in asked:
+        if one not in known:
+            raise InputError(f"task is {shown(one)}, expected one of {', '.join(known)}")
+    scores = {}
+    with tempfile.TemporaryDirectory() as scratch:
+        for task in asked:
+            plays: Any = policy(task) if per_task else policy  # type: ignore[call-arg, arg-type]
+            scores[task] = _play(plays, task, pathlib.Path(scratch), settings)
+        played = f"played:actions={settings.get('actions', 'view')},file={scratch}/{{task}}-{{seed}}"
+        chosen = ",".join(asked)
+        execute("benchmark", "run", "--policy", played, "--name", name, "--tasks", chosen, "--out", os.fspath(out))
+    return scores
+
+
+def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]) -> Array:
+    scores = []
+    with Worlds(task, 1, auto_reset=False, **settings) as worlds:
+        counts = np.broadcast_to(np.asarray(worlds.choices), worlds.actions.shape[1:])
+        if len(worlds.choices) == 1:
+            counts = np.asarray(worlds.views)[:, None]
+        for seed in TESTING:
+            worlds.reset(seed)
+            if hasattr(policy, "begin"):
+                policy.begin()
+            episode, score = [], 0.0
+            for _ in range(worlds.episode_steps):
+                actions = np.asarray(policy(worlds.observations[0], worlds.masks[0])).reshape(counts.shape)
+                worlds.actions[0] = told(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
+                worlds.step()
+                episode.append(worlds.actions.astype("<i4").tobytes())
+                score += float(worlds.measures[0, 2])
+            (folder / f"{task.removeprefix(TASKS)}-{seed}").write_bytes(b"".join(episode))
+            scores.append(score / worlds.episode_steps)
+    return np.array(scores)

@@ -1,0 +1,100 @@
+package org.hificamsim.runs.benchmark;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.type.TypeReference;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.RunPlan;
+
+/** All tasks of a file, by their names, with the sites that they are on. */
+public final class Benchmark {
+  /** The file, in the folder of the scenarios that come with the simulator. */
+  public static final String FILE = "benchmark.json";
+
+  /** What the names of tasks begin with where they stand beside names of scenarios. */
+  private static final String PREFIX = "bench/";
+
+  private final Path file;
+  private final Catalogue catalogue;
+  private final Map<String, BenchmarkTask> tasks;
+  private final Map<String, Scenario> sites = new ConcurrentHashMap<>();
+
+  private Benchmark(Path file, Catalogue catalogue, Map<String, BenchmarkTask> tasks) {
+    this.file = file;
+    this.catalogue = catalogue;
+    this.tasks = tasks;
+  }
+
+  /** Reads the tasks of a file. */
+  public static Benchmark read(Path file, Catalogue catalogue) {
+    try {
+      Map<String, BenchmarkTask> tasks =
+          new ObjectMapper()
+              .readValue(
+                  file.toFile(), new TypeReference<LinkedHashMap<String, BenchmarkTask>>() {});
+      return new Benchmark(file, catalogue, tasks);
+    } catch (JsonProcessingException e) {
+      throw new InputException(file + ": " + e.getOriginalMessage() + ", expected tasks", e);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The names, in order. */
+  public List<String> names() {
+    return List.copyOf(tasks.keySet());
+  }
+
+  /**
+   * A task.
+   *
+   * @param name with or without {@code bench/}
+   * @throws InputException when there is none of this name
+   */
+  public BenchmarkTask task(String name) {
+    BenchmarkTask task = tasks.get(plain(name));
+    if (task == null) {
+      throw InputException.of("task is '%s', expected one of %s", name, String.join(", ", names()));
+    }
+    return task;
+  }
+
+  /** A task's name without {@code bench/}. */
+  public static String plain(String name) {
+    return name.startsWith(PREFIX) ? name.substring(PREFIX.length()) : name;
+  }
+
+  /** The site of a task, as its file has it. */
+  public Scenario site(String name) {
+    return sites.computeIfAbsent(
+        task(name).scenario(),
+        scenario ->
+            ScenarioReader.read(
+                file.resolveSibling(scenario), catalogue.movements()::knows, warning -> {}));
+  }
+
+  /** A task's site as a seed has it. */
+  public Scenario layout(String name, long seed) {
+    return task(name).draw(site(name), seed);
+  }
+
+  /** One episode of a task under a policy. */
+  public RunPlan plan(String name, String policy, long seed) {
+    return task(name).plan(catalogue, layout(name, seed), policy, seed);
+  }
+
+  /** Everything that has a name. */
+  public Catalogue catalogue() {
+    return catalogue;
+  }
+}

@@ -1,0 +1,282 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
+import org.hificamsim.core.file.Sha256;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Entries of the benchmark: what is played, what is refused, and the page. */
+class BenchmarkEntryTest {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final String TASK = "passage-v1";
+
+  @TempDir static Path folder;
+
+  private static Path entry;
+
+  @BeforeAll
+  static void play() {
+    entry = folder.resolve("entry");
+    Cli cli =
+        Cli.run(
+            "benchmark",
+            "run",
+            "--policy",
+            "cooperative",
+            "--tasks",
+            TASK + ",bench/street-v1",
+            "--threads",
+            2,
+            "--out",
+            entry);
+    assertEquals(0, cli.exit(), cli.err());
+    assertTrue(cli.out().contains(TASK), cli.out());
+  }
+
+  @Test
+  void sameBytesOnAnyNumberOfThreads() throws IOException {
+    Path again = folder.resolve("again");
+    Cli.run(
+        "benchmark",
+        "run",
+        "--policy",
+        "cooperative",
+        "--tasks",
+        TASK + ",street-v1",
+        "--threads",
+        1,
+        "--out",
+        again);
+    assertEquals(Cli.names(entry), Cli.names(again));
+    for (String name : Cli.names(entry)) {
+      assertEquals(-1, Files.mismatch(entry.resolve(name), again.resolve(name)), name);
+    }
+  }
+
+  @Test
+  void whatIsWholeAgrees() {
+    Cli cli = Cli.run("benchmark", "check", entry, entry.resolve("entry.json"));
+    assertEquals(0, cli.exit(), cli.err());
+    assertTrue(cli.out().contains("cooperative, 2 tasks, agrees"), cli.out());
+  }
+
+  /** What is done to a copy of an entry, and a part of the line that refuses it. */
+  private record Broken(String reason, Consumer<Path> how) {}
+
+  @TestFactory
+  Stream<DynamicTest> whatWasBrokenIsRefused() {
+    Map<String, Broken> all =
+        Map.ofEntries(
+            Map.entry(
+                "action outside", new Broken("has view 999, expected 0 to", csv(row(7, "999")))),
+            Map.entry("action below", new Broken("has view -1, expected 0 to", csv(row(7, "-1")))),
+            Map.entry(
+                "half an action", new Broken("expected the number of a view", csv(row(7, "1.5")))),
+            Map.entry(
+                "another action",
+                new Broken(
+                    "seed 1000001: score",
+                    csv(text -> text.replaceAll("(\n1000001,\\d+),\\d+", "$1,0")))),
+            Map.entry(
+                "a step gone",
+                new Broken(
+                    "no step 5 of seed", csv(text -> text.replaceFirst("\n1000001,5,[^\n]*", "")))),
+            Map.entry(
+                "a step more", new Broken("more rows", csv(text -> text + "1000010,100,0,0,0\n"))),
+            Map.entry(
+                "seed in rows",
+                new Broken(
+                    "of seed 1000001, expected every one",
+                    csv(text -> text.replace("\n1000001,", "\n5,")))),
+            Map.entry(
+                "other cameras",
+                new Broken("columns", csv(text -> text.replace("west", "nowhere")))),
+            Map.entry(
+                "actions without their hash",
+                new Broken("SHA-256", path -> rewrite(path, row(7, "0")))),
+            Map.entry(
+                "no actions",
+                new Broken("no such file", path -> delete(path.resolve(TASK + ".csv.gz")))),
+            Map.entry(
+                "another seed",
+                new Broken("seeds", json(root -> ((ArrayNode) task(root).get("seeds")).set(0, 5)))),
+            Map.entry(
+                "score edited",
+                new Broken(
+                    "score 0.99",
+                    json(root -> ((ArrayNode) task(root).get("scores")).set(0, 0.99)))),
+            Map.entry(
+                "too few scores",
+                new Broken(
+                    "number of scores",
+                    json(root -> ((ArrayNode) task(root).get("scores")).remove(0)))),
+            Map.entry(
+                "another version",
+                new Broken("version 9.9", json(root -> root.put("version", "9.9")))),
+            Map.entry(
+                "another task",
+                new Broken("task has hash", json(root -> task(root).put("task", "0")))),
+            Map.entry(
+                "no such task",
+                new Broken(
+                    "expected one of",
+                    json(root -> ((ObjectNode) root.get("tasks")).set("moon-v1", task(root))))),
+            Map.entry("no task", new Broken("no task", json(root -> root.putObject("tasks")))),
+            Map.entry(
+                "a part missing",
+                new Broken("something is missing", json(root -> task(root).remove("seeds")))),
+            Map.entry(
+                "something else",
+                new Broken("Unrecognized field", json(root -> root.put("more", 1)))),
+            Map.entry(
+                "no JSON",
+                new Broken(
+                    "benchmark run",
+                    path ->
+                        write(path.resolve("entry.json"), "{".getBytes(StandardCharsets.UTF_8)))));
+    return all.entrySet().stream()
+        .map(one -> DynamicTest.dynamicTest(one.getKey(), () -> refuses(one.getValue())));
+  }
+
+  private static void refuses(Broken broken) throws IOException {
+    Path copy = Files.createTempDirectory(folder, "broken");
+    for (String name : Cli.names(entry)) {
+      Files.copy(entry.resolve(name), copy.resolve(name));
+    }
+    broken.how.accept(copy);
+    Cli cli = Cli.run("benchmark", "check", copy);
+    assertEquals(2, cli.exit(), cli.out());
+    assertEquals(1, cli.err().lines().count(), cli.err());
+    assertTrue(cli.err().contains(broken.reason), cli.err());
+    assertEquals(
+        2, Cli.run("benchmark", "leaderboard", copy, "--out", folder.resolve("no")).exit());
+  }
+
+  /** A change of the table, whose hash is changed with it. */
+  private static Consumer<Path> csv(UnaryOperator<String> change) {
+    return path -> {
+      rewrite(path, change);
+      json(root -> task(root).put("actions", hash(path.resolve(TASK + ".csv.gz")))).accept(path);
+    };
+  }
+
+  private static Consumer<Path> json(Consumer<ObjectNode> change) {
+    return path -> {
+      try {
+        ObjectNode root = (ObjectNode) MAPPER.readTree(path.resolve("entry.json").toFile());
+        change.accept(root);
+        MAPPER.writeValue(path.resolve("entry.json").toFile(), root);
+      } catch (IOException e) {
+        throw new AssertionError(e);
+      }
+    };
+  }
+
+  private static ObjectNode task(ObjectNode root) {
+    return (ObjectNode) root.get("tasks").get(TASK);
+  }
+
+  /** Another view of the first camera at a step of the first episode. */
+  private static UnaryOperator<String> row(int step, String view) {
+    return text ->
+        text.replaceFirst("\n1000001," + step + ",\\d+", "\n1000001," + step + "," + view);
+  }
+
+  private static void rewrite(Path path, UnaryOperator<String> change) {
+    Path file = path.resolve(TASK + ".csv.gz");
+    try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
+      String text = change.apply(new String(in.readAllBytes(), StandardCharsets.UTF_8));
+      try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(file))) {
+        out.write(text.getBytes(StandardCharsets.UTF_8));
+      }
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static String hash(Path file) {
+    try {
+      return Sha256.of(file);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static void delete(Path file) {
+    try {
+      Files.delete(file);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static void write(Path file, byte[] content) {
+    try {
+      Files.write(file, content);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void wrongWordsAreRefused() {
+    for (List<String> words :
+        List.of(
+            List.of("--policy", "cooperative", "--tasks", "moon-v1"),
+            List.of("--policy", "cooperative", "--tasks", TASK + "," + TASK),
+            List.of("--policy", "no-such-policy"),
+            List.of("--policy", "optimal"),
+            List.of("--policy", "best-fixed"))) {
+      Cli cli =
+          Cli.run(
+              Stream.concat(
+                      Stream.of("benchmark", "run", "--out", folder.resolve("wrong")),
+                      words.stream())
+                  .toArray());
+      assertEquals(2, cli.exit(), cli.out());
+      assertEquals(1, cli.err().lines().count(), cli.err());
+    }
+  }
+
+  /**
+   * The optimum is never beaten, not by those who know where all targets are; and all stand on the
+   * page.
+   */
+  @Test
+  void wholeEntriesHaveAPlace() throws IOException {
+    Path all = folder.resolve("greedy");
+    Cli.run(
+        "benchmark", "run", "--policy", "independent-greedy", "--name", "<greedy>", "--out", all);
+    Path page = folder.resolve("page");
+    Cli cli = Cli.run("benchmark", "leaderboard", entry, all, "--out", page);
+    assertEquals(0, cli.exit(), cli.err());
+    List<String> lines = cli.out().lines().toList();
+    assertTrue(
+        lines.get(0).matches("0\\.6\\d\\d \\[0\\.6\\d\\d, 0\\.6\\d\\d\\]  <greedy>"), cli.out());
+    assertEquals("-  cooperative", lines.get(1));
+    String html = Files.readString(page.resolve("leaderboard.html"));
+    assertTrue(html.contains("&lt;greedy&gt;") && !html.contains("<greedy>"));
+    assertTrue(Files.readString(page.resolve("leaderboard.csv")).contains("iqm"));
+  }
+}
