@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.DetectionModelContract;
@@ -95,6 +96,21 @@ class DensityDetectionsTest {
         assertThrows(InputException.class, () -> registry.create("dori-2014:level=see"));
     assertTrue(
         error.getMessage().contains("detect, observe, recognise, identify"), error::getMessage);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "dori-2014, WHOLE",
+    "dori-2014:level=observe, WHOLE",
+    "dori-2014:level=recognise, HEAD",
+    "oodpcvs-2025:level=discern, WHOLE",
+    "oodpcvs-2025:level=perceive, HEAD",
+    "ttpf:task=orient, WHOLE",
+    "ttpf:task=recognise, HEAD",
+    "ttpf:task=identify, HEAD"
+  })
+  void whoRecognisesAPersonHasToSeeTheHead(String name, Seen seen) {
+    assertEquals(seen, registry.create(name).seen());
   }
 
   private static ZoomLevel lens(double angle, int pixels) {
