@@ -10,6 +10,7 @@ import java.lang.reflect.Field;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
@@ -125,13 +126,18 @@ public final class Reference {
                         Stream.concat(command.stream(), Stream.of(name)).toList())));
   }
 
+  /** Those that come with the program; users' own are described by their classes' names. */
+  private static <T> Stream<Registry.Entry<T>> own(Registry<T> registry) {
+    return registry.entries().stream().filter(one -> one.summary().contains(" "));
+  }
+
   private static String policies() {
     Registry<ZoomPolicy> policies = Catalogue.load().policies();
     return markdown(
         "policy",
         "option",
         "meaning",
-        policies.entries().stream()
+        own(policies)
             .flatMap(
                 one ->
                     Stream.concat(
@@ -149,13 +155,13 @@ public final class Reference {
         "model",
         "threshold",
         "what it is",
-        models.entries().stream()
+        own(models)
             .map(one -> detection(one.name(), one.summary(), models.create(one.name()))));
   }
 
   private static List<String> detection(String name, String summary, DetectionModel model) {
     String equation = model instanceof HiFiDetection one ? "; g(p) = " + one.g().equation() : "";
-    String threshold = String.format(java.util.Locale.ROOT, "%.4g", model.defaultThreshold());
+    String threshold = String.format(Locale.ROOT, "%.4g", model.defaultThreshold());
     return List.of(code(name), threshold, summary + equation);
   }
 
