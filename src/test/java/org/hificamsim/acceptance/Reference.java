@@ -155,8 +155,7 @@ public final class Reference {
         "model",
         "threshold",
         "what it is",
-        own(models)
-            .map(one -> detection(one.name(), one.summary(), models.create(one.name()))));
+        own(models).map(one -> detection(one.name(), one.summary(), models.create(one.name()))));
   }
 
   private static List<String> detection(String name, String summary, DetectionModel model) {
