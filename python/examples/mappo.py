@@ -169,7 +169,7 @@ class Learner:
 
 def reward_of(task: str) -> str:
     """A camera's own share; what the objective says where one target that is missed spoils all."""
-    return "score" if task.split("/")[-1].startswith(("lattice", "cluster", "warehouse")) else "difference"
+    return "score" if task.split("/")[-1].startswith(("lattice", "cluster")) else "difference"
 
 
 def train(method: str, task: str, minutes: float, worlds: int, seed: int, folder: pathlib.Path) -> None:

@@ -95,3 +95,32 @@ def test_benchmarl_trains_on_its_task(algorithm: str, tmp_path: pathlib.Path) ->
     )
     experiment.run()
     assert experiment.total_frames == 200
+
+
+@pytest.mark.parametrize("method", ["ippo", "mappo"])
+def test_the_recipe_of_the_benchmark_trains_goes_on_and_enters(
+    method: str, tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.syspath_prepend(str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
+    import mappo
+
+    learner = mappo.Learner(method, "bench/passage-v1", 4, "difference", seed=0)
+    scores = [learner.learn(1.0) for _ in range(12)]
+    assert np.mean(scores[-3:]) > 1.5 * np.mean(scores[:3])
+    torch.save(learner.kept(), tmp_path / "passage-v1.pt")
+    other = mappo.Learner(method, "bench/passage-v1", 4, "difference", seed=1)
+    other.resume(torch.load(tmp_path / "passage-v1.pt"))
+    observations = torch.from_numpy(learner.worlds.observations.copy())
+    assert (other.actor(observations) == learner.actor(observations)).all() and other.updates == 12
+    learner.write(tmp_path / "passage-v1.onnx")
+    learner.worlds.close()
+    other.worlds.close()
+    mappo.train(method, "bench/passage-v1", 0.001, 2, 0, tmp_path)  # nothing is left to do
+
+    def greedy(observations: np.ndarray, masks: np.ndarray) -> np.ndarray:
+        with torch.no_grad():
+            logits = learner.actor(torch.from_numpy(observations))
+        return logits.masked_fill(~torch.from_numpy(masks.astype(bool)), -1e9).argmax(-1).numpy()
+
+    hificamsim.benchmark(greedy, tmp_path / "entry", name=method, only=["passage-v1"])
+    assert "agrees" in hificamsim.execute("benchmark", "check", str(tmp_path / "entry"))
