@@ -181,11 +181,11 @@ def train(method: str, task: str, minutes: float, worlds: int, seed: int, folder
         learner.resume(torch.load(checkpoint))
     said = time.monotonic()
     while learner.seconds < 60 * minutes:
-        score = learner.learn(max(0.05, 1 - learner.seconds / (60 * minutes)))
+        mean = learner.learn(max(0.05, 1 - learner.seconds / (60 * minutes)))
         if time.monotonic() - said > 20 or learner.seconds >= 60 * minutes:
             said = time.monotonic()
             episodes = learner.updates * worlds
-            print(f"{method} {name}: {learner.seconds:.0f} s, {episodes} episodes, score {score:.4f}", flush=True)
+            print(f"{method} {name}: {learner.seconds:.0f} s, {episodes} episodes, score {mean:.4f}", flush=True)
             torch.save(learner.kept(), checkpoint)
             learner.write(folder / f"{name}.onnx")
     learner.worlds.close()
