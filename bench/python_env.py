@@ -1,4 +1,4 @@
-"""Environment steps a second from Python, beside the Java kernel: random actions, observations and auto-reset on.
+"""Environment steps a second from Python, and of the Java kernel: random actions, observations and auto-reset on.
 
     python/build/venv/bin/python bench/python_env.py [--seconds 3] [--threads 1] [--csv FILE]
     python/build/venv/bin/python bench/python_env.py --checks 101

@@ -101,7 +101,7 @@ class _Jvm:
 
 
 def _leave_jvm() -> None:
-    """In a forked process the JVM has no threads: whoever calls it waits for ever, and so nobody may.
+    """In a forked process the JVM has no threads: a call to it never returns, so nobody may call it.
 
     JPype calls it whenever Python collects garbage, and when the process ends.
     """

@@ -21,7 +21,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
 
     All end together, after ``steps``: nothing is terminated, all are truncated. A camera that an event switches
     off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
-    it may be told; what it forbids leaves the camera as it is.
+    it may do; what it forbids leaves the camera as it is.
     """
 
     metadata: dict[str, Any] = {

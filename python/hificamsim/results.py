@@ -64,7 +64,7 @@ def _columns(file: pathlib.Path) -> pd.DataFrame:
     try:
         return pd.read_parquet(file, engine="pyarrow")
     except ImportError as missing:
-        raise Error(f"{file} needs pyarrow, expected it beside pandas: pip install 'hificamsim[parquet]'") from missing
+        raise Error(f"{file} needs pyarrow, expected it in addition to pandas: pip install 'hificamsim[parquet]'") from missing
 
 
 def _settings(base: pathlib.Path) -> dict[str, Any]:

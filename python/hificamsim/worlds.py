@@ -68,7 +68,7 @@ class Worlds:
     - ``observations`` float32 (B, C, F), see ``features``
     - ``finals`` float32 (B, C, F): the last observations of episodes that ended in this step
     - ``rewards`` float32 (B, C)
-    - ``masks`` uint8 (B, C, M): 1 for what a camera may be told
+    - ``masks`` uint8 (B, C, M): 1 for what a camera may do
     - ``ends`` uint8 (B,): 1 where the episode ended in this step
     - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
     - ``advice`` int32 (B, C): with an ``expert``, the view that it chose at the decision before; -1 for a camera that

@@ -49,7 +49,7 @@ class BeliefPageTest {
     assertTrue(best.matches(), note);
     assertTrue(Double.parseDouble(best.group(1)) >= Double.parseDouble(best.group(2)), note);
     assertTrue(note.contains("told in one message what it saw, and in"), note);
-    assertTrue(note.contains("all others heard it"), note);
+    assertTrue(note.contains("all others received it"), note);
     Object without = browser.run(PIXELS);
     browser.find("[name=believes]").sendKeys(" ");
     Object shown = browser.run(PIXELS);
@@ -65,7 +65,7 @@ class BeliefPageTest {
     open("--channel", "loss=1");
     String note = browser.text(".agent .note");
     assertTrue(note.contains("told in one message what it saw"), note);
-    assertTrue(note.contains("; nobody heard it"), note);
+    assertTrue(note.contains("; nobody received it"), note);
   }
 
   @Test

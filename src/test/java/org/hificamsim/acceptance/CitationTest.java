@@ -1,5 +1,6 @@
 package org.hificamsim.acceptance;
 
+import static java.util.stream.Collectors.toCollection;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -7,11 +8,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** {@code CITATION.cff} beside the build and the changelog. */
+/** {@code CITATION.cff} agrees with the changelog, and the paper with its references. */
 class CitationTest {
   private static final Path CHANGELOG = Cli.ROOT.resolve("CHANGELOG.md");
 
@@ -37,6 +40,25 @@ class CitationTest {
     for (String key : List.of("cff-version: 1.2.0", "message: ", "title: ", "authors:")) {
       assertTrue(cff.lines().anyMatch(line -> line.startsWith(key)), key);
     }
+  }
+
+  @Test
+  void thePaperCitesWhatItsBibliographyHasAndAllOfIt() throws IOException {
+    String paper = Files.readString(Cli.ROOT.resolve("paper/paper.md"));
+    String bibliography = Files.readString(Cli.ROOT.resolve("paper/paper.bib"));
+    assertEquals(
+        keys("(?m)^@\\w+\\{(\\w+),", bibliography), keys("(?:[\\[ ]|^)@(\\w+)", paper));
+    for (String picture : keys("\\]\\((\\.\\./[^)]+)\\)", paper)) {
+      assertTrue(Files.exists(Cli.ROOT.resolve("paper").resolve(picture)), picture);
+    }
+  }
+
+  private static Set<String> keys(String pattern, String text) {
+    return Pattern.compile(pattern)
+        .matcher(text)
+        .results()
+        .map(found -> found.group(1))
+        .collect(toCollection(TreeSet::new));
   }
 
   private static String found(String file, String pattern) throws IOException {

@@ -145,7 +145,7 @@ class ReportCommandTest {
     }
     Cli report = Cli.run(words.toArray());
     assertEquals(2, report.exit());
-    assertEquals("error: " + option + " needs " + needed + " beside it\n", report.err());
+    assertEquals("error: " + option + " needs " + needed + "\n", report.err());
     assertFalse(Files.exists(folder.resolve("picture")));
   }
 

@@ -102,7 +102,7 @@ final class BridgeOptions {
     requireFor("pixels", pixels, hfov.isPresent(), "hfov");
     if (hfov.isPresent() && zooms.isPresent()) {
       throw InputException.of(
-          "hfov is '%s' beside zooms '%s', expected one of them", hfov.get(), zooms.get());
+          "hfov is '%s' and zooms '%s', expected one of them", hfov.get(), zooms.get());
     }
     return new BridgeSettings(
         used,

@@ -138,7 +138,7 @@ class BridgeOptionsTest {
         arguments("policy=random,pixels=640", "pixels is '640' without hfov, expected both"),
         arguments(
             "policy=random,hfov=8;25,zooms=3;5",
-            "hfov is '8;25' beside zooms '3;5', expected one of them"),
+            "hfov is '8;25' and zooms '3;5', expected one of them"),
         arguments(
             "policy=random,hfov=25;8",
             "hfov has '8' after 25.0, expected rising angles, each once, such as 8;15;25;40;58"),

@@ -6,7 +6,7 @@ import org.hificamsim.core.Spelling;
 
 /**
  * Peculiarities of CamSim that are reproduced or not, as asked (behaviour 11). The others are
- * either always kept, because its numbers depend on them, or always mended.
+ * either always kept, because its numbers depend on them, or always fixed.
  */
 public enum Quirk {
   /** Targets whose waypoints come through a class name take their heading for their speed. */

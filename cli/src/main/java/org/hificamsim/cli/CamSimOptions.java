@@ -78,7 +78,7 @@ final class CamSimOptions {
   NetworkSettings settings(PrintWriter err) {
     ParameterFile file = parameters.map(ParameterFile::read).orElse(ParameterFile.DEFAULT);
     if (strategies.isPresent() && (schedule.isPresent() || comm.isPresent())) {
-      throw new InputException("--strategies is given beside -a or -c, expected one of them");
+      throw new InputException("--strategies is given with -a or -c, expected one of them");
     }
     return new NetworkSettings(
         strategies.map(Strategy::list).orElse(List.of()),

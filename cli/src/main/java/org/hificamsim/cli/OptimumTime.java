@@ -42,7 +42,7 @@ final class OptimumTime {
     this.threads = threads;
   }
 
-  /** One line where the optima that are run beside what was asked for take long. */
+  /** One line where the optima that are run in addition take long. */
   void tell(List<RunPlan> asked, ReferencePolicies references, PrintWriter err) {
     List<RunPlan> all = references.with(asked);
     List<Trial> trials =

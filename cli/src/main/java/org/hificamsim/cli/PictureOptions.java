@@ -98,7 +98,7 @@ final class PictureOptions {
   void check(ParseResult words) {
     require(words, still(), "--png, --svg or --pdf", "--step", "--heatmap", "--tracks");
     if (heat.isPresent() && words.hasMatchedOption("--step")) {
-      throw new InputException("--heatmap is of all steps, expected no --step beside it");
+      throw new InputException("--heatmap shows all steps, expected no --step with it");
     }
     require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
     require(words, asked(), "--png, --svg, --pdf or --gif", "--run", "--density", "--floorplan");
@@ -108,7 +108,7 @@ final class PictureOptions {
   private static void require(ParseResult words, boolean asked, String by, String... about) {
     for (String option : about) {
       if (!asked && words.hasMatchedOption(option)) {
-        throw new InputException(option + " needs " + by + " beside it");
+        throw new InputException(option + " needs " + by);
       }
     }
   }

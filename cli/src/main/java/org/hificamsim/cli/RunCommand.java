@@ -141,7 +141,7 @@ final class RunCommand implements Callable<Integer> {
 
   private int mostCells() {
     if (cells.isPresent() && !heatmap) {
-      throw new InputException("--cells needs --heatmap beside it");
+      throw new InputException("--cells needs --heatmap");
     }
     return Numbers.inRange("--cells", cells.orElse(FieldCells.USUAL), 1, FieldCells.MAX);
   }

@@ -98,7 +98,7 @@ final class TradeoffCommand implements Callable<Integer> {
     int searched = count("search");
     if (searched > 0 && batch.isInParts()) {
       throw new InputException(
-          "--heterogeneous search has no parts: expected sample:N beside --shard or --merge");
+          "--heterogeneous search has no parts: expected sample:N with --shard or --merge");
     }
     long steps =
         all.stream().mapToLong(RunPlan::work).sum()

@@ -37,7 +37,7 @@ public final class CoveragePolicies {
             () -> new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST))
         .register("fixed", "given views, one for all or one each", FixedZoomPolicy::new)
         .register("random", "a uniformly drawn view each step", RandomZoomPolicy::new)
-        .register("patrol", "sweeps over the pan angles, to and fro", PatrolZoomPolicy::new)
+        .register("patrol", "sweeps over the pan angles, back and forth", PatrolZoomPolicy::new)
         .register(
             "tracker",
             "keeps the nearest target that it sees in the middle of its picture",

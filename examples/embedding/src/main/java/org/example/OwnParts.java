@@ -68,7 +68,7 @@ final class OwnParts {
 
   public static void main(String[] args) {
     Registry<Movement> movements = Catalogue.load().movements();
-    movements.register("Swaying", "to and fro", Swaying::new);
+    movements.register("Swaying", "back and forth", Swaying::new);
     Scenario scenario =
         ScenarioReader.read(Path.of(args[0]), movements::knows, System.err::println);
     World world = new World(scenario.withMovement("Swaying"), movements, 0);

@@ -30,8 +30,8 @@ record Statement(
     List<Check> checks,
     Otherwise otherwise) {
   /**
-   * The same under another reading of what the thesis leaves open. It is told, and does not change
-   * the verdict, which is that of the defaults.
+   * The same under another reading of what the thesis leaves open. It is reported, and does not
+   * change the verdict, which is that of the defaults.
    *
    * @param reading what is read otherwise, in words
    */

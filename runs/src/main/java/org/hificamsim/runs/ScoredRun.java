@@ -11,7 +11,7 @@ package org.hificamsim.runs;
  */
 public record ScoredRun(
     RunResult result, double optimum, double bound, double bestFixed, double settling) {
-  /** A run beside whose optimum no bound was asked for. */
+  /** A run with an optimum and without a bound. */
   public ScoredRun(RunResult result, double optimum, double bestFixed, double settling) {
     this(result, optimum, Double.NaN, bestFixed, settling);
   }

@@ -50,7 +50,7 @@ record SparkMaster(String url) {
   }
 
   /**
-   * Makes sure that something listens, where that can be told: Spark itself tries for a minute.
+   * Makes sure that something listens, where that can be known: Spark itself tries for a minute.
    *
    * @throws InputException when none of the addresses takes a connection
    */

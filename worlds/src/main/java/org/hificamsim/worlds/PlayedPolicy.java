@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * Carries out the actions of a step that it is given, one camera after the other. An expert,
- * another policy, may be asked in each step what it would do, and told to do it.
+ * another policy, may be asked in each step what it would do, and made to do it.
  */
 public final class PlayedPolicy implements ZoomPolicy {
   /** The action by which a camera does what the expert advises. */

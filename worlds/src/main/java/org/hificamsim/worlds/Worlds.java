@@ -78,7 +78,7 @@ public final class Worlds implements AutoCloseable {
    *
    * @param count 1 or more
    * @param threads that share the worlds, 1 or more
-   * @param source makes the shared block, of so many bytes
+   * @param source makes the shared block of this many bytes
    */
   public Worlds(
       WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> source) {

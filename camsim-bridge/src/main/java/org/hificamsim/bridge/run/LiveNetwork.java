@@ -84,7 +84,7 @@ final class LiveNetwork implements OracleView {
     targets.all().forEach(target -> target.coverage = 0);
   }
 
-  /** Counts so many cameras and targets, of which some are to come. */
+  /** Counts this many cameras and targets, of which some are to come. */
   void expect(int allCameras, int allTargets) {
     cameras.reserve(allCameras);
     targets.reserve(allTargets);

@@ -66,7 +66,7 @@ final class Roster<T> {
     return all;
   }
 
-  /** Counts so many from now on, or all that have been seen if these are more. */
+  /** Counts this many from now on, or all that have been seen if these are more. */
   void reserve(int newRoom) {
     room = newRoom;
   }

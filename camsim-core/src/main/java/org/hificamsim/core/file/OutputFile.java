@@ -17,7 +17,7 @@ import java.util.UUID;
 import org.hificamsim.core.InputException;
 
 /**
- * A file that appears whole: written beside its place, under a name that nobody else has, and moved
+ * A file that appears whole: written next to its place under a unique name, and moved
  * there by {@link #commit}. Closed without that, it leaves an earlier file as it was.
  */
 public final class OutputFile implements Closeable {

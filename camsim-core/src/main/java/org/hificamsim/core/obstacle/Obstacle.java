@@ -64,7 +64,7 @@ public sealed interface Obstacle {
     return base() == 0 && height() == Double.POSITIVE_INFINITY;
   }
 
-  /** Whether it stands in the way of whoever walks: nobody walks into one with a base above 0. */
+  /** Whether it stands in the way of people: those with a base above 0 do not. */
   default boolean standing() {
     return solid() && base() == 0;
   }

@@ -1,7 +1,7 @@
 package org.hificamsim.core.policy;
 
 /**
- * Is told what a camera believes of where targets are, and who told whom; see {@link
+ * Receives what a camera believes of where targets are, and who sent messages to whom; see {@link
  * ZoomPolicy#believe}.
  */
 public interface BeliefListener {
@@ -24,9 +24,9 @@ public interface BeliefListener {
    */
   void unseen(double x, double y, double expected);
 
-  /** A camera, any one, has sent so many messages in this step. */
+  /** A camera has sent this many messages in this step; called for all cameras. */
   default void told(int camera, int messages) {}
 
-  /** Of a camera's messages, of this step or late ones, some have arrived at another one now. */
+  /** Another camera has received some of a camera's messages in this step, perhaps late ones. */
   default void heard(int from, int to) {}
 }

@@ -24,7 +24,7 @@ import org.hificamsim.core.visibility.Body;
  * was detected is what the last observation saw: at a decision that is the step before (0
  * everywhere at the first).
  *
- * <p>This is what cameras know between them, with what is known to whoever installs them: the map
+ * <p>This is what cameras know between them, with what their installer knows: the map
  * of the site, how long moves take, and what a lens and a detection model make of a place.
  * Positions of targets, and what a camera would detect of them at another view, are in {@link
  * OracleView}.
@@ -117,7 +117,7 @@ public interface NetworkView extends CoveredTargets, Stations {
     return 0;
   }
 
-  /** The map: what blocks or dims lines of sight, as far as whoever installed the cameras knows. */
+  /** The map: what blocks or dims lines of sight, as far as the installer of the cameras knows. */
   default Obstacles obstacles() {
     return Obstacles.NONE;
   }

@@ -105,7 +105,7 @@ public final class SeenPairs {
   }
 
   /**
-   * Room for who finds the pairs, as it was left.
+   * Memory for finding the pairs, with what was left in it.
    *
    * @param entries how many it must have
    */

@@ -9,7 +9,7 @@ import java.util.List;
  * block. Read in a thousand places of memory, tracks made a step half as long again.
  */
 final class StepPlaces {
-  /** Places that are worked out beforehand, 16 bytes each; a file with more has none. */
+  /** Places that are computed in advance, 16 bytes each; a file with more has none. */
   static final int MAX_PLACES = 1 << 23;
 
   private static final int SHIFT = 3;

@@ -3,7 +3,7 @@ package org.hificamsim.core.scenario;
 /**
  * Follows a track step by step: where the target is at the step's number times the length of a
  * step, on the straight line between two samples. Before its first sample and after its last one it
- * is there. Steps whose places were worked out beforehand are read, and nothing else is touched.
+ * is there. Steps whose places were computed in advance are read, and nothing else is touched.
  */
 public final class TrackWalk {
   private final double[] worked = new double[2];

@@ -50,7 +50,7 @@ along a line, or the whole `field`
 points: m, as in `0,0 4,0 4,3` | none, of the whole field
 detection: what has to see there, as `oodpcvs-2025:level=validate` | the scenario's
 k: how many cameras have to see it at once | those of the objective `covered:k`, else 1
-weight: what seeing a part of it is worth beside as large a part of others, 0 or more
+weight: what seeing a part of it is worth compared with as large a part of others, 0 or more
 """);
 
   static {

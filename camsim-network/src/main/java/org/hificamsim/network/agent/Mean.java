@@ -5,7 +5,7 @@ public final class Mean {
   private double sum;
   private int count;
 
-  /** Adds so many values with this sum. */
+  /** Adds this many values with this sum. */
   public void add(double values, int number) {
     sum += values;
     count += number;

@@ -45,7 +45,7 @@ public final class MessageQueue {
   private long startTrackings;
   private long bits;
 
-  /** An empty queue of a network with so many cameras and targets. */
+  /** An empty queue of a network with this many cameras and targets. */
   public MessageQueue(int cameras, int targets) {
     bitsWithoutValue =
         MessageBits.of(MessageKind.values().length)

@@ -9,7 +9,7 @@ import org.hificamsim.core.world.Cameras;
  * <p>What the cameras know of one target lies side by side: most messages go to all of them.
  */
 public final class Searches {
-  /** Nobody owns the target: whoever sees it first may have it. */
+  /** Nobody owns the target: the first camera that sees it may have it. */
   static final int NOBODY = -1;
 
   /** The camera does not look for the target. */

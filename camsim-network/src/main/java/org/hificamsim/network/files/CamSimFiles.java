@@ -25,7 +25,7 @@ public final class CamSimFiles implements Closeable {
    *
    * @param scenario the file that is read
    * @param output CamSim's table of steps
-   * @param summary CamSim's summary; beside the output unless given
+   * @param summary CamSim's summary; in the folder of the output unless given
    * @param extra the table of what CamSim's columns are taken for
    * @param coverage the folder of the run's k-coverage
    * @param force whether the table may be there; CamSim's own files are replaced

@@ -41,7 +41,7 @@ public final class SummaryRows {
   }
 
   /**
-   * Where a run with this output writes its summary unless an option says otherwise (Q20 mended).
+   * Where a run with this output writes its summary unless an option says otherwise (Q20 fixed).
    */
   static Path beside(Path output) {
     return output.resolveSibling("summary.csv");

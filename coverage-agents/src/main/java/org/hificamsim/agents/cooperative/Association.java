@@ -10,7 +10,7 @@ import java.util.Arrays;
  * step.
  */
 final class Association {
-  /** So many mean ways of a step a target may be from where it should be. */
+  /** How far a target may be from where it should be, in mean ways of a step. */
   private static final double REACH = 3;
 
   private static final double TOO_FAR = 1; // in reaches

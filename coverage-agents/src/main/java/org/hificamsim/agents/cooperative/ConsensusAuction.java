@@ -3,8 +3,8 @@ package org.hificamsim.agents.cooperative;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Cameras bid with what their best view adds; whoever hears no higher bid takes its view and says
- * so, and the others bid again, knowing that. It is the consensus-based bundle algorithm (Choi,
+ * Cameras bid with what their best view adds; one that receives no higher bid takes its view and
+ * says so, and the others bid again, knowing that. It is the consensus-based bundle algorithm (Choi,
  * Brunet and How, 2009) for bundles of one view: the outcome is the greedy one that takes the best
  * view of all cameras first.
  */
@@ -45,7 +45,7 @@ final class ConsensusAuction implements Agreement {
     return any;
   }
 
-  /** All who hear no higher bid win at the same time. */
+  /** All that receive no higher bid win at the same time. */
   private void award(NetworkView network, Team team) {
     for (int camera = 0; camera < bids.length; camera++) {
       if (bids[camera] >= 0 && !isOutbid(camera, team)) {

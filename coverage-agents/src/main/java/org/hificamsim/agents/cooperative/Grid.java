@@ -4,7 +4,7 @@ import org.hificamsim.core.scenario.Field;
 
 /** A field cut into equal square cells, numbered row by row. */
 record Grid(double minX, double minY, double side, int columns, int rows) {
-  /** A grid of about so many cells. */
+  /** A grid of about this many cells. */
   static Grid over(Field field, int cells) {
     double width = Math.max(field.width(), 1e-3);
     double height = Math.max(field.height(), 1e-3);

@@ -6,7 +6,7 @@ package org.hificamsim.agents.cooperative;
  * its view, because a wall is not on the map, or the detection model promises too much.
  */
 final class LearnedSight {
-  /** What the model counts as: so many targets that were seen as promised. */
+  /** What the model counts as: this many targets that were seen as promised. */
   private static final double TRUST = 3;
 
   private final Grid grid;

@@ -54,7 +54,7 @@ record Parameters(
         options.choice(
                 "identity",
                 Identity.KNOWN,
-                "known: targets are told apart; none: reports name none")
+                "known: reports identify targets; none: they do not")
             == Identity.KNOWN);
   }
 

@@ -9,7 +9,7 @@ import org.hificamsim.core.policy.SeenPairs;
  * What a camera tells the others in each step: the view that it looks through, and what it sees.
  */
 final class SightingReport {
-  /** In place of the number of a target that is not told apart. */
+  /** In place of the number of a target that is not identified. */
   static final int UNNAMED = -1;
 
   private final boolean named;

@@ -136,12 +136,12 @@ final class Team {
     }
   }
 
-  /** A camera does its part of a plan that nobody has to be told of. */
+  /** A camera does its part of a plan without a message to others. */
   void follow(int camera) {
     chosen[camera] = plan(camera).view(camera);
   }
 
-  /** A camera tells the others so many numbers. */
+  /** A camera sends the others this many numbers. */
   void bid(NetworkView network, int camera, int numbers) {
     int length = MessageBits.address(chosen.length) + numbers * MessageBits.REAL;
     count(camera, length);
@@ -153,7 +153,7 @@ final class Team {
     }
   }
 
-  /** Whether a camera heard the last bid of another one in time. */
+  /** Whether a camera received the last bid of another one in time. */
   boolean hears(int camera, int other) {
     return !each() || heard[other * chosen.length + camera];
   }
@@ -164,7 +164,7 @@ final class Team {
     bits += length;
   }
 
-  /** Says who told the others how much in this step, and who heard it. */
+  /** Reports who sent how many messages in this step, and who received them. */
   void tell(NetworkView network, BeliefListener listener) {
     for (int from = 0; from < told.length; from++) {
       listener.told(from, told[from]);

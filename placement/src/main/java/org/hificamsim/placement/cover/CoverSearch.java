@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
  * for another; and again from the best plan with some of it taken away. The bound is {@link Duals}.
  */
 public final class CoverSearch {
-  /** Told of a new best plan or bound. */
+  /** Receives a new best plan or bound. */
   @FunctionalInterface
   public interface Watcher {
     /** The score and the bound, now. */

@@ -134,7 +134,7 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
   }
 
   /**
-   * The share of a zone's demand that is met where samples are seen by so many cameras.
+   * The share of a zone's demand that is met where samples are seen by this many cameras.
    *
    * @param whole whether those that are seen by fewer than k count for nothing
    */

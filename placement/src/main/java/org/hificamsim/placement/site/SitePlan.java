@@ -50,7 +50,7 @@ public record SitePlan(
     return counts;
   }
 
-  /** The share of the demand that is met where samples are covered by so many cameras. */
+  /** The share of the demand that is met where samples are covered by this many cameras. */
   public double share(int[] counts) {
     return problem.whole().worth(counts) / problem.whole().total();
   }

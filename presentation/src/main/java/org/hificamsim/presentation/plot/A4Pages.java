@@ -22,7 +22,7 @@ public final class A4Pages {
   private int top = HEIGHT; // of what comes next: no page yet
 
   /**
-   * @param footer beside the number of each page
+   * @param footer next to the number of each page
    */
   public A4Pages(String footer) {
     this.footer = footer;

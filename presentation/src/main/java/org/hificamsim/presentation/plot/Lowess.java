@@ -16,7 +16,7 @@ public final class Lowess {
 
   private Lowess() {}
 
-  /** Whether so many points are smoothed. */
+  /** Whether this many points are smoothed. */
   public static boolean smooths(int points) {
     return points >= MIN_POINTS;
   }

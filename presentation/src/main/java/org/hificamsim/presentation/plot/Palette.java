@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.Texts;
 
 /**
- * The colours of Okabe and Ito (Color Universal Design, 2008): told apart by people with any common
- * form of colour blindness.
+ * The colours of Okabe and Ito (Color Universal Design, 2008): distinguishable with any common form
+ * of colour blindness.
  */
 public final class Palette {
   public static final Color BLACK = new Color(0x222222);
@@ -22,7 +22,7 @@ public final class Palette {
   public static final Color PURPLE = new Color(0xCC79A7);
   public static final Color GREY = new Color(0x8A8A8A);
 
-  /** What colours mean on every page and in every picture, beside the lines of policies. */
+  /** What colours mean on every page and in every picture, except lines of policies. */
   public static final Color UNSEEN = VERMILION;
 
   public static final Color SEEN_ONCE = ORANGE;

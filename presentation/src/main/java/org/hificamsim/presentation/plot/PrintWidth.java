@@ -6,7 +6,7 @@ import org.hificamsim.core.InputException;
 
 /**
  * The width of a figure in print, such as a journal's column. Text is printed at 8 points, numbers
- * on axes at 7, whatever the width; panels that do not fit beside each other go below.
+ * on axes at 7, whatever the width; panels that do not fit side by side go below.
  *
  * @param millimetres 40 to 400
  */

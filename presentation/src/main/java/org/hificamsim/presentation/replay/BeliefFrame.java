@@ -5,7 +5,7 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.scenario.Field;
 
 /**
- * What a camera believes, as the numbers of a {@link Frame}: for each of so many targets x, y,
+ * What a camera believes, as the numbers of a {@link Frame}: for each target x, y,
  * weight and spread, the weight 0 for none; then the targets expected unseen in each of {@link
  * #SIDE} x {@link #SIDE} equal parts of the field, row by row from its south-west; then for each
  * camera the messages that it sent in this step; then for each the cameras that heard it, a number

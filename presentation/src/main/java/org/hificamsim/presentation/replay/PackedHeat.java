@@ -13,7 +13,7 @@ import org.hificamsim.runs.heat.HeatMap;
  *
  * @param steps that it is of
  * @param first of these
- * @param areaCovered see {@link HeatMap#covered}; likewise the next two
+ * @param areaCovered see {@link HeatMap#covered}; the next two as well
  * @param perUnit parts of a unit that figures are rounded to
  * @param figures what can be shown of it
  * @param data a {@link Series} for each figure: 0 for NaN, else zigzag + 1 of the number times

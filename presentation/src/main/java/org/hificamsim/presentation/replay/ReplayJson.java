@@ -41,7 +41,7 @@ public final class ReplayJson {
     return MAPPER;
   }
 
-  /** How an obstacle is told from others: by the name of its element in scenarios. */
+  /** What kind an obstacle is: the name of its element in scenarios. */
   @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "kind")
   @JsonSubTypes({
     @JsonSubTypes.Type(value = Obstacle.Wall.class, name = "wall"),

@@ -43,7 +43,7 @@ public final class ReplayRecorder {
   private final Detection detection;
   private final int repeats;
   private final Limits limits;
-  private final int mostBytes; // 0 beside a large setup: one run is kept, of two frames
+  private final int mostBytes; // 0 with a large setup: one run of two frames is kept
   private final Map<Integer, Tape> tapes = new ConcurrentSkipListMap<>();
 
   /**

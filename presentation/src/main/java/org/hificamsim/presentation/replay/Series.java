@@ -43,7 +43,7 @@ final class Series {
   }
 
   /**
-   * Reads so many numbers.
+   * Reads this many numbers.
    *
    * @throws EOFException when there are fewer
    */

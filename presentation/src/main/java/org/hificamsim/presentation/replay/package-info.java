@@ -1,4 +1,4 @@
 /**
- * What happened in a run, step by step, for whoever looks at it: a page, a picture, a live view.
+ * What happened in a run, step by step, for pages, pictures and the live view.
  */
 package org.hificamsim.presentation.replay;

@@ -128,7 +128,7 @@ public final class TradeoffReport {
     return rows.stream().mapToDouble(row -> row.numberOrNaN(column)).toArray();
   }
 
-  /** The commands that record the first seed of each network of the fronts, into folders beside. */
+  /** The commands that record the first seed of each network of the fronts, next to the study. */
   public static List<List<String>> replays(Path folder) throws IOException {
     List<List<String>> commands = new ArrayList<>();
     CsvRows networks = NETWORKS.read(folder);

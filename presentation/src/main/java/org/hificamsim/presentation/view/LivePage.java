@@ -22,7 +22,7 @@ public final class LivePage {
    * The page as HTML.
    *
    * @param scenario its name
-   * @param detection of the start; offered beside those of the catalogue
+   * @param detection of the start; offered in addition to the catalogue
    */
   public static String html(Catalogue catalogue, String scenario, String detection) {
     List<String> detections = new ArrayList<>(catalogue.detections().names());

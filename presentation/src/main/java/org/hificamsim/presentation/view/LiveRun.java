@@ -256,7 +256,7 @@ public final class LiveRun {
     sides.forEach(LiveSide::tellPosesAgain);
   }
 
-  /** A new world that has been through so many steps. */
+  /** A new world after this many steps. */
   private World world(long steps) {
     World world = new World(scenario.now(), catalogue.movements(), seed);
     for (long step = 0; step < steps; step++) {

@@ -62,7 +62,7 @@ final class LiveSide {
     }
     this.setup = Setup.of(world, detection, policySpec, seed, floor);
     this.snapshots = new Snapshots(setup, detection, policy);
-    snapshots.forgetPoses(); // whoever watches may know them from another simulation
+    snapshots.forgetPoses(); // pages may know them from another simulation
     this.simulation =
         new Simulation(world, detection, new HeldViews(policy, held), seed, List.of(this::record))
             .continuingAt(next);

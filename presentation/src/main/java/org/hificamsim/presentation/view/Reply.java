@@ -51,7 +51,7 @@ final class Reply {
     try {
       line(exchange, status, text);
     } catch (IOException e) {
-      // nobody hears
+      // the reader has gone
     }
   }
 }

@@ -45,7 +45,7 @@ public final class ViewServer implements AutoCloseable {
   /** Milliseconds that answers have to get through when the server closes. */
   private static final long LAST_ANSWERS = 500;
 
-  /** At most so many events a second, each with the steps since the one before. */
+  /** The least time between two events, ms; each has the steps since the one before. */
   private static final long BETWEEN_EVENTS = 25;
 
   static {
@@ -128,7 +128,7 @@ public final class ViewServer implements AutoCloseable {
     try (exchange) {
       answerOrTell(exchange);
     } catch (IOException e) {
-      // whoever asked has gone
+      // the reader has gone
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

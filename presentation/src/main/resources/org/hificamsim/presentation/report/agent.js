@@ -123,7 +123,7 @@ export class AgentPanel {
     return three.length ? `Most: ${three.join('; ')}. ` : '';
   }
 
-  /** What the camera told whom in this step. */
+  /** What the camera sent to whom in this step. */
   said() {
     const {run, camera, frame} = this;
     const said = run.online[camera][frame] && told(run, frame, camera);
@@ -132,7 +132,7 @@ export class AgentPanel {
     const names = said.hearers.map(i => run.setup.cameras[i].name);
     const heard = names.length === others ? 'all others' : names.join(', ') || 'nobody';
     const more = said.messages > 1 ? `, and in ${said.messages - 1} more what it chooses` : '';
-    return `In this step it told in ${said.messages ? 'one message' : 'no message'} what it saw${more}; ${heard} heard it. `;
+    return `In this step it sent ${said.messages ? 'what it saw in one message' : 'no message of what it saw'}${more}; ${heard} received it. `;
   }
 
   /** The focal length by level and the mount height, as the settings have them. */

@@ -1,4 +1,4 @@
-// What cameras believe and told each other in a frame: the numbers of the record BeliefFrame, of which old recordings have no messages.
+// What cameras believe, and which messages they sent, in a frame: the numbers of the record BeliefFrame, of which old recordings have no messages.
 
 /** Parts of the field along each side. */
 export const PARTS = 20;

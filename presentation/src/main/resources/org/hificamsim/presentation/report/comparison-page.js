@@ -308,7 +308,7 @@ function folded(title, make) {
   return details;
 }
 
-const WIDE = 800; // points: what would be too small to read beside another picture
+const WIDE = 800; // points: what would be too small to read next to another picture
 
 async function pictures(list) {
   const figures = await Promise.all(list.map(async ({name, data}) => {

@@ -60,7 +60,7 @@ export function onThemeChange(callback) {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', callback);
 }
 
-/** Starts the page with its data; a fault is told on the page. */
+/** Starts the page with its data; a fault is shown on the page. */
 export async function start(page) {
   const root = document.getElementById('page');
   root.replaceChildren();

@@ -1,6 +1,6 @@
 // Numbers in words.
 
-/** A number with at most so many decimals. */
+/** A number with at most this many decimals. */
 export function decimals(number, most = 2) {
   return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
 }

@@ -37,7 +37,7 @@ export class Player {
     playhead.subscribe(frame => this.show(frame));
   }
 
-  /** Shows a camera's estimates; a click beside all cameras changes nothing. */
+  /** Shows a camera's estimates; a click off all cameras changes nothing. */
   select(camera) {
     if (camera < 0) return;
     this.field.set('selected', camera);

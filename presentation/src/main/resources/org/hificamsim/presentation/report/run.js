@@ -1,7 +1,7 @@
 // A run as far as it is known: the set-up, and a list by frame for each quantity. It may still grow.
 import { poseAt, seenAt, viewCount } from './views.js';
 
-/** Says that one step in so many is shown. */
+/** Says which share of the steps is shown. */
 export const thinned = (run, every) => `This run has ${run.steps} steps; the page shows one in ${every}`;
 
 const lists = count => Array.from({length: count}, () => []);

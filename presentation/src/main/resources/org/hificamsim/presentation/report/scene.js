@@ -62,7 +62,7 @@ export function fit({minX, maxX, minY, maxY}, width, height, unit) {
   };
 }
 
-/** The same map, so many times larger about a place in pixels, and moved by some. */
+/** The same map, enlarged about a place in pixels, and moved by some. */
 export const magnified = ({x, y, scale, width, height, place}, times, left, top) => ({
   scale: scale * times, width, height, times,
   x: metres => left + times * x(metres),

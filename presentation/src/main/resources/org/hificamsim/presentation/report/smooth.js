@@ -1,6 +1,6 @@
 // Means over a window of neighbours: what a noisy curve tends to.
 
-/** So many entries are shown as they are. */
+/** This many entries are shown as they are. */
 export const SHOWN_RAW = 400;
 
 const PARTS = 100;

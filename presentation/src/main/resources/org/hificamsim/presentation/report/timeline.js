@@ -22,7 +22,7 @@ function path(plot, ...rest) {
 /** A uPlot chart over the steps of a run that shows and sets the playhead. */
 class Chart {
   /**
-   * @param describe what is told about a frame, shown or under the pointer
+   * @param describe what is said about a frame, shown or under the pointer
    */
   constructor(title, label, playhead, describe, series, more) {
     this.playhead = playhead;

@@ -70,7 +70,7 @@ class LiveView {
     this.send({command: 'restart', seed: Math.round(Number(this.seed.value)) || 0, keepCameras: this.keep.checked});
   }
 
-  /** Has a command done; what is wrong with it is told on the page. */
+  /** Has a command done; what is wrong with it is shown on the page. */
   async send(command) {
     try {
       const answer = await fetch('command', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(command)});
@@ -139,7 +139,7 @@ class LiveView {
     });
     if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : 'single'}, ...this.columns));
     if (at) this.place.querySelector(`.walls ${at.name ? `[name=${at.name}]` : `.${at.className}`}`)?.focus();
-    say(this.twice, pair ? 'one model only' : 'second model beside it');
+    say(this.twice, pair ? 'one model only' : 'second model next to it');
     this.refresh();
   }
 
@@ -183,7 +183,7 @@ class LiveView {
     });
   }
 
-  /** What the simulations have found out of the cells, beside each other. */
+  /** What the simulations have found out of the cells, side by side. */
   async heat(sides) {
     const {players} = this;
     const maps = await Promise.all(sides.map(unpackHeat));
@@ -269,7 +269,7 @@ class LiveView {
     this.edit({command: 'turn', camera, heading});
   }
 
-  /** A camera more, beside this one, on the side where there is room. */
+  /** A camera more, next to this one, on the side where there is room. */
   add(camera) {
     const {x, y} = this.pose(camera);
     const {minX, maxX} = this.runs[0].setup.field;

@@ -137,7 +137,7 @@ public final class Measurer {
       return List.of();
     }
     return List.of(
-        "%s: a rate of %s cannot be told from %s looks at photos without the objects, expected %s or more"
+        "%s: a rate of %s cannot be measured from %s looks at photos without the objects, expected %s or more"
             .formatted(
                 dataset.folder().resolve(AlarmThreshold.FILE),
                 rate,

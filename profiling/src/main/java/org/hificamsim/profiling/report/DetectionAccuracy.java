@@ -33,8 +33,8 @@ record DetectionAccuracy(double threshold) {
   }
 
   /**
-   * Balanced accuracy: the mean of the shares of the detected and of the undetected that are told
-   * rightly, one half for a guess; NaN where all photos are of one kind.
+   * Balanced accuracy: the mean of the shares of the detected and of the undetected that are
+   * predicted rightly, one half for a guess; NaN where all photos are of one kind.
    */
   double accuracy(double[] measured, double[] predicted) {
     int detected = share(measured, measured, true);

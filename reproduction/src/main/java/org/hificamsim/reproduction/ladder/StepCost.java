@@ -39,7 +39,7 @@ final class StepCost {
     return Arrays.stream(least).boxed().toList();
   }
 
-  /** A plan of so many steps that they take long enough for the clock; it is warm then. */
+  /** A plan with enough steps for the clock; it is warm then. */
   private RunPlan calibrated(RungScenario place) {
     RunPlan plan = plan(place, FIRST_STEPS);
     while (isShort(plan) && plan.steps() < MAX_STEPS) {

@@ -112,7 +112,7 @@ public final class Comparison {
       }
     }
 
-    /** Beside yardsticks; null for those that were not run. */
+    /** With yardsticks; null for those that were not run. */
     CaseResult scored(CaseUnderWay optimum, CaseUnderWay bound, CaseUnderWay fixed) {
       List<ScoredRun> runs = new ArrayList<>();
       for (int repeat = 0; repeat < results.length; repeat++) {

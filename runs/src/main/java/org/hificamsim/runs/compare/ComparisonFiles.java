@@ -32,7 +32,7 @@ public final class ComparisonFiles {
 
   /** One run of a plan. */
   public record Run(RunPlan plan, CaseResult of, ScoredRun run) {
-    /** A run beside which no yardstick was run. */
+    /** A run without any yardstick. */
     public static Run alone(RunPlan plan, RunResult result) {
       return new Run(plan, null, new ScoredRun(result, Double.NaN, Double.NaN, Double.NaN));
     }
@@ -70,7 +70,7 @@ public final class ComparisonFiles {
     }
   }
 
-  /** What a yardstick came to beside a run. */
+  /** What a yardstick came to with a run. */
   record Measure(Run run, Yardstick yardstick) {}
 
   /** One step of a case. */

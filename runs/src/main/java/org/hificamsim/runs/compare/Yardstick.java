@@ -8,8 +8,8 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * What all scores of a scenario, detection and seed are measured by: a policy that is run beside
- * those asked for. Where there are several, the first here leads.
+ * What all scores of a scenario, detection and seed are measured by: a policy that is run in
+ * addition to those asked for. Where there are several, the first here leads.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Yardstick {
@@ -60,7 +60,7 @@ public enum Yardstick {
     this.share = share;
   }
 
-  /** What leads in some cases; empty where nothing was run beside what was asked for. */
+  /** What leads in some cases; empty where only what was asked for was run. */
   public static Optional<Yardstick> of(List<CaseResult> cases) {
     return Arrays.stream(values()).filter(one -> one.isIn(cases)).findFirst();
   }
@@ -100,7 +100,7 @@ public enum Yardstick {
     return atMost;
   }
 
-  /** What it came to beside a run; NaN where it was not run. */
+  /** What it came to with a run; NaN where it was not run. */
   double score(ScoredRun run) {
     return score.applyAsDouble(run);
   }

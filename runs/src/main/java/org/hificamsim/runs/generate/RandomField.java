@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
 
 /**
- * Cameras and targets strewn over a field at random, with the zoom levels of the thesis and, unless
+ * Cameras and targets at random places of a field, with the zoom levels of the thesis and, unless
  * said otherwise, the density of its cluster scenarios: 14 cameras on 30 m by 20 m.
  *
  * @param cameras 1 or more

@@ -9,7 +9,7 @@ import org.hificamsim.core.obstacle.Obstacle.Wall;
 import org.hificamsim.core.scenario.Field;
 
 /**
- * Walls parallel to the sides of a field, strewn at random. They keep apart from each other and
+ * Walls parallel to the sides of a field, at random places. They keep apart from each other and
  * from the field's borders, so that nothing is enclosed.
  */
 final class RandomWalls {

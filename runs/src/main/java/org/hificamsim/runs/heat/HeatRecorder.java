@@ -15,7 +15,7 @@ import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * Makes a heat map of the steps it is told of, in one run after the other. What cameras see of the
+ * Makes a heat map of the steps that it receives, in one run after the other. What cameras see of the
  * cells is found once for each view; steps in which all cameras see as in the one before cost next
  * to nothing.
  */
@@ -80,7 +80,7 @@ public final class HeatRecorder implements StepListener {
     }
   }
 
-  /** How many steps it has been told of. */
+  /** How many steps it has received. */
   public long steps() {
     return sums.steps() + alike;
   }

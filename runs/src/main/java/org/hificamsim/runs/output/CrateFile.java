@@ -109,7 +109,7 @@ public final class CrateFile {
     refer(root.putArray("hasPart"), files);
     ObjectNode licence = entity("#licence", "CreativeWork");
     licence.put("name", "Licence of these results");
-    licence.put("description", "Not chosen yet: whoever publishes the folder writes it here.");
+    licence.put("description", "Not chosen yet: to be filled in when the folder is published.");
   }
 
   /** What the command did, as the profile "Process Run Crate" has it. */

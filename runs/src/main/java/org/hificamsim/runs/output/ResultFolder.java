@@ -14,7 +14,7 @@ import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 
-/** A folder that a command has written: what is in it beside its {@link Table tables}. */
+/** A folder that a command has written: what is in it besides its {@link Table tables}. */
 public record ResultFolder(Path path) {
   public static final String SUMMARY = "summary.json";
   public static final String SETTINGS = "settings.json";
@@ -90,7 +90,7 @@ public record ResultFolder(Path path) {
   }
 
   /**
-   * The results that the last command wrote here, as its RO-Crate names them: beside those of
+   * The results that the last command wrote here, as its RO-Crate names them: among those of
    * another command they would look like its results. Its inputs are not among them, since the next
    * command may be reading one. None where there is no crate that can be read.
    */

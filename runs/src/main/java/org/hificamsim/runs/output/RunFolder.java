@@ -13,7 +13,7 @@ import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
-/** The folder of a run under way: its tables row by row, and the files beside them at its end. */
+/** The folder of a run under way: its tables row by row, and the other files at its end. */
 public final class RunFolder implements Closeable {
   /** What not every run writes; of an earlier run it would be another run's. */
   private static final List<String> NOT_ALWAYS =
@@ -61,7 +61,7 @@ public final class RunFolder implements Closeable {
       targets = record ? format.create(targetTable, folder) : null;
       steps = format.create(stepTable, folder);
     } catch (IOException | RuntimeException e) {
-      folder.close(); // and its lock, for whoever tries again
+      folder.close(); // and its lock, for another try
       throw e;
     }
   }

@@ -1,2 +1,2 @@
-/** Result files: written beside their place and moved there when all is well. */
+/** Result files: written next to their place and moved there when all is well. */
 package org.hificamsim.runs.output;

@@ -9,7 +9,7 @@ import java.util.stream.DoubleStream;
  * the distribution; the p-value is two-sided.
  */
 public final class SignFlips {
-  /** Up to so many differences, every choice of signs is looked at. */
+  /** Up to this many differences, every choice of signs is looked at. */
   static final int EXACT = 16;
 
   private static final int DRAWS = 99_999;
