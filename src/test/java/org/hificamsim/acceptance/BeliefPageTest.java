@@ -48,7 +48,7 @@ class BeliefPageTest {
             .matcher(note.replaceFirst(".*(?=Most)", ""));
     assertTrue(best.matches(), note);
     assertTrue(Double.parseDouble(best.group(1)) >= Double.parseDouble(best.group(2)), note);
-    assertTrue(note.contains("told in one message what it saw, and in"), note);
+    assertTrue(note.contains("sent what it saw in one message, and in"), note);
     assertTrue(note.contains("all others received it"), note);
     Object without = browser.run(PIXELS);
     browser.find("[name=believes]").sendKeys(" ");
@@ -64,7 +64,7 @@ class BeliefPageTest {
   void nobodyHearsWhatIsLost() {
     open("--channel", "loss=1");
     String note = browser.text(".agent .note");
-    assertTrue(note.contains("told in one message what it saw"), note);
+    assertTrue(note.contains("sent what it saw in one message"), note);
     assertTrue(note.contains("; nobody received it"), note);
   }
 

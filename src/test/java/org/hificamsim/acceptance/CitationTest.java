@@ -46,8 +46,7 @@ class CitationTest {
   void thePaperCitesWhatItsBibliographyHasAndAllOfIt() throws IOException {
     String paper = Files.readString(Cli.ROOT.resolve("paper/paper.md"));
     String bibliography = Files.readString(Cli.ROOT.resolve("paper/paper.bib"));
-    assertEquals(
-        keys("(?m)^@\\w+\\{(\\w+),", bibliography), keys("(?:[\\[ ]|^)@(\\w+)", paper));
+    assertEquals(keys("(?m)^@\\w+\\{(\\w+),", bibliography), keys("(?:[\\[ ]|^)@(\\w+)", paper));
     for (String picture : keys("\\]\\((\\.\\./[^)]+)\\)", paper)) {
       assertTrue(Files.exists(Cli.ROOT.resolve("paper").resolve(picture)), picture);
     }

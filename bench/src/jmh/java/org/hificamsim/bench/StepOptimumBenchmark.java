@@ -28,8 +28,8 @@ import org.openjdk.jmh.annotations.Warmup;
 /**
  * Microseconds per instance of the optimum, filled and solved with proof, one instance of a file
  * after the other. The file is that of {@code bench/peers/step_instances.py}; the optima are
- * written to its folder, under its name with {@code .values}, of another objective than kmin with its
- * name before that.
+ * written to its folder, under its name with {@code .values}, of another objective than kmin with
+ * its name before that.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

@@ -26,9 +26,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "check",
     description = {
-      "Compares the box sizes that the simulator's optics predict with those of a MOT file and"
-          + " with",
-      "those of the full calibration; writes reality.csv, boxes.csv and reality.png."
+      "Compares predicted sizes of people with those in a recording by a calibrated camera.",
+      "Writes reality.csv, boxes.csv and reality.png."
     })
 final class CheckCommand implements Callable<Integer> {
   private static final Pattern SIZE = Pattern.compile("(\\d{1,6})x(\\d{1,6})");

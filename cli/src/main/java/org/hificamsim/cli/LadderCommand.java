@@ -33,8 +33,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "ladder",
     description = {
-      "Shows how much realism you need to choose the right policy: for each rung of realism, the",
-      "predicted scores, the order of the policies, the loss by its choice, and the time of a step."
+      "Shows how much realism you need to choose the right policy.",
+      "For each rung of realism: predicted scores, order of policies, loss by its choice, time."
     })
 final class LadderCommand implements Callable<Integer> {
   /** What rises from rung to rung. */

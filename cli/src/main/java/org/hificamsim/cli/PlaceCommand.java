@@ -52,9 +52,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "place",
     description = {
-      "Plans where to put cameras on a site: the best coverage by N cameras or for a budget, or"
-          + " full",
-      "coverage at the lowest price. Also prints a bound that no plan of the candidates exceeds."
+      "Plans where to put cameras on a site: by number, for a budget, or to cover everything.",
+      "Also prints a bound on the coverage that no plan of the same candidates exceeds."
     })
 final class PlaceCommand implements Callable<Integer> {
   private static final int MAX_CAMERAS = 100_000;

@@ -6,8 +6,8 @@ import picocli.CommandLine.Command;
 @Command(
     name = "profile",
     description = {
-      "Renders a laboratory, measures photos, and fits detection models to them; checks predicted",
-      "sizes against a recording."
+      "Makes detection models from photos: renders or measures photos, fits models, checks them.",
+      "Without photos of your own, begin with lab."
     },
     subcommands = {LabCommand.class, MeasureCommand.class, FitCommand.class, CheckCommand.class})
 final class ProfileCommand {}

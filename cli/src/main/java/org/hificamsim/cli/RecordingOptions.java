@@ -1,5 +1,7 @@
 package org.hificamsim.cli;
 
+import static picocli.CommandLine.Help.Visibility.NEVER;
+
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -30,7 +32,7 @@ final class RecordingOptions {
   @Option(names = "--homography", paramLabel = "FILE")
   private Path homography;
 
-  @Option(names = "--columns", split = ",", paramLabel = "KEY=NAME")
+  @Option(names = "--columns", split = ",", paramLabel = "KEY=NAME", showDefaultValue = NEVER)
   private Map<String, String> columns = new TreeMap<>();
 
   @Option(names = "--origin", paramLabel = "LAT,LON")

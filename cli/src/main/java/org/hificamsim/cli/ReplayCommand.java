@@ -14,8 +14,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "replay",
     description = {
-      "Replays the recorded poses of an episode with this simulator's walls and lenses, and",
-      "prints the share of the targets that its cameras cover."
+      "Prints the share of the targets that the cameras of a recorded episode cover.",
+      "The poses are those of the recording; lines of sight are computed by this simulator."
     })
 final class ReplayCommand implements Callable<Integer> {
   /** The simulators whose episodes are read. */

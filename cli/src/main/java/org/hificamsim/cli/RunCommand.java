@@ -1,5 +1,7 @@
 package org.hificamsim.cli;
 
+import static picocli.CommandLine.Help.Visibility.NEVER;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -70,7 +72,7 @@ final class RunCommand implements Callable<Integer> {
   @Option(names = "--cells", paramLabel = "N")
   private Optional<Integer> cells;
 
-  @Option(names = "--listener", paramLabel = "NAME")
+  @Option(names = "--listener", paramLabel = "NAME", showDefaultValue = NEVER)
   private List<String> listeners = new ArrayList<>();
 
   @Option(names = "--format", paramLabel = "FORMAT")

@@ -39,8 +39,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "tradeoff",
     description = {
-      "Runs CamSim's network with each strategy over seeds, and heterogeneous networks or bandits",
-      "on request: the utility and messages of each, and which are on the Pareto front."
+      "Compares the communication strategies of CamSim's network: utility against messages.",
+      "On request also heterogeneous networks and bandits; says which are on the Pareto front."
     })
 final class TradeoffCommand implements Callable<Integer> {
   private static final Pattern HETEROGENEOUS =

@@ -20,8 +20,8 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * JSON token by token; faults have their place. NaN and the infinities are read as numbers, so
- * that callers can refuse them by name.
+ * JSON token by token; faults have their place. NaN and the infinities are read as numbers, so that
+ * callers can refuse them by name.
  */
 public final class JsonStream implements Closeable {
   private static final JsonFactory ANY_SIZE =

@@ -44,7 +44,9 @@ public final class SparkEngine implements RunEngine {
       Class.forName("org.apache.spark.SparkContext", false, SparkEngine.class.getClassLoader());
     } catch (ClassNotFoundException e) {
       throw new InputException(
-          "--engine spark: Spark is not on the class path, expected its jars in the folder of this one", e);
+          "--engine spark: Spark is not on the class path, expected its jars in the folder of this"
+              + " one",
+          e);
     }
   }
 }

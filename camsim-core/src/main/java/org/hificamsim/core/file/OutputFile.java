@@ -17,8 +17,8 @@ import java.util.UUID;
 import org.hificamsim.core.InputException;
 
 /**
- * A file that appears whole: written next to its place under a unique name, and moved
- * there by {@link #commit}. Closed without that, it leaves an earlier file as it was.
+ * A file that appears whole: written next to its place under a unique name, and moved there by
+ * {@link #commit}. Closed without that, it leaves an earlier file as it was.
  */
 public final class OutputFile implements Closeable {
   private static final int BUFFER = 1 << 16;

@@ -29,8 +29,8 @@ import org.hificamsim.core.InputException;
  * A folder that receives a set of files at once, from one process at a time.
  *
  * <p>They are written in a hidden folder inside it. {@link #commit} makes the {@link FileRecord} of
- * the folder as it will be, in one move: from then on the new files are the folder's, and the
- * next process that opens it moves what a killed one left to move. Until then, it stays as it was. Files
+ * the folder as it will be, in one move: from then on the new files are the folder's, and the next
+ * process that opens it moves what a killed one left to move. Until then, it stays as it was. Files
  * that no command wrote, or that were changed since, are neither replaced nor removed.
  */
 public final class OutputFolder implements Closeable {

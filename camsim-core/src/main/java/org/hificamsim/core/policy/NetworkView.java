@@ -24,10 +24,9 @@ import org.hificamsim.core.visibility.Body;
  * was detected is what the last observation saw: at a decision that is the step before (0
  * everywhere at the first).
  *
- * <p>This is what cameras know between them, with what their installer knows: the map
- * of the site, how long moves take, and what a lens and a detection model make of a place.
- * Positions of targets, and what a camera would detect of them at another view, are in {@link
- * OracleView}.
+ * <p>This is what cameras know between them, with what their installer knows: the map of the site,
+ * how long moves take, and what a lens and a detection model make of a place. Positions of targets,
+ * and what a camera would detect of them at another view, are in {@link OracleView}.
  */
 public interface NetworkView extends CoveredTargets, Stations {
   /** What each step of the run is scored by. */

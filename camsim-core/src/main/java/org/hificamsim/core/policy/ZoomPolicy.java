@@ -70,8 +70,8 @@ public interface ZoomPolicy {
   }
 
   /**
-   * What a camera believes of where targets are, for listeners, and which messages all
-   * cameras sent; called at the end of a step.
+   * What a camera believes of where targets are, for listeners, and which messages all cameras
+   * sent; called at the end of a step.
    *
    * @return whether it believes anything, the same at every call
    */

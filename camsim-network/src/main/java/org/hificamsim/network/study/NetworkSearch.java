@@ -52,7 +52,9 @@ public final class NetworkSearch {
     this.engine = engine;
   }
 
-  /** Runs up to this many networks in addition to the homogeneous ones; the same for the same seed. */
+  /**
+   * Runs up to this many networks in addition to the homogeneous ones; the same for the same seed.
+   */
   public void run(int budget) throws IOException {
     left = budget + choice.strategies().size();
     int genes = NetworkChoice.cameras(base);

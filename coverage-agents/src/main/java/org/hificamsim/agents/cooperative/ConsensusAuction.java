@@ -4,9 +4,9 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * Cameras bid with what their best view adds; one that receives no higher bid takes its view and
- * says so, and the others bid again, knowing that. It is the consensus-based bundle algorithm (Choi,
- * Brunet and How, 2009) for bundles of one view: the outcome is the greedy one that takes the best
- * view of all cameras first.
+ * says so, and the others bid again, knowing that. It is the consensus-based bundle algorithm
+ * (Choi, Brunet and How, 2009) for bundles of one view: the outcome is the greedy one that takes
+ * the best view of all cameras first.
  */
 final class ConsensusAuction implements Agreement {
   private final double[] bids; // of each camera; below 0 where it has its view

@@ -52,9 +52,7 @@ record Parameters(
             Learn.SIGHT,
             "where the model is wrong: sight (by place), bandit, sarsa (by view), none"),
         options.choice(
-                "identity",
-                Identity.KNOWN,
-                "known: reports identify targets; none: they do not")
+                "identity", Identity.KNOWN, "known: reports identify targets; none: they do not")
             == Identity.KNOWN);
   }
 

@@ -110,9 +110,9 @@ public final class DensityDetections {
   }
 
   /**
-   * What a standard demands for a task: a target is detected where its place has this many pixels per
-   * metre, whatever its size. The value is the share of the demanded density that is there, at most
-   * 1, which is the threshold.
+   * What a standard demands for a task: a target is detected where its place has this many pixels
+   * per metre, whatever its size. The value is the share of the demanded density that is there, at
+   * most 1, which is the threshold.
    *
    * @param demanded pixels per metre, above 0
    */

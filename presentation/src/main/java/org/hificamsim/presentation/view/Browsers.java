@@ -20,8 +20,7 @@ public final class Browsers {
 
   /**
    * Opens an address if there is a desktop, otherwise does nothing. The browser is handed a file
-   * that only this user can read: others who list the machine's processes do not see the
-   * address.
+   * that only this user can read: others who list the machine's processes do not see the address.
    */
   public static void open(String address) {
     try {

@@ -15,8 +15,8 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * The policies that a comparison runs in addition to those asked for, to score all others by; the best
- * fixed one where it can be found in memory.
+ * The policies that a comparison runs in addition to those asked for, to score all others by; the
+ * best fixed one where it can be found in memory.
  */
 public record ReferencePolicies(Set<Yardstick> yardsticks) {
   /** The exact optimum of every scenario and detection. */

@@ -15,9 +15,9 @@ import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * Makes a heat map of the steps that it receives, in one run after the other. What cameras see of the
- * cells is found once for each view; steps in which all cameras see as in the one before cost next
- * to nothing.
+ * Makes a heat map of the steps that it receives, in one run after the other. What cameras see of
+ * the cells is found once for each view; steps in which all cameras see as in the one before cost
+ * next to nothing.
  */
 public final class HeatRecorder implements StepListener {
   private static final int NO_VIEW = -1;

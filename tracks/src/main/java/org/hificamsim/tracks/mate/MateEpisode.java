@@ -16,8 +16,8 @@ import org.hificamsim.data.CsvRow;
 /**
  * An episode of MATE (Pan et al., NeurIPS 2022) with the poses that its cameras and targets had: a
  * row for each step with {@code c0_x, c0_y, c0_orientation, c0_viewing_angle, c0_sight_range, ...}
- * and {@code t0_x, t0_y, ...} in units and degrees, 0 is +x, counterclockwise. In the folder
- * of {@code NAME.csv} or {@code NAME.csv.gz} are its obstacles, {@code NAME.obstacles.csv} ({@code
+ * and {@code t0_x, t0_y, ...} in units and degrees, 0 is +x, counterclockwise. In the folder of
+ * {@code NAME.csv} or {@code NAME.csv.gz} are its obstacles, {@code NAME.obstacles.csv} ({@code
  * x,y,radius}).
  *
  * @param steps how many it has
