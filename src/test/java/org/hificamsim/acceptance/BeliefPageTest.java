@@ -74,8 +74,8 @@ class BeliefPageTest {
       browser.open(view.address());
       browser.until("return hificamsim.runs[0].count > 3");
       browser.until(
-          "return document.querySelector('.agent .note').textContent.includes('all others heard"
-              + " it')");
+          "return document.querySelector('.agent .note').textContent.includes('all others"
+              + " received it')");
       assertFalse(
           (boolean)
               browser.run(
