@@ -204,6 +204,13 @@ class PlaceCommandTest {
         far,
         "--cameras 1 --candidates " + folder.resolve("p.csv"),
         "zone 'door' is seen from none of 1 places: walls are in between");
+    Path low = site(WALL, DOOR.replace("1,1 6,6", "14.6,14.6 15.4,15.4"));
+    String text = Files.readString(low);
+    Files.writeString(low, text.replace("<camera name=\"A\"", "<camera name=\"A\" z=\"9\""));
+    refuses(
+        low,
+        "--cameras 1 --candidates " + folder.resolve("p.csv"),
+        "zone 'door' is seen from none of 1 places: it is above or below all views");
     refuses(site("", DOOR.replace("identify", "identify@2")), "--cameras 1", "threshold");
     refuses(site("", DOOR.replace("6,6", "60,6")), "--cameras 1", "rooms.xml:");
     refuses(site("", DOOR + DOOR), "--cameras 1", "a name that no other zone has");

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -85,19 +86,17 @@ public record PlacementProblem(
       boolean seen =
           IntStream.range(zone.first(), zone.end()).anyMatch(s -> can[s] + keptCounts[s] > 0);
       if (zone.count() > 0 && !seen) {
-        Demand open =
-            new Demand(
-                demand.site().with(Scenario.OBSTACLES, List.of()),
-                demand.cells(),
-                demand.zones(),
-                demand.samples());
-        int[][] columns =
-            Candidates.of(places, kinds, reading, new SampleSight(open, catalogue), threads)
-                .columns();
-        boolean walls =
-            Arrays.stream(columns)
-                .flatMapToInt(Arrays::stream)
-                .anyMatch(s -> s >= zone.first() && s < zone.end());
+        Scenario open = demand.site().with(Scenario.OBSTACLES, List.of());
+        Predicate<Scenario> sees =
+            site -> {
+              Demand same = new Demand(site, demand.cells(), demand.zones(), demand.samples());
+              SampleSight other = new SampleSight(same, catalogue);
+              return Arrays.stream(Candidates.of(places, kinds, reading, other, threads).columns())
+                  .flatMapToInt(Arrays::stream)
+                  .anyMatch(s -> s >= zone.first() && s < zone.end());
+            };
+        boolean walls = sees.test(open);
+        boolean heights = demand.site().hasHeights() && !walls && sees.test(open.flat());
         throw InputException.of(
             "zone '%s' is seen from none of %s places: %s; expected other --candidates,"
                 + " lenses or demands",
@@ -105,7 +104,10 @@ public record PlacementProblem(
             places.size(),
             walls
                 ? "walls are in between"
-                : "it is too far for '%s' with these lenses".formatted(zone.detection().name()));
+                : heights
+                    ? "it is above or below all views"
+                    : "it is too far for '%s' with these lenses"
+                        .formatted(zone.detection().name()));
       }
     }
   }
