@@ -173,24 +173,27 @@ class Episode:
 
 def train(settings: argparse.Namespace) -> Iterator[tuple[int, float, float, Learner]]:
     """After each update: the episodes so far, the processor's seconds, the mean score of a step, and the learner."""
+    task = settings.scenario.startswith("bench/")  # which says by itself what is asked, and for how long
+    question = {} if task else {"detection": settings.detection, "steps": settings.steps}
     env = hificamsim.vector_env(
         settings.scenario,
         settings.worlds,
         per="camera",
         copy=False,
-        detection=settings.detection,
         reward=settings.reward,
-        steps=settings.steps,
         targets=settings.targets,
         neighbours=settings.neighbours,
         threads=1,
+        **question,
     )
     try:
-        env.reset(seed=1_000_000 * (1 + settings.seed))  # far from the seeds that policies are compared on
+        steps = env.worlds.episode_steps
+        # Far from the seeds that policies are compared on; those of a task's training are below a million.
+        env.reset(seed=1_000 * settings.seed if task else 1_000_000 * (1 + settings.seed))
         learner = Learner(env.observation_space.shape[1], env.worlds.masks.shape[-1], settings)
         begin = time.process_time()
         for update in range(settings.updates):
-            episode = Episode(env, learner, settings.steps)
+            episode = Episode(env, learner, steps)
             learner.learn(episode, 1 - update / settings.updates)
             spent = time.process_time() - begin
             yield (update + 1) * settings.worlds, spent, float(episode.scores.mean()), learner
@@ -200,7 +203,7 @@ def train(settings: argparse.Namespace) -> Iterator[tuple[int, float, float, Lea
 
 def parser() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("scenario")
+    options.add_argument("scenario", help="or a task, such as bench/car-park-v1")
     options.add_argument("--detection", default="hifi:orb-lin")
     options.add_argument("--reward", default="difference")
     options.add_argument("--steps", type=int, default=300, help="of an episode")
