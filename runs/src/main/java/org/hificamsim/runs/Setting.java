@@ -54,9 +54,8 @@ public enum Setting {
           (name, text) -> DetectionRule.parse(text),
           (scenario, text) -> scenario.withDetect(DetectionRule.parse(text)),
           scenario -> scenario.detect().map(DetectionRule::text)),
-      "When a target counts as detected: threshold, if its confidence reaches one; chance, by a"
-          + " draw from the scatter of the model's fit; probability, with the confidence as"
-          + " probability.",
+      "When a target counts as detected: threshold, if its confidence reaches --threshold; chance,"
+          + " by the scatter of the model's fit; probability, with its confidence as probability.",
       "Settings of chance: alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
           + " threshold."),
   POLICY(
@@ -93,7 +92,7 @@ public enum Setting {
       "N",
       "0",
       own(range(Long.MIN_VALUE, Long.MAX_VALUE)),
-      "Random seed; repeat i, counted from 0, uses seed + i."),
+      "Random seed; with several runs, run i, counted from 0, uses seed + i."),
   REPEAT(Kind.INT, "N", "1", own(range(1, 1_000_000)), "Number of repeats, 1 to 1,000,000."),
   CHANNEL(
       Kind.TEXT,
