@@ -21,7 +21,8 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
 
     All end together, after ``steps``: nothing is terminated, all are truncated. A camera that an event switches
     off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
-    it may do; what it forbids leaves the camera as it is.
+    it may do; what it forbids leaves the camera as it is. An action is an int from 0 on, or two with
+    ``actions="steps"``; every camera needs one. ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
     """
 
     metadata: dict[str, Any] = {

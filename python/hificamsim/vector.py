@@ -29,7 +29,14 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         count. ``DISABLED``: by ``reset(options={"reset_mask": ...})``
     :param settings: those of ``Worlds``
 
-    Nothing is terminated; all is truncated after ``steps``.
+    Nothing is terminated; all is truncated after ``steps``. With B networks, C cameras, F numbers of an observation, A
+    of an action and M choices of a camera, for ``world`` and ``camera``:
+
+    - observations: float32 (B, C, F), and (B x C, F)
+    - actions: (B, C x A), and (B x C,) or (B x C, 2)
+    - rewards: (B,), and (B x C,)
+    - ``infos``: ``action_mask``, (B, C x M) and (B x C, M); ``coverage``, ``k_min`` and ``score`` of each environment;
+      ``final_obs`` with ``_final_obs`` where episodes ended
     """
 
     metadata: dict[str, Any] = {
