@@ -1,8 +1,8 @@
-# Sourced by ./hificamsim, and by bin/hificamsim of a release, with the arguments of the command line: starts Java.
-# Before it: `root`, the folder with scenarios/; `lib`, that of the jars; `home`, that of Java; `archive`, of classes, if it is there;
-# and `part NAME`, which sets the variable NAME_libraries for spark, onnx, ortools or parquet.
+# Sourced by ./hificamsim, and by bin/hificamsim of a release: refuses too few files at once, and defines `start`, which
+# starts Java with the arguments of the command line. `start` needs `root`, the folder with scenarios/; `lib`, that of the jars;
+# `home`, that of Java; `archive`, of classes, if it is there; and `part NAME`, which sets the variable NAME_libraries for
+# spark, onnx, ortools or parquet.
 # shellcheck shell=sh
-: "${root:?}" "${lib:?}" "${home:?}" "${archive:?}"
 
 # Java opens each jar, and says nothing that one could read when it may not.
 files=$(ulimit -n)
@@ -10,54 +10,58 @@ files=$(ulimit -n)
     echo "error: at most $files files may be open (ulimit -n), expected 128 or more" >&2
     exit 2
 }
-native= # Java 24 and later warn of libraries with parts in C, and of what these do with memory
-! grep -qs '^JAVA_VERSION="\(2[4-9]\|[3-9][0-9]\)' "$home/release" ||
-    native='--enable-native-access=ALL-UNNAMED --sun-misc-unsafe-memory-access=allow'
-terminal=$([ -t 2 ] && echo true || echo false)
-libraries="$lib/*"
-[ "${1:-}" != profile ] || libraries="$libraries:$lib/profile/*" # OpenCV and its like: nothing else pays for them
-young=
-case " $* " in *' --heterogeneous'*) ;; ' tradeoff '*) young='-XX:TieredStopAtLevel=1' ;; esac # a second, which the optimising compiler would take for itself
-# Else a machine with more memory would use more, for garbage alone.
-case ${1:-} in
-    camsim | view) young='-XX:MaxNewSize=96m -Xlog:gc+ergo=off' ;;
-    tradeoff) young="$young -XX:MaxNewSize=32m -Xlog:gc+ergo=off" ;;
-esac
-case " $* " in
-    *' --engine spark '* | *' --engine=spark '*)
-        part spark
-        libraries=$spark_libraries
-        ;;
-esac
-case " $* " in
-    *[\ =,]onnx[\ :,]*)
-        part onnx
-        libraries="$libraries:$onnx_libraries"
-        ;;
-esac
-case "${1:-} $* " in
-    'place '*' --method exact '* | 'place '*' --method=exact '*)
-        part ortools
-        libraries="$libraries:$ortools_libraries"
-        ;;
-esac
-# A word of its own, or a folder of results that has such tables.
-for word; do
-    case ${1:-}:$word in
-        *:parquet | *:--format=parquet) ;;
-        report:* | plot:*) [ -e "$word/steps.parquet" ] || continue ;;
-        *) continue ;;
+
+start() {
+    : "${root:?}" "${lib:?}" "${home:?}" "${archive:?}"
+    native= # Java 24 and later warn of libraries with parts in C, and of what these do with memory
+    ! grep -qs '^JAVA_VERSION="\(2[4-9]\|[3-9][0-9]\)' "$home/release" ||
+        native='--enable-native-access=ALL-UNNAMED --sun-misc-unsafe-memory-access=allow'
+    terminal=$([ -t 2 ] && echo true || echo false)
+    libraries="$lib/*"
+    [ "${1:-}" != profile ] || libraries="$libraries:$lib/profile/*" # OpenCV and its like: nothing else pays for them
+    young=
+    case " $* " in *' --heterogeneous'*) ;; ' tradeoff '*) young='-XX:TieredStopAtLevel=1' ;; esac # a second, which the optimising compiler would take for itself
+    # Else a machine with more memory would use more, for garbage alone.
+    case ${1:-} in
+        camsim | view) young='-XX:MaxNewSize=96m -Xlog:gc+ergo=off' ;;
+        tradeoff) young="$young -XX:MaxNewSize=32m -Xlog:gc+ergo=off" ;;
     esac
-    part parquet
-    libraries="$libraries:$parquet_libraries"
-    break
-done
-set -- -cp "$libraries${CLASSPATH:+:$CLASSPATH}" org.hificamsim.cli.Main "$@"
-# shellcheck disable=SC2086 # several options
-set -- ${HIFICAMSIM_OPTS:-} "$@"
-[ -z "${spark_options:-}" ] || set -- "@$spark_options" "-Dlog4j2.configurationFile=$spark_log" "$@"
-# One thread collects garbage: the inner loops leave none, and starting is faster.
-# An archive of classes that does not fit (another JVM, a changed jar) is passed over, without a word on the screen.
-[ ! -f "$archive" ] || set -- "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' -Xlog:class+path=off "$@"
-# shellcheck disable=SC2086 # several options or none
-exec "$home/bin/java" -XX:+UseSerialGC $young $native "-Dhificamsim.root=$root" "-Dhificamsim.terminal=$terminal" "$@"
+    case " $* " in
+        *' --engine spark '* | *' --engine=spark '*)
+            part spark
+            libraries=$spark_libraries
+            ;;
+    esac
+    case " $* " in
+        *[\ =,]onnx[\ :,]*)
+            part onnx
+            libraries="$libraries:$onnx_libraries"
+            ;;
+    esac
+    case "${1:-} $* " in
+        'place '*' --method exact '* | 'place '*' --method=exact '*)
+            part ortools
+            libraries="$libraries:$ortools_libraries"
+            ;;
+    esac
+    # A word of its own, or a folder of results that has such tables.
+    for word; do
+        case ${1:-}:$word in
+            *:parquet | *:--format=parquet) ;;
+            report:* | plot:*) [ -e "$word/steps.parquet" ] || continue ;;
+            *) continue ;;
+        esac
+        part parquet
+        libraries="$libraries:$parquet_libraries"
+        break
+    done
+    set -- -cp "$libraries${CLASSPATH:+:$CLASSPATH}" org.hificamsim.cli.Main "$@"
+    # shellcheck disable=SC2086 # several options
+    set -- ${HIFICAMSIM_OPTS:-} "$@"
+    [ -z "${spark_options:-}" ] || set -- "@$spark_options" "-Dlog4j2.configurationFile=$spark_log" "$@"
+    # One thread collects garbage: the inner loops leave none, and starting is faster.
+    # An archive of classes that does not fit (another JVM, a changed jar) is passed over, without a word on the screen.
+    [ ! -f "$archive" ] || set -- "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' -Xlog:class+path=off "$@"
+    # shellcheck disable=SC2086 # several options or none
+    exec "$home/bin/java" -XX:+UseSerialGC $young $native "-Dhificamsim.root=$root" "-Dhificamsim.terminal=$terminal" "$@"
+}

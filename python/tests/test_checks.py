@@ -167,10 +167,10 @@ def test_a_setting_is_a_number_a_text_or_a_truth() -> None:
 
 
 def test_ids_are_the_scenarios_with_a_version() -> None:
-    assert "campus-v0" in hificamsim.ids()
-    assert len(hificamsim.ids()) == len(hificamsim.scenarios()) > 1
-    for wrong in ("campus", "campus-v1", "", 3, "a\0-v0"):
-        with pytest.raises(hificamsim.InputError, match="^id is .*, expected (one of .*campus-v0|a name or a file|no NUL)"):
+    assert "campus-v1" in hificamsim.ids()
+    assert len(hificamsim.ids()) == len(hificamsim.scenarios()) + len(hificamsim.tasks()) > 1
+    for wrong in ("campus", "campus-v2", "", 3, "a\0-v0"):
+        with pytest.raises(hificamsim.InputError, match="^id is .*, expected (one of .*campus-v1|a name or a file|no NUL)"):
             hificamsim.make(wrong)  # type: ignore[arg-type]
     with contextlib.closing(hificamsim.make("campus-v0", backend="jvm", steps=3)) as env:
         assert env.worlds.name == "campus"

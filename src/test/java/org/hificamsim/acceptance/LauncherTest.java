@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.hificamsim.cli.Main;
 import org.junit.jupiter.api.Test;
@@ -78,7 +79,9 @@ class LauncherTest {
   void camsimAloneHasABoundOnYoungObjectsWhichOptionsOfOnesOwnFollow() throws Exception {
     Files.createDirectories(folder.resolve("tools"));
     Files.createDirectories(folder.resolve("bin"));
-    Files.copy(Cli.ROOT.resolve("hificamsim"), folder.resolve("hificamsim"));
+    for (String part : List.of("hificamsim", "tools/start.sh")) {
+      Files.copy(Cli.ROOT.resolve(part), folder.resolve(part));
+    }
     Files.writeString(
         folder.resolve("tools/setup.sh"),
         "build_if_stale() { :; }; run_home() { echo \"$root\"; }; lib=lib; archive=none\n");
