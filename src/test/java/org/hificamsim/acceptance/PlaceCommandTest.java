@@ -157,6 +157,74 @@ class PlaceCommandTest {
     refusesWith(plan, "samples.csv", "field,", "wood,", "zone is 'wood'");
   }
 
+  /**
+   * The zone lies 37 degrees wide around 52.5, too far for the wide lens: 40 at 45 or 60 miss some.
+   */
+  @Test
+  void refinementFindsWhatLiesBetweenHeadingsAndIsChecked() throws IOException {
+    Path site =
+        site(
+            "",
+            "<zone name=\"far\" shape=\"polygon\" points=\"6.03,8.46 9.95,14.26 16.13,6.21"
+                + " 9.51,3.93\"/>");
+    Path spot = Files.writeString(folder.resolve("spot.csv"), "x,y\n1,1\n");
+    Path plan = folder.resolve("plan");
+    String words = "--cameras 1 --catalogue site --seed 2 --candidates " + spot + " --out ";
+    String cells = " --cells 60";
+    Cli made = refined(site, words + folder.resolve("plain") + cells);
+    assertEquals(0, made.exit(), made.err());
+    assertFalse(Files.readString(folder.resolve("plain/summary.json")).contains("unrefined"));
+    made = refined(site, words + plan + cells + " --refine --threads 2");
+    assertTrue(made.out().contains("by refinement of a plan of candidates"), made.out());
+    refined(site, words + folder.resolve("again") + cells + " --refine --threads 1");
+    assertEquals(-1L, Files.mismatch(plan.resolve("plan.xml"), folder.resolve("again/plan.xml")));
+    Path summary = plan.resolve("summary.json");
+    double share = Double.parseDouble(value(summary, "share"));
+    double before = Double.parseDouble(value(summary, "share_unrefined"));
+    assertEquals(
+        before, Double.parseDouble(value(folder.resolve("plain/summary.json"), "share")), 1e-12);
+    assertEquals(1, share, 1e-12);
+    assertTrue(before < 0.95, "before: " + before);
+    assertTrue(Files.readString(plan.resolve("plan.xml")).contains("heading=\"52.5\""));
+    assertEquals(share - before, Double.parseDouble(value(summary, "gain_of_refinement")), 1e-12);
+    assertTrue(before <= Double.parseDouble(value(summary, "share_bound")) + 1e-12);
+    Cli checked = Cli.run("place", "--verify", plan);
+    assertEquals(0, checked.exit(), checked.err());
+    assertTrue(checked.out().contains("holds"), checked.out());
+    refusesWith(plan, "plan.xml", "heading=\"", "heading=\"1", "cover it in a run|expected");
+    refusesWith(plan, "summary.json", "\"share_unrefined\" : 0", "\"share_unrefined\" : 1", "is 1");
+    refusesWith(plan, "summary.json", "\"unrefined\" : [", "\"unrefined\" : [ 99999, ", "lens of");
+    refusesWith(plan, "summary.json", "\"unrefined\"", "\"un\"", "score is");
+    refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
+  }
+
+  @Test
+  void refinementKeepsWhatStaysAndOffWhatIsForbidden() throws IOException {
+    Path site = site(WALL, DOOR + "<zone name=\"low\" points=\"0,0 20,3\"/>");
+    Path plan = folder.resolve("plan");
+    for (String words :
+        new String[] {
+          "--cameras 2 --keep A", "--budget 900 --reading any", "--cameras 1 --time 0"
+        }) {
+      String more = " --refine --forbid low --catalogue generic --out " + plan;
+      Cli made = place(site, words + more);
+      assertEquals(0, made.exit(), made.err());
+      assertTrue(
+          Double.parseDouble(value(plan.resolve("summary.json"), "gain_of_refinement")) >= 0);
+      for (String row : Files.readAllLines(plan.resolve("cameras.csv"))) {
+        if (row.startsWith("P")) {
+          assertTrue(Double.parseDouble(row.split(",")[2]) > 3, row);
+        }
+        assertTrue(!row.startsWith("A,") || row.startsWith("A,1.0,1.0,45.0"), row);
+      }
+      assertEquals(0, Cli.run("place", "--verify", plan).exit(), words);
+    }
+  }
+
+  private static Cli refined(Path site, String words) {
+    return Cli.run((Object[]) ("place " + site + " " + words).split(" "));
+  }
+
   private void refusesWith(Path plan, String file, String old, String broken, String message)
       throws IOException {
     Path path = plan.resolve(file);
@@ -190,6 +258,7 @@ class PlaceCommandTest {
     Path plain = site("", "");
     refuses(plain, "", "expected one of --cameras N, --budget EUR and --cover");
     refuses(plain, "--cameras 0", "--cameras is 0");
+    refuses(plain, "--cover --refine", "--refine is for a site with --cameras N or --budget EUR");
     refuses(plain, "--budget 2", "the price of the cheapest camera");
     refuses(plain, "--cameras 1 --keep C", "no camera 'C'");
     refuses(plain, "--cameras 1 --forbid yard", "no zone 'yard'");

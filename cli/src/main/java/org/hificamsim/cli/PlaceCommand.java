@@ -34,6 +34,7 @@ import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.MountPoints;
 import org.hificamsim.placement.site.PlacementProblem;
+import org.hificamsim.placement.site.Refinement;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.placement.site.Visits;
 import org.hificamsim.presentation.replay.FloorPictures;
@@ -60,6 +61,7 @@ final class PlaceCommand implements Callable<Integer> {
   private static final int ROUNDS = 60; // without a better plan
   private static final double SEARCHED = 0.2; // of the time, before an exact method goes on
   private static final double TRIED = 0.8; // of the time, before it goes on with all candidates
+  private static final double REFINED = 0.7; // of the time, before cameras are moved
   private static final int USUAL_CELLS = 60;
   private static final int SPOTS = 3; // that the terminal names
   private static final double USUAL_PLACES = 40; // along the longer side of the field
@@ -103,6 +105,9 @@ final class PlaceCommand implements Callable<Integer> {
   @Option(names = "--method", paramLabel = "search|exact")
   private String method;
 
+  @Option(names = "--refine")
+  private boolean refine;
+
   @Option(names = "--time", paramLabel = "S")
   private double time;
 
@@ -137,12 +142,18 @@ final class PlaceCommand implements Callable<Integer> {
     }
     Goal goal = goal();
     Numbers.within("--time", time, 0, 1e9);
+    if (refine && (goal.isAll() || instance.isPresent())) {
+      throw new InputException("--refine is for a site with --cameras N or --budget EUR");
+    }
     if (instance.isPresent()) {
       return solve(instance.get(), goal);
     }
     Path folder = out.orElseGet(() -> Path.of("out", name(file) + "-plan"));
     PlacementProblem problem = problem(goal);
-    SitePlan plan = problem.solve(effort(), watcher(goal, "%.2f %%", 100));
+    Interrupt interrupt = new Interrupt(time);
+    Optional<Refinement> refinement =
+        Optional.of(problem).filter(one -> refine).map(one -> refinement(one, interrupt));
+    SitePlan plan = problem.solve(effort(interrupt), watcher(goal, "%.2f %%", 100), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(
           output,
@@ -171,16 +182,22 @@ final class PlaceCommand implements Callable<Integer> {
     EXACT
   }
 
-  private Effort effort() {
+  private Effort effort(Interrupt interrupt) {
     boolean exact = Spelling.require(Method.class, "--method", method) == Method.EXACT;
-    Interrupt interrupt = new Interrupt(time);
+    double part = refine ? REFINED : 1;
     return new Effort(
         settings.settings().seed(),
         ROUNDS,
         exact ? Optional.of(ExactMethod.found()) : Optional.empty(),
-        () -> interrupt.isDue(SEARCHED),
-        () -> interrupt.isDue(TRIED),
-        interrupt::isDue);
+        () -> interrupt.isDue(SEARCHED * part),
+        () -> interrupt.isDue(TRIED * part),
+        () -> interrupt.isDue(part));
+  }
+
+  private Refinement refinement(PlacementProblem problem, Interrupt interrupt) {
+    Scenario site = problem.demand().site();
+    List<List<Point>> closer = Stream.of(2, 4, 8).map(parts -> places(site, parts)).toList();
+    return new Refinement(closer, threads.count(), interrupt::isDue);
   }
 
   private Goal goal() {
@@ -214,7 +231,7 @@ final class PlaceCommand implements Callable<Integer> {
     CoverageReading read = Spelling.require(CoverageReading.class, "--reading", reading);
     return PlacementProblem.of(
         all,
-        places(site),
+        places(site, 1),
         CameraKind.catalogue(kinds, site),
         read,
         kept(site),
@@ -233,7 +250,8 @@ final class PlaceCommand implements Callable<Integer> {
     return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
   }
 
-  private List<Point> places(Scenario site) {
+  /** The places of candidates, or between them where these are so many times closer. */
+  private List<Point> places(Scenario site, int parts) {
     List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());
     String text = candidates.orElse("every=" + longer / USUAL_PLACES);
@@ -245,7 +263,7 @@ final class PlaceCommand implements Callable<Integer> {
     try {
       double every =
           Numbers.within("--candidates every", Double.parseDouble(number), longer / 1000, longer);
-      return MountPoints.of(site, every, ceiling, forbidden);
+      return MountPoints.of(site, every / parts, ceiling, forbidden);
     } catch (NumberFormatException e) {
       throw new InputException(
           "--candidates is '" + text + "', expected every=M, every=M,ceiling or a table", e);
@@ -297,13 +315,14 @@ final class PlaceCommand implements Callable<Integer> {
       plan.cameras().size(), plan.problem().kept().size(), plan.price(), 100 * plan.share()
     };
     screen.say("%d cameras, %d of them stay, price %.2f: %.2f %% of the demand is met", numbers);
-    screen.say("  %s", plan.problem().reading().words());
+    screen.say("  %s%s", plan.problem().reading().words(), plan.gain());
     if (plan.problem().goal().isAll()) {
       screen.say("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());
       screen.say("  all candidates together meet %.2f %%", 100 * plan.bound());
     } else {
-      screen.say("  no plan of these meets more than %.2f %%", 100 * plan.bound());
-      screen.say("  gap %.2f %%", 100 * (plan.bound() - plan.share()) / plan.bound());
+      screen.say("  no plan of these candidates meets more than %.2f %%", 100 * plan.bound());
+      double before = plan.unrefined().orElse(plan.share());
+      screen.say("  gap %.2f %%", 100 * (plan.bound() - before) / plan.bound());
     }
     if (found.isProven()) {
       screen.say("  proven: no plan of these candidates is better");
@@ -342,7 +361,8 @@ final class PlaceCommand implements Callable<Integer> {
   private int solve(Path path, Goal goal) throws IOException {
     CoverInstance read = InstanceFile.read(path, instanceForm());
     CoverInstance all = goal.isAll() ? read.coverable() : read;
-    CoverPlan plan = CoverSearch.solve(all, goal, effort(), watcher(goal, "%.2f", 1));
+    Effort effort = effort(new Interrupt(time));
+    CoverPlan plan = CoverSearch.solve(all, goal, effort, watcher(goal, "%.2f", 1));
     screen.say(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
@@ -369,7 +389,7 @@ final class PlaceCommand implements Callable<Integer> {
             path -> scenarioOptions.read(path, Settings.NONE, catalogue, screen.err()),
             catalogue,
             detections(catalogue),
-            effort())
+            effort(new Interrupt(time)))
         .forEach(line -> screen.out().println(line));
     return 0;
   }

@@ -124,18 +124,27 @@ public final class PlanCheck {
         throw rows.get(s).invalid("seen", counts[s] + ", the cameras that cover it in a run");
       }
     }
-    CoverInstance all = new CoverInstance(demand.units(), demand.needs(), new int[0][], null);
+    CoverInstance all = all(candidates);
     double share = all.worth(counts) / all.total();
     requireSame("share", share);
-    int[] standing = count(seen(cameras.subList(0, summary.path("kept").asInt())));
+    int kept = summary.path("kept").asInt();
+    int[] standing = count(seen(cameras.subList(0, kept)));
     boolean cover = summary.path("goal").asText().equals("cover");
-    double score =
-        cover ? summary.path("price").asDouble() : all.worth(counts) - all.worth(standing);
+    Goal goal = cover ? Goal.ALL : new Goal(summary.path("budget").asDouble());
+    double worth = all.worth(counts) - all.worth(standing);
+    if (summary.has("unrefined")) {
+      int[] chosen = chosen(cameras.subList(kept, cameras.size()), candidates);
+      worth = all.after(standing).worth(all.counts(chosen));
+      double before = (all.worth(standing) + worth) / all.total();
+      requireSame("share_unrefined", before);
+      requireNoBetter("share", share, before, "the share before refinement", goal);
+    }
+    double score = cover ? summary.path("price").asDouble() : worth;
     requireSame("score", score);
     double bound = summary.path("bound").asDouble();
     double relaxed = summary.path("bound_of_multipliers").asDouble(bound);
-    Goal goal = cover ? Goal.ALL : new Goal(summary.path("budget").asDouble());
-    CoverInstance left = left(candidates, standing, goal);
+    CoverInstance after = all.after(standing);
+    CoverInstance left = (cover ? after.coverable() : after).undominated();
     double[] multipliers =
         rows.stream().mapToDouble(row -> row.number("multiplier", 0, 1e15, "0 or more")).toArray();
     double proven = Duals.value(left, goal, multipliers);
@@ -186,8 +195,21 @@ public final class PlanCheck {
     return new InputException("%s: %s is %s, expected %s".formatted(file, name, said, expected));
   }
 
-  /** What is left to the candidates, as a run sees them. */
-  private CoverInstance left(List<CameraSpec> candidates, int[] standing, Goal goal) {
+  /** The candidates whose cameras were moved: of the same lenses, each in its turn. */
+  private int[] chosen(List<CameraSpec> moved, List<CameraSpec> candidates) {
+    int[] chosen = new int[moved.size()];
+    for (int i = 0; i < chosen.length; i++) {
+      chosen[i] = summary.path("unrefined").path(i).asInt(-1);
+      boolean known = chosen[i] >= 0 && chosen[i] < candidates.size();
+      if (!known || !candidates.get(chosen[i]).optics().equals(moved.get(i).optics())) {
+        throw wrong("unrefined", chosen[i], "a candidate with the lens of " + moved.get(i).name());
+      }
+    }
+    return chosen;
+  }
+
+  /** All that is demanded, by candidate, as a run sees it. */
+  private CoverInstance all(List<CameraSpec> candidates) {
     int[][] columns = new int[candidates.size()][];
     double[] prices = new double[columns.length];
     boolean byNumber = summary.path("goal").asText().equals("cameras");
@@ -199,9 +221,7 @@ public final class PlanCheck {
       String kind = candidates.get(j).name().replaceFirst("/\\d+$", "");
       prices[j] = byNumber ? 1 : summary.path("prices").path(kind).asDouble();
     }
-    CoverInstance left =
-        new CoverInstance(demand.units(), demand.needs(), columns, prices).after(standing);
-    return (goal.isAll() ? left.coverable() : left).undominated();
+    return new CoverInstance(demand.units(), demand.needs(), columns, prices);
   }
 
   private int[] count(int[][] columns) {

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -94,6 +95,11 @@ public final class PlanFiles {
     json.put("cell", demand.cells().width());
     json.put("candidates", plan.problem().candidates().all().size());
     json.put("share", plan.share());
+    if (plan.unrefined().isPresent()) {
+      json.put("share_unrefined", plan.unrefined().get());
+      json.put("gain_of_refinement", plan.share() - plan.unrefined().get());
+      Arrays.stream(plan.plan().chosen()).forEach(json.putArray("unrefined")::add);
+    }
     json.put("share_bound", plan.bound());
     json.put("score", plan.plan().score());
     json.put("bound", plan.plan().bound());

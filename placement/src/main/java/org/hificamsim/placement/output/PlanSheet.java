@@ -92,8 +92,8 @@ final class PlanSheet {
         format(
             "%d cameras, %d of them stay; price of the new ones %.2f",
             plan.cameras().size(), plan.problem().kept().size(), plan.price()),
-        format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading()),
-        bound + (found.isProven() ? ": the plan is proven to be the best" : ""),
+        format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
+        bound + (found.isProven() ? ", and one is proven to reach this" : ""),
         format(
             "The site's own %d cameras meet %.2f %%",
             demand.site().cameras().size(), 100 * plan.today()));
@@ -117,7 +117,7 @@ final class PlanSheet {
     List<LegendEntry> legend =
         List.of(
             new LegendEntry("met by the plan", Palette.BLUE, LegendEntry.Mark.LINE),
-            new LegendEntry("no plan meets more", Palette.GREY, LegendEntry.Mark.LINE));
+            new LegendEntry("bound for the candidates", Palette.GREY, LegendEntry.Mark.LINE));
     return new Figure("", "", legend, List.of(panel), 1, 500, 240);
   }
 

@@ -60,7 +60,8 @@ final class PlanTables {
               Column.ofInt("cameras", "cameras", "those that add most first", Reached::cameras),
               Column.ofPlain("price", "as asked", "of these", Reached::price),
               Column.ofDouble("share", SHARE, "met by them", Reached::share),
-              Column.ofDouble("bound", SHARE, "no plan at the price meets more", Reached::bound));
+              Column.ofDouble(
+                  "bound", SHARE, "candidates at the price meet no more", Reached::bound));
 
   private PlanTables() {}
 }

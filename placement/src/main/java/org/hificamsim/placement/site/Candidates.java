@@ -24,7 +24,7 @@ import org.hificamsim.core.scenario.Scenario;
  */
 public record Candidates(List<Candidate> all, int[][] columns) {
   /** Degrees from one heading to the next. */
-  private static final int TURN = 15;
+  static final int TURN = 15;
 
   /** Degrees below the horizon, where the site has heights. */
   private static final List<Double> TILTS = List.of(0.0, 15.0, 30.0);
@@ -46,8 +46,9 @@ public record Candidates(List<Candidate> all, int[][] columns) {
       Optional<Double> z,
       double tilt,
       double heading) {
-    private Candidate looking(OpticsSpec through, double towards) {
-      return new Candidate(kind, through, at, z, tilt, towards);
+    /** The same through a lens, elsewhere, at a tilt, turned. */
+    Candidate moved(OpticsSpec through, Point to, double downwards, double turn) {
+      return new Candidate(kind, through, to, z, downwards, angle(heading, turn));
     }
 
     /** The camera as a scenario has it. */
@@ -143,7 +144,7 @@ public record Candidates(List<Candidate> all, int[][] columns) {
                       .mapToObj(
                           level ->
                               new Found(
-                                  scout.looking(fixed(optics, level), heading),
+                                  scout.moved(fixed(optics, level), scout.at, scout.tilt, heading),
                                   seen[headings().indexOf(heading) * levels + level])));
     }
     TreeMap<Double, int[]> byAngle = new TreeMap<>();
@@ -161,7 +162,7 @@ public record Candidates(List<Candidate> all, int[][] columns) {
             .map(
                 heading ->
                     new Found(
-                        scout.looking(optics, heading),
+                        scout.moved(optics, scout.at, scout.tilt, heading),
                         SampleSight.union(
                             optics.pans().stream().map(p -> byAngle.get(angle(heading, p))))));
   }

@@ -3,6 +3,7 @@ package org.hificamsim.placement.site;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
@@ -17,6 +18,7 @@ import org.hificamsim.placement.cover.CoverSearch;
 import org.hificamsim.placement.cover.Duals;
 import org.hificamsim.placement.cover.Effort;
 import org.hificamsim.placement.cover.Goal;
+import org.hificamsim.placement.site.Candidates.Candidate;
 
 /**
  * Where to put cameras on a site, as a covering problem.
@@ -135,8 +137,8 @@ public record PlacementProblem(
         Math.min(1, (base() + Duals.value(left, new Goal(price), multipliers)) / whole.total());
   }
 
-  /** Searches for a plan. */
-  public SitePlan solve(Effort effort, CoverSearch.Watcher watcher) {
+  /** Searches for a plan, whose cameras may then be moved. */
+  public SitePlan solve(Effort effort, CoverSearch.Watcher watcher, Optional<Refinement> moves) {
     CoverPlan plan =
         CoverSearch.solve(
             left(), goal, effort, (score, bound) -> watcher.improved(shown(score), shown(bound)));
@@ -144,15 +146,18 @@ public record PlacementProblem(
     List<Double> prices = new ArrayList<>();
     kept.forEach(any -> prices.add(0.0));
     int number = 1;
-    for (int chosen : plan.chosen()) {
+    List<Candidate> chosen = Arrays.stream(plan.chosen()).mapToObj(candidates.all()::get).toList();
+    for (Candidate one : moves.map(how -> how.of(this, chosen)).orElse(chosen)) {
       String name;
       do {
         name = "P" + number++;
       } while (isTaken(name));
-      cameras.add(candidates.all().get(chosen).camera(name));
-      prices.add(candidates.all().get(chosen).kind().price());
+      cameras.add(one.camera(name));
+      prices.add(one.kind().price());
     }
     Scenario site = demand.site();
+    int[] searched = whole.counts(plan.chosen());
+    Arrays.setAll(searched, sample -> searched[sample] + keptCounts[sample]);
     int[] today = new int[keptCounts.length];
     for (int[] seen : sight.covered(site.cameras(), reading)) {
       Arrays.stream(seen).forEach(sample -> today[sample]++);
@@ -163,6 +168,7 @@ public record PlacementProblem(
         prices,
         sight.covered(cameras, reading),
         plan,
+        moves.map(how -> whole.worth(searched) / whole.total()),
         goal.isAll() ? coverable() : Math.min(1, shown(plan.bound())),
         whole.worth(today) / whole.total());
   }

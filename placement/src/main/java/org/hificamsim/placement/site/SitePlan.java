@@ -2,6 +2,8 @@ package org.hificamsim.placement.site;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -17,6 +19,8 @@ import org.hificamsim.placement.cover.CoverPlan;
  * @param prices of each; 0 for those that stay
  * @param covered by camera: the samples that it covers
  * @param plan what the search found: candidates among those of {@code problem}
+ * @param unrefined the share of the demand that {@code plan} meets, in [0, 1], where cameras were
+ *     moved since
  * @param bound the most of the demand that any plan of these candidates can meet, in [0, 1]
  * @param today what the cameras of the site as it is meet, in [0, 1]
  */
@@ -26,6 +30,7 @@ public record SitePlan(
     List<Double> prices,
     int[][] covered,
     CoverPlan plan,
+    Optional<Double> unrefined,
     double bound,
     double today) {
 
@@ -60,6 +65,14 @@ public record SitePlan(
     return share(counts());
   }
 
+  /** What refinement gained, in words; nothing where there was none. */
+  public String gain() {
+    String words = ", %.2f points of it by refinement of a plan of candidates that meets %.2f %%";
+    return unrefined
+        .map(one -> String.format(Locale.ROOT, words, 100 * (share() - one), 100 * one))
+        .orElse("");
+  }
+
   /** What all new cameras cost. */
   public double price() {
     return prices.stream().mapToDouble(Double::doubleValue).sum();
@@ -89,7 +102,8 @@ public record SitePlan(
       int number = cameras.size() - kept - left.size();
       double bound =
           left.isEmpty() && !problem.goal().isAll() ? this.bound : most.applyAsDouble(price);
-      curve.add(new Reached(number, price, share(counts), Math.max(share(counts), bound)));
+      double least = unrefined.isPresent() ? 0 : share(counts);
+      curve.add(new Reached(number, price, share(counts), Math.max(least, bound)));
     }
     return curve;
   }
