@@ -175,7 +175,7 @@ class PlaceCommandTest {
     assertEquals(0, made.exit(), made.err());
     assertFalse(Files.readString(folder.resolve("plain/summary.json")).contains("unrefined"));
     made = refined(site, words + plan + cells + " --refine --threads 2");
-    assertTrue(made.out().contains("by refinement of a plan of candidates"), made.out());
+    assertTrue(made.out().contains("refined from a plan of candidates"), made.out());
     refined(site, words + folder.resolve("again") + cells + " --refine --threads 1");
     assertEquals(-1L, Files.mismatch(plan.resolve("plan.xml"), folder.resolve("again/plan.xml")));
     Path summary = plan.resolve("summary.json");

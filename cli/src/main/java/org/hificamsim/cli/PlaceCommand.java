@@ -152,7 +152,7 @@ final class PlaceCommand implements Callable<Integer> {
     PlacementProblem problem = problem(goal);
     Interrupt interrupt = new Interrupt(time);
     Optional<Refinement> refinement =
-        Optional.of(problem).filter(one -> refine).map(one -> refinement(one, interrupt));
+        Optional.of(problem).filter(p -> refine).map(p -> refinement(p.demand().site(), interrupt));
     SitePlan plan = problem.solve(effort(interrupt), watcher(goal, "%.2f %%", 100), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(
@@ -194,8 +194,7 @@ final class PlaceCommand implements Callable<Integer> {
         () -> interrupt.isDue(part));
   }
 
-  private Refinement refinement(PlacementProblem problem, Interrupt interrupt) {
-    Scenario site = problem.demand().site();
+  private Refinement refinement(Scenario site, Interrupt interrupt) {
     List<List<Point>> closer = Stream.of(2, 4, 8).map(parts -> places(site, parts)).toList();
     return new Refinement(closer, threads.count(), interrupt::isDue);
   }

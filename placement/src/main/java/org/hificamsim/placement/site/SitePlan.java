@@ -67,9 +67,9 @@ public record SitePlan(
 
   /** What refinement gained, in words; nothing where there was none. */
   public String gain() {
-    String words = ", %.2f points of it by refinement of a plan of candidates that meets %.2f %%";
+    String words = "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points";
     return unrefined
-        .map(one -> String.format(Locale.ROOT, words, 100 * (share() - one), 100 * one))
+        .map(one -> String.format(Locale.ROOT, words, 100 * one, 100 * (share() - one)))
         .orElse("");
   }
 
