@@ -320,8 +320,7 @@ final class PlaceCommand implements Callable<Integer> {
       screen.say("  all candidates together meet %.2f %%", 100 * plan.bound());
     } else {
       screen.say("  no plan of these candidates meets more than %.2f %%", 100 * plan.bound());
-      double before = plan.unrefined().orElse(plan.share());
-      screen.say("  gap %.2f %%", 100 * (plan.bound() - before) / plan.bound());
+      screen.say("  gap %.2f %%", 100 * (1 - plan.unrefined().orElse(plan.share()) / plan.bound()));
     }
     if (found.isProven()) {
       screen.say("  proven: no plan of these candidates is better");

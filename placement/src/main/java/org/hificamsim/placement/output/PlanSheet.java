@@ -108,10 +108,11 @@ final class PlanSheet {
     double[] cameras = points.stream().mapToDouble(SitePlan.Reached::cameras).toArray();
     double[] met = points.stream().mapToDouble(one -> 100 * one.share()).toArray();
     double[] most = points.stream().mapToDouble(one -> 100 * one.bound()).toArray();
+    double top = Math.max(met[met.length - 1], most[most.length - 1]);
     XyPanel panel =
         new XyPanel("", "new cameras", "% of the demand")
             .x(0, Math.max(1, cameras[cameras.length - 1]))
-            .y(0, Math.min(100, 10 * Math.ceil(0.1 + most[most.length - 1] / 10)))
+            .y(0, Math.min(100, 10 * Math.ceil(0.1 + top / 10)))
             .straight(new Curve(cameras, most), Palette.GREY)
             .straight(new Curve(cameras, met), Palette.BLUE);
     List<LegendEntry> legend =
