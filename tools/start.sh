@@ -1,7 +1,7 @@
 # Sourced by ./hificamsim, and by bin/hificamsim of a release: refuses too few files at once, and defines `start`, which
 # starts Java with the arguments of the command line. `start` needs `root`, the folder with scenarios/; `lib`, that of the jars;
-# `home`, that of Java; `archive`, of classes, if it is there; and `part NAME`, which sets the variable NAME_libraries for
-# spark, onnx, ortools or parquet.
+# `home`, that of Java; `archive`, of classes, if it is there; and `part NAME`, which adds the jars of spark, onnx, ortools
+# or parquet to `libraries`.
 # shellcheck shell=sh
 
 # Java opens each jar, and says nothing that one could read when it may not.
@@ -26,24 +26,9 @@ start() {
         camsim | view) young='-XX:MaxNewSize=96m -Xlog:gc+ergo=off' ;;
         tradeoff) young="$young -XX:MaxNewSize=32m -Xlog:gc+ergo=off" ;;
     esac
-    case " $* " in
-        *' --engine spark '* | *' --engine=spark '*)
-            part spark
-            libraries=$spark_libraries
-            ;;
-    esac
-    case " $* " in
-        *[\ =,]onnx[\ :,]*)
-            part onnx
-            libraries="$libraries:$onnx_libraries"
-            ;;
-    esac
-    case "${1:-} $* " in
-        'place '*' --method exact '* | 'place '*' --method=exact '*)
-            part ortools
-            libraries="$libraries:$ortools_libraries"
-            ;;
-    esac
+    case " $* " in *' --engine spark '* | *' --engine=spark '*) part spark ;; esac
+    case " $* " in *[\ =,]onnx[\ :,]*) part onnx ;; esac
+    case "${1:-} $* " in 'place '*' --method exact '* | 'place '*' --method=exact '*) part ortools ;; esac
     # A word of its own, or a folder of results that has such tables.
     for word; do
         case ${1:-}:$word in
@@ -52,7 +37,6 @@ start() {
             *) continue ;;
         esac
         part parquet
-        libraries="$libraries:$parquet_libraries"
         break
     done
     set -- -cp "$libraries${CLASSPATH:+:$CLASSPATH}" org.hificamsim.cli.Main "$@"

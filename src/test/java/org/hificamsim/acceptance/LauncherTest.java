@@ -79,7 +79,7 @@ class LauncherTest {
   void camsimAloneHasABoundOnYoungObjectsWhichOptionsOfOnesOwnFollow() throws Exception {
     Files.createDirectories(folder.resolve("tools"));
     Files.createDirectories(folder.resolve("bin"));
-    for (String part : List.of("hificamsim", "tools/start.sh")) {
+    for (String part : List.of("hificamsim", "tools/parts.sh", "tools/start.sh")) {
       Files.copy(Cli.ROOT.resolve(part), folder.resolve(part));
     }
     Files.writeString(

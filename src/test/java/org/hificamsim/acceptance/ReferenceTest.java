@@ -37,10 +37,6 @@ class ReferenceTest {
   }
 
   private static Stream<String> marks(Path page) {
-    try {
-      return MARK.matcher(Files.readString(page)).results().map(mark -> mark.group(1));
-    } catch (IOException e) {
-      throw new java.io.UncheckedIOException(e);
-    }
+    return MARK.matcher(Cli.text(page)).results().map(mark -> mark.group(1));
   }
 }

@@ -89,6 +89,10 @@ class SetUpTest {
   @Test
   void whatIsFetchedForOneOptionIsSaidBefore() throws Exception {
     saysBefore(
+        "onnx",
+        "com.microsoft.onnxruntime",
+        "ONNX Runtime from Maven Central (93 MB), for --policy onnx:FILE");
+    saysBefore(
         "parquet",
         "org.apache.parquet",
         "Parquet from Maven Central (11 MB), for --format parquet");
@@ -99,8 +103,8 @@ class SetUpTest {
   }
 
   private void saysBefore(String module, String group, String wanted) throws Exception {
-    Path script = Cli.ROOT.resolve("tools/" + module + ".sh").toRealPath();
-    String words = "build_if_stale() { echo $2; }; . " + script;
+    Path script = Cli.ROOT.resolve("tools/parts.sh").toRealPath();
+    String words = "build_if_stale() { echo $2; }; libraries=lib; . " + script + "; part " + module;
     String built = ":" + module + ":libraries";
     assertEquals(List.of("hificamsim: fetching " + wanted, built), source(words).lines());
     Said refused = source("installing=no; " + words);

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeAll;
@@ -30,15 +29,18 @@ class SiteTest {
             .redirectErrorStream(true)
             .redirectOutput(log.toFile());
     site.environment().put("NO_MKDOCS_2_WARNING", "1");
-    assertEquals(0, site.start().waitFor(), () -> text(log));
+    assertEquals(0, site.start().waitFor(), () -> Cli.text(log));
   }
 
   @Test
   void everyDeclarationIsOnItsPage() {
-    assertTrue(text(HTML.resolve("docs/data.html")).contains("<code>expected_covered_k</code>"));
-    assertTrue(text(HTML.resolve("docs/scenario-format.html")).contains("<code>pan_speed</code>"));
-    assertTrue(text(HTML.resolve("docs/commands.html")).contains("id=\"profile-fit\""));
-    assertTrue(text(HTML.resolve("docs/python-reference.html")).contains("id=\"hificamsim.make\""));
+    assertTrue(
+        Cli.text(HTML.resolve("docs/data.html")).contains("<code>expected_covered_k</code>"));
+    assertTrue(
+        Cli.text(HTML.resolve("docs/scenario-format.html")).contains("<code>pan_speed</code>"));
+    assertTrue(Cli.text(HTML.resolve("docs/commands.html")).contains("id=\"profile-fit\""));
+    assertTrue(
+        Cli.text(HTML.resolve("docs/python-reference.html")).contains("id=\"hificamsim.make\""));
   }
 
   @ParameterizedTest
@@ -47,13 +49,5 @@ class SiteTest {
     Browser browser = Browser.shared();
     browser.open(HTML.resolve(page + ".html").toUri().toString());
     Accessibility.checkEverywhere(browser);
-  }
-
-  private static String text(Path file) {
-    try {
-      return Files.readString(file);
-    } catch (IOException e) {
-      throw new java.io.UncheckedIOException(e);
-    }
   }
 }

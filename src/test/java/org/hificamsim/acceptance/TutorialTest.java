@@ -68,7 +68,7 @@ class TutorialTest {
     Process process = shell.redirectError(folder.resolve("errors").toFile()).start();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(
-        0, process.waitFor(), () -> command + "\n" + said + text(folder.resolve("errors")));
+        0, process.waitFor(), () -> command + "\n" + said + Cli.text(folder.resolve("errors")));
     if (!shown.isBlank()) {
       assertTrue(pattern(shown).matcher(said).matches(), () -> command + "\n" + said);
     }
@@ -103,13 +103,5 @@ class TutorialTest {
     return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
         .map(entry -> Path.of(entry).toAbsolutePath().toString())
         .collect(joining(File.pathSeparator));
-  }
-
-  private static String text(Path file) {
-    try {
-      return Files.readString(file);
-    } catch (IOException e) {
-      throw new java.io.UncheckedIOException(e);
-    }
   }
 }

@@ -175,26 +175,16 @@ class ResultFilesTest {
             "policy-a.onnx",
             "ro-crate-metadata.json",
             "scenario-a.xml"),
-        names());
+        RunFolderTest.names(folder));
     Files.writeString(folder.resolve(ResultFolder.CRATE), "no JSON");
     commit(); // what cannot be read names nothing
-    assertTrue(names().contains("policy-a.onnx"));
+    assertTrue(RunFolderTest.names(folder).contains("policy-a.onnx"));
   }
 
   private void commit() throws IOException {
     try (OutputFolder out = new OutputFolder(folder)) {
       out.write("new", "ours");
       ResultFolder.commit(out, List.of());
-    }
-  }
-
-  private List<String> names() throws IOException {
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .map(file -> file.getFileName().toString())
-          .filter(name -> !name.startsWith(".hificamsim"))
-          .sorted()
-          .toList();
     }
   }
 

@@ -383,7 +383,8 @@ class RunFolderTest {
     return out;
   }
 
-  private static List<String> names(Path out) throws IOException {
+  /** The files of a folder, without what commands keep of it. */
+  static List<String> names(Path out) throws IOException {
     try (Stream<Path> files = Files.list(out)) {
       return files
           .map(file -> file.getFileName().toString())
