@@ -129,14 +129,15 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Dumps the classes of two short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
+# Dumps the classes of three short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
 # Whatever goes wrong here, the command line starts without them.
 archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
     if java=$(run_home) && list_classes run "$root/scenarios/cluster-scripted.xml" --record &&
+        list_classes compare "$root/scenarios/cluster-scripted.xml" --steps 50 --repeat 2 &&
         list_classes tradeoff "$root/scenarios/studies/yard.xml" --steps 100 --repeat 4 &&
-        sed '/ source: /d; s/ id: [0-9]*$//' "$scratch/run" "$scratch/tradeoff" | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
+        sed '/ source: /d; s/ id: [0-9]*$//' "$scratch/run" "$scratch/compare" "$scratch/tradeoff" | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
         "$java/bin/java" -Xshare:dump -Xlog:disable "-XX:SharedClassListFile=$scratch/all" "-XX:SharedArchiveFile=$archive.new" -cp "$lib/*"; then
         mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
     fi >/dev/null 2>&1
