@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
-import org.hificamsim.profiling.lab.Texture;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.hificamsim.runs.Setting;
 import picocli.CommandLine.Command;
@@ -34,9 +33,6 @@ final class LabCommand implements Callable<Integer> {
 
   @Option(names = "--objects", paramLabel = "N")
   private int objects;
-
-  @Option(names = "--texture", paramLabel = "photos|painted")
-  private Texture texture;
 
   @Option(names = "--aperture", paramLabel = "N")
   private double aperture;
@@ -107,7 +103,6 @@ final class LabCommand implements Callable<Integer> {
         focalLengths,
         distances,
         objects,
-        texture,
         new LabSettings.Optics(aperture, focusError, iso, vignetting, distortion),
         new LabSettings.Scene(pose, offset, lighting, clutter));
   }

@@ -12,7 +12,6 @@ import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
-import org.hificamsim.profiling.lab.Texture;
 
 /** A laboratory of a few dozen small photos, which is rendered once. */
 public final class SmallLab {
@@ -29,7 +28,6 @@ public final class SmallLab {
         focalLengths,
         distances,
         objects,
-        Texture.PHOTOS,
         new LabSettings.Optics(5.6, 0.02, 1600, 0.5, 1),
         new LabSettings.Scene(4, 0.08, 0.08, 48));
   }

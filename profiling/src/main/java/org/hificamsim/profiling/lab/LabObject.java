@@ -10,21 +10,19 @@ import java.util.List;
  * @param size width, metres
  * @param aspect height over width
  * @param round an ellipse rather than a rectangle
- * @param pattern what is painted on it
- * @param photo what is on it otherwise
+ * @param photo what is on it
  */
-record LabObject(
-    String name, double size, double aspect, boolean round, Pattern pattern, String photo) {
+record LabObject(String name, double size, double aspect, boolean round, String photo) {
   static final List<LabObject> ALL =
       List.of(
-          new LabObject("matchbox", 0.10, 0.9, false, Pattern.LABELS, "coffee"),
-          new LabObject("tin", 0.12, 1.0, false, Pattern.PRINT, "coins"),
-          new LabObject("puzzle", 0.16, 0.95, false, Pattern.MOSAIC, "china"),
-          new LabObject("ball", 0.22, 1.0, true, Pattern.BALL, "hubble_deep_field"),
-          new LabObject("circuit", 0.30, 0.9, false, Pattern.CIRCUIT, "rocket"),
-          new LabObject("cushion", 0.40, 1.0, false, Pattern.CAMOUFLAGE, "chelsea"),
-          new LabObject("tray", 0.52, 1.0, true, Pattern.DOTS, "raccoon"),
-          new LabObject("poster", 0.66, 0.95, false, Pattern.POSTER, "astronaut"));
+          new LabObject("matchbox", 0.10, 0.9, false, "coffee"),
+          new LabObject("tin", 0.12, 1.0, false, "coins"),
+          new LabObject("puzzle", 0.16, 0.95, false, "china"),
+          new LabObject("ball", 0.22, 1.0, true, "hubble_deep_field"),
+          new LabObject("circuit", 0.30, 0.9, false, "rocket"),
+          new LabObject("cushion", 0.40, 1.0, false, "chelsea"),
+          new LabObject("tray", 0.52, 1.0, true, "raccoon"),
+          new LabObject("poster", 0.66, 0.95, false, "astronaut"));
 
   /** The size q of thesis 3.5, metres: the root of width times height. */
   double q() {

@@ -12,7 +12,6 @@ import java.util.List;
  * @param focalLengths metres
  * @param distances metres, from the camera to the object's centre
  * @param objects how many of the eight objects, from the smallest
- * @param texture what is on the objects and behind them
  * @param optics the lens and the sensor
  * @param scene what stands around the object and how it is held and lit
  */
@@ -22,7 +21,6 @@ public record LabSettings(
     List<Double> focalLengths,
     List<Double> distances,
     int objects,
-    Texture texture,
     @JsonUnwrapped Optics optics,
     @JsonUnwrapped Scene scene) {
   /**

@@ -48,10 +48,9 @@ public final class Laboratory {
     SplittableRandom random = new SplittableRandom(settings.seed());
     try (OutputFolder out = new OutputFolder(folder);
         Mats mats = new Mats();
-        Surfaces surfaces = settings.texture().surfaces();
+        PhotoSurfaces surfaces = new PhotoSurfaces();
         Room room = Room.furnished(surfaces, settings.scene().clutter(), random.split())) {
-      Photographer photographer =
-          new Photographer(settings, room, textures(surfaces, mats, random));
+      Photographer photographer = new Photographer(settings, room, textures(surfaces, mats));
       out.claim(List.of(Dataset.TABLE, Dataset.CAMERA));
       LabFolder files = new LabFolder(out);
       Parallel.map(
@@ -74,11 +73,11 @@ public final class Laboratory {
     }
   }
 
-  private Map<LabObject, Mat> textures(Surfaces surfaces, Mats mats, SplittableRandom random) {
+  private Map<LabObject, Mat> textures(PhotoSurfaces surfaces, Mats mats) {
     int side = (int) Math.max(64, 1.2 * Sensor.scaled(settings.scale()).height());
     Map<LabObject, Mat> textures = new LinkedHashMap<>();
     for (LabObject object : settings.photographed()) {
-      textures.put(object, mats.own(surfaces.target(object, side, random.split())));
+      textures.put(object, mats.own(surfaces.target(object, side)));
     }
     return textures;
   }

@@ -16,10 +16,11 @@ import org.opencv.imgcodecs.Imgcodecs;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * Photographs (with a list of their sources). Each object has one of its own; things and the wall
- * have random parts of others, so that nothing behind an object is a part of it.
+ * Where the textures come from: photographs (with a list of their sources). Each object has one of
+ * its own; things and the wall have random parts of others, so that nothing behind an object is a
+ * part of it. Textures are square, 8 bits, BGR.
  */
-final class PhotoSurfaces implements Surfaces {
+final class PhotoSurfaces implements AutoCloseable {
   private static final List<String> BACKGROUNDS =
       List.of("ascent", "brick", "camera", "flower", "grass", "gravel", "retina");
   private static final double TILE_WIDTH = 5.2;
@@ -36,21 +37,23 @@ final class PhotoSurfaces implements Surfaces {
     BACKGROUNDS.forEach(name -> backgrounds.add(mats.own(read("backgrounds/" + name))));
   }
 
-  @Override
-  public Mat target(LabObject object, int side, RandomGenerator random) {
+  /** What is on an object; the caller releases it. */
+  Mat target(LabObject object, int side) {
     try (Mats whole = new Mats()) {
       return resized(whole.own(read("targets/" + object.photo())), side);
     }
   }
 
-  @Override
-  public Mat thing(int index, int side, RandomGenerator random) {
+  /** What is on a thing in the room; the caller releases it. */
+  Mat thing(int index, int side, RandomGenerator random) {
     return part(backgrounds.get(index % backgrounds.size()), side, random);
   }
 
-  /** Parts of photographs side by side, from corner to corner of the widest view. */
-  @Override
-  public List<Board> wall(double distance, RandomGenerator random) {
+  /**
+   * What covers the far wall, at this distance (metres): parts of photographs side by side, from
+   * corner to corner of the widest view.
+   */
+  List<Board> wall(double distance, RandomGenerator random) {
     List<Mat> parts = new ArrayList<>();
     for (int i = 0; i < WALL_PARTS; i++) {
       parts.add(mats.own(thing(i, WALL_SIDE, random)));

@@ -26,7 +26,7 @@ final class Room implements AutoCloseable {
   }
 
   /** A room with this many things; without any, its wall is bare. */
-  static Room furnished(Surfaces surfaces, int things, RandomGenerator random) {
+  static Room furnished(PhotoSurfaces surfaces, int things, RandomGenerator random) {
     Backdrop wall = new Backdrop(WALL, random.nextLong());
     List<Board> boards = new ArrayList<>();
     for (int i = 0; i < things; i++) {
@@ -40,7 +40,7 @@ final class Room implements AutoCloseable {
   }
 
   /** Every other thing hangs on the wall; the rest stand about, off the middle. */
-  private static Board thing(Surfaces surfaces, int index, RandomGenerator random) {
+  private static Board thing(PhotoSurfaces surfaces, int index, RandomGenerator random) {
     Mat texture = surfaces.thing(index, TEXTURE_SIDE, random);
     boolean hangs = index % 2 == 0;
     double distance = hangs ? WALL - 0.05 : random.nextDouble(2, WALL - 0.5);

@@ -90,26 +90,8 @@ class LaboratoryTest {
         lengths,
         distances,
         objects,
-        Texture.PHOTOS,
         new LabSettings.Optics(0, 0, 0, 0, 0),
         new LabSettings.Scene(0, 0, lighting, 0));
-  }
-
-  @Test
-  void photographsAndPaintedShapesDiffer() throws IOException {
-    for (Texture texture : Texture.values()) {
-      LabSettings one =
-          new LabSettings(
-              3, 0.05, List.of(0.050), List.of(4.0), 1, texture, SMALL.optics(), SMALL.scene());
-      new Laboratory(one).render(folder.resolve(texture.word()), 1, () -> {});
-    }
-    Path image = Path.of("images", "matchbox-50mm-04.0m.jpg");
-    assertFalse(
-        java.util.Arrays.equals(
-            Files.readAllBytes(folder.resolve("photos").resolve(image)),
-            Files.readAllBytes(folder.resolve("painted").resolve(image))));
-    String settings = Files.readString(folder.resolve("painted/lab.json"));
-    assertTrue(settings.contains("\"texture\": \"painted\""), settings);
   }
 
   @Test
@@ -122,7 +104,7 @@ class LaboratoryTest {
       assertTrue(sources.contains("| " + object.photo() + ".jpg | "), object.photo());
     }
     try (Mats mats = new Mats();
-        Surfaces photos = Texture.PHOTOS.surfaces()) {
+        PhotoSurfaces photos = new PhotoSurfaces()) {
       for (int i = 0; i < 7; i++) {
         Mat thing = mats.own(photos.thing(i, 64, new SplittableRandom(i)));
         assertEquals(64, thing.cols());
