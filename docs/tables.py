@@ -4,6 +4,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import statistics
 import sys
 
@@ -396,6 +397,36 @@ def placement(*folders):
     put("placement", ["site", "cameras", "reading", "met by its own", "by the plan", "by none more than", "gap"], lines)
 
 
+def short(text, digits):
+    return f"{number(text):.{digits}f}".replace("0.", ".", 1)
+
+
+def benchmark(folder):
+    """The leaderboard: a folder of `benchmark leaderboard`."""
+    lines = {}
+    for row in rows(folder, "leaderboard.csv"):
+        line = lines.setdefault(row["name"], {})
+        if row["statistic"] == "IQM":
+            line["IQM"] = f"{short(row['value'], 3)} [{short(row['low'], 3)}, {short(row['high'], 3)}]"
+        elif row["task"]:
+            line[row["task"].removesuffix("-v1")] = short(row["value"], 2)
+    header = list(dict.fromkeys(column for line in lines.values() for column in line))
+    put("benchmark", ["policy", *header], [[name, *(line.get(c, DASH) for c in header)] for name, line in lines.items()])
+
+
+def trained(*files):
+    """How much more or less trained policies score in testing than in training: what python/examples/mappo.py printed."""
+    lines, tasks = {}, []
+    for file in files:
+        for method, task, training, testing in re.findall(
+            r"(\w+) (\S+)-v1: score of a step (\S+) in training, (\S+) in testing", pathlib.Path(file).read_text()
+        ):
+            change = 100 * (number(testing) / number(training) - 1)
+            lines.setdefault(method.upper(), {})[task] = f"{change:+.0f} %"
+            tasks += [] if task in tasks else [task]
+    put("trained", ["", *tasks], [[name, *(line.get(task, DASH) for task in tasks)] for name, line in lines.items()])
+
+
 if __name__ == "__main__":
-    parts = (reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
+    parts = (benchmark, trained, reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])

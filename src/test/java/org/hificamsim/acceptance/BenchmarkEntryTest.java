@@ -240,6 +240,17 @@ class BenchmarkEntryTest {
   }
 
   @Test
+  void arenaOfMateIsPlayed() {
+    Cli cli = Cli.run("benchmark", "arena", "--episodes", 2, "--seed", 5);
+    assertEquals(0, cli.exit(), cli.err());
+    assertTrue(cli.out().matches("coverage  0\\.[\\s\\S]*transport 0\\.[\\s\\S]*steps [\\s\\S]*"));
+    assertEquals(cli.out(), Cli.run("benchmark", "arena", "--episodes", 2, "--seed", 5).out());
+    Cli none = Cli.run("benchmark", "arena", "--episodes", 0);
+    assertEquals(2, none.exit());
+    assertTrue(none.err().contains("--episodes is 0, expected a whole number from 1"), none.err());
+  }
+
+  @Test
   void wrongWordsAreRefused() {
     for (List<String> words :
         List.of(

@@ -10,6 +10,7 @@ import picocli.CommandLine.Command;
       EntryCommand.class,
       EntryCheckCommand.class,
       LeaderboardCommand.class,
-      ReplayCommand.class
+      ReplayCommand.class,
+      ArenaCommand.class
     })
 final class BenchmarkCommand {}

@@ -1,2 +1,2 @@
-/** Recorded episodes of MATE, the multi-agent tracking environment. */
+/** MATE, the multi-agent tracking environment: recorded episodes, and its arena. */
 package org.hificamsim.tracks.mate;

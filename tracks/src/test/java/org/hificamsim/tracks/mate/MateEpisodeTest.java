@@ -1,4 +1,4 @@
-package org.hificamsim.tracks;
+package org.hificamsim.tracks.mate;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Reference;
-import org.hificamsim.tracks.mate.MateEpisode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
