@@ -51,6 +51,7 @@ public final class FigureFile {
   private static void loadLoops() {
     Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
     ground(graphics, 1, 1);
+    graphics.setFont(Fonts.TEXT);
     graphics.drawString("a", 0, 1);
     graphics.dispose();
   }
