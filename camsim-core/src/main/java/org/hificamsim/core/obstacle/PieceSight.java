@@ -47,12 +47,6 @@ final class PieceSight {
     this.atY = atY;
   }
 
-  /** A squared distance that no point of the piece is nearer than. */
-  double nearest(int piece) {
-    place(piece);
-    return Math.max(0, pillar ? pillarNear : square(foot(0, 1)) - slack);
-  }
-
   private void place(int piece) {
     double radius = pieces.radius[piece];
     pillar = radius > 0;

@@ -14,7 +14,6 @@ final class RegionSweep {
   private final Obstacles obstacles;
   private final Pieces pieces;
   private final PieceSight sight;
-  private final double reachSquare;
   private final int sectors;
   private final float[] limits;
   private final int[] ends;
@@ -26,12 +25,11 @@ final class RegionSweep {
   private int[] notePiece = new int[256];
   private float[] noteNear = new float[256];
 
-  RegionSweep(Obstacles obstacles, double x, double y, double reach) {
+  RegionSweep(Obstacles obstacles, double x, double y) {
     this.obstacles = obstacles;
     this.pieces = obstacles.pieces();
-    this.reachSquare = Math.nextUp(reach * reach * (1 + 1e-9));
     this.sight = new PieceSight(pieces, x, y);
-    this.sectors = sectors(near());
+    this.sectors = sectors(pieces.count());
     this.limits = new float[sectors * VisibleRegion.LIMITS];
     this.ends = new int[sectors + 1];
     Arrays.fill(limits, Float.POSITIVE_INFINITY);
@@ -63,17 +61,9 @@ final class RegionSweep {
     return met < 0;
   }
 
-  private int near() {
-    int near = 0;
-    for (int piece = 0; piece < pieces.count(); piece++) {
-      near += sight.nearest(piece) <= reachSquare ? 1 : 0;
-    }
-    return near;
-  }
-
-  private static int sectors(int near) {
-    int wanted = Integer.highestOneBit(Math.max(1, near)) * 8;
-    return near == 0 ? 1 : Math.max(MIN_SECTORS, Math.min(MAX_SECTORS, wanted));
+  private static int sectors(int pieces) {
+    int wanted = Integer.highestOneBit(Math.max(1, pieces)) * 8;
+    return pieces == 0 ? 1 : Math.max(MIN_SECTORS, Math.min(MAX_SECTORS, wanted));
   }
 
   private void noteAll(double x, double y) {
@@ -81,7 +71,9 @@ final class RegionSweep {
       if (obstacles.all().get(i).contains(x, y)) {
         noteStandpoint(i);
       } else {
-        noteOutside(i);
+        for (int piece = pieces.first[i]; piece < pieces.first[i + 1]; piece++) {
+          see(piece);
+        }
       }
     }
   }
@@ -92,14 +84,6 @@ final class RegionSweep {
       note(sector, ~piece, -1);
       if (pieces.hides(piece)) {
         lower(sector, VisibleRegion.HIDDEN, -1);
-      }
-    }
-  }
-
-  private void noteOutside(int obstacle) {
-    for (int piece = pieces.first[obstacle]; piece < pieces.first[obstacle + 1]; piece++) {
-      if (sight.nearest(piece) <= reachSquare) {
-        see(piece);
       }
     }
   }
@@ -118,9 +102,6 @@ final class RegionSweep {
   }
 
   private void note(int sector, int piece, float near) {
-    if (near > reachSquare) {
-      return;
-    }
     if (notes == noteSector.length) {
       noteSector = Arrays.copyOf(noteSector, 2 * notes);
       notePiece = Arrays.copyOf(notePiece, 2 * notes);

@@ -1,7 +1,5 @@
 package org.hificamsim.core.obstacle;
 
-import java.util.List;
-
 /**
  * What can be seen from one standpoint past obstacles that do not move: the same answers as {@link
  * Obstacles} gives, to the bit, from a look-up by direction. Made once for a standpoint, by a sweep
@@ -22,19 +20,19 @@ public final class VisibleRegion {
   /** How many limits a sector has. */
   static final int LIMITS = 2;
 
-  final double atX;
-  final double atY;
-  final Pieces pieces;
+  private final double atX;
+  private final double atY;
+  private final Pieces pieces;
   private final Obstacles obstacles;
   private final double sectorsPerMeasure;
   private final int lastSector;
   private final float[] limits;
 
   /** By sector: where what is met in it begins; one more is the end of the last. */
-  final int[] ends;
+  private final int[] ends;
 
   /** What is met, see {@link RegionSweep}. */
-  final int[] met;
+  private final int[] met;
 
   private VisibleRegion(Obstacles obstacles, double x, double y, RegionSweep sweep) {
     this.obstacles = obstacles;
@@ -50,17 +48,7 @@ public final class VisibleRegion {
 
   /** The region seen from a point. */
   public static VisibleRegion of(Obstacles obstacles, double x, double y) {
-    return of(obstacles, x, y, Double.POSITIVE_INFINITY);
-  }
-
-  /**
-   * The same for those who ask for points within a reach alone: what is farther away is left out,
-   * and what is said of points beyond means nothing.
-   *
-   * @param reach metres, 0 or more
-   */
-  public static VisibleRegion of(Obstacles obstacles, double x, double y, double reach) {
-    return new VisibleRegion(obstacles, x, y, new RegionSweep(obstacles, x, y, reach));
+    return new VisibleRegion(obstacles, x, y, new RegionSweep(obstacles, x, y));
   }
 
   /** Whether the region is seen from this very point. */
@@ -112,19 +100,7 @@ public final class VisibleRegion {
   }
 
   /** The sector of a direction; the first where there is none. */
-  int sector(double dx, double dy) {
+  private int sector(double dx, double dy) {
     return (int) (Sector.measure(dx, dy) * sectorsPerMeasure) & lastSector;
-  }
-
-  /**
-   * The region's border as a polygon around the standpoint, counterclockwise, for drawing: near
-   * enough for the eye, not exact. What dims alone casts no shadow.
-   *
-   * @param reach metres, above 0: what ends the region where nothing blocks; not beyond the reach
-   *     that the region was made for
-   * @return empty where the standpoint touches something solid
-   */
-  public List<Point> polygon(double reach) {
-    return limits[HIDDEN] < 0 ? List.of() : new Outline(this, reach).points();
   }
 }

@@ -53,19 +53,14 @@ public record Pose(double x, double y, double heading, double headingX, double h
     return (atX - x) * headingY - (atY - y) * headingX;
   }
 
-  /** The cosine of {@link #offAxis}, as computed; NaN for the pose's own position. */
-  public double cosine(double atX, double atY) {
-    double dx = atX - x;
-    double dy = atY - y;
-    double length = Math.sqrt(dx * dx + dy * dy);
-    return headingX * (dx / length) + headingY * (dy / length);
-  }
-
   /**
    * The angle between the heading and a point, radians, computed as CamSim does; NaN for the pose's
    * own position, or where rounding takes the cosine past 1.
    */
   public double offAxis(double atX, double atY) {
-    return ArcCosine.of(cosine(atX, atY));
+    double dx = atX - x;
+    double dy = atY - y;
+    double length = Math.sqrt(dx * dx + dy * dy);
+    return StrictMath.acos(headingX * (dx / length) + headingY * (dy / length));
   }
 }

@@ -147,7 +147,7 @@ class ObservedNetworkTest {
   @Test
   void aModelThatDecidesRightAtTheAngleIsAskedForTheAngleItself() {
     World world = new TestScenario().camera(0, 0).target(1, 2).world();
-    double angle = Math.acos(world.cameras().pose(0).cosine(1, 2));
+    double angle = world.cameras().pose(0).offAxis(1, 2);
     DetectionModel aside =
         new DetectionModel() {
           @Override

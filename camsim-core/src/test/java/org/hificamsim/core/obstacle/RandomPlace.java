@@ -43,10 +43,6 @@ final class RandomPlace {
     return new RandomPlace(seed, 2, 0);
   }
 
-  SplittableRandom random() {
-    return random;
-  }
-
   double coordinate() {
     return scale * unscaled();
   }

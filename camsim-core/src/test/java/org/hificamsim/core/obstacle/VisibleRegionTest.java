@@ -33,21 +33,6 @@ class VisibleRegionTest {
     assertSame(obstacles, region, at, at);
   }
 
-  @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
-  void answersAsTheObstaclesDoWithinItsReach(@ForAll long seed) {
-    RandomPlace place = new RandomPlace(seed);
-    Obstacles obstacles = place.obstacles(20, false);
-    Point at = place.point();
-    double reach = place.random().nextInt(1, 6);
-    VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y(), reach);
-    for (int i = 0; i < 200; i++) {
-      Point target = place.target(obstacles, at);
-      if (Math.hypot(target.x() - at.x(), target.y() - at.y()) <= reach) {
-        assertSame(obstacles, region, at, target);
-      }
-    }
-  }
-
   private static void assertSame(
       Obstacles obstacles, VisibleRegion region, Point at, Point target) {
     assertEquals(
