@@ -75,14 +75,13 @@ public final class CoverSearch {
     double before = duals.bound();
     int[] open = duals.open(score, best);
     if (open.length > 2 * KERNEL) {
-      exactly(
-          duals.kernel(KERNEL, best),
-          before,
-          effort.kernel(),
-          (its, any) -> watcher.improved(its, before));
+      exactly(duals.kernel(KERNEL, best), before, effort, effort.most());
+      watcher.improved(score, before);
       open = duals.open(score, best);
     }
-    double bound = goal.tightened(exactly(open, before, effort, watcher), goal.quantum(instance));
+    double bound =
+        goal.tightened(exactly(open, before, effort, effort.stop()), goal.quantum(instance));
+    watcher.improved(score, bound);
     boolean passed = goal.isAll() ? bound > score : bound < score;
     if (passed && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
       throw new IllegalStateException("a plan scores " + score + " beyond its bound " + bound);
@@ -91,18 +90,10 @@ public final class CoverSearch {
   }
 
   /** Solves for these candidates alone, which the best plan is among; returns the bound. */
-  private double exactly(int[] open, double bound, Effort effort, Watcher watcher) {
+  private double exactly(int[] open, double bound, Effort effort, BooleanSupplier enough) {
+    int[] start = Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray();
     ExactMethod.Found found =
-        effort
-            .exact()
-            .orElseThrow()
-            .solve(
-                instance.with(open),
-                goal,
-                Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray(),
-                bound,
-                effort.stop(),
-                watcher);
+        effort.exact().orElseThrow().solve(instance.with(open), goal, start, bound, enough);
     keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
     return found.bound();
   }

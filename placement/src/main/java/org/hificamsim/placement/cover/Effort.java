@@ -23,11 +23,6 @@ public record Effort(
     return new Effort(seed, rounds, Optional.empty(), stop, stop, stop);
   }
 
-  /** The same until {@code most}. */
-  Effort kernel() {
-    return new Effort(seed, rounds, exact, enough, most, most);
-  }
-
   boolean isEnough() {
     return stop.getAsBoolean() || (exact.isPresent() && enough.getAsBoolean());
   }

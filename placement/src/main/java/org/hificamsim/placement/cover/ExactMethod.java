@@ -20,13 +20,7 @@ public interface ExactMethod {
    * @param start a plan that is allowed; where everything is to be seen, it sees everything
    * @param bound what is known already
    */
-  Found solve(
-      CoverInstance instance,
-      Goal goal,
-      int[] start,
-      double bound,
-      BooleanSupplier stop,
-      CoverSearch.Watcher watcher);
+  Found solve(CoverInstance instance, Goal goal, int[] start, double bound, BooleanSupplier stop);
 
   /**
    * The method on the class path.

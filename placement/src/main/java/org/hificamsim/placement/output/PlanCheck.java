@@ -173,9 +173,7 @@ public final class PlanCheck {
   private String proven(CoverInstance left, Goal goal, double bound) {
     CoverPlan again = CoverSearch.solve(left, goal, Effort.of(1, 0, () -> true), (a, b) -> {});
     ExactMethod.Found found =
-        exact
-            .orElseThrow()
-            .solve(left, goal, again.chosen(), again.bound(), stop, (score, its) -> {});
+        exact.orElseThrow().solve(left, goal, again.chosen(), again.bound(), stop);
     double best = goal.score(left, found.chosen());
     requireNoBetter("bound", bound, best, "of a plan that is better", goal);
     double margin = MARGIN * Math.max(1, Math.abs(bound));
