@@ -19,108 +19,99 @@ public final class ReproductionFiles {
   /** A row per scenario and model. */
   public static final Table<Adapting> ADAPTING =
       Table.<Adapting>of("adapting.csv")
-          .with(
-              Column.ofText("scenario", "its name", Adapting::scenario),
-              Column.ofText("detection", "the detection's name", Adapting::detection),
-              Column.ofLong(
-                  "optimum",
-                  "cameras x steps",
-                  "performance of `optimal`, summed over the seeds",
-                  Adapting::optimum),
-              Column.ofLong("fixed", "cameras x steps", "the same of `fixed:2`", Adapting::fixed),
-              Column.ofDouble(
-                  "value_of_adapting", "ratio", "the one over the other", Adapting::value),
-              Column.ofText(
-                  "same_every_step",
-                  "`true` or `false`: the same k_min at each step",
-                  one -> "" + one.sameEveryStep()));
+          .texts("scenario", "its name", Adapting::scenario)
+          .texts("detection", "the detection's name", Adapting::detection)
+          .longs(
+              "optimum",
+              "cameras x steps",
+              "performance of `optimal`, summed over the seeds",
+              Adapting::optimum)
+          .longs("fixed", "cameras x steps", "the same of `fixed:2`", Adapting::fixed)
+          .doubles("value_of_adapting", "ratio", "the one over the other", Adapting::value)
+          .texts(
+              "same_every_step",
+              "`true` or `false`: the same k_min at each step",
+              one -> "" + one.sameEveryStep());
 
   /** A row per cell of Table 8.1. */
   public static final Table<Table81.Cell> CELLS =
       Table.<Table81.Cell>of("table-8.1.csv")
-          .with(
-              Column.ofText("layout", "the cell's row", cell -> cell.published().layout().label()),
-              Column.ofText("policy", "the cell's row", cell -> cell.published().policy()),
-              Column.ofText("detection", "the cell's column", cell -> cell.published().detection()),
-              Column.ofDouble(
-                  "published",
-                  "share",
-                  "the thesis's proportion of the greedy performance",
-                  cell -> cell.published().proportion()))
-          .with(
-              Column.ofEstimate(
-                  "proportion",
-                  "low",
-                  "high",
-                  "share",
-                  "ours: a ratio of sums over the random and the scripted scenario",
-                  Table81.Cell::ours))
-          .with(
-              Column.ofDouble(
-                  "difference", "share", "ours minus the published", Table81.Cell::difference),
-              Column.ofText(
-                  "verdict",
-                  "`reproduced`, `within interval` or `not reproduced`"
-                      + " ([rules](reproduction.md#verdicts))",
-                  cell -> cell.verdict().label()),
-              reading(Reading.HIFI_OPTIMUM),
-              reading(Reading.HIFI_OPTIMUM_AT_45),
-              reading(Reading.EXPLORE_ANY),
-              reading(Reading.SCRIPT_AT_ORIGIN),
-              reading(Reading.EQ_62).later(),
-              Column.<Table81.Cell>ofText("role", ROLE, cell -> cell.role().label()).later(),
-              reading(Reading.ONE_HOP_GREEDY).later(),
-              reading(Reading.SIGN_REWARD).later(),
-              reading(Reading.LITERAL_REWARD).later());
+          .texts("layout", "the cell's row", cell -> cell.published().layout().label())
+          .texts("policy", "the cell's row", cell -> cell.published().policy())
+          .texts("detection", "the cell's column", cell -> cell.published().detection())
+          .doubles(
+              "published",
+              "share",
+              "the thesis's proportion of the greedy performance",
+              cell -> cell.published().proportion())
+          .estimates(
+              "proportion",
+              "",
+              "share",
+              "ours: a ratio of sums over the random and the scripted scenario",
+              Table81.Cell::ours)
+          .doubles("difference", "share", "ours minus the published", Table81.Cell::difference)
+          .texts(
+              "verdict",
+              "`reproduced`, `within interval` or `not reproduced`"
+                  + " ([rules](reproduction.md#verdicts))",
+              cell -> cell.verdict().label())
+          .with(reading(Reading.HIFI_OPTIMUM))
+          .with(reading(Reading.HIFI_OPTIMUM_AT_45))
+          .with(reading(Reading.EXPLORE_ANY))
+          .with(reading(Reading.SCRIPT_AT_ORIGIN))
+          .with(reading(Reading.EQ_62))
+          .later()
+          .texts("role", ROLE, cell -> cell.role().label())
+          .later()
+          .with(reading(Reading.ONE_HOP_GREEDY))
+          .later()
+          .with(reading(Reading.SIGN_REWARD))
+          .later()
+          .with(reading(Reading.LITERAL_REWARD))
+          .later();
 
   /** A row per reading and detection model. */
   public static final Table<Distance> READINGS =
       Table.<Distance>of("readings.csv")
-          .with(
-              Column.ofText(
-                  "reading",
-                  "`default`, or the column of `table-8.1.csv` whose cells stand in place of ours"
-                      + " where it has any",
-                  Distance::label),
-              Column.ofText(
-                  "detection",
-                  "whose nine cells these are: `hi-fi` or `CamSim`",
-                  one -> one.hifi() ? "hi-fi" : "CamSim"),
-              Column.ofDouble(
-                  "distance",
-                  "share",
-                  "the mean distance from the published cells",
-                  Distance::mean),
-              Column.ofLong("within", "cells", "how many are at most 0.05 away", Distance::within),
-              Column.ofInt("steps", "steps", "of each run", Distance::steps),
-              Column.ofInt("seeds", "", "how many", Distance::seeds));
+          .texts(
+              "reading",
+              "`default`, or the column of `table-8.1.csv` whose cells stand in place of ours where"
+                  + " it has any",
+              Distance::label)
+          .texts(
+              "detection",
+              "whose nine cells these are: `hi-fi` or `CamSim`",
+              one -> one.hifi() ? "hi-fi" : "CamSim")
+          .doubles(
+              "distance", "share", "the mean distance from the published cells", Distance::mean)
+          .longs("within", "cells", "how many are at most 0.05 away", Distance::within)
+          .ints("steps", "steps", "of each run", Distance::steps)
+          .ints("seeds", "", "how many", Distance::seeds);
 
   /** A row per cell and per statement of the text. */
   public static final Table<Judged> VERDICTS =
       Table.<Judged>of("verdicts.csv")
-          .with(
-              Column.ofText("kind", "`cell` or `statement`", Judged::kind),
-              Column.ofText("id", "its name", Judged::id),
-              Column.ofText(
-                  "source",
-                  "the thesis's section, table or figure; of `tradeoff` the papers",
-                  Judged::source),
-              Column.ofText("claim", "what it says", Judged::text),
-              Column.ofDouble("published", "share", "cells only", Judged::published))
-          .with(
-              Column.ofEstimate(
-                  "value",
-                  "low",
-                  "high",
-                  "",
-                  "a cell's proportion; a statement's weakest margin, in that margin's unit",
-                  Judged::value))
-          .with(
-              Column.ofInt("checks", "", "how many margins there are", Judged::checks),
-              Column.ofInt("checks_held", "", "how many of them are above 0", Judged::held),
-              Column.ofText("verdict", "as above", one -> one.verdict().label()),
-              Column.ofText("why", "the reason for it", Judged::reason),
-              Column.<Judged>ofText("role", ROLE, one -> one.role().label()).later());
+          .texts("kind", "`cell` or `statement`", Judged::kind)
+          .texts("id", "its name", Judged::id)
+          .texts(
+              "source",
+              "the thesis's section, table or figure; of `tradeoff` the papers",
+              Judged::source)
+          .texts("claim", "what it says", Judged::text)
+          .doubles("published", "share", "cells only", Judged::published)
+          .estimates(
+              "value",
+              "",
+              "",
+              "a cell's proportion; a statement's weakest margin, in that margin's unit",
+              Judged::value)
+          .ints("checks", "", "how many margins there are", Judged::checks)
+          .ints("checks_held", "", "how many of them are above 0", Judged::held)
+          .texts("verdict", "as above", one -> one.verdict().label())
+          .texts("why", "the reason for it", Judged::reason)
+          .texts("role", ROLE, one -> one.role().label())
+          .later();
 
   private ReproductionFiles() {}
 

@@ -42,20 +42,21 @@ public final class StudyFiles {
   public record SetFront(StudyGroup group, Members members) {}
 
   private static final List<Column<StudyPlan>> NETWORK =
-      List.of(
-          Column.<StudyPlan>ofText(
-                  "kind",
-                  "of `tradeoff` alone, as all that follows: `homogeneous`, `heterogeneous` or"
-                      + " `bandit`",
-                  plan -> Spelling.of(plan.kind()))
-              .later(),
-          Column.<StudyPlan>ofText(
-                  "network",
-                  "schedule and policy of all cameras or of each, `A0-P2`: Active, Passive,"
-                      + " HistActive or HistPassive with 0 Broadcast, 1 Smooth, 2 Step, 3 Fix; of"
-                      + " bandits name and alpha, `UCB1@0.5`",
-                  StudyPlan::label)
-              .later());
+      Table.<StudyPlan>of("")
+          .texts(
+              "kind",
+              "of `tradeoff` alone, as all that follows: `homogeneous`, `heterogeneous` or"
+                  + " `bandit`",
+              plan -> Spelling.of(plan.kind()))
+          .later()
+          .texts(
+              "network",
+              "schedule and policy of all cameras or of each, `A0-P2`: Active, Passive,"
+                  + " HistActive or HistPassive with 0 Broadcast, 1 Smooth, 2 Step, 3 Fix; of"
+                  + " bandits name and alpha, `UCB1@0.5`",
+              StudyPlan::label)
+          .later()
+          .columns();
 
   private static final List<String> IN_RESULTS =
       ComparisonFiles.RESULTS.columns().stream().map(Column::name).toList();
@@ -76,84 +77,65 @@ public final class StudyFiles {
       Table.<Place>of("networks.csv")
           .with(GROUP, row -> row.group.plan())
           .with(NETWORK, Place::of)
-          .with(
-              Column.ofEstimate(
-                  "utility",
-                  "utility_low",
-                  "utility_high",
-                  "",
-                  "the mean over the seeds",
-                  row -> row.group.utility(row.network)))
-          .with(
-              Column.ofEstimate(
-                  "cost",
-                  "cost_low",
-                  "cost_high",
-                  "number",
-                  "messages that arrive; the mean over the seeds",
-                  row -> row.group.cost(row.network)))
-          .with(
-              Column.ofDouble(
-                  "utility_share",
-                  "share",
-                  "of the largest utility of the scenario's networks",
-                  row -> row.group.utilityShare(row.network)),
-              Column.ofDouble(
-                  "cost_share",
-                  "share",
-                  "of the largest cost",
-                  row -> row.group.costShare(row.network)),
-              Column.ofDouble(
-                  "below_front",
-                  "share",
-                  "of the largest utility, that a network of strategies that never change has more"
-                      + " at no more cost; 0 on their front, below 0 beyond it",
-                  row -> row.group.below(row.network)),
-              Column.ofText(
-                  "option", "what `run --network` takes", row -> row.of().plan().network()));
+          .estimates(
+              "utility",
+              "utility_",
+              "",
+              "the mean over the seeds",
+              row -> row.group.utility(row.network))
+          .estimates(
+              "cost",
+              "cost_",
+              "number",
+              "messages that arrive; the mean over the seeds",
+              row -> row.group.cost(row.network))
+          .doubles(
+              "utility_share",
+              "share",
+              "of the largest utility of the scenario's networks",
+              row -> row.group.utilityShare(row.network))
+          .doubles(
+              "cost_share", "share", "of the largest cost", row -> row.group.costShare(row.network))
+          .doubles(
+              "below_front",
+              "share",
+              "of the largest utility, that a network of strategies that never change has more at"
+                  + " no more cost; 0 on their front, below 0 beyond it",
+              row -> row.group.below(row.network))
+          .texts("option", "what `run --network` takes", row -> row.of().plan().network());
 
   /** A row per scenario, detection and set of networks. */
   public static final Table<SetFront> FRONTS =
       Table.<SetFront>of("fronts.csv")
           .with(GROUP, row -> row.group.plan())
-          .with(
-              Column.ofText(
-                  "networks",
-                  "`homogeneous`; `static`, these and the heterogeneous ones; `bandit`; `adaptive`,"
-                      + " homogeneous ones and bandits; `all`",
-                  row -> Spelling.of(row.members)),
-              Column.ofInt("count", "", "how many", row -> row.group.members(row.members).length),
-              Column.ofInt(
-                  "on_front",
-                  "",
-                  "how many none beats",
-                  row -> row.group.front(row.members).length))
-          .with(
-              Column.ofEstimate(
-                  "hypervolume",
-                  "hypervolume_low",
-                  "hypervolume_high",
-                  "share",
-                  "of the rectangle from no utility at the largest cost to the largest utility at"
-                      + " no cost, that the front beats; intervals by the jackknife over seeds",
-                  row -> row.group.hypervolume(row.members)))
-          .with(
-              Column.ofEstimate(
-                  "gain",
-                  "gain_low",
-                  "gain_high",
-                  "share",
-                  "this less that of the homogeneous networks",
-                  row -> row.group.gain(row.members, Members.HOMOGENEOUS)))
-          .with(
-              Column.ofText(
-                  "front",
-                  "the networks on it, by rising cost, up to a hundred",
-                  row ->
-                      Arrays.stream(row.group.front(row.members))
-                          .limit(100)
-                          .mapToObj(i -> row.group.plans().get(i).label())
-                          .collect(Collectors.joining(" "))));
+          .texts(
+              "networks",
+              "`homogeneous`; `static`, these and the heterogeneous ones; `bandit`; `adaptive`,"
+                  + " homogeneous ones and bandits; `all`",
+              row -> Spelling.of(row.members))
+          .ints("count", "", "how many", row -> row.group.members(row.members).length)
+          .ints("on_front", "", "how many none beats", row -> row.group.front(row.members).length)
+          .estimates(
+              "hypervolume",
+              "hypervolume_",
+              "share",
+              "of the rectangle from no utility at the largest cost to the largest utility at no"
+                  + " cost, that the front beats; intervals by the jackknife over seeds",
+              row -> row.group.hypervolume(row.members))
+          .estimates(
+              "gain",
+              "gain_",
+              "share",
+              "this less that of the homogeneous networks",
+              row -> row.group.gain(row.members, Members.HOMOGENEOUS))
+          .texts(
+              "front",
+              "the networks on it, by rising cost, up to a hundred",
+              row ->
+                  Arrays.stream(row.group.front(row.members))
+                      .limit(100)
+                      .mapToObj(i -> row.group.plans().get(i).label())
+                      .collect(Collectors.joining(" ")));
 
   private StudyFiles() {}
 

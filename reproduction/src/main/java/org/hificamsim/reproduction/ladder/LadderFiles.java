@@ -20,7 +20,6 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.RungScores;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.Table;
 
@@ -37,74 +36,58 @@ public final class LadderFiles {
   /** A row per scenario, rung and policy. */
   public static final Table<PolicyRow> POLICIES =
       Table.<PolicyRow>of("ladder.csv")
-          .with(
-              Column.ofText(
-                  "scenario",
-                  "as it was given, also where a rung changes it",
-                  row -> row.place.scenario()),
-              Column.ofText(
-                  "rung",
-                  "its name: that of its detection, unless it changes the scenario",
-                  row -> row.place.rung().name()),
-              Column.ofText("policy", "the zoom policy with its options", PolicyRow::policy))
-          .with(
-              Column.ofEstimate(
-                  "mean_k_min",
-                  "low",
-                  "high",
-                  "cameras",
-                  "the score that the rung predicts",
-                  PolicyRow::score))
-          .with(
-              Column.ofInt(
-                  "rank",
-                  "",
-                  "1 for the best; policies that tie share the better place",
-                  PolicyRow::rank));
+          .texts(
+              "scenario",
+              "as it was given, also where a rung changes it",
+              row -> row.place.scenario())
+          .texts(
+              "rung",
+              "its name: that of its detection, unless it changes the scenario",
+              row -> row.place.rung().name())
+          .texts("policy", "the zoom policy with its options", PolicyRow::policy)
+          .estimates(
+              "mean_k_min", "", "cameras", "the score that the rung predicts", PolicyRow::score)
+          .ints(
+              "rank",
+              "",
+              "1 for the best; policies that tie share the better place",
+              PolicyRow::rank);
 
   /** A row per scenario and rung, then one per rung for all scenarios. */
   public static final Table<RungResult> RUNGS =
       Table.<RungResult>of("rungs.csv")
-          .with(
-              Column.ofText("scenario", "its name; `all` for the mean", RungResult::scenario),
-              Column.ofText("rung", "its name", row -> row.rung().name()),
-              Column.ofDouble(
-                  "optimum",
-                  "cameras",
-                  "mean `k_min` of the exact optimum under the rung; by chance it knows the luck",
-                  row -> row.optimum().mean()))
-          .with(
-              Column.ofEstimate(
-                  "tau",
-                  "tau_low",
-                  "tau_high",
-                  "-1 to 1",
-                  "Kendall's tau-b between the order of the policies under the rung and under the"
-                      + " top one, the last; empty where all tie",
-                  RungResult::tau))
-          .with(
-              Column.ofText(
-                  "chosen",
-                  "the policy with the best score under the rung; several, with a bar between,"
-                      + " where they tie; empty for `all`",
-                  row -> String.join(OR, row.chosen())))
-          .with(
-              Column.ofEstimate(
-                  "regret",
-                  "regret_low",
-                  "regret_high",
-                  "cameras",
-                  "under the top rung, the best policy's score less that of the policy chosen,"
-                      + " paired by seed; the mean over those that tie",
-                  RungResult::regret))
-          .with(
-              Column.ofEstimate(
-                  "share",
-                  "share_low",
-                  "share_high",
-                  "share",
-                  "the same as a share of that best score; empty where it is 0",
-                  RungResult::share));
+          .texts("scenario", "its name; `all` for the mean", RungResult::scenario)
+          .texts("rung", "its name", row -> row.rung().name())
+          .doubles(
+              "optimum",
+              "cameras",
+              "mean `k_min` of the exact optimum under the rung; by chance it knows the luck",
+              row -> row.optimum().mean())
+          .estimates(
+              "tau",
+              "tau_",
+              "-1 to 1",
+              "Kendall's tau-b between the order of the policies under the rung and under the top"
+                  + " one, the last; empty where all tie",
+              RungResult::tau)
+          .texts(
+              "chosen",
+              "the policy with the best score under the rung; several, with a bar between, where"
+                  + " they tie; empty for `all`",
+              row -> String.join(OR, row.chosen()))
+          .estimates(
+              "regret",
+              "regret_",
+              "cameras",
+              "under the top rung, the best policy's score less that of the policy chosen, paired"
+                  + " by seed; the mean over those that tie",
+              RungResult::regret)
+          .estimates(
+              "share",
+              "share_",
+              "share",
+              "the same as a share of that best score; empty where it is 0",
+              RungResult::share);
 
   private final OutputFolder folder;
   private final Ladder ladder;

@@ -7,7 +7,6 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 
 /** The files of a sensitivity study: one table, the pictures, and the findings in words. */
@@ -24,45 +23,39 @@ public final class SensitivityFiles {
   /** A row per parameter, value, layout and policy. */
   public static final Table<Gap> GAPS =
       Table.<Gap>of("sensitivity.csv")
-          .with(
-              Column.ofText("parameter", PARAMETER, gap -> gap.sweep().parameter()),
-              Column.ofText("value", VALUE, gap -> gap.variant().value()),
-              Column.ofText("default", DEFAULT, gap -> "" + gap.variant().standard()),
-              Column.ofText(
-                  "layout",
-                  "`lattice`, `ring`, `cluster`, or `all` for the mean of the three",
-                  Gap::layout),
-              Column.ofText("policy", "the policy without options", Gap::policy),
-              Column.ofDouble(
-                  "proportion_hifi",
-                  "share",
-                  "of the own optimum, as in Table 8.1; empty where that is 0",
-                  gap -> gap.hifi().mean()),
-              Column.ofDouble(
-                  "proportion_camsim", "share", "the same of CamSim", gap -> gap.camsim().mean()))
-          .with(
-              Column.ofEstimate(
-                  "difference", "low", "high", "share", "hi-fi minus CamSim", Gap::difference))
-          .with(
-              Column.ofText(
-                  "finding",
-                  "`underestimates` (whole interval above 0), `overestimates` (below), `open`",
-                  gap -> gap.finding().label()));
+          .texts("parameter", PARAMETER, gap -> gap.sweep().parameter())
+          .texts("value", VALUE, gap -> gap.variant().value())
+          .texts("default", DEFAULT, gap -> "" + gap.variant().standard())
+          .texts(
+              "layout",
+              "`lattice`, `ring`, `cluster`, or `all` for the mean of the three",
+              Gap::layout)
+          .texts("policy", "the policy without options", Gap::policy)
+          .doubles(
+              "proportion_hifi",
+              "share",
+              "of the own optimum, as in Table 8.1; empty where that is 0",
+              gap -> gap.hifi().mean())
+          .doubles("proportion_camsim", "share", "the same of CamSim", gap -> gap.camsim().mean())
+          .estimates("difference", "", "share", "hi-fi minus CamSim", Gap::difference)
+          .texts(
+              "finding",
+              "`underestimates` (whole interval above 0), `overestimates` (below), `open`",
+              gap -> gap.finding().label());
 
   /** A row per value of each parameter that changes a cell of Table 8.1. */
   public static final Table<Fit> FITS =
       Table.<Fit>of("fit.csv")
-          .with(
-              Column.ofText("parameter", "as above", fit -> fit.sweep().parameter()),
-              Column.ofText("value", VALUE, fit -> fit.variant().value()),
-              Column.ofText("default", DEFAULT, fit -> "" + fit.variant().standard()),
-              Column.ofDouble(
-                  "error_hifi",
-                  "share",
-                  "mean distance of the nine cells of the hi-fi model from the published ones, all"
-                      + " else at the default; empty where an optimum is 0",
-                  Fit::hifi),
-              Column.ofDouble("error_camsim", "share", "the same of CamSim's model", Fit::camsim));
+          .texts("parameter", "as above", fit -> fit.sweep().parameter())
+          .texts("value", VALUE, fit -> fit.variant().value())
+          .texts("default", DEFAULT, fit -> "" + fit.variant().standard())
+          .doubles(
+              "error_hifi",
+              "share",
+              "mean distance of the nine cells of the hi-fi model from the published ones, all else"
+                  + " at the default; empty where an optimum is 0",
+              Fit::hifi)
+          .doubles("error_camsim", "share", "the same of CamSim's model", Fit::camsim);
 
   private SensitivityFiles() {}
 

@@ -40,7 +40,6 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 
 /**
@@ -236,15 +235,14 @@ public final class ChannelExperiment {
 
   private static void table(OutputFolder folder, List<Outcome> outcomes) throws IOException {
     Table.<Outcome>of("channel.csv")
-        .with(
-            Column.ofText("policy", "", Outcome::policy),
-            Column.ofText("varied", "", Outcome::key),
-            Column.ofDouble("value", "", "", Outcome::value),
-            Column.ofDouble("share", "", "", one -> rounded(one.share().mean())),
-            Column.ofDouble("low", "", "", one -> rounded(one.share().low())),
-            Column.ofDouble("high", "", "", one -> rounded(one.share().high())),
-            Column.ofDouble("bits", "", "", one -> rounded(one.bits())),
-            Column.ofDouble("dropped", "", "", one -> rounded(one.dropped())))
+        .texts("policy", "", Outcome::policy)
+        .texts("varied", "", Outcome::key)
+        .doubles("value", "", "", Outcome::value)
+        .doubles("share", "", "", one -> rounded(one.share().mean()))
+        .doubles("low", "", "", one -> rounded(one.share().low()))
+        .doubles("high", "", "", one -> rounded(one.share().high()))
+        .doubles("bits", "", "", one -> rounded(one.bits()))
+        .doubles("dropped", "", "", one -> rounded(one.dropped()))
         .write(folder, outcomes.stream());
   }
 

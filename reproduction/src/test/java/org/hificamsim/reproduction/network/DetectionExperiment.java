@@ -26,7 +26,6 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.StackPanel;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 import org.knowm.xchart.CategoryChart;
 
@@ -127,14 +126,13 @@ public final class DetectionExperiment {
 
   private static void table(OutputFolder folder, List<Outcome> outcomes) throws IOException {
     Table.<Outcome>of("camsim-network.csv")
-        .with(
-            Column.ofText("scenario", "", Outcome::scenario),
-            Column.ofText("detection", "", Outcome::detection),
-            Column.ofText("setting", "", Outcome::setting),
-            Column.ofDouble("messages", "", "", Outcome::messages),
-            Column.ofDouble("handovers", "", "", Outcome::handovers),
-            Column.ofDouble("tracked", "", "", one -> rounded(one.tracked())),
-            Column.ofDouble("utility", "", "", one -> rounded(one.utility())))
+        .texts("scenario", "", Outcome::scenario)
+        .texts("detection", "", Outcome::detection)
+        .texts("setting", "", Outcome::setting)
+        .doubles("messages", "", "", Outcome::messages)
+        .doubles("handovers", "", "", Outcome::handovers)
+        .doubles("tracked", "", "", one -> rounded(one.tracked()))
+        .doubles("utility", "", "", one -> rounded(one.utility()))
         .write(folder, outcomes.stream());
   }
 

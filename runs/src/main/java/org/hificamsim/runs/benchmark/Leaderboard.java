@@ -12,7 +12,6 @@ import java.util.stream.Stream;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.statistics.Aggregate;
@@ -25,12 +24,11 @@ public record Leaderboard(Benchmark benchmark, List<BenchmarkEntry> entries) {
 
   private static final Table<Figure> TABLE =
       Table.<Figure>of("leaderboard.csv")
-          .with(
-              Column.ofText("name", "of the entry", row -> row.of.name()),
-              Column.ofText("policy", "the policy with its options", row -> row.of.policy()),
-              Column.ofText("task", "the task; empty for all", Figure::task),
-              Column.ofText("statistic", "mean, or one of all tasks", Figure::statistic))
-          .with(Column.ofEstimate("value", "low", "high", "share", "normalised", Figure::value));
+          .texts("name", "of the entry", row -> row.of.name())
+          .texts("policy", "the policy with its options", row -> row.of.policy())
+          .texts("task", "the task; empty for all", Figure::task)
+          .texts("statistic", "mean, or one of all tasks", Figure::statistic)
+          .estimates("value", "", "share", "normalised", Figure::value);
 
   /** Sorts the entries. */
   public Leaderboard {

@@ -19,9 +19,10 @@ import org.hificamsim.runs.statistics.SignFlips;
 /** The tables over all scenarios of a comparison, and those of pairs of policies. */
 public final class AggregateFiles {
   private static final List<Column<PolicyScores>> POLICY =
-      List.of(
-          Column.ofText("detection", "the detection's name", PolicyScores::detection),
-          Column.ofText("policy", "the zoom policy with its options", PolicyScores::policy));
+      Table.<PolicyScores>of("")
+          .texts("detection", "the detection's name", PolicyScores::detection)
+          .texts("policy", "the zoom policy with its options", PolicyScores::policy)
+          .columns();
   private static final String OTHER = "the policy that it is compared with";
 
   private static final String MEASURE =
@@ -44,83 +45,65 @@ public final class AggregateFiles {
   public static final Table<Statistic> AGGREGATE =
       Table.<Statistic>of("aggregate.csv")
           .with(POLICY, Statistic::of)
-          .with(
-              Column.ofText(
-                  "statistic",
-                  "`iqm`, `optimality_gap`, `mean` or `median`",
-                  row -> row.aggregate.label()),
-              Column.ofInt(
-                  "scenarios", "", "how many have a value", row -> row.of.scores().scenarios()),
-              Column.ofInt("runs", "", "how many have a value", row -> row.of.scores().runs()))
-          .with(Column.ofEstimate("value", "low", "high", "share", "of `metric`", Statistic::value))
-          .with(
-              Column.<Statistic>ofText("metric", MEASURE, row -> row.of.metric().label()).later());
+          .texts(
+              "statistic",
+              "`iqm`, `optimality_gap`, `mean` or `median`",
+              row -> row.aggregate.label())
+          .ints("scenarios", "", "how many have a value", row -> row.of.scores().scenarios())
+          .ints("runs", "", "how many have a value", row -> row.of.scores().runs())
+          .estimates("value", "", "share", "of `metric`", Statistic::value)
+          .texts("metric", MEASURE, row -> row.of.metric().label())
+          .later();
 
   /** A row per detection, policy and tau. */
   public static final Table<Point> PROFILE =
       Table.<Point>of("profile.csv")
           .with(POLICY, Point::of)
-          .with(Column.ofDouble("tau", "share", "0 to 1 in hundredths", Point::tau))
-          .with(
-              Column.ofEstimate(
-                  "share",
-                  "low",
-                  "high",
-                  "share",
-                  "of runs whose proportion of the optimum (`metric` of `aggregate.csv`) is `tau`"
-                      + " or more",
-                  Point::share));
+          .doubles("tau", "share", "0 to 1 in hundredths", Point::tau)
+          .estimates(
+              "share",
+              "",
+              "share",
+              "of runs whose proportion of the optimum (`metric` of `aggregate.csv`) is `tau` or"
+                  + " more",
+              Point::share);
 
   /** A row per detection and pair of policies. */
   public static final Table<Against> IMPROVEMENT =
       Table.<Against>of("improvement.csv")
           .with(POLICY, row -> row.pair.one())
-          .with(
-              Column.ofText("other", OTHER, row -> row.pair.other().policy()),
-              Column.ofInt(
-                  "scenarios",
-                  "",
-                  "how many have a value",
-                  row -> row.pair.one().scores().scenarios()))
-          .with(
-              Column.ofEstimate(
-                  "probability",
-                  "low",
-                  "high",
-                  "probability",
-                  "that a run of `policy` has a higher proportion than a run of `other` in the same"
-                      + " scenario (a tie counts half; the mean over scenarios)",
-                  Against::probability));
+          .texts("other", OTHER, row -> row.pair.other().policy())
+          .ints(
+              "scenarios", "", "how many have a value", row -> row.pair.one().scores().scenarios())
+          .estimates(
+              "probability",
+              "",
+              "probability",
+              "that a run of `policy` has a higher proportion than a run of `other` in the same"
+                  + " scenario (a tie counts half; the mean over scenarios)",
+              Against::probability);
 
   /** A row per scenario, detection and pair of policies. */
   public static final Table<Difference> PAIRS =
       Table.<Difference>of("pairs.csv")
           .with(ComparisonFiles.CASE, row -> row.pair.one().plan())
-          .with(
-              Column.ofText("other", OTHER, row -> row.pair.other().plan().policy()),
-              Column.ofText("metric", MEASURE, row -> row.pair.metric().label()),
-              Column.ofInt("runs", "", "seeds with a value", row -> row.pair.differences().length))
-          .with(
-              Column.ofEstimate(
-                  "difference",
-                  "low",
-                  "high",
-                  "share",
-                  "`policy` minus `other`, paired by seed",
-                  Difference::mean))
-          .with(
-              Column.ofDouble(
-                  "p_value",
-                  "probability",
-                  "two-sided randomization test: each difference might as well have the other sign;"
-                      + " all choices of signs up to 16 seeds, 99,999 drawn ones above",
-                  Difference::p),
-              Column.ofDouble(
-                  "p_holm",
-                  "probability",
-                  "the same after Holm's correction over all rows of the file: below 0.05, not one"
-                      + " false finding in all of it is likely",
-                  Difference::corrected));
+          .texts("other", OTHER, row -> row.pair.other().plan().policy())
+          .texts("metric", MEASURE, row -> row.pair.metric().label())
+          .ints("runs", "", "seeds with a value", row -> row.pair.differences().length)
+          .estimates(
+              "difference", "", "share", "`policy` minus `other`, paired by seed", Difference::mean)
+          .doubles(
+              "p_value",
+              "probability",
+              "two-sided randomization test: each difference might as well have the other sign; all"
+                  + " choices of signs up to 16 seeds, 99,999 drawn ones above",
+              Difference::p)
+          .doubles(
+              "p_holm",
+              "probability",
+              "the same after Holm's correction over all rows of the file: below 0.05, not one"
+                  + " false finding in all of it is likely",
+              Difference::corrected);
 
   private AggregateFiles() {}
 

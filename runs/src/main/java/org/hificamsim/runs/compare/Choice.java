@@ -13,7 +13,6 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoreText;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TextTable;
 
@@ -33,31 +32,24 @@ public record Choice(
   public static final Table<Choice> FILE =
       Table.<Choice>of("choices.csv")
           .with(ComparisonFiles.CASE.subList(0, 2), Choice::plan)
-          .with(
-              Column.ofText(
-                  "chosen",
-                  "the policy with the best score under the detection; several, with a bar between,"
-                      + " where they tie",
-                  Choice::policies))
-          .with(
-              Column.ofEstimate(
-                  "predicted",
-                  "predicted_low",
-                  "predicted_high",
-                  "that of `score`, of a step",
-                  "its score under that detection",
-                  Choice::predicted))
-          .with(
-              Column.ofText(
-                  "judge", "the last detection, by which choices are judged", Choice::judge))
-          .with(
-              Column.ofEstimate(
-                  "achieved",
-                  "achieved_low",
-                  "achieved_high",
-                  "that of `score`, of a step",
-                  "the chosen policy's score under that one",
-                  Choice::achieved));
+          .texts(
+              "chosen",
+              "the policy with the best score under the detection; several, with a bar between,"
+                  + " where they tie",
+              Choice::policies)
+          .estimates(
+              "predicted",
+              "predicted_",
+              "that of `score`, of a step",
+              "its score under that detection",
+              Choice::predicted)
+          .texts("judge", "the last detection, by which choices are judged", Choice::judge)
+          .estimates(
+              "achieved",
+              "achieved_",
+              "that of `score`, of a step",
+              "the chosen policy's score under that one",
+              Choice::achieved);
 
   /** The choices of all detections in each scenario; none with one detection or policy. */
   public static List<Choice> of(List<CaseResult> cases) {

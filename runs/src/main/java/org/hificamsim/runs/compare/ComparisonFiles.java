@@ -22,13 +22,14 @@ import org.hificamsim.runs.output.Table;
 public final class ComparisonFiles {
   /** Which case a row is about. */
   public static final List<Column<RunPlan>> CASE =
-      List.of(
-          Column.ofText(
+      Table.<RunPlan>of("")
+          .texts(
               "scenario",
               "the scenario file's name without its ending",
-              plan -> plan.scenario().name()),
-          Column.ofText("detection", "the detection's name", plan -> plan.detection().name()),
-          Column.ofText("policy", "the zoom policy with its options", RunPlan::policy));
+              plan -> plan.scenario().name())
+          .texts("detection", "the detection's name", plan -> plan.detection().name())
+          .texts("policy", "the zoom policy with its options", RunPlan::policy)
+          .columns();
 
   /** One run of a plan. */
   public record Run(RunPlan plan, CaseResult of, ScoredRun run) {
@@ -80,98 +81,89 @@ public final class ComparisonFiles {
   public static final Table<Run> RESULTS =
       Table.<Run>of("results.csv")
           .with(CASE, Run::plan)
-          .with(seed(), ofMetric(Metric.PERFORMANCE), ofMetric(Metric.PROPORTION_OF_OPTIMAL))
-          .with(ofMetric(Metric.COVERED_0), ofMetric(Metric.COVERED_1), ofMetric(Metric.COVERED_K))
-          .with(
-              Column.<Run>ofPlain(
-                      "optimum",
-                      "that of `score`",
-                      "the optimum's score, which the proportion is of; empty where it is no"
-                          + " yardstick",
-                      run -> run.run.optimum())
-                  .later(),
-              Column.<Run>ofText(
-                      "objective",
-                      "what a step is scored by ([objectives](objectives.md))",
-                      run -> run.plan().objective().text())
-                  .later(),
-              ofMetric(Metric.SCORE).later());
+          .with(seed())
+          .with(ofMetric(Metric.PERFORMANCE))
+          .with(ofMetric(Metric.PROPORTION_OF_OPTIMAL))
+          .with(ofMetric(Metric.COVERED_0))
+          .with(ofMetric(Metric.COVERED_1))
+          .with(ofMetric(Metric.COVERED_K))
+          .plain(
+              "optimum",
+              "that of `score`",
+              "the optimum's score, which the proportion is of; empty where it is no yardstick",
+              run -> run.run.optimum())
+          .later()
+          .texts(
+              "objective",
+              "what a step is scored by ([objectives](objectives.md))",
+              run -> run.plan().objective().text())
+          .later()
+          .with(ofMetric(Metric.SCORE))
+          .later();
 
   /** A row per scenario, detection, yardstick and seed. */
   public static final Table<Measure> YARDSTICKS =
       Table.<Measure>of("yardsticks.csv")
           .with(CASE.subList(0, 2), row -> row.run.plan())
-          .with(
-              Column.ofText(
-                  "yardstick",
-                  "`optimal`, `bound` or `best-fixed`: what scores are compared with"
-                      + " (`compare --yardsticks`)",
-                  row -> row.yardstick.policy()))
+          .texts(
+              "yardstick",
+              "`optimal`, `bound` or `best-fixed`: what scores are compared with (`compare"
+                  + " --yardsticks`)",
+              row -> row.yardstick.policy())
           .with(List.of(seed()), Measure::run)
-          .with(
-              Column.ofPlain(
-                  "score",
-                  "that of `score`",
-                  "what it came to",
-                  row -> row.yardstick.score(row.run.run)),
-              Column.ofText(
-                  "is",
-                  "`reached`: a configuration of each step has it; `at most`: none has more, and"
-                      + " perhaps none as much",
-                  row -> row.yardstick.isBound() ? "at most" : "reached"));
+          .plain(
+              "score",
+              "that of `score`",
+              "what it came to",
+              row -> row.yardstick.score(row.run.run))
+          .texts(
+              "is",
+              "`reached`: a configuration of each step has it; `at most`: none has more, and"
+                  + " perhaps none as much",
+              row -> row.yardstick.isBound() ? "at most" : "reached");
 
   /** A row per run and metric, the optima's included. */
   public static final Table<RunMetric> METRICS =
       Table.<RunMetric>of("metrics.csv")
           .with(CASE, row -> row.run.plan())
           .with(List.of(seed()), RunMetric::run)
-          .with(
-              Column.ofText("metric", "its name, see below", row -> row.metric.label()),
-              Column.ofDouble("value", "", "its value", row -> row.run.value(row.metric)));
+          .texts("metric", "its name, see below", row -> row.metric.label())
+          .doubles("value", "", "its value", row -> row.run.value(row.metric));
 
   /** A row per case and metric. */
   public static final Table<CaseMetric> SUMMARY =
       Table.<CaseMetric>of("summary.csv")
           .with(CASE, row -> row.of.plan())
-          .with(
-              Column.ofText("metric", "its name", row -> row.metric.label()),
-              Column.ofInt("runs", "", "how many have a value", row -> row.runs))
-          .with(
-              Column.ofEstimate(
-                  "mean", "low", "high", "", "the mean over the seeds", row -> row.mean))
-          .with(
-              Column.ofText(
-                  "difference_to",
-                  "the first detection that was asked for; empty in its own rows",
-                  row -> row.reference.map(one -> one.plan().detection().name()).orElse("")))
-          .with(
-              Column.ofEstimate(
-                  "difference",
-                  "difference_low",
-                  "difference_high",
-                  "",
-                  "the mean difference to it, paired by seed",
-                  row -> row.difference));
+          .texts("metric", "its name", row -> row.metric.label())
+          .ints("runs", "", "how many have a value", row -> row.runs)
+          .estimates("mean", "", "", "the mean over the seeds", row -> row.mean)
+          .texts(
+              "difference_to",
+              "the first detection that was asked for; empty in its own rows",
+              row -> row.reference.map(one -> one.plan().detection().name()).orElse(""))
+          .estimates(
+              "difference",
+              "difference_",
+              "",
+              "the mean difference to it, paired by seed",
+              row -> row.difference);
 
   /** A row per case and step. */
   public static final Table<CaseStep> STEPS =
       Table.<CaseStep>of("steps.csv.gz")
           .with(CASE, row -> row.of.plan())
-          .with(
-              Column.ofInt("step", "steps", "from 0", CaseStep::step),
-              Column.ofDouble(
-                  "k_min",
-                  "cameras",
-                  "the least number of cameras that cover a target (Eq 7.1), the mean over the"
-                      + " seeds",
-                  row -> row.of.meanKMin()[row.step]),
-              Column.<CaseStep>ofDouble(
-                      "score",
-                      "that of the [objective](objectives.md)",
-                      "what the objective makes of the step, the mean over the seeds; k_min by"
-                          + " default",
-                      row -> row.of.meanScore()[row.step])
-                  .later());
+          .ints("step", "steps", "from 0", CaseStep::step)
+          .doubles(
+              "k_min",
+              "cameras",
+              "the least number of cameras that cover a target (Eq 7.1), the mean over the seeds",
+              row -> row.of.meanKMin()[row.step])
+          .doubles(
+              "score",
+              "that of the [objective](objectives.md)",
+              "what the objective makes of the step, the mean over the seeds; k_min by default",
+              row -> row.of.meanScore()[row.step])
+          .later();
 
   /** A part of the run of a case, of {@link FinishedRun#levels equal parts}. */
   record CasePart(CaseResult of, int part) {
@@ -188,21 +180,17 @@ public final class ComparisonFiles {
   public static final Table<CasePart> LEVELS =
       Table.<CasePart>of("levels.csv")
           .with(CASE, row -> row.of.plan())
-          .with(
-              Column.ofInt(
-                  "step",
-                  "steps",
-                  "at which the part begins: one of fifty equal parts, or a step where there are"
-                      + " fewer",
-                  CasePart::step))
-          .with(
-              Column.ofEstimate(
-                  "score",
-                  "low",
-                  "high",
-                  "that of `score`, of a step",
-                  "the mean score of the part, and of that over the seeds",
-                  CasePart::score));
+          .ints(
+              "step",
+              "steps",
+              "at which the part begins: one of fifty equal parts, or a step where there are fewer",
+              CasePart::step)
+          .estimates(
+              "score",
+              "",
+              "that of `score`, of a step",
+              "the mean score of the part, and of that over the seeds",
+              CasePart::score);
 
   private ComparisonFiles() {}
 

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
@@ -13,7 +12,6 @@ import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
-import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
@@ -28,50 +26,45 @@ public final class HeatTable {
   /** A row per cell of the field, over all steps of all repeats. */
   public static final Table<Row> TABLE =
       Table.<Row>of(ResultFolder.HEATMAP)
-          .with(
-              Column.ofInt(
-                  "column", "", "from the left, from 0", row -> row.cell % row.cells.columns()),
-              Column.ofInt("row", "", "from below, from 0", row -> row.cell / row.cells.columns()),
-              rounded("x", "m", "its middle", row -> row.cells.x(row.cell)),
-              rounded("y", "m", "its middle", row -> row.cells.y(row.cell)),
-              rounded("width", "m", "how wide it is", row -> row.cells.width()),
-              rounded("height", "m", "how high it is", row -> row.cells.height()),
-              rounded(
-                  "mean_k",
-                  "cameras",
-                  "that would detect a target of the usual size in the middle, mean; empty, as the"
-                      + " next three, where a solid obstacle stands",
-                  row -> row.place.meanK()),
-              rounded(
-                  "covered_0",
-                  "share of steps",
-                  "in which no camera would",
-                  row -> row.place.covered0()),
-              rounded(
-                  "covered_1",
-                  "share of steps",
-                  "in which exactly one camera would",
-                  row -> row.place.covered1()),
-              rounded(
-                  "covered_k",
-                  "share of steps",
-                  "in which two or more cameras would",
-                  row -> row.place.coveredK()),
-              Column.ofLong(
-                  "visits",
-                  "targets",
-                  "in the cell, summed over the steps",
-                  row -> row.place.visits()),
-              rounded(
-                  "visits_mean_k",
-                  "cameras",
-                  "that detected these targets, mean; empty without a visit",
-                  row -> row.place.visitsMeanK()),
-              rounded(
-                  "visits_covered_0",
-                  "share of visits",
-                  "that no camera detected; empty without a visit",
-                  row -> row.place.visitsCovered0()));
+          .ints("column", "", "from the left, from 0", row -> row.cell % row.cells.columns())
+          .ints("row", "", "from below, from 0", row -> row.cell / row.cells.columns())
+          .doubles("x", "m", "its middle", row -> rounded(row.cells.x(row.cell)))
+          .doubles("y", "m", "its middle", row -> rounded(row.cells.y(row.cell)))
+          .doubles("width", "m", "how wide it is", row -> rounded(row.cells.width()))
+          .doubles("height", "m", "how high it is", row -> rounded(row.cells.height()))
+          .doubles(
+              "mean_k",
+              "cameras",
+              "that would detect a target of the usual size in the middle, mean; empty, as the next"
+                  + " three, where a solid obstacle stands",
+              row -> rounded(row.place.meanK()))
+          .doubles(
+              "covered_0",
+              "share of steps",
+              "in which no camera would",
+              row -> rounded(row.place.covered0()))
+          .doubles(
+              "covered_1",
+              "share of steps",
+              "in which exactly one camera would",
+              row -> rounded(row.place.covered1()))
+          .doubles(
+              "covered_k",
+              "share of steps",
+              "in which two or more cameras would",
+              row -> rounded(row.place.coveredK()))
+          .longs(
+              "visits", "targets", "in the cell, summed over the steps", row -> row.place.visits())
+          .doubles(
+              "visits_mean_k",
+              "cameras",
+              "that detected these targets, mean; empty without a visit",
+              row -> rounded(row.place.visitsMeanK()))
+          .doubles(
+              "visits_covered_0",
+              "share of visits",
+              "that no camera detected; empty without a visit",
+              row -> rounded(row.place.visitsCovered0()));
 
   private HeatTable() {}
 
@@ -81,11 +74,6 @@ public final class HeatTable {
         folder,
         IntStream.range(0, map.places().size())
             .mapToObj(cell -> new Row(map.cells(), cell, map.places().get(cell))));
-  }
-
-  private static Column<Row> rounded(
-      String name, String unit, String meaning, ToDoubleFunction<Row> value) {
-    return Column.ofDouble(name, unit, meaning, row -> rounded(value.applyAsDouble(row)));
   }
 
   private static double rounded(double number) {

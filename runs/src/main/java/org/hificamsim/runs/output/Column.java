@@ -1,12 +1,10 @@
 package org.hificamsim.runs.output;
 
-import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
 import java.util.function.ToLongFunction;
 import org.hificamsim.core.file.Rows;
-import org.hificamsim.runs.Estimate;
 
 /**
  * A column of a table, declared once; files, their reading and {@code docs/data.md} follow.
@@ -41,8 +39,7 @@ public record Column<R>(
   }
 
   /** Whole numbers of 32 bits. */
-  public static <R> Column<R> ofInt(
-      String name, String unit, String meaning, ToIntFunction<R> value) {
+  static <R> Column<R> ofInt(String name, String unit, String meaning, ToIntFunction<R> value) {
     return new Column<>(
         name, Kind.INT, unit, meaning, false, (row, to) -> to.add(value.applyAsInt(row)));
   }
@@ -77,22 +74,8 @@ public record Column<R>(
   }
 
   /** Texts. */
-  public static <R> Column<R> ofText(String name, String meaning, Function<R, String> value) {
+  static <R> Column<R> ofText(String name, String meaning, Function<R, String> value) {
     return new Column<>(name, Kind.TEXT, "", meaning, false, (row, to) -> to.add(value.apply(row)));
-  }
-
-  /** An estimate with the ends of its 95% interval: three columns. */
-  public static <R> List<Column<R>> ofEstimate(
-      String name,
-      String low,
-      String high,
-      String unit,
-      String meaning,
-      Function<R, Estimate> value) {
-    return List.of(
-        ofDouble(name, unit, meaning, row -> value.apply(row).mean()),
-        ofDouble(low, unit, "the lower end of its 95% interval", row -> value.apply(row).low()),
-        ofDouble(high, unit, "the upper end", row -> value.apply(row).high()));
   }
 
   /** The same column, which files of earlier versions lack. */

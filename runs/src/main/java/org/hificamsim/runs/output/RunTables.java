@@ -1,173 +1,165 @@
 package org.hificamsim.runs.output;
 
 import java.util.List;
-import java.util.function.ToDoubleFunction;
-import java.util.function.ToIntFunction;
-import org.hificamsim.core.metrics.ExpectedCoverage;
-import org.hificamsim.core.metrics.StepCoverage;
 
 /** The tables of a run, with a row for each step, camera or target. */
 public final class RunTables {
   private static final List<Column<StepCursor>> WHICH =
-      List.of(
-          Column.ofInt("run", "", "the repeat, from 0", at -> at.run),
-          Column.ofLong("step", "steps", "from 0", at -> at.step));
-
-  /** What the objective makes of a step; a recording does not know it. */
-  private static final Column<StepCursor> SCORE =
-      Column.<StepCursor>ofDouble(
-              "score",
-              "that of the [objective](objectives.md)",
-              "what the objective makes of the step; k_min by default",
-              at -> at.coverage.score())
-          .later();
+      Table.<StepCursor>of("")
+          .ints("run", "", "the repeat, from 0", at -> at.run)
+          .longs("step", "steps", "from 0", at -> at.step)
+          .columns();
 
   /** A row per run and step, as far as a recording knows it. */
   public static final Table<StepCursor> RECORDED =
       Table.<StepCursor>of("steps.csv")
           .with(WHICH)
-          .with(
-              counted(
-                  "k_min",
-                  "cameras",
-                  "the least number of cameras that cover a target (Eq 7.1)",
-                  StepCoverage::kMin),
-              counted("targets", "targets", "present", StepCoverage::targets),
-              counted("covered_0", "targets", "that no camera covers", StepCoverage::covered0),
-              counted(
-                  "covered_1", "targets", "that exactly one camera covers", StepCoverage::covered1),
-              counted(
-                  "covered_k", "targets", "that two or more cameras cover", StepCoverage::coveredK),
-              Column.ofDouble(
-                  "mean_k",
-                  "cameras",
-                  "that cover a target, mean; 0 without targets",
-                  at -> at.coverage.meanK()));
+          .ints(
+              "k_min",
+              "cameras",
+              "the least number of cameras that cover a target (Eq 7.1)",
+              at -> at.coverage.kMin())
+          .ints("targets", "targets", "present", at -> at.coverage.targets())
+          .ints("covered_0", "targets", "that no camera covers", at -> at.coverage.covered0())
+          .ints(
+              "covered_1",
+              "targets",
+              "that exactly one camera covers",
+              at -> at.coverage.covered1())
+          .ints(
+              "covered_k",
+              "targets",
+              "that two or more cameras cover",
+              at -> at.coverage.coveredK())
+          .doubles(
+              "mean_k",
+              "cameras",
+              "that cover a target, mean; 0 without targets",
+              at -> at.coverage.meanK());
 
   /** A row per run and step. */
-  public static final Table<StepCursor> STEPS = RECORDED.with(SCORE);
+  public static final Table<StepCursor> STEPS = scored(RECORDED);
 
   /** The same where detections are by chance. */
   public static final Table<StepCursor> STEPS_BY_CHANCE =
-      RECORDED
-          .with(
-              expected(
+      scored(
+          RECORDED
+              .doubles(
                   "expected_k_min",
                   "cameras",
                   "k_min as it was to be expected before luck was drawn",
-                  ExpectedCoverage::kMin),
-              expected(
+                  at -> at.coverage.expected().kMin())
+              .doubles(
                   "expected_covered_0",
                   "targets",
                   "covered_0, expected",
-                  ExpectedCoverage::covered0),
-              expected(
+                  at -> at.coverage.expected().covered0())
+              .doubles(
                   "expected_covered_1",
                   "targets",
                   "covered_1, expected",
-                  ExpectedCoverage::covered1),
-              expected(
+                  at -> at.coverage.expected().covered1())
+              .doubles(
                   "expected_covered_k",
                   "targets",
                   "covered_k, expected",
-                  ExpectedCoverage::coveredK),
-              expected("expected_mean_k", "cameras", "mean_k, expected", ExpectedCoverage::meanK),
-              expected(
+                  at -> at.coverage.expected().coveredK())
+              .doubles(
+                  "expected_mean_k",
+                  "cameras",
+                  "mean_k, expected",
+                  at -> at.coverage.expected().meanK())
+              .doubles(
                   "least_expected_k",
                   "cameras",
                   "the least expected number of cameras that cover a target",
-                  ExpectedCoverage::leastK),
-              expected(
+                  at -> at.coverage.expected().leastK())
+              .doubles(
                   "least_chance",
                   "probability",
                   "the least one of a target to be covered",
-                  ExpectedCoverage::leastChance))
-          .with(SCORE);
+                  at -> at.coverage.expected().leastChance()));
 
   /** A row per run, step and camera. */
   public static final Table<StepCursor> ZOOMS =
       Table.<StepCursor>of("zooms.csv")
           .with(WHICH)
-          .with(
-              Column.ofText("camera", "the camera's name", at -> at.network.cameraName(at.camera)),
-              Column.ofInt(
-                  "level",
-                  "",
-                  "zoom level, 0 is the narrowest",
-                  at -> at.network.view(at.camera) % at.network.zooms(at.camera)),
-              Column.ofDouble(
-                  "radius",
-                  "m",
-                  "how far the camera detects at this level",
-                  at -> at.network.zoom(at.camera, at.network.view(at.camera)).radius()),
-              Column.ofInt(
-                  "detected",
-                  "targets",
-                  "that the camera detects",
-                  at -> at.network.detected(at.camera)));
+          .texts("camera", "the camera's name", at -> at.network.cameraName(at.camera))
+          .ints(
+              "level",
+              "",
+              "zoom level, 0 is the narrowest",
+              at -> at.network.view(at.camera) % at.network.zooms(at.camera))
+          .doubles(
+              "radius",
+              "m",
+              "how far the camera detects at this level",
+              at -> at.network.zoom(at.camera, at.network.view(at.camera)).radius())
+          .ints(
+              "detected",
+              "targets",
+              "that the camera detects",
+              at -> at.network.detected(at.camera));
 
   /** The same where cameras have optics. */
   public static final Table<StepCursor> VIEWS =
-      ZOOMS.with(
-          Column.ofDouble(
+      ZOOMS
+          .doubles(
               "pan",
               "degrees",
               "of the chosen view, off the mounted heading",
-              at -> Math.toDegrees(at.network.pan(at.camera, at.network.view(at.camera)))),
-          Column.ofDouble(
+              at -> Math.toDegrees(at.network.pan(at.camera, at.network.view(at.camera))))
+          .doubles(
               "viewing_angle",
               "degrees",
               "of the chosen view",
               at ->
                   Math.toDegrees(
-                      at.network.zoom(at.camera, at.network.view(at.camera)).viewingAngle())),
-          Column.ofInt(
+                      at.network.zoom(at.camera, at.network.view(at.camera)).viewingAngle()))
+          .ints(
               "moving",
               "",
               "1 while the camera is on its way to the view, else 0",
-              at -> at.network.moving(at.camera) ? 1 : 0));
+              at -> at.network.moving(at.camera) ? 1 : 0);
 
   /** A row per run, step and target. */
   public static final Table<StepCursor> TARGETS =
       Table.<StepCursor>of("targets.csv")
           .with(WHICH)
-          .with(
-              Column.ofText("target", "the target's name", at -> at.network.targetName(at.target)),
-              Column.ofDouble(
-                  "x", "m", "where the target is", at -> at.network.oracle().targetX(at.target)),
-              Column.ofDouble(
-                  "y", "m", "where the target is", at -> at.network.oracle().targetY(at.target)));
+          .texts("target", "the target's name", at -> at.network.targetName(at.target))
+          .doubles("x", "m", "where the target is", at -> at.network.oracle().targetX(at.target))
+          .doubles("y", "m", "where the target is", at -> at.network.oracle().targetY(at.target));
 
   /** The same where detections are by chance. */
   public static final Table<StepCursor> TARGETS_BY_CHANCE =
-      TARGETS.with(
-          Column.ofInt(
-              "k", "cameras", "that cover the target", at -> at.network.coverage(at.target)),
-          Column.ofDouble(
+      TARGETS
+          .ints("k", "cameras", "that cover the target", at -> at.network.coverage(at.target))
+          .doubles(
               "chance_1",
               "probability",
               "that one or more cameras cover the target",
-              at -> at.coverage.expected().chanceOfOne(at.target)),
-          Column.ofDouble(
+              at -> at.coverage.expected().chanceOfOne(at.target))
+          .doubles(
               "chance_k",
               "probability",
               "that two or more cameras cover the target",
-              at -> at.coverage.expected().chanceOfMore(at.target)));
+              at -> at.coverage.expected().chanceOfMore(at.target));
 
   private RunTables() {}
+
+  /** With what the objective makes of a step; a recording does not know it. */
+  private static Table<StepCursor> scored(Table<StepCursor> table) {
+    return table
+        .doubles(
+            "score",
+            "that of the [objective](objectives.md)",
+            "what the objective makes of the step; k_min by default",
+            at -> at.coverage.score())
+        .later();
+  }
 
   /** The table of steps where detections are so. */
   public static Table<StepCursor> steps(boolean byChance) {
     return byChance ? STEPS_BY_CHANCE : STEPS;
-  }
-
-  private static Column<StepCursor> counted(
-      String name, String unit, String meaning, ToIntFunction<StepCoverage> count) {
-    return Column.ofInt(name, unit, meaning, at -> count.applyAsInt(at.coverage));
-  }
-
-  private static Column<StepCursor> expected(
-      String name, String unit, String meaning, ToDoubleFunction<ExpectedCoverage> figure) {
-    return Column.ofDouble(name, unit, meaning, at -> figure.applyAsDouble(at.coverage.expected()));
   }
 }

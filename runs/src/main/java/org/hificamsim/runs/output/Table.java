@@ -3,9 +3,13 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.function.ToIntFunction;
+import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.CsvTable;
@@ -14,6 +18,7 @@ import org.hificamsim.core.file.Rows;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.runs.Estimate;
 
 /**
  * A table of results.
@@ -28,16 +33,59 @@ public record Table<R>(String file, List<Column<R>> columns) {
     return new Table<>(file, List.of());
   }
 
-  /** The same table with further columns. */
-  @SafeVarargs
-  @SuppressWarnings("varargs") // only read
-  public final Table<R> with(Column<R>... further) {
-    return with(List.of(further));
+  /** The same table with another column. */
+  public Table<R> with(Column<R> column) {
+    return with(List.of(column));
   }
 
   /** The same table with further columns. */
   public Table<R> with(List<Column<R>> further) {
     return new Table<>(file, Stream.concat(columns.stream(), further.stream()).toList());
+  }
+
+  /** The same table with a column of texts. */
+  public Table<R> texts(String name, String meaning, Function<R, String> value) {
+    return with(Column.ofText(name, meaning, value));
+  }
+
+  /** The same table with a column of whole numbers of 32 bits. */
+  public Table<R> ints(String name, String unit, String meaning, ToIntFunction<R> value) {
+    return with(Column.ofInt(name, unit, meaning, value));
+  }
+
+  /** The same table with a column of whole numbers of 64 bits. */
+  public Table<R> longs(String name, String unit, String meaning, ToLongFunction<R> value) {
+    return with(Column.ofLong(name, unit, meaning, value));
+  }
+
+  /** The same table with a column of floating numbers; NaN is an empty cell. */
+  public Table<R> doubles(String name, String unit, String meaning, ToDoubleFunction<R> value) {
+    return with(Column.ofDouble(name, unit, meaning, value));
+  }
+
+  /** The same; whole numbers are written without a fraction. */
+  public Table<R> plain(String name, String unit, String meaning, ToDoubleFunction<R> value) {
+    return with(Column.ofPlain(name, unit, meaning, value));
+  }
+
+  /**
+   * The same table with an estimate and the ends of its 95% interval.
+   *
+   * @param ends what the names of the ends begin with: {@code low} and {@code high} follow
+   */
+  public Table<R> estimates(
+      String name, String ends, String unit, String meaning, Function<R, Estimate> value) {
+    return doubles(name, unit, meaning, row -> value.apply(row).mean())
+        .doubles(
+            ends + "low", unit, "the lower end of its 95% interval", row -> value.apply(row).low())
+        .doubles(ends + "high", unit, "the upper end", row -> value.apply(row).high());
+  }
+
+  /** The same table, whose last column files of earlier versions lack. */
+  public Table<R> later() {
+    List<Column<R>> all = new ArrayList<>(columns);
+    all.add(all.remove(all.size() - 1).later());
+    return new Table<>(file, all);
   }
 
   /** The same table with further columns, which are about a part of a row. */

@@ -25,13 +25,12 @@ class ResultFilesTest {
 
   private final Table<Item> items =
       Table.<Item>of("items.csv")
-          .with(
-              Column.ofInt("id", "", "a number", item -> (int) item.id()),
-              Column.ofLong("big", "", "a large one", item -> item.id() << 40),
-              Column.ofDouble("size", "m", "a length", Item::size),
-              Column.ofPlain("plain", "m", "the same", Item::size),
-              Column.ofText("name", "a text", Item::name))
-          .with(Column.ofEstimate("mean", "low", "high", "m", "a mean", Item::mean))
+          .ints("id", "", "a number", item -> (int) item.id())
+          .longs("big", "", "a large one", item -> item.id() << 40)
+          .doubles("size", "m", "a length", Item::size)
+          .plain("plain", "m", "the same", Item::size)
+          .texts("name", "a text", Item::name)
+          .estimates("mean", "", "m", "a mean", Item::mean)
           .with(List.of(Column.<Item>ofInt("later", "", "not always", item -> 1).later()), i -> i);
 
   @TempDir Path folder;
