@@ -1,6 +1,5 @@
 package org.hificamsim.profiling.detector;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -10,7 +9,7 @@ import org.hificamsim.core.Spelling;
 
 /**
  * All detectors, by name: the three of chapter 5 with each {@link MatchReading}, and those that
- * find boxes, {@code hog}, {@code haar:FILE} and {@code onnx:FILE}.
+ * find boxes, {@code hog} and {@code onnx:FILE}.
  */
 public final class Detectors {
   private Detectors() {}
@@ -24,36 +23,17 @@ public final class Detectors {
    */
   private record BoxSpec(String column, Memory need, Supplier<BoxDetector> maker) {
     static BoxSpec of(String name) {
-      int colon = name.indexOf(':');
-      String kind = colon < 0 ? name : name.substring(0, colon);
-      String what = colon < 0 ? "" : name.substring(colon + 1);
-      return switch (kind) {
-        case "hog" -> new BoxSpec("hog", new Memory(60, 0), OpenCvBoxes::people);
-        case "haar" -> {
-          Path file = OpenCvBoxes.cascadeFile(what);
-          String trained = stem(file).replaceFirst("^(haar|lbp)cascade_", "");
-          yield new BoxSpec(
-              "haar-" + plain(trained), new Memory(40, 0), () -> OpenCvBoxes.cascade(file));
-        }
-        case "onnx" -> {
-          OnnxOptions options = OnnxOptions.of(what);
-          String column = "onnx-" + plain(stem(options.file())) + "-" + options.category();
-          yield new BoxSpec(column, new Memory(10, 0), () -> new OnnxDetector(options));
-        }
-        default ->
-            throw InputException.of(
-                "--detectors has '%s', expected some of orb, sift, surf, each also with"
-                    + " -located or -ransac, hog, haar:CASCADE, onnx:FILE",
-                name);
-      };
-    }
-
-    private static String stem(Path file) {
-      return file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-    }
-
-    private static String plain(String name) {
-      return name.replaceAll("[^A-Za-z0-9_]", "-");
+      if (name.equals("hog")) {
+        return new BoxSpec(name, new Memory(60, 0), PeopleDetector::new);
+      }
+      if (name.startsWith(OnnxOptions.PREFIX)) {
+        OnnxOptions options = OnnxOptions.of(name.substring(OnnxOptions.PREFIX.length()));
+        return new BoxSpec(options.column(), new Memory(10, 0), () -> new OnnxDetector(options));
+      }
+      throw InputException.of(
+          "--detectors has '%s', expected some of orb, sift, surf, each also with -located or"
+              + " -ransac, hog, onnx:FILE",
+          name);
     }
   }
 

@@ -16,6 +16,9 @@ import org.hificamsim.core.InputException;
  * @param threshold the least score that counts, [0, 1]
  */
 record OnnxOptions(Path file, int category, int size, double threshold) {
+  /** What the names of such detectors begin with. */
+  static final String PREFIX = "onnx:";
+
   private static final String EXPECTED =
       "', expected onnx:FILE[:class=N][:size=N][:threshold=X], a class from 0, a size from 8 to"
           + " 8192 and a threshold from 0 to 1";
@@ -47,6 +50,12 @@ record OnnxOptions(Path file, int category, int size, double threshold) {
     return read;
   }
 
+  /** The name of its column. */
+  String column() {
+    String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    return "onnx-" + stem.replaceAll("[^A-Za-z0-9_]", "-") + "-" + category;
+  }
+
   private static double number(String all, String text, double absent, double least, double most) {
     try {
       double value = text == null ? absent : Double.parseDouble(text);
@@ -60,6 +69,6 @@ record OnnxOptions(Path file, int category, int size, double threshold) {
   }
 
   private static InputException wrong(String text) {
-    return new InputException("--detectors has 'onnx:" + text + EXPECTED);
+    return new InputException("--detectors has '" + PREFIX + text + EXPECTED);
   }
 }

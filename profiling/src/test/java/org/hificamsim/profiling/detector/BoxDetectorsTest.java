@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -56,20 +55,6 @@ class BoxDetectorsTest {
   @Test
   void peopleDetectorPassesOverPhotosSmallerThanItsWindow() {
     assertEquals(0, falseConfidence("hog", picture(60, 60, RED, canvas -> {})));
-  }
-
-  @Test
-  void cascadeFindsWhatItIsMadeFor() throws IOException {
-    Path cascade = folder.resolve("bright-square.xml");
-    try (InputStream in = getClass().getResourceAsStream("bright-square.xml")) {
-      Files.copy(in, cascade);
-    }
-    Rect square = new Rect(80, 60, 80, 80);
-    Path photo = picture(240, 200, Scalar.all(20), canvas -> fill(canvas, square, Scalar.all(230)));
-    String name = "haar:" + cascade;
-    assertEquals("haar-bright-square", Detectors.column(name));
-    assertTrue(confidence(name, photo, new Patch(41, 20, 160, 160)) > 0.7);
-    assertEquals(0, falseConfidence(name, picture(240, 200, Scalar.all(20), canvas -> {})));
   }
 
   @Test
