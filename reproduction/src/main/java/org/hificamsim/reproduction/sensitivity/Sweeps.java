@@ -8,6 +8,7 @@ import static org.hificamsim.reproduction.ReproductionPlans.QB_SARSA;
 import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
 import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -19,10 +20,9 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.hifi.model.PublishedModels;
-import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
@@ -32,9 +32,6 @@ import org.hificamsim.runs.Settings;
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
 public final class Sweeps {
   private static final List<String> ALL = List.of(ZOOM_OUT, EPSILON_GREEDY, SARSA, QB_SARSA);
-  private static final List<String> LEARNERS = List.of(EPSILON_GREEDY, SARSA, QB_SARSA);
-  private static final List<String> TEMPORAL = List.of(SARSA, QB_SARSA);
-
   private final Map<String, Scenario> scenarios;
   private final Function<String, DetectionModel> models;
   private final Detection hifi;
@@ -55,96 +52,65 @@ public final class Sweeps {
     return Layout.SCENARIOS;
   }
 
+  /**
+   * A sweep as the resource {@code sweeps.json} declares it.
+   *
+   * @param values rising, between blanks; the default has a star before it
+   * @param policies that it can change; where none are named, all
+   */
+  private record Declared(String parameter, String values, String meaning, List<String> policies) {}
+
   /** Every sweep, in the order of files. */
   List<ParameterSweep> all() {
-    Optics optics = PublishedModels.published().optics();
-    return List.of(
-        sweep(
-            "threshold-hifi",
-            "detection threshold of " + hifi.name(),
-            "0.03 0.04 0.0441 0.05 0.06 0.08",
-            hifi.threshold(),
-            one -> one.withHifi(detection(hifi.name() + "@" + one.value()))),
-        sweep(
-            "threshold-camsim",
-            "detection threshold of " + camsim.name(),
-            "0.15 0.25 0.35 0.45 0.55",
-            camsim.threshold(),
-            one -> one.withCamSim(detection(camsim.name() + "@" + one.value()))),
-        world(
-            "targets",
-            "number of targets",
-            "1 2 3 4 5 6 8",
-            3,
-            (scenario, count) -> ChangedWorld.withTargets(scenario, count.intValue())),
-        options(
-            "gamma",
-            "discount factor of SARSA and QB-SARSA",
-            "0 0.3 0.6 0.8 0.9 0.95 0.99",
-            "0.9",
-            TEMPORAL),
-        options("epsilon", "probability of exploring", "0.01 0.05 0.1 0.2 0.3", "0.1", LEARNERS),
-        options("k", "cameras that QB-SARSA asks", "0 1 2 4 6 8", "4", List.of(QB_SARSA)),
-        options(
-            "reward", "reading of Eq 7.5", "count-change sign literal", "count-change", TEMPORAL),
-        world(
-            "size",
-            "targets' size q, m",
-            "0.3 0.4 0.45 0.5 0.55 0.6 0.66",
-            TargetSpec.DEFAULT_SIZE,
-            ChangedWorld::withSize),
-        world(
-            "optics",
-            "focal length of the narrowest level, m",
-            "0.03 0.05 0.07 0.085 0.1",
-            optics.longestFocalLength(),
-            (scenario, z) -> ChangedWorld.withFocalLength(scenario, optics, z)),
-        sweep(
-            "f",
-            "feature abstraction f of the hi-fi model",
-            "lin pinhole power sr svr-lin",
-            "lin",
-            one -> one.withHifi(detection("hifi:orb-" + one.value()))),
-        sweep(
-            "g",
-            "detector g of the hi-fi model",
-            "orb sift surf",
-            "orb",
-            one -> one.withHifi(detection("hifi:" + one.value() + "-lin"))),
-        options(
-            "state",
-            "state of SARSA and QB-SARSA",
-            "level-count count none",
-            "level-count",
-            TEMPORAL),
-        sweep(
-            "formula",
-            "formula of CamSim's model",
-            "camsim-range camsim-standard camsim-visibility geometric",
-            camsim.name(),
-            one -> one.withCamSim(detection(one.value()))),
-        world(
-            "speed", "targets' speed, m a step", "0.25 0.5 1.0 2.0", 1.0, ChangedWorld::withSpeed),
-        world(
-            "radii",
-            "widest level's radius, m, the others in proportion",
-            "6.0 6.75 7.5 8.25 9.0",
-            7.5,
-            ChangedWorld::withWidestRadius),
-        options(
-            "alpha",
-            "learning rate of SARSA and QB-SARSA",
-            "0.05 0.1 0.2 0.3 0.5",
-            "0.1",
-            TEMPORAL),
-        options("q0", "value of every action at first", "-3 0 1 3", "0", TEMPORAL),
-        options("ties", "best of equally good levels", "widest narrowest", "widest", LEARNERS),
-        sweep(
-            "greedy",
-            "reading of thesis 7.4.1's greedy, by which all are divided",
-            "optimal one-hop one-hop:ties=narrowest",
-            OPTIMAL,
-            one -> one.withGreedy(one.value())));
+    byte[] json = Io.resource(Sweeps.class, "sweeps.json");
+    Declared[] declared = Io.get(() -> new ObjectMapper().readValue(json, Declared[].class));
+    return Stream.of(declared).map(this::sweep).toList();
+  }
+
+  private ParameterSweep sweep(Declared declared) {
+    List<String> policies = declared.policies == null ? ALL : declared.policies;
+    Map<String, String> specs = new LinkedHashMap<>();
+    policies.forEach(policy -> specs.put(policy, policy));
+    List<Variant> variants =
+        Stream.of(declared.values.split(" "))
+            .map(value -> variant(declared.parameter, value, specs))
+            .toList();
+    return new ParameterSweep(declared.parameter, declared.meaning, variants);
+  }
+
+  private Variant variant(String parameter, String value, Map<String, String> policies) {
+    boolean standard = value.startsWith("*");
+    String plain = standard ? value.substring(1) : value;
+    Variant defaults = new Variant(plain, standard, scenarios, hifi, camsim, policies, OPTIMAL);
+    return standard ? defaults : changed(defaults, parameter, plain);
+  }
+
+  /**
+   * The defaults with another value of a parameter; those without a line are options of policies.
+   */
+  private Variant changed(Variant one, String parameter, String value) {
+    return switch (parameter) {
+      case "threshold-hifi" -> one.withHifi(detection(HIFI + "@" + value));
+      case "threshold-camsim" -> one.withCamSim(detection(CAMSIM + "@" + value));
+      case "f" -> one.withHifi(detection("hifi:orb-" + value));
+      case "g" -> one.withHifi(detection("hifi:" + value + "-lin"));
+      case "formula" -> one.withCamSim(detection(value));
+      case "greedy" -> one.withGreedy(value);
+      case "targets" -> world(one, (of, count) -> ChangedWorld.withTargets(of, count.intValue()));
+      case "size" -> world(one, ChangedWorld::withSize);
+      case "optics" -> world(one, Sweeps::withFocalLength);
+      case "speed" -> world(one, ChangedWorld::withSpeed);
+      case "radii" -> world(one, ChangedWorld::withWidestRadius);
+      default -> one.withOption(parameter);
+    };
+  }
+
+  private static Scenario withFocalLength(Scenario scenario, double z) {
+    return ChangedWorld.withFocalLength(scenario, PublishedModels.published().optics(), z);
+  }
+
+  private static Variant world(Variant one, BiFunction<Scenario, Double, Scenario> change) {
+    return one.withScenarios(of -> change.apply(of, Double.valueOf(one.value())));
   }
 
   /** The plans of all sweeps, each once. */
@@ -167,64 +133,6 @@ public final class Sweeps {
 
   private Detection detection(String name) {
     return ReproductionPlans.detection(name, models);
-  }
-
-  /** A number that scenarios are changed by. */
-  private ParameterSweep world(
-      String parameter,
-      String meaning,
-      String values,
-      Object standard,
-      BiFunction<Scenario, Double, Scenario> change) {
-    UnaryOperator<Variant> changed =
-        one -> one.withScenarios(of -> change.apply(of, Double.valueOf(one.value())));
-    return sweep(parameter, meaning, values, standard, changed);
-  }
-
-  /** An option of some policies. */
-  private ParameterSweep options(
-      String option, String meaning, String values, String standard, List<String> policies) {
-    return sweep(option, meaning, values, standard, policies, one -> one.withOption(option));
-  }
-
-  private ParameterSweep sweep(
-      String parameter,
-      String meaning,
-      String values,
-      Object standard,
-      UnaryOperator<Variant> change) {
-    return sweep(parameter, meaning, values, standard, ALL, change);
-  }
-
-  /**
-   * @param values between blanks
-   * @param standard the default, one of them
-   * @param change what another value changes
-   */
-  private ParameterSweep sweep(
-      String parameter,
-      String meaning,
-      String values,
-      Object standard,
-      List<String> policies,
-      UnaryOperator<Variant> change) {
-    Map<String, String> specs = new LinkedHashMap<>();
-    policies.forEach(policy -> specs.put(policy, policy));
-    List<Variant> variants =
-        Stream.of(values.split(" "))
-            .map(
-                value ->
-                    new Variant(
-                        value,
-                        value.equals(standard.toString()),
-                        scenarios,
-                        hifi,
-                        camsim,
-                        specs,
-                        OPTIMAL))
-            .map(one -> one.standard() ? one : change.apply(one))
-            .toList();
-    return new ParameterSweep(parameter, meaning, variants);
   }
 
   /**

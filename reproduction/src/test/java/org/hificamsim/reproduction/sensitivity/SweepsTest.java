@@ -1,0 +1,51 @@
+package org.hificamsim.reproduction.sensitivity;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.hifi.model.PublishedModels;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
+import org.junit.jupiter.api.Test;
+
+class SweepsTest {
+  private static final List<ParameterSweep> ALL =
+      new Sweeps(Map.of(), Catalogue.load()::detection).all();
+
+  @Test
+  void everySweepHasOneDefaultAndOtherValues() {
+    for (ParameterSweep sweep : ALL) {
+      long defaults = sweep.variants().stream().filter(Variant::standard).count();
+      assertEquals(1, defaults, sweep.parameter());
+      assertEquals(
+          sweep.variants().size(),
+          sweep.variants().stream().map(Variant::value).distinct().count(),
+          sweep.parameter());
+    }
+  }
+
+  @Test
+  void defaultsAreThoseOfTheModelsAndScenarios() {
+    Variant any = ALL.get(0).variants().get(0);
+    assertEquals(
+        Catalogue.load().detection("hifi:orb-lin").defaultThreshold(), Double.parseDouble(standard("threshold-hifi")));
+    assertEquals(any.camsim().threshold(), Double.parseDouble(standard("threshold-camsim")));
+    assertEquals(TargetSpec.DEFAULT_SIZE, Double.parseDouble(standard("size")));
+    assertEquals(
+        PublishedModels.published().optics().longestFocalLength(),
+        Double.parseDouble(standard("optics")));
+  }
+
+  private static String standard(String parameter) {
+    return ALL.stream()
+        .filter(sweep -> sweep.parameter().equals(parameter))
+        .flatMap(sweep -> sweep.variants().stream())
+        .filter(Variant::standard)
+        .findFirst()
+        .orElseThrow()
+        .value();
+  }
+}
