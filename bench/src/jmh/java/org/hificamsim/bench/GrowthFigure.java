@@ -22,6 +22,7 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.LegendEntry.Mark;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
+import org.knowm.xchart.style.XYStyler;
 
 /**
  * Draws how the cost of a step grows with the network, from what JMH wrote of {@link
@@ -82,8 +83,18 @@ public final class GrowthFigure {
     return String.format(Locale.ROOT, format, value);
   }
 
+  /** Both axes, with numbers written out and room around what is drawn. */
+  private static void logarithmic(XYStyler style) {
+    style.setXAxisLogarithmic(true);
+    style.setYAxisLogarithmic(true);
+    style.setXAxisDecimalPattern("#,##0.###");
+    style.setYAxisDecimalPattern("#,##0.###");
+    style.setPlotContentSize(0.94);
+  }
+
   private static Figure figure(Map<String, NavigableMap<Integer, Double>> costs) {
-    XyPanel panel = new XyPanel("", "cameras", "milliseconds a step").logarithmic();
+    XyPanel panel = new XyPanel("", "cameras", "milliseconds a step");
+    logarithmic(panel.getStyler());
     List<LegendEntry> legend = new ArrayList<>();
     costs.forEach(
         (policy, ofPolicy) -> {

@@ -203,7 +203,7 @@ final class PictureOptions {
   private static int dense(Setup setup, String name) {
     List<Setup.Camera> cameras = setup.cameras();
     return IntStream.range(0, cameras.size())
-        .filter(i -> cameras.get(i).name().equals(name) && cameras.get(i).pose().density(0) > 0)
+        .filter(i -> cameras.get(i).name().equals(name) && cameras.get(i).pose().hasDensity())
         .findFirst()
         .orElseThrow(
             () ->

@@ -31,8 +31,6 @@ public class XyPanel extends XYChart {
   /** How far axes reach beyond their ends: XChart leaves out a tick that stands on the very end. */
   private static final double EDGE = 0.003;
 
-  private static final double LOGARITHMIC_CONTENT = 0.94;
-
   /** An empty panel with these axes. */
   public XyPanel(String title, String xTitle, String yTitle) {
     super(400, 300); // figures paint it at a size of their own
@@ -59,16 +57,6 @@ public class XyPanel extends XYChart {
   public XyPanel y(double min, double max) {
     getStyler().setYAxisMin(min - EDGE * (max - min));
     getStyler().setYAxisMax(max + EDGE * (max - min));
-    return this;
-  }
-
-  /** Makes both axes logarithmic, with numbers written out and room around what is drawn. */
-  public XyPanel logarithmic() {
-    getStyler().setXAxisLogarithmic(true);
-    getStyler().setYAxisLogarithmic(true);
-    getStyler().setXAxisDecimalPattern("#,##0.###");
-    getStyler().setYAxisDecimalPattern("#,##0.###");
-    getStyler().setPlotContentSize(LOGARITHMIC_CONTENT);
     return this;
   }
 

@@ -70,27 +70,8 @@ public record CameraPose(
     return levels.size() * Math.max(1, pans.size());
   }
 
-  /** The zoom level of a view. */
-  public Level level(int view) {
-    return levels.get(view % levels.size());
-  }
-
-  /** Where it looks in a view, as {@link #heading()}. */
-  public double heading(int view) {
-    return pans.isEmpty() ? heading : heading + pans.get(view / levels.size());
-  }
-
-  /** The opening angle of a view, radians. */
-  public double viewingAngle(int view) {
-    return lenses.isEmpty() ? viewingAngle : lens(view).viewingAngle();
-  }
-
-  /** Pixels per metre at one metre in a view; 0 where that is not known. */
-  public double density(int view) {
-    return lenses.isEmpty() ? 0 : lens(view).density();
-  }
-
-  private LevelOptics lens(int view) {
-    return lenses.get(view % levels.size());
+  /** Whether its pixels per metre are known. */
+  public boolean hasDensity() {
+    return !lenses.isEmpty() && lenses.get(0).density() > 0;
   }
 }

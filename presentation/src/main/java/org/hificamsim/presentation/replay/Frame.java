@@ -78,11 +78,6 @@ public record Frame(
         step, online, level, detected, present, x, y, coverage, none, none, seeing, nothing);
   }
 
-  /** The view through which a camera sees; -1 while it moves blindly. */
-  public int seen(int camera) {
-    return seeing.length == 0 ? level[camera] : seeing[camera];
-  }
-
   /** How the targets present are covered: k_min and the rest of a row of {@code steps.csv}. */
   public StepCoverage measure() {
     StepCoverage measured = new StepCoverage();

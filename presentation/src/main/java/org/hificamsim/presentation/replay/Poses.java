@@ -3,6 +3,7 @@ package org.hificamsim.presentation.replay;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
@@ -14,6 +15,7 @@ import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
@@ -44,79 +46,62 @@ final class Poses {
 
   /** A camera at the start; one that is yet to be added stands where the scenario says. */
   CameraPose of(Cameras cameras, int camera, CameraSpec spec) {
-    List<ZoomLevel> zooms = zooms(cameras.zooms(camera), level -> cameras.zoom(camera, level));
-    List<Level> detecting = levels(zooms);
     return pose(
-        spec.x(),
-        spec.y(),
+        new Point(spec.x(), spec.y()),
         Math.toRadians(spec.heading()),
-        zooms,
-        pans(cameras.views(camera), zooms.size(), view -> cameras.pan(camera, view)),
-        tilts(cameras.views(camera), zooms.size(), view -> cameras.zoom(camera, view)),
-        outlook.from(spec.x(), spec.y(), zooms.get(0).vertical().z(), reach(detecting)),
-        grounds(cameras.views(camera), view -> cameras.zoom(camera, view)));
+        cameras.zooms(camera),
+        cameras.views(camera),
+        view -> cameras.pan(camera, view),
+        view -> cameras.zoom(camera, view),
+        Optional.empty());
   }
 
   /** A camera that is online, which was in another pose before. */
   CameraPose of(NetworkView network, int camera, CameraPose before) {
-    double x = network.cameraX(camera);
-    double y = network.cameraY(camera);
-    List<ZoomLevel> zooms = zooms(network.zooms(camera), level -> network.zoom(camera, level));
-    List<Level> detecting = levels(zooms);
-    boolean asBefore = x == before.x() && y == before.y() && detecting.equals(before.levels());
     return pose(
-        x,
-        y,
+        new Point(network.cameraX(camera), network.cameraY(camera)),
         network.cameraHeading(camera),
-        zooms,
-        pans(network.views(camera), zooms.size(), view -> network.pan(camera, view)),
-        tilts(network.views(camera), zooms.size(), view -> network.zoom(camera, view)),
-        asBefore
-            ? before.visible()
-            : outlook.from(x, y, zooms.get(0).vertical().z(), reach(detecting)),
-        grounds(network.views(camera), view -> network.zoom(camera, view)));
+        network.zooms(camera),
+        network.views(camera),
+        view -> network.pan(camera, view),
+        view -> network.zoom(camera, view),
+        Optional.of(before));
   }
 
-  private static List<ZoomLevel> zooms(int count, IntFunction<ZoomLevel> zoom) {
-    return IntStream.range(0, count).mapToObj(zoom).toList();
-  }
-
-  private static List<Double> pans(int views, int zooms, IntToDoubleFunction pan) {
-    List<Double> pans =
-        IntStream.range(0, views / zooms).mapToObj(i -> pan.applyAsDouble(i * zooms)).toList();
-    return pans.equals(List.of(0.0)) ? List.of() : pans;
-  }
-
-  private static List<Double> tilts(int views, int zooms, IntFunction<ZoomLevel> zoom) {
-    List<Double> tilts =
-        IntStream.range(0, views / zooms)
-            .mapToObj(i -> zoom.apply(i * zooms).vertical().tilt())
-            .toList();
-    return Set.copyOf(tilts).size() == 1 ? List.of() : tilts;
-  }
-
+  /** Views are the zoom levels at the first pan angle, then at the next one. */
   private CameraPose pose(
-      double x,
-      double y,
+      Point at,
       double heading,
-      List<ZoomLevel> zooms,
-      List<Double> pans,
-      List<Double> tilts,
-      List<Double> visible,
-      List<List<Double>> grounds) {
+      int levelCount,
+      int views,
+      IntToDoubleFunction pan,
+      IntFunction<ZoomLevel> zoom,
+      Optional<CameraPose> before) {
+    List<ZoomLevel> zooms = IntStream.range(0, levelCount).mapToObj(zoom).toList();
+    List<ZoomLevel> turned =
+        IntStream.range(0, views / levelCount).mapToObj(i -> zoom.apply(i * levelCount)).toList();
+    List<Double> pans =
+        IntStream.range(0, turned.size()).mapToObj(i -> pan.applyAsDouble(i * levelCount)).toList();
+    List<Double> tilts = turned.stream().map(level -> level.vertical().tilt()).toList();
     List<LevelOptics> lenses = zooms.stream().map(LevelOptics::of).toList();
     boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
+    List<Level> detecting = levels(zooms);
     return new CameraPose(
-        x,
-        y,
+        at.x(),
+        at.y(),
         heading,
         zooms.get(0).viewingAngle(),
-        levels(zooms),
-        pans,
-        tilts,
+        detecting,
+        pans.equals(List.of(0.0)) ? List.of() : pans,
+        Set.copyOf(tilts).size() == 1 ? List.of() : tilts,
         alike ? List.of() : lenses,
-        visible,
-        grounds);
+        before
+            .filter(was -> at.x() == was.x() && at.y() == was.y())
+            .filter(was -> detecting.equals(was.levels()))
+            .map(CameraPose::visible)
+            .orElseGet(
+                () -> outlook.from(at.x(), at.y(), zooms.get(0).vertical().z(), reach(detecting))),
+        grounds(views, zoom));
   }
 
   /** The levels of the first pan angle, at each tilt; those of the others are the same. */

@@ -147,8 +147,8 @@ class ReplayRecorderTest {
     for (int step = 0; step < 100; step++) {
       assertClose(seen.get(step), frames.get(step));
       assertArrayEquals(seen.get(step).seeing(), frames.get(step).seeing());
-      blind += frames.get(step).seen(0) < 0 ? 1 : 0;
-      assertEquals(frames.get(step).level()[2], frames.get(step).seen(2), "turns at once");
+      blind += frames.get(step).seeing()[0] < 0 ? 1 : 0;
+      assertEquals(frames.get(step).level()[2], frames.get(step).seeing()[2], "turns at once");
     }
     assertTrue(blind > 0 && blind < 100, blind + " steps");
     assertEquals(List.of(0, 1), replay.setup().slow());
@@ -157,9 +157,9 @@ class ReplayRecorderTest {
     CameraPose pose = replay.setup().cameras().get(0).pose();
     assertEquals(25, pose.views());
     assertEquals(25, frames.get(0).estimates()[0].length);
-    assertEquals(Math.toRadians(90 - 60), pose.heading(2), 1e-12);
-    assertEquals(Math.toRadians(8), pose.viewingAngle(5), 1e-12);
-    assertEquals(640 / (2 * Math.tan(Math.toRadians(4))), pose.density(5), 1e-6);
+    assertEquals(Math.toRadians(90 - 60), pose.heading() + pose.pans().get(0), 1e-12);
+    assertEquals(Math.toRadians(8), pose.lenses().get(0).viewingAngle(), 1e-12);
+    assertEquals(640 / (2 * Math.tan(Math.toRadians(4))), pose.lenses().get(0).density(), 1e-6);
   }
 
   @Test

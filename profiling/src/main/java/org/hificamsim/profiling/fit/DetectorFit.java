@@ -41,7 +41,7 @@ public record DetectorFit(
     ShapeFit chosen =
         settings
             .shape()
-            .map(name -> named(shapes, name))
+            .map(name -> shape(shapes, name))
             .orElseGet(
                 () ->
                     shapes.get(
@@ -56,9 +56,8 @@ public record DetectorFit(
         RisingSlope.of(x, y, objects, settings.seed()));
   }
 
-  /** One shape. */
-  public ShapeFit shape(String name) {
-    return named(shapes, name);
+  private static ShapeFit shape(List<ShapeFit> shapes, String name) {
+    return shapes.stream().filter(one -> one.shape().equals(name)).findFirst().orElseThrow();
   }
 
   /** The scatter that is taken: of the least log loss, the constant one where both are equal. */
@@ -66,10 +65,6 @@ public record DetectorFit(
     return scatters.stream()
         .min(Comparator.comparingDouble(one -> one.calibration().logLoss()))
         .orElseThrow();
-  }
-
-  private static ShapeFit named(List<ShapeFit> shapes, String name) {
-    return shapes.stream().filter(one -> one.shape().equals(name)).findFirst().orElseThrow();
   }
 
   /** Whether this is no detector: nobody can be sure that a larger target is detected sooner. */
