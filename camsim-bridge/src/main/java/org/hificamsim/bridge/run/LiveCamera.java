@@ -1,6 +1,5 @@
 package org.hificamsim.bridge.run;
 
-import java.util.Arrays;
 import java.util.BitSet;
 import org.hificamsim.bridge.camsim.Aim;
 import org.hificamsim.bridge.camsim.Aiming;
@@ -26,9 +25,8 @@ final class LiveCamera {
   private String name = UNNAMED;
   private boolean online;
   private Pose mounted = Pose.of(0, 0, 0);
-  private Pose[] poses; // by pan angle
   private double angle;
-  private double ownRange;
+  private final double ownRange;
   private double reach = Double.NaN;
   private ViewSet views;
   private int view;
@@ -36,24 +34,17 @@ final class LiveCamera {
   private Aim turned = NEVER; // what CamSim made of it
   private Aim now = NEVER;
 
-  /** A camera that is yet to come: offline, with the views of a range of 0. */
-  static LiveCamera toCome(CameraViews kind) {
-    return new LiveCamera(null, kind);
-  }
-
-  /** A camera at its widest level, ahead; it is offline until the first {@link #refresh}. */
-  static LiveCamera of(Object handle, CamSim camsim, CameraViews kind) {
-    LiveCamera camera = new LiveCamera(handle, kind);
-    camera.ownRange = camsim.range(handle);
-    return camera;
-  }
-
-  private LiveCamera(Object handle, CameraViews kind) {
+  /**
+   * A camera at its widest level, ahead; it is offline until the first {@link #refresh}.
+   *
+   * @param ownRange metres
+   */
+  LiveCamera(Object handle, double ownRange, CameraViews kind) {
     this.handle = handle;
+    this.ownRange = ownRange;
     this.kind = kind;
     this.views = kind.of(0, 2 * Math.PI);
     this.view = views.home();
-    turn();
   }
 
   /**
@@ -89,7 +80,6 @@ final class LiveCamera {
       return false;
     }
     mounted = Pose.of(newX, newY, newHeading);
-    turn();
     return true;
   }
 
@@ -100,13 +90,7 @@ final class LiveCamera {
     angle = newAngle;
     reach = newReach;
     views = kind.of(reach, angle);
-    turn();
     return true;
-  }
-
-  private void turn() {
-    poses = new Pose[views.pans().size()];
-    Arrays.setAll(poses, pan -> mounted.turned(views.pans().get(pan)));
   }
 
   /** The camera takes no part, since it has failed or is gone; returns whether it did. */
@@ -120,7 +104,7 @@ final class LiveCamera {
   void turnTo(int newView, CamSim camsim, Aiming aiming) {
     view = newView;
     if (kind.optics().isPresent()) {
-      aim(new Aim(pose(view).heading(), zoom().viewingAngle(), zoom().radius()), aiming);
+      aim(new Aim(viewPose().heading(), zoom().viewingAngle(), zoom().radius()), aiming);
     } else {
       changeRange(zoom().radius(), camsim);
     }
@@ -156,9 +140,9 @@ final class LiveCamera {
     return mounted;
   }
 
-  /** Where the camera stands and which way it looks in one of its views. */
-  Pose pose(int ofView) {
-    return poses[views.panOf(ofView)];
+  /** Where the camera stands and which way it looks. */
+  Pose viewPose() {
+    return mounted.turned(views.pan(view));
   }
 
   /** The camera as a scenario describes one. */

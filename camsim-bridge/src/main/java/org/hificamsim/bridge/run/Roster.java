@@ -18,15 +18,6 @@ final class Roster<T> {
   private final IdentityHashMap<Object, Integer> numbers = new IdentityHashMap<>();
   private final List<T> all = new ArrayList<>();
   private final BitSet there = new BitSet();
-  private final T toCome;
-  private int room;
-
-  /**
-   * @param toCome what stands for one that has not been seen yet
-   */
-  Roster(T toCome) {
-    this.toCome = toCome;
-  }
 
   /**
    * Takes note of who is there now.
@@ -58,26 +49,11 @@ final class Roster<T> {
 
   /** What stands for this number. */
   T get(int number) {
-    return number < all.size() ? all.get(number) : toCome;
+    return all.get(number);
   }
 
   /** What stands for all that have been seen. */
   List<T> all() {
     return all;
-  }
-
-  /** Counts this many from now on, or all that have been seen if these are more. */
-  void reserve(int newRoom) {
-    room = newRoom;
-  }
-
-  /** How many there are, those to come included. */
-  int count() {
-    return Math.max(room, all.size());
-  }
-
-  /** Whether more have been seen than there was room for. */
-  boolean outgrown() {
-    return all.size() > room;
   }
 }

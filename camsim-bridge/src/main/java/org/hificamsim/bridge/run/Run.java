@@ -2,14 +2,21 @@ package org.hificamsim.bridge.run;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.Texts;
-import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.world.World;
+import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Traffic;
 import org.hificamsim.runs.output.SingleRun;
@@ -20,6 +27,9 @@ import org.hificamsim.runs.output.SingleRun;
  * <p>CamSim's step is: events, move, cameras look, auctions. The policy decides, and cameras are
  * turned, when the first camera is about to look; the policy learns, and coverage is measured, when
  * the step is over.
+ *
+ * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
+ * were expected then, the policy starts over and has to learn again, which is reported.
  */
 final class Run {
   private static final String NO_POLICY = "none";
@@ -29,12 +39,14 @@ final class Run {
   private final int number;
   private final Object core;
   private final CamSim camsim;
-  private final LiveNetwork network;
-  private final Optional<Steering> steering;
+  private final LiveWorld live;
   private final Optional<SingleRun> files;
   private final Optional<TrackedObjects> tracked;
-  private final StepCoverage coverage;
   private Optional<ScenarioFile> scenario = Optional.empty();
+  private Simulation simulation; // null before the first step
+  private ZoomPolicy policy;
+  private Traffic earlier = Traffic.NONE; // of policies that started over
+  private Proof earlierProof = Proof.OF_NOTHING;
   private long step;
   private boolean prepared;
   private boolean checked; // that CamSim looks where the tracks have its objects
@@ -48,17 +60,15 @@ final class Run {
     this.number = number;
     this.core = core;
     this.camsim = new CamSim(core);
-    this.network =
-        new LiveNetwork(
+    this.live =
+        new LiveWorld(
             camsim,
             core,
             Visibility.asInCamSim(settings.seen(), seed()),
             settings.size(),
-            settings.views(),
-            settings.objective());
+            settings.views());
     this.tracked = settings.tracks().map(tracks -> new TrackedObjects(tracks, camsim));
-    this.coverage = new StepCoverage(settings.objective());
-    this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
+    this.policy = newPolicy();
     this.files =
         settings.out().isPresent()
             ? Optional.of(
@@ -101,7 +111,7 @@ final class Run {
     if (settings.detection().isEmpty()) {
       return Double.NaN;
     }
-    double confidence = network.look(camera, object);
+    double confidence = live.look(camera, object, step);
     if (!Double.isNaN(confidence)) {
       camsim.setVisible(camera, object, confidence);
     }
@@ -110,9 +120,9 @@ final class Run {
 
   /** CamSim has looked itself. */
   void looked(Object camera, Object object, double confidence) {
-    network.saw(camera, object, confidence > 0);
+    live.saw(camera, object, confidence > 0);
     if (!checked && tracked.isPresent() && tracked.get().hasLeft(object)) {
-      checked = network.agrees(camera, object, confidence);
+      checked = live.agrees(camera, object, confidence);
     }
   }
 
@@ -124,15 +134,7 @@ final class Run {
   /** A step is over. */
   synchronized void stepEnds() {
     prepare();
-    steering.ifPresent(policy -> policy.learn(network));
-    coverage.measure(network);
-    coverage.measureScore(network);
-    if (!settings.seen().certain()) {
-      coverage.expect(network);
-    }
-    if (!ended) {
-      files.ifPresent(open -> open.stepped(network, coverage));
-    }
+    simulation.fromObservation();
     step++;
   }
 
@@ -142,10 +144,7 @@ final class Run {
       ended = true;
       if (files.isPresent()) {
         try (SingleRun run = files.get()) {
-          run.commit(
-              plan(run.steps()),
-              steering.map(Steering::traffic).orElse(Traffic.NONE),
-              steering.flatMap(Steering::proof));
+          run.commit(plan(run.steps()), traffic(), proof());
         }
       }
     }
@@ -153,8 +152,8 @@ final class Run {
 
   /** Leaves CamSim as it would be without a policy. */
   void letGo() {
-    if (steering.isPresent()) {
-      network.restore();
+    if (settings.policy().isPresent()) {
+      live.restore();
     }
   }
 
@@ -166,14 +165,59 @@ final class Run {
   }
 
   private synchronized void readAndSteer() {
-    network.refresh(step);
+    live.refresh();
     if (step == 0) {
-      scenario = ScenarioFile.with(network.cameraNames());
-      scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
+      scenario = ScenarioFile.with(live.cameraNames());
+      scenario.ifPresent(file -> live.expect(file.allCameras(), file.allTargets()));
       scenario.map(file -> file.question().get("channel")).ifPresent(Run::tell);
     }
-    steering.ifPresent(policy -> policy.decide(network));
-    network.forget();
+    if (!live.fits()) {
+      begin();
+    }
+    simulation.untilDecision();
+    simulation.decide();
+    if (settings.policy().isPresent()) {
+      live.turn();
+    }
+    live.forget();
+  }
+
+  private void begin() {
+    if (simulation != null) {
+      settings.policy().ifPresent(this::startOver);
+    }
+    World world = live.begin(settings.objective());
+    StepListener listener =
+        (network, coverage) ->
+            files.filter(open -> !ended).ifPresent(open -> open.stepped(network, coverage));
+    simulation =
+        new Simulation(
+                world, settings.seen(), policy, live, seed(), List.of(listener), Workers.CALLER)
+            .continuingAt(step);
+  }
+
+  private void startOver(BridgeSettings.Policy given) {
+    FaultLine.note(
+        Texts.format(
+            "step %s: more cameras or objects than expected: policy %s starts over",
+            step, given.spec()));
+    earlier = traffic();
+    earlierProof = proof().orElse(earlierProof);
+    policy = newPolicy();
+  }
+
+  private ZoomPolicy newPolicy() {
+    return settings.policy().map(given -> given.maker().get()).orElseGet(NoPolicy::new);
+  }
+
+  /** What the cameras have sent each other for the policy's sake. */
+  private Traffic traffic() {
+    return earlier.plus(new Traffic(policy.messages(), policy.bits(), Double.NaN));
+  }
+
+  /** What the policies proved; empty for one that does not claim to be the best. */
+  private Optional<Proof> proof() {
+    return Proof.of(policy).map(earlierProof::plus);
   }
 
   private static void tell(String channel) {
@@ -200,7 +244,7 @@ final class Run {
     return new Scenario(scenario.map(ScenarioFile::name).orElse(NO_SCENARIO), unknown)
         .with(Scenario.OBJECTIVE, settings.objective())
         .with(Scenario.ZOOMS, settings.zooms())
-        .with(Scenario.CAMERAS, network.cameraSpecs());
+        .with(Scenario.CAMERAS, live.cameraSpecs());
   }
 
   private long seed() {
@@ -210,5 +254,16 @@ final class Run {
   /** The first run's files go into the folder itself, those of run i into {@code run-i} in it. */
   private static Path folder(Path out, int number) {
     return number == 0 ? out : out.resolve("run-" + number);
+  }
+
+  /** CamSim chooses the views. */
+  private static final class NoPolicy implements ZoomPolicy {
+    @Override
+    public String name() {
+      return NO_POLICY;
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {}
   }
 }

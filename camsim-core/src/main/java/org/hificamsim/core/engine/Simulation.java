@@ -120,6 +120,11 @@ public final class Simulation {
   /** Runs the second half of a step: decide, observe, measure. */
   public void fromDecision() {
     decide();
+    fromObservation();
+  }
+
+  /** Runs the rest of a step when the cameras have decided: observe, measure. */
+  public void fromObservation() {
     network.observe(cooperation);
     cooperation.cooperate();
     policy.learn(network);
@@ -159,8 +164,11 @@ public final class Simulation {
     return coverage;
   }
 
-  /** All cameras decide from the same snapshot, then all zooms are applied. */
-  private void decide() {
+  /**
+   * All cameras decide from the same snapshot, then all zooms are applied: what {@link
+   * #fromDecision} begins with. After it alone, {@link #fromObservation} has to follow.
+   */
+  public void decide() {
     for (int camera = 0; camera < views.length; camera++) {
       views[camera] = network.view(camera);
     }

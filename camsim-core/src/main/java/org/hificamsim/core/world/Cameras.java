@@ -60,6 +60,11 @@ public final class Cameras {
     revision++;
   }
 
+  void place(int camera, String name, Mount mount) {
+    names[camera] = name;
+    place(camera, mount);
+  }
+
   void place(int camera, Pose pose) {
     place(camera, mounts[camera].at(pose));
   }

@@ -72,6 +72,10 @@ public final class Targets {
     present[target] = true;
   }
 
+  void rename(int target, String name) {
+    names[target] = name;
+  }
+
   void disappear(int target) {
     radius[target] = 0;
     present[target] = false;

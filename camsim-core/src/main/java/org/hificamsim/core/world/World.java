@@ -150,6 +150,22 @@ public final class World {
     cameras.place(camera, Pose.of(cameras.x(camera), cameras.y(camera), heading));
   }
 
+  /** Has a camera be what another program says, outside any event: its name, pose and views. */
+  public void setCamera(int camera, String name, Pose pose, ViewSet views) {
+    cameras.place(camera, name, participants.views().mount(pose, views));
+    sightLines.refresh();
+  }
+
+  /** The same of a target: its name, whether it is there, and where, in metres. */
+  public void setTarget(int target, String name, boolean there, double x, double y) {
+    targets.rename(target, name);
+    if (there) {
+      targets.appear(target, x, y, 0, 0);
+    } else {
+      targets.disappear(target);
+    }
+  }
+
   /**
    * Gives a camera another range; one with a zoom list keeps its levels.
    *
