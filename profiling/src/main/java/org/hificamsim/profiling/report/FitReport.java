@@ -42,7 +42,6 @@ public final class FitReport {
   private final OwnTables own;
   private final HeldOut heldOut;
   private final Claims claims;
-  private final List<FidelityLadder.Step> steps;
 
   private FitReport(
       FitResult result, List<Trials> trials, PipReading pip, OutputFolder folder, String title) {
@@ -55,10 +54,6 @@ public final class FitReport {
     this.tables = new ThesisTables(result);
     this.own = new OwnTables(result);
     this.claims = new Claims(result);
-    this.steps =
-        result.detectors().stream()
-            .flatMap(detector -> FidelityLadder.of(result, detector).stream())
-            .toList();
   }
 
   /**
@@ -119,9 +114,8 @@ public final class FitReport {
     parts.put("confidences", this::confidences);
     parts.put("objects", () -> own.objects(page));
     parts.put("own features", () -> own.features(page));
-    parts.put("models", () -> OwnTables.models(page, steps));
+    parts.put("models", () -> own.models(page));
     parts.put("decisions", () -> page.paragraph(Advice.decisions(result)));
-    parts.put("ladder", this::ladder);
     parts.put("scatters", () -> own.scatters(page));
     parts.put("reliability", this::reliability);
     parts.put("trials by photo", () -> simulation.photos(page));
@@ -147,14 +141,6 @@ public final class FitReport {
           figures.objects(detector),
           detector + ": every photo, its object by colour; g, and its 95% band.");
     }
-  }
-
-  private void ladder() throws IOException {
-    String first = Advice.first(result).detector();
-    byte[] png =
-        ReportFigures.ladder(
-            steps.stream().filter(step -> step.detector().equals(first)).toList(), first);
-    picture("ladder.png", png, "The fidelity ladder: what each step costs and buys.");
   }
 
   private void reliability() throws IOException {

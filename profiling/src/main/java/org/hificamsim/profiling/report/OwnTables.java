@@ -113,17 +113,18 @@ final class OwnTables {
   }
 
   /** Every model g(f), and before them what CamSim has. */
-  static void models(HtmlPage page, List<FidelityLadder.Step> steps) {
+  void models(HtmlPage page) {
     page.table(
-        new TableLayout<FidelityLadder.Step>()
-            .with("model", step -> step.detector() + "-" + step.model())
-            .with("g", step -> step.fit().shape())
-            .with("R2", step -> fixed(step.fit().scores().r2(), 3))
-            .with("R2, unseen", step -> fixed(step.fit().unseen().r2(), 3))
-            .with("detect or not, unseen", step -> fixed(step.accuracy(), 3))
-            .with("ns", step -> significant(step.nanoseconds()))
-            .with("", step -> step.refused() ? "refused" : ""),
-        steps);
+        new TableLayout<ModelScores>()
+            .with("model", one -> one.detector() + "-" + one.model())
+            .with("g", one -> one.fit().shape())
+            .with("R2", one -> fixed(one.fit().scores().r2(), 3))
+            .with("R2, unseen", one -> fixed(one.fit().unseen().r2(), 3))
+            .with("detect or not, unseen", one -> fixed(one.accuracy(), 3))
+            .with("", one -> one.refused() ? "refused" : ""),
+        result.detectors().stream()
+            .flatMap(detector -> ModelScores.of(result, detector).stream())
+            .toList());
   }
 
   /** A scatter of a model, and what its chances are worth. */

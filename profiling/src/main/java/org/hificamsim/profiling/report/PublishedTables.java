@@ -3,7 +3,6 @@ package org.hificamsim.profiling.report;
 import com.fasterxml.jackson.databind.ObjectReader;
 import com.fasterxml.jackson.dataformat.csv.CsvMapper;
 import com.fasterxml.jackson.dataformat.csv.CsvSchema;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.Io;
@@ -43,14 +42,6 @@ final class PublishedTables {
   /** Figure 3.7. */
   static List<Map<String, String>> ball() {
     return rows("figure-3.7-ball-at-1m.csv");
-  }
-
-  /** What JMH measured for the ladder, nanoseconds per evaluation by model. */
-  static Map<String, Double> nanoseconds() {
-    Map<String, Double> times = new LinkedHashMap<>();
-    rows("ladder-nanoseconds.csv")
-        .forEach(row -> times.put(row.get("model"), Double.parseDouble(row.get("nanoseconds"))));
-    return times;
   }
 
   /** The row that has these cells; no row has no cells. */

@@ -28,7 +28,6 @@ final class ReportFigures {
   private static final int MAX_NAMED = 16;
   private static final int CURVE_POINTS = 60;
   private static final int DENSITY_POINTS = 200;
-  private static final double LEAST_R2 = -1; // one far below 0 would press the others together
 
   private final FitResult result;
   private final double[] responses;
@@ -172,38 +171,6 @@ final class ReportFigures {
     Charts.points(chart, "photos", x, result.confidences(detector), Charts.DOTS);
     DetectorModel line = result.line(detector, on).line();
     return Charts.line(chart, "line", ends(x), at(ends(x), line::confidence), Charts.BLUE);
-  }
-
-  /** The ladder: what each step costs and buys. */
-  static byte[] ladder(List<FidelityLadder.Step> steps, String detector) {
-    XYChart chart =
-        Charts.large(
-            "What each step buys and costs: " + detector,
-            "nanoseconds per evaluation of the shipped model",
-            "R2, unseen");
-    chart.getStyler().setXAxisLogarithmic(true);
-    chart.getStyler().setXAxisMin(0.1);
-    chart.getStyler().setXAxisMax(100_000.0);
-    chart.getStyler().setLegendVisible(true);
-    chart.getStyler().setMarkerSize(11);
-    double least = 0;
-    for (int i = 0; i < steps.size(); i++) {
-      FidelityLadder.Step step = steps.get(i);
-      double r2 = step.fit().unseen().r2();
-      if (r2 >= LEAST_R2 && Double.isFinite(step.nanoseconds())) {
-        least = Math.min(least, r2);
-        Charts.points(
-            chart,
-            step.model(),
-            new double[] {step.nanoseconds()},
-            new double[] {r2},
-            Color.getHSBColor(i / (float) steps.size(), 0.75f, 0.75f),
-            i % 2 == 0 ? SeriesMarkers.CIRCLE : SeriesMarkers.DIAMOND);
-      }
-    }
-    chart.getStyler().setYAxisMin(Math.min(-0.05, least - 0.05));
-    chart.getStyler().setYAxisMax(1.0);
-    return Charts.png(List.of(chart), 1);
   }
 
   /** A detector's confidence by measured PIP, object by object, with the chosen g and its band. */

@@ -12,59 +12,42 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
- * The fidelity ladder: from "certain in view" to support vectors, how well each model predicts the
- * confidence of objects that it has not seen and how long one evaluation takes.
+ * How well a model of a detector predicts the confidence of objects that it has not seen.
+ *
+ * @param fit its g; {@code geometric}'s value never varies, so that it predicts the mean of what it
+ *     has seen
+ * @param accuracy how often it puts what it has not seen on the right side of the threshold
+ *     (balanced)
  */
-final class FidelityLadder {
+record ModelScores(String detector, String model, ShapeFit fit, boolean refused, double accuracy) {
   /** The mean of the confidences, whatever the PIP. */
   private static final DetectorShape MEAN =
       new DetectorShape(
           "mean", (pip, y) -> new DetectorLine(0, Arrays.stream(y).average().orElseThrow()));
 
-  private FidelityLadder() {}
-
   /**
-   * One step.
-   *
-   * @param fit its g; {@code geometric}'s value never varies, so that it predicts the mean of what
-   *     it has seen
-   * @param accuracy how often it puts what it has not seen on the right side of the threshold
-   *     (balanced)
-   * @param nanoseconds per evaluation of the shipped model of this kind; NaN where nobody measured
+   * The models of one detector: what CamSim has first, the plainest before others, then every f.
    */
-  record Step(
-      String detector,
-      String model,
-      ShapeFit fit,
-      boolean refused,
-      double accuracy,
-      double nanoseconds) {}
-
-  /** The ladder of one detector: the plainest model first, then every f. */
-  static List<Step> of(FitResult result, String detector) {
+  static List<ModelScores> of(FitResult result, String detector) {
     ShapeFit mean = onValues(result, detector, MEAN, result.measuredPip());
     ShapeFit camSim =
         onValues(result, detector, DetectorShape.of("line"), result.predictor(FitResult.CAMSIM));
-    List<Step> steps = new ArrayList<>();
-    steps.add(step(result, detector, "geometric", mean, false));
-    steps.add(step(result, detector, FitResult.CAMSIM, camSim, false));
+    List<ModelScores> all = new ArrayList<>();
+    all.add(of(result, detector, "geometric", mean, false));
+    all.add(of(result, detector, FitResult.CAMSIM, camSim, false));
     for (FeatureResult f : result.features()) {
       DetectorFit g = result.model(detector, f.name());
-      steps.add(step(result, detector, f.name(), g.chosen(), g.refused()));
+      all.add(of(result, detector, f.name(), g.chosen(), g.refused()));
     }
-    return steps;
+    return all;
   }
 
-  private static Step step(
+  private static ModelScores of(
       FitResult result, String detector, String model, ShapeFit fit, boolean refused) {
-    return new Step(
-        detector,
-        model,
-        fit,
-        refused,
+    double accuracy =
         DetectionAccuracy.of(result, detector)
-            .accuracy(result.confidences(detector), fit.predicted()),
-        PublishedTables.nanoseconds().getOrDefault(model, Double.NaN));
+            .accuracy(result.confidences(detector), fit.predicted());
+    return new ModelScores(detector, model, fit, refused, accuracy);
   }
 
   private static ShapeFit onValues(

@@ -1,2 +1,0 @@
-/** Benchmarks of the fidelity ladder. */
-package org.hificamsim.profiling.bench;
