@@ -23,6 +23,7 @@ public final class CoverSearch {
   private static final double LEAST = 1e-3; // of a price, that remains of it
   private static final double NOISE = 0.1;
   private static final int KERNEL = 1000; // candidates
+  private static final double LOOSE = 0.03; // a bound that tells a linear solver little, as a share
 
   private final CoverInstance instance;
   private final Goal goal;
@@ -92,8 +93,11 @@ public final class CoverSearch {
   /** Solves for these candidates alone, which the best plan is among; returns the bound. */
   private double exactly(int[] open, double bound, Effort effort, BooleanSupplier enough) {
     int[] start = Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray();
-    ExactMethod.Found found =
-        effort.exact().orElseThrow().solve(instance.with(open), goal, start, bound, enough);
+    CoverInstance some = instance.with(open);
+    boolean loose = Math.abs(bound - score) > LOOSE * Math.abs(score);
+    ExactMethod method =
+        loose && Enumeration.suits(some, goal) ? new Enumeration() : effort.exact().orElseThrow();
+    ExactMethod.Found found = method.solve(some, goal, start, bound, enough);
     keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
     return found.bound();
   }

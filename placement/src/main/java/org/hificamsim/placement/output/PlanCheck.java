@@ -7,8 +7,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
-import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -27,7 +25,6 @@ import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
 import org.hificamsim.placement.cover.Duals;
 import org.hificamsim.placement.cover.Effort;
-import org.hificamsim.placement.cover.ExactMethod;
 import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
@@ -49,8 +46,7 @@ public final class PlanCheck {
   private final Demand demand;
   private final SampleSight sight;
   private final boolean any;
-  private final Optional<ExactMethod> exact;
-  private final BooleanSupplier stop;
+  private final Effort effort;
 
   private PlanCheck(
       Path folder,
@@ -59,8 +55,7 @@ public final class PlanCheck {
       Function<String, Detection> detections,
       Effort effort)
       throws IOException {
-    exact = effort.exact();
-    stop = effort.stop();
+    this.effort = effort;
     file = folder.resolve(ResultFolder.SUMMARY);
     summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
     rows = PlanTables.SAMPLES.read(folder).rows();
@@ -152,7 +147,10 @@ public final class PlanCheck {
     requireNoBetter("bound", bound, score, "the score", goal);
     String by = "holds";
     if (Math.abs(bound - relaxed) > MARGIN * Math.max(1, Math.abs(bound))) {
-      by = exact.isPresent() ? proven(left, goal, bound) : "is not checked without --method exact";
+      by =
+          effort.exact().isPresent()
+              ? proven(left, goal, bound)
+              : "is not checked without --method exact";
     }
     return List.of(
         String.format(
@@ -171,11 +169,8 @@ public final class PlanCheck {
 
   /** Solves anew, without the plan, what remains of the problem. */
   private String proven(CoverInstance left, Goal goal, double bound) {
-    CoverPlan again = CoverSearch.solve(left, goal, Effort.of(1, 0, () -> true), (a, b) -> {});
-    ExactMethod.Found found =
-        exact.orElseThrow().solve(left, goal, again.chosen(), again.bound(), stop);
-    double best = goal.score(left, found.chosen());
-    requireNoBetter("bound", bound, best, "of a plan that is better", goal);
+    CoverPlan found = CoverSearch.solve(left, goal, effort, (score, its) -> {});
+    requireNoBetter("bound", bound, found.score(), "of a plan that is better", goal);
     double margin = MARGIN * Math.max(1, Math.abs(bound));
     boolean holds =
         goal.isAll() ? found.bound() >= bound - margin : found.bound() <= bound + margin;
