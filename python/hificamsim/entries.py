@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from . import spaces
 from .errors import InputError, shown
 from .results import execute
-from .spaces import told
 from .worlds import TASKS, TESTING, Array, Worlds, tasks
 
 Policy = Callable[[Array, Array], Any]
@@ -56,9 +56,7 @@ def benchmark(
 def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]) -> Array:
     scores = []
     with Worlds(task, 1, auto_reset=False, **settings) as worlds:
-        counts = np.broadcast_to(np.asarray(worlds.choices), worlds.actions.shape[1:])
-        if len(worlds.choices) == 1:
-            counts = np.asarray(worlds.views)[:, None]
+        counts = spaces.counts(spaces.joint_action(worlds)).reshape(worlds.actions.shape[1:])
         for seed in TESTING:
             worlds.reset(seed)
             if hasattr(policy, "begin"):
@@ -66,7 +64,7 @@ def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]
             episode, score = [], 0.0
             for _ in range(worlds.episode_steps):
                 actions = np.asarray(policy(worlds.observations[0], worlds.masks[0])).reshape(counts.shape)
-                worlds.actions[0] = told(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
+                worlds.actions[0] = spaces.told(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
                 worlds.step()
                 episode.append(worlds.actions.astype("<i4").tobytes())
                 score += float(worlds.measures[0, 2])

@@ -22,7 +22,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
     All end together, after ``steps``: nothing is terminated, all are truncated. A camera that an event switches
     off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
     it may do; what it forbids leaves the camera as it is. An action is an int from 0 on, or two with
-    ``actions="steps"``; every camera needs one. ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
+    ``actions="steps"``, or two rates in [-1, 1], without a mask, with ``actions="rates"``; every camera needs one. ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
     """
 
     metadata: dict[str, Any] = {
@@ -115,7 +115,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         masks = self.worlds.masks[0].astype(np.int8)
         measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
         return {
-            agent: {"action_mask": self._mask(i, masks[i]), **measured}
+            agent: {**({} if self.worlds.kind == "rates" else {"action_mask": self._mask(i, masks[i])}), **measured}
             for i, agent in enumerate(self.possible_agents)
         }
 

@@ -184,7 +184,6 @@ def record(
     if worlds.file.endswith(".json"):
         raise InputError("a task has no report, expected a scenario: its site is drawn for each episode")
     asked = {key: value for key, value in worlds.settings.items() if key in worlds.run_settings}
-    kind = "steps" if len(worlds.choices) > 1 else "view"
-    episode = {"policy": f"played:actions={kind},file={actions}", "steps": steps, "seed": worlds.episode_seed()}
+    episode = {"policy": f"played:actions={worlds.kind},file={actions}", "steps": steps, "seed": worlds.episode_seed()}
     run(worlds.file, out=folder, record=True, **{**asked, **episode})
     return pathlib.Path(folder, "report.html")

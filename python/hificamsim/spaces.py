@@ -12,6 +12,9 @@ from .errors import InputError, shown
 from .worlds import Array, Worlds
 
 
+RATE = 1000  # of which a rate of 1 is as many
+
+
 def observation(worlds: Worlds, *shape: int) -> gymnasium.spaces.Box:
     """Of observations, with their true bounds; ``shape`` is what comes before the numbers of a camera."""
     low, high = worlds.bounds()
@@ -26,26 +29,32 @@ def state(worlds: Worlds) -> gymnasium.spaces.Box:
 
 def action(worlds: Worlds, camera: int | None = None) -> gymnasium.spaces.Space[Any]:
     """Of a camera's action; without a camera, of one that may be any."""
+    if worlds.kind == "rates":
+        return gymnasium.spaces.Box(-1, 1, (2,), np.float32)
     if len(worlds.choices) > 1:
         return gymnasium.spaces.MultiDiscrete(worlds.choices)
     return gymnasium.spaces.Discrete(worlds.choices[0] if camera is None else worlds.views[camera])
 
 
-def joint_action(worlds: Worlds) -> gymnasium.spaces.MultiDiscrete:
+def joint_action(worlds: Worlds) -> gymnasium.spaces.Space[Any]:
     """Of the actions of all cameras, one after the other."""
+    if worlds.kind == "rates":
+        return gymnasium.spaces.Box(-1, 1, (2 * len(worlds.cameras),), np.float32)
     if len(worlds.choices) > 1:
         return gymnasium.spaces.MultiDiscrete(worlds.choices * len(worlds.cameras))
     return gymnasium.spaces.MultiDiscrete(worlds.views)
 
 
 def counts(of: gymnasium.spaces.Space[Any]) -> Array:
-    """Of how many each number of an action of a space is one."""
+    """Of how many each number of an action of a space is one; of rates the most that each can be, as floats."""
+    if isinstance(of, gymnasium.spaces.Box):
+        return of.high
     n = of.n if isinstance(of, gymnasium.spaces.Discrete) else of.nvec  # type: ignore[attr-defined]
     return np.asarray(n, np.uint64)  # as which a negative action is a large one
 
 
 def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) -> Array:
-    """Actions of the shape of ``counts``, each a whole number from 0 to below its count.
+    """Actions of the shape of ``counts``, each a whole number from 0 to below its count; rates in thousandths.
 
     :param name: says whose the action at an index is
     """
@@ -55,17 +64,20 @@ def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) ->
         values = np.empty(0, object)  # not even rows of one length
     if values.shape != counts.shape:
         raise InputError(f"actions have shape {values.shape}, expected {counts.shape}")
-    if values.dtype.kind in "iu" and not np.count_nonzero(values.astype(np.uint64) >= counts):
+    rated = counts.dtype.kind == "f"
+    if rated and values.dtype.kind in "fiu" and (np.abs(values) <= 1).all():
+        return np.rint(RATE * (values + 1)).astype(np.int32)
+    if not rated and values.dtype.kind in "iu" and not np.count_nonzero(values.astype(np.uint64) >= counts):
         return values
     for index, value in np.ndenumerate(np.asarray(actions, object)):
-        whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-        last = int(counts[index]) - 1
-        if not whole or not 0 <= value <= last:
+        number = isinstance(value, (int, np.integer, *((float, np.floating) if rated else ())))
+        least, last = (-1, 1) if rated else (0, int(counts[index]) - 1)
+        if not number or isinstance(value, bool) or not least <= value <= last:
             said = value if isinstance(value, (int, float, np.number)) else shown(value)
             raise InputError(
-                f"action {said} of {name(index)}, expected a whole number from 0 to {last}"
+                f"action {said} of {name(index)}, expected a {'rate' if rated else 'whole number'} from {least} to {last}"
             )
-    raise InputError(f"actions are of type {values.dtype}, expected whole numbers")
+    raise InputError(f"actions are of type {values.dtype}, expected {'rates' if rated else 'whole numbers'}")
 
 
 def mask(worlds: Worlds, camera: int, of: Array) -> Array | tuple[Array, ...]:

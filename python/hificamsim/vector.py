@@ -33,9 +33,9 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
     of an action and M choices of a camera, for ``world`` and ``camera``:
 
     - observations: float32 (B, C, F), and (B x C, F)
-    - actions: (B, C x A), and (B x C,) or (B x C, 2)
+    - actions: (B, C x A), and (B x C,) or (B x C, 2); float32 in [-1, 1] with ``actions="rates"``
     - rewards: (B,), and (B x C,)
-    - ``infos``: ``action_mask``, (B, C x M) and (B x C, M); ``coverage``, ``k_min`` and ``score`` of each environment;
+    - ``infos``: ``action_mask``, (B, C x M) and (B x C, M), but for rates; ``coverage``, ``k_min`` and ``score`` of each environment;
       ``final_obs`` with ``_final_obs`` where episodes ended
     """
 
@@ -149,7 +149,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         return np.repeat(of_worlds, self._each) if self.per == "camera" else of_worlds
 
     def _infos(self) -> dict[str, Any]:
-        infos: dict[str, Any] = {"action_mask": self._own(self._masks)}
+        infos: dict[str, Any] = {} if self.worlds.kind == "rates" else {"action_mask": self._own(self._masks)}
         for name, values in zip(MEASURES, self.worlds.measures.T):
             infos[name] = self._own(self._spread(values))
         return infos
@@ -225,7 +225,7 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
 
     def _info(self) -> dict[str, Any]:
         measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
-        return {"action_mask": self.worlds.masks[0].copy(), **measured}
+        return measured if self.worlds.kind == "rates" else {"action_mask": self.worlds.masks[0].copy(), **measured}
 
     def render(self) -> Any:
         """The last step as a picture, uint8 (height, width, 3)."""

@@ -80,7 +80,8 @@ class Worlds:
     - those of a run: detection, threshold, detect, objective, channel, order, headings, steps (of an episode) and seed (of the
       first world), as the options of ``hificamsim run``
     - reward: coverage, kmin, score, difference or thesis
-    - actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
+    - actions: view (the number of a view), steps (pan and zoom, each down, stay or up) or rates (how fast it turns and
+      zooms; in ``actions`` from 0, to the left or narrower, over 1000, not at all, to 2000)
     - targets, neighbours: how many of the nearest seen targets and of the nearest cameras are observed
     - auto_reset: True or ``same-step``: the next episode begins within the call that ends one; ``next-step``: in the
       call that follows, whose actions do not count; False or ``disabled``: after a ``reset``
@@ -126,6 +127,8 @@ class Worlds:
         self.episode_steps: int = said["steps"]
         self.run_settings: list[str] = said["settings"]
         self.choices: list[int] = said["choices"]
+        #: What an action is.
+        self.kind: str = str(self.settings.get("actions", "view"))
         self.features: list[dict[str, Any]] = said["features"]
         arrays = {part["name"]: self._array(part) for part in said["sections"]}
         self.actions = arrays["actions"]

@@ -75,8 +75,8 @@ def test_what_is_no_array_of_whole_numbers_is_said_as_a_whole(actions: Any, line
 
 
 def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
-    by_view: Any = SimpleNamespace(choices=[5], views=[3, 5], cameras=["a", "b"])
-    by_step: Any = SimpleNamespace(choices=[3, 2], views=[3, 5], cameras=["a", "b"])
+    by_view: Any = SimpleNamespace(kind="view", choices=[5], views=[3, 5], cameras=["a", "b"])
+    by_step: Any = SimpleNamespace(kind="steps", choices=[3, 2], views=[3, 5], cameras=["a", "b"])
     with_state: Any = SimpleNamespace(states=np.zeros((2, 7)))
     assert spaces.state(with_state) == gymnasium.spaces.Box(-1, 1, (7,), np.float32)
     assert spaces.action(by_view) == gymnasium.spaces.Discrete(5)
@@ -88,6 +88,17 @@ def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
     assert spaces.counts(spaces.joint_action(by_step)).tolist() == [3, 2, 3, 2]
     assert spaces.mask(by_view, 0, np.array([1, 0, 1, 0, 0])).tolist() == [1, 0, 1]
     by_parts: Any = SimpleNamespace(choices=[3, 2, 1])
+    by_rate: Any = SimpleNamespace(kind="rates", cameras=["a", "b"])
+    assert spaces.action(by_rate, 0) == gymnasium.spaces.Box(-1, 1, (2,), np.float32)
+    assert spaces.joint_action(by_rate) == gymnasium.spaces.Box(-1, 1, (4,), np.float32)
+    limits = spaces.counts(spaces.action(by_rate))
+    assert spaces.told([-1, 0.5], limits, str).tolist() == [0, 1500]
+    assert spaces.told(np.array([1, 0]), limits, str).dtype == np.int32
+    for wrong, said in ((1.5, "1.5"), (float("nan"), "nan"), (-2, "-2"), (True, "True"), ("x", "'x'")):
+        with pytest.raises(ValueError, match=f"action {said} of .0,., expected a rate from -1 to 1"):
+            spaces.told([wrong, 0.5] if wrong is not True else np.array([True, 0.5], object), limits, str)
+    with pytest.raises(ValueError, match="expected a rate|expected rates"):
+        spaces.told(np.array([True, False]), limits, str)
     parts = spaces.mask(by_parts, 0, np.array([1, 0, 1, 1, 0, 1]))
     assert [part.tolist() for part in parts] == [[1, 0, 1], [1, 0], [1]]
 

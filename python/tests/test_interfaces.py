@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pathlib
+
 import gymnasium
 import numpy as np
 import pytest
@@ -16,21 +18,23 @@ SCENARIOS = ["campus", "campus-heights", "mate-4v8-9", "cluster-random"]
 
 
 @pytest.mark.parametrize("scenario", SCENARIOS)
-def test_pettingzoo_parallel_api(scenario: str, backend: str) -> None:
-    env = hificamsim.parallel_env(scenario, steps=60, backend=backend)
+@pytest.mark.parametrize("actions", ["view", "rates"])
+def test_pettingzoo_parallel_api(scenario: str, actions: str, backend: str) -> None:
+    env = hificamsim.parallel_env(scenario, steps=60, actions=actions, backend=backend)
     parallel_api_test(env, num_cycles=200)
     env.close()
 
 
-@pytest.mark.parametrize("actions", ["view", "steps"])
+@pytest.mark.parametrize("actions", ["view", "steps", "rates"])
 def test_pettingzoo_parallel_seed(actions: str) -> None:
     parallel_seed_test(lambda: hificamsim.parallel_env("campus", steps=60, actions=actions))
 
 
-def test_pettingzoo_turn_by_turn() -> None:
-    env = hificamsim.env("mate-4v8-9", steps=30)
+@pytest.mark.parametrize("actions", ["view", "rates"])
+def test_pettingzoo_turn_by_turn(actions: str) -> None:
+    env = hificamsim.env("mate-4v8-9", steps=30, actions=actions)
     api_test(env, num_cycles=300)
-    seed_test(lambda: hificamsim.env("mate-4v8-9", steps=30), num_cycles=50)
+    seed_test(lambda: hificamsim.env("mate-4v8-9", steps=30, actions=actions), num_cycles=50)
     env.close()
 
 
@@ -60,10 +64,24 @@ def test_pettingzoo_render() -> None:
     render_test(lambda render_mode=None: hificamsim.env("cluster-random", steps=30, render_mode=render_mode))
 
 
+def test_rates_turn_cameras_by_any_amount_and_are_reported(tmp_path: pathlib.Path) -> None:
+    env = hificamsim.make("mate-4v8-9-v1", actions="rates", steps=40)
+    _, infos = env.reset(seed=1)
+    assert env.action_space("north-east") == gymnasium.spaces.Box(-1, 1, (2,), np.float32)
+    assert "action_mask" not in infos["north-east"]
+    at = next(i for i, feature in enumerate(env.worlds.features) if feature["name"] == "goal_pan")
+    for _ in range(40):
+        observations, *_ = env.step({camera: [0.5, 0] for camera in env.agents})
+    assert observations["north-east"][at] == np.float32(100 / 180)  # half of five degrees a step
+    assert env.report(tmp_path).exists()
+    env.close()
+
+
 @pytest.mark.filterwarnings("ignore:.*")
 @pytest.mark.parametrize("scenario", SCENARIOS)
-def test_gymnasium_check_env(scenario: str, backend: str) -> None:
-    env = hificamsim.single_env(scenario, steps=30, backend=backend)
+@pytest.mark.parametrize("actions", ["view", "rates"])
+def test_gymnasium_check_env(scenario: str, actions: str, backend: str) -> None:
+    env = hificamsim.single_env(scenario, steps=30, actions=actions, backend=backend)
     check_env(env, skip_render_check=True)
     env.close()
 

@@ -10,16 +10,18 @@ import pytest
 import hificamsim
 
 torch = pytest.importorskip("torch")
+torch.set_num_threads(1)
 
 
-def test_stable_baselines_checks_the_environment_and_learns(tmp_path: pathlib.Path) -> None:
+@pytest.mark.parametrize("actions", ["view", "rates"])
+def test_stable_baselines_checks_the_environment_and_learns(actions: str, tmp_path: pathlib.Path) -> None:
     stable_baselines3 = pytest.importorskip("stable_baselines3")
     from stable_baselines3.common.env_checker import check_env
 
-    single = hificamsim.single_env("mate-4v8-9", steps=50)
+    single = hificamsim.single_env("mate-4v8-9", steps=50, actions=actions)
     check_env(single)
     single.close()
-    env = hificamsim.sb3_vec_env("campus", 2, steps=50, reward="difference")
+    env = hificamsim.sb3_vec_env("campus", 2, steps=50, reward="difference", actions=actions)
     model = stable_baselines3.PPO("MlpPolicy", env, n_steps=32, seed=1)
     model.learn(1_000)
     assert model.num_timesteps >= 1_000
@@ -47,7 +49,7 @@ def test_maskable_ppo_takes_no_view_that_its_mask_forbids() -> None:
     env.close()
 
 
-@pytest.mark.parametrize("actions", ["view", "steps"])
+@pytest.mark.parametrize("actions", ["view", "steps", "rates"])
 def test_torchrl_checks_the_environment(actions: str) -> None:
     pytest.importorskip("torchrl")
     from torchrl.envs.utils import check_env_specs

@@ -1,6 +1,5 @@
 package org.hificamsim.cli;
 
-import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -44,13 +43,14 @@ final class ArenaCommand implements Callable<Integer> {
     screen.say("transport %s", mean(played, MateArena::transported, "%.3f"));
     screen.say("steps     %s", mean(played, MateArena::steps, "%.0f"));
     long steps = Arrays.stream(played).mapToLong(MateArena::steps).sum();
-    ProcessHandle.current().info().totalCpuDuration().ifPresent(took -> told(steps, took));
+    ProcessHandle.current() // of all threads, from the start of Java on
+        .info()
+        .totalCpuDuration()
+        .ifPresent(
+            took ->
+                screen.note(
+                    "%.0f steps a second of processor time", 1e3 * steps / took.toMillis()));
     return 0;
-  }
-
-  /** By the processor time of all threads, from the start of Java on. */
-  private void told(long steps, Duration took) {
-    screen.note("%.0f steps a second of processor time", 1000.0 * steps / took.toMillis());
   }
 
   private static String mean(MateArena[] played, ToDoubleFunction<MateArena> of, String form) {

@@ -30,7 +30,7 @@ public final class EpisodePolicy implements ZoomPolicy {
 
   @Override
   public void configure(Options options) {
-    kind = options.choice("actions", ActionKind.VIEW, "what an action is: view, steps");
+    kind = options.choice("actions", ActionKind.VIEW, "what an action is: view, steps, rates");
     file = options.text("file", "", "the actions of all steps");
   }
 

@@ -57,7 +57,7 @@ record Request(Settings asked, Environment own) {
    * @param scenario a file
    * @param worlds how many
    * @param threads that share them
-   * @param actions view or steps
+   * @param actions view, steps or rates
    * @param targets that an observation has room for
    * @param neighbours that an observation has room for
    * @param paints whether pictures of the first world will be asked for

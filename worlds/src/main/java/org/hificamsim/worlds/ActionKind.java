@@ -20,7 +20,7 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at) {
+    int view(NetworkView network, int camera, int[] actions, int at, Aim aim) {
       return actions[at] < network.views(camera) ? actions[at] : network.view(camera);
     }
 
@@ -43,7 +43,7 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at) {
+    int view(NetworkView network, int camera, int[] actions, int at, Aim aim) {
       int pan = network.panOf(camera, network.view(camera));
       int zoom = network.zoomOf(camera, network.view(camera));
       return network.viewAt(
@@ -66,6 +66,33 @@ public enum ActionKind {
     void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {
       out[from + 1] = 1;
       out[from + 4] = 1;
+    }
+  },
+
+  /**
+   * Two numbers, 0 to 2000: how fast it turns and zooms, in thousandths of its drives' speed, 0 to
+   * the left or narrower, 1000 not at all. A camera on its way is steered too.
+   */
+  RATES(2) {
+    private static final int WHOLE = 1000;
+
+    @Override
+    public int[] choices(NetworkView network) {
+      return new int[] {2 * WHOLE + 1, 2 * WHOLE + 1};
+    }
+
+    @Override
+    int[] masked(NetworkView network) {
+      return new int[] {1, 1};
+    }
+
+    @Override
+    int view(NetworkView network, int camera, int[] actions, int at, Aim aim) {
+      return aim.moved(network, camera, rate(actions[at]), rate(actions[at + 1]));
+    }
+
+    private static double rate(int action) {
+      return (double) (action - WHOLE) / WHOLE;
     }
   };
 
@@ -92,12 +119,17 @@ public enum ActionKind {
   /** Of how many each number of an action is one, counted from 0; the same for all cameras. */
   public abstract int[] choices(NetworkView network);
 
-  /** The view that an action sends a camera to that is not on its way. */
-  abstract int view(NetworkView network, int camera, int[] actions, int at);
+  /** Of how many each number has a mask: but for rates, which nothing forbids, of all. */
+  int[] masked(NetworkView network) {
+    return choices(network);
+  }
 
-  /** Writes 1, over zeros, for the actions of a camera that has arrived. */
-  abstract void mask(NetworkView network, int camera, byte[] out, int from, int to);
+  /** The view that an action sends a camera to. */
+  abstract int view(NetworkView network, int camera, int[] actions, int at, Aim aim);
 
-  /** Writes 1 for what says that a camera goes on. */
-  abstract void maskOnItsWay(NetworkView network, int camera, byte[] out, int from);
+  /** Writes 1, over zeros, for the actions of a camera that has arrived, but for rates. */
+  void mask(NetworkView network, int camera, byte[] out, int from, int to) {}
+
+  /** Writes 1 for what says that a camera goes on, but for rates. */
+  void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {}
 }

@@ -22,7 +22,7 @@ public final class Masks {
 
   /** How many choices a camera has, over all numbers of its action. */
   public static int width(NetworkView network, ActionKind kind) {
-    return IntStream.of(kind.choices(network)).sum();
+    return IntStream.of(kind.masked(network)).sum();
   }
 
   /** The masks of all cameras where the network is before a decision. */
@@ -30,7 +30,7 @@ public final class Masks {
     Arrays.fill(masks, (byte) 0);
     for (int camera = 0; camera < network.cameras(); camera++) {
       int from = camera * width;
-      if (!network.online(camera)) {
+      if (kind == ActionKind.RATES || !network.online(camera)) {
         Arrays.fill(masks, from, from + width, (byte) 1);
       } else if (network.moving(camera)) {
         kind.maskOnItsWay(network, camera, masks, from);

@@ -66,6 +66,67 @@ class ActionsTest {
     }
   }
 
+  /** Five degrees a step, and 2.5 of the angle of view, of which a level has 30. */
+  @Test
+  void ratesTurnAndZoomAtTheDrivesSpeed() {
+    try (Played played = played("mate-4v8-9", ActionKind.RATES)) {
+      NetworkView network = played.worlds().network(0);
+      assertEquals(0, degrees(network), 1e-9);
+      assertEquals(5, network.zoomOf(0, network.view(0)), "the widest of six levels");
+      rates(played, 20, 500, 0);
+      assertEquals(50, degrees(network), 1e-9, "at half the speed, to the right");
+      rates(played, 4, -1000, 0);
+      assertEquals(30, degrees(network), 1e-9, "at full speed, to the left");
+      rates(played, 24, 0, -1000);
+      assertEquals(3, network.zoomOf(0, network.view(0)), "two levels narrower");
+      rates(played, 200, 1000, -1000);
+      assertEquals(175, degrees(network), 1e-9, "no farther than its last pan angle");
+      assertEquals(0, network.zoomOf(0, network.view(0)), "no narrower than its first level");
+      rates(played, 1, -1000, 1000);
+      assertEquals(170, degrees(network), 1e-9, "and back at once");
+    }
+  }
+
+  @Test
+  void ratesSteerACameraOnItsWayAndHaveNothingToMask() {
+    try (Played played = played("mate-4v8-9", ActionKind.RATES)) {
+      int onTheWay = 0;
+      for (int step = 0; step < 30; step++) {
+        NetworkView network = played.worlds().network(0);
+        int goal = network.view(0);
+        boolean moving = network.moving(0);
+        rates(played, 1, 1000, -1000);
+        onTheWay += moving && network.view(0) != goal ? 1 : 0;
+      }
+      assertTrue(onTheWay > 5, onTheWay + " changed on their way");
+      assertEquals(2 * played.worlds().network(0).cameras(), played.bytes("masks", 0).length);
+    }
+  }
+
+  /** A camera that needs no time turns by a pan angle, and zooms by a level. */
+  @Test
+  void ratesOfACameraThatNeedsNoTime() {
+    try (Played played = played("cluster-random", ActionKind.RATES)) {
+      NetworkView network = played.worlds().network(0);
+      rates(played, 1, 0, -1000);
+      assertEquals(3, network.view(0));
+      rates(played, 2, 0, -250);
+      assertEquals(3, network.view(0), "half a level is not yet the next one");
+      rates(played, 1, 0, -250);
+      assertEquals(2, network.view(0));
+    }
+  }
+
+  private static void rates(Played played, int steps, int turn, int wider) {
+    for (int step = 0; step < steps; step++) {
+      played.stepAll(1000 + turn, 1000 + wider);
+    }
+  }
+
+  private static double degrees(NetworkView network) {
+    return Math.toDegrees(network.pan(0, network.view(0)));
+  }
+
   private static byte[] mask(Played played, int camera) {
     byte[] mask = new byte[6];
     System.arraycopy(played.bytes("masks", 0), 6 * camera, mask, 0, 6);

@@ -223,6 +223,16 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public double turnInStep(int camera) {
+    return cameras.turnInStep(camera);
+  }
+
+  @Override
+  public double zoomInStep(int camera) {
+    return cameras.zoomInStep(camera);
+  }
+
+  @Override
   public Obstacles obstacles() {
     return lines.map();
   }

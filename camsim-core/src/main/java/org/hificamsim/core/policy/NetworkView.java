@@ -100,6 +100,16 @@ public interface NetworkView extends CoveredTargets, Stations {
     return 0;
   }
 
+  /** How far the camera turns within a step, radians; infinite where it turns at once. */
+  default double turnInStep(int camera) {
+    return Double.POSITIVE_INFINITY;
+  }
+
+  /** How far its lens changes within a step, zoom levels; infinite where it changes at once. */
+  default double zoomInStep(int camera) {
+    return Double.POSITIVE_INFINITY;
+  }
+
   /** The zoom level of one of the camera's views. */
   ZoomLevel zoom(int camera, int view);
 

@@ -24,6 +24,7 @@ public final class Cameras {
   private final double[] aimedPan;
   private final boolean[] online;
   private Motion motion;
+  private double stepTime = 1;
   private int revision;
   private int looks;
 
@@ -45,7 +46,8 @@ public final class Cameras {
   }
 
   /** Lets moves take time, once all cameras are defined. */
-  void startMotion(double stepTime) {
+  void startMotion(double newStepTime) {
+    stepTime = newStepTime;
     ViewSet[] sets = Arrays.stream(mounts).map(Mount::set).toArray(ViewSet[]::new);
     if (Arrays.stream(sets).anyMatch(ViewSet::takesTime)) {
       motion = new Motion(sets, stepTime);
@@ -201,6 +203,16 @@ public final class Cameras {
   /** How many steps a camera is on its way to a view before the one in which it arrives. */
   public int stepsTo(int camera, int otherView) {
     return motion == null ? 0 : motion.stepsTo(camera, otherView);
+  }
+
+  /** How far the camera turns within a step, radians; infinite where it turns at once. */
+  public double turnInStep(int camera) {
+    return stepTime * mounts[camera].set().panSpeed();
+  }
+
+  /** How far its lens changes within a step, zoom levels; infinite where it changes at once. */
+  public double zoomInStep(int camera) {
+    return stepTime * mounts[camera].set().zoomSpeed();
   }
 
   /** How far the camera sees now, metres; 0 while it moves blindly. */

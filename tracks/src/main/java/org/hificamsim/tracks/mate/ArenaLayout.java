@@ -9,6 +9,7 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.world.Targets;
 
 /**
  * MATE's arena as it is drawn for an episode: cameras and obstacles within the bounds of those of
@@ -22,51 +23,37 @@ final class ArenaLayout {
   static final double NARROWEST = 30;
   static final double WIDEST = 180;
 
-  private static final double MIDDLE = 200;
-  private static final double EDGE = 900;
-  private static final double ALONG_EDGE = 500;
-  private static final double CORNER = 800;
-  private static final double CAMERA_FROM = 500;
-  private static final double LEAST_RADIUS = 25;
-  private static final double MOST_RADIUS = 100;
   private static final double SLOW = 10;
   private static final double FAST = 20;
-
-  /** What is free between a camera and an obstacle; 82 is the least in MATE's recordings. */
-  private static final double FREE = 80;
-
-  /** The same between two obstacles; 44 is the least there. */
-  private static final double GAP = 40;
-
-  /** How far a target may be from the middle, and how far an obstacle is off that, in radii. */
+  private static final double CAMERA_RADIUS = 40;
+  private static final double MIDDLE = 200;
+  private static final double CORNER = 800;
+  private static final double EDGE = 900;
   private static final double BORDER = 1000;
 
-  private static final double OFF_BORDER = 1.2;
+  /** What is free between two obstacles, or between one and a camera: 42 in MATE's recordings. */
+  private static final double GAP = 40;
 
   private final SplittableRandom random;
 
-  private ArenaLayout(SplittableRandom random) {
+  /** What targets cannot pass, though they can be seen through it: cameras, then obstacles. */
+  private final List<Obstacle> discs = new ArrayList<>();
+
+  private final Scenario drawn;
+  private int started;
+
+  ArenaLayout(Scenario site, SplittableRandom random) {
     this.random = random;
-  }
-
-  static Scenario draw(Scenario site, SplittableRandom random) {
-    return new ArenaLayout(random).draw(site);
-  }
-
-  private Scenario draw(Scenario site) {
     Scenario mounted = site.withCameras(this::mounted);
-    List<Obstacle.Pillar> drawn = new ArrayList<>();
-    for (Obstacle old : site.obstacles()) {
-      drawn.add(free((Obstacle.Pillar) old, mounted.cameras(), drawn));
-    }
-    double[] speed = {SLOW};
-    return mounted
-        .with(Scenario.OBSTACLES, List.<Obstacle>copyOf(drawn))
-        .withTargets(
-            target -> {
-              speed[0] = SLOW + FAST - speed[0];
-              return started(target, drawn).with(TargetSpec.SPEED, speed[0]);
-            });
+    site.obstacles().forEach(old -> discs.add(free((Obstacle.Pillar) old)));
+    drawn =
+        mounted
+            .with(Scenario.OBSTACLES, discs.subList(site.cameras().size(), discs.size()))
+            .withTargets(this::started);
+  }
+
+  Scenario drawn() {
+    return drawn;
   }
 
   /** A number from -most to most. */
@@ -76,73 +63,86 @@ final class ArenaLayout {
 
   /** A number on the same side of 0. */
   private double beside(double old, double least, double most) {
-    return Math.copySign(least + (most - least) * random.nextDouble(), old);
+    return Math.copySign(random.nextDouble(least, most), old);
   }
 
   private CameraSpec mounted(CameraSpec camera) {
+    double x = beside(camera.x(), 500, CORNER);
+    double y = beside(camera.y(), 500, CORNER);
+    discs.add(new Obstacle.Pillar(x, y, CAMERA_RADIUS, 1));
     OpticsSpec optics =
         camera
             .optics()
             .orElseThrow()
-            .with(OpticsSpec.ANGLES_OF_VIEW, angles())
+            .with(
+                OpticsSpec.ANGLES_OF_VIEW,
+                IntStream.rangeClosed(0, (int) ((WIDEST - NARROWEST) / LEVEL))
+                    .mapToObj(level -> NARROWEST + level * LEVEL)
+                    .toList())
             .with(OpticsSpec.PANS, List.of(0.0))
             .with(OpticsSpec.ZOOM_TIME, 0.0)
             .without(OpticsSpec.PAN_SPEED);
-    return camera
-        .with(CameraSpec.X, beside(camera.x(), CAMERA_FROM, CORNER))
-        .with(CameraSpec.Y, beside(camera.y(), CAMERA_FROM, CORNER))
-        .with(CameraSpec.OPTICS, optics);
+    return camera.with(CameraSpec.X, x).with(CameraSpec.Y, y).with(CameraSpec.OPTICS, optics);
   }
 
-  private static List<Double> angles() {
-    return IntStream.rangeClosed(0, (int) ((WIDEST - NARROWEST) / LEVEL))
-        .mapToObj(level -> NARROWEST + level * LEVEL)
-        .toList();
-  }
-
-  private Obstacle.Pillar free(
-      Obstacle.Pillar old, List<CameraSpec> cameras, List<Obstacle.Pillar> others) {
-    Obstacle.Pillar drawn;
-    do {
-      double radius = LEAST_RADIUS + (MOST_RADIUS - LEAST_RADIUS) * random.nextDouble();
-      boolean middle = Math.max(Math.abs(old.x()), Math.abs(old.y())) < MIDDLE;
+  private Obstacle free(Obstacle.Pillar old) {
+    boolean middle = Math.max(Math.abs(old.x()), Math.abs(old.y())) < MIDDLE;
+    while (true) {
+      double radius = random.nextDouble(25, 100);
       double x = place(old.x(), old.y(), radius, middle);
       double y = place(old.y(), old.x(), radius, middle);
-      drawn = new Obstacle.Pillar(x, y, radius, old.transmittance());
-    } while (!isFree(drawn, cameras, others));
-    return drawn;
+      if (isFree(x, y, radius + GAP)) {
+        return new Obstacle.Pillar(x, y, radius, old.transmittance());
+      }
+    }
   }
 
+  /** At an edge targets can pass on both sides: a fifth of the radius is free there. */
   private double place(double old, double other, double radius, boolean middle) {
     return Math.abs(old) == EDGE
-        ? Math.copySign(Math.min(EDGE, BORDER - OFF_BORDER * radius), old)
+        ? Math.copySign(Math.min(EDGE, BORDER - 1.2 * radius), old)
         : Math.abs(other) == EDGE
-            ? within(ALONG_EDGE)
+            ? within(500)
             : middle ? within(MIDDLE) : beside(old, MIDDLE, CORNER);
   }
 
-  private static boolean isFree(
-      Obstacle.Pillar disc, List<CameraSpec> cameras, List<Obstacle.Pillar> others) {
-    return cameras.stream().allMatch(one -> off(disc, one.x(), one.y()) >= FREE)
-        && others.stream().allMatch(one -> off(disc, one.x(), one.y()) >= one.radius() + GAP);
+  private boolean isFree(double x, double y, double away) {
+    return discs.stream().allMatch(disc -> off(disc, x, y) >= away);
   }
 
-  /** How far a point is off a disc. */
-  private static double off(Obstacle.Pillar disc, double x, double y) {
-    return Math.hypot(disc.x() - x, disc.y() - y) - disc.radius();
+  /** How far a place is off the border of a disc, less than 0 inside. */
+  static double off(Obstacle disc, double x, double y) {
+    Obstacle.Pillar pillar = (Obstacle.Pillar) disc;
+    return Math.hypot(x - pillar.x(), y - pillar.y()) - pillar.radius();
   }
 
-  private TargetSpec started(TargetSpec target, List<Obstacle.Pillar> obstacles) {
+  private TargetSpec started(TargetSpec target) {
     double x;
     double y;
     do {
       x = within(MIDDLE);
       y = within(MIDDLE);
-    } while (touches(obstacles, x, y));
-    return target.withMovement(Carrier.NAME).with(TargetSpec.X, x).with(TargetSpec.Y, y);
+    } while (!isFree(x, y, 0));
+    return target
+        .withMovement(Freight.Carrier.NAME)
+        .with(TargetSpec.X, x)
+        .with(TargetSpec.Y, y)
+        .with(TargetSpec.SPEED, started++ % 2 == 0 ? FAST : SLOW);
   }
 
-  private static boolean touches(List<Obstacle.Pillar> obstacles, double x, double y) {
-    return obstacles.stream().anyMatch(one -> off(one, x, y) <= 0);
+  /** Puts a target where it comes to from a step: it slides along what is in its way. */
+  void step(int target, Targets targets, double dx, double dy) {
+    double x = targets.x(target) + dx;
+    double y = targets.y(target) + dy;
+    for (Obstacle disc : discs) {
+      double off = off(disc, x, y);
+      if (off < 0) {
+        Obstacle.Pillar pillar = (Obstacle.Pillar) disc;
+        double out = off / (pillar.radius() + off);
+        x -= out * (x - pillar.x());
+        y -= out * (y - pillar.y());
+      }
+    }
+    targets.put(target, GreedyCameras.within(x, BORDER), GreedyCameras.within(y, BORDER));
   }
 }

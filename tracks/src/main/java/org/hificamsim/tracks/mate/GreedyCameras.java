@@ -9,8 +9,8 @@ import org.hificamsim.core.policy.SeenPairs;
 /**
  * The greedy cameras of MATE's arena: each turns to the nearest target that any of them saw in the
  * last {@value #MEMORY} steps, and zooms so as to reach {@value #BEYOND} farther; both at their
- * speed, by any amount. One that knows of no target turns on. How long they remember, and how far
- * beyond they reach, is read off MATE's recordings.
+ * speed, by any amount. One that knows of no target turns on, to the right. How long they remember,
+ * and how far beyond they reach, is read off MATE's recordings.
  */
 final class GreedyCameras implements AimingZoomPolicy {
   private static final double TURN = Math.toRadians(5);
@@ -22,7 +22,6 @@ final class GreedyCameras implements AimingZoomPolicy {
   private final SeenPairs pairs = new SeenPairs();
   private double[] pan = {};
   private double[] angle = {}; // of view, degrees
-  private double[] search = {};
   private double[] x = {}; // of each target, where it was seen last
   private double[] y = {};
   private int[] age = {};
@@ -36,7 +35,6 @@ final class GreedyCameras implements AimingZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     pan = random.doubles(network.cameras(), -Math.PI, Math.PI).toArray();
     angle = random.doubles(network.cameras(), ArenaLayout.NARROWEST, ArenaLayout.WIDEST).toArray();
-    search = random.ints(pan.length, 0, 2).mapToDouble(side -> side == 0 ? -TURN : TURN).toArray();
     x = new double[network.targets()];
     y = new double[network.targets()];
     age = new int[network.targets()];
@@ -53,7 +51,7 @@ final class GreedyCameras implements AimingZoomPolicy {
 
   private void move(NetworkView network, int camera) {
     double nearest = Double.POSITIVE_INFINITY;
-    double turn = search[camera];
+    double turn = TURN;
     for (int target = 0; target < age.length; target++) {
       double dx = x[target] - network.cameraX(camera);
       double dy = y[target] - network.cameraY(camera);
@@ -66,14 +64,13 @@ final class GreedyCameras implements AimingZoomPolicy {
     }
     pan[camera] += within(turn, TURN);
     if (nearest < Double.POSITIVE_INFINITY) {
-      double part = REACH / (nearest + BEYOND);
+      double part = Math.max(1, REACH / (nearest + BEYOND));
       double wanted = Math.min(ArenaLayout.WIDEST, ArenaLayout.NARROWEST * part * part);
-      double zoomed = angle[camera] + within(wanted - angle[camera], ZOOM);
-      angle[camera] = Math.max(ArenaLayout.NARROWEST, zoomed);
+      angle[camera] += within(wanted - angle[camera], ZOOM);
     }
   }
 
-  private static double within(double by, double most) {
+  static double within(double by, double most) {
     return Math.max(-most, Math.min(most, by));
   }
 

@@ -35,33 +35,21 @@ public record MateArena(int steps, double coverage, double transported) {
    */
   public static MateArena play(Scenario site, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    Scenario drawn = ArenaLayout.draw(site, random.split());
-    Freight freight = new Freight(drawn.targets(), random.split());
-    Walls walls = Walls.of(drawn);
+    ArenaLayout arena = new ArenaLayout(site, random.split());
+    Freight freight = new Freight(arena, random.split());
     Registry<Movement> movements =
         new Registry<Movement>("movement")
             .register(
-                Carrier.NAME,
-                "with freight from warehouse to warehouse",
-                () -> new Carrier(freight, walls));
-    World world = new World(drawn, movements, seed);
-    double[] covered = {0};
-    Simulation simulation =
-        new Simulation(
-            world,
-            DETECTION,
-            new GreedyCameras(),
-            seed,
-            List.of(
-                (network, coverage) -> {
-                  covered[0] += coverage.score();
-                  freight.charge(network);
-                }));
+                Freight.Carrier.NAME, "with freight to warehouses", () -> freight.new Carrier());
+    World world = new World(arena.drawn(), movements, seed);
+    Simulation simulation = new Simulation(world, DETECTION, new GreedyCameras(), seed, List.of());
+    double covered = 0;
     int steps = 0;
-    while (!freight.delivered() && steps < MOST_STEPS) {
+    for (; !freight.delivered() && steps < MOST_STEPS; steps++) {
       simulation.step();
-      steps++;
+      covered += simulation.coverage().score();
+      freight.charge(simulation.network());
     }
-    return new MateArena(steps, covered[0] / steps, freight.paid());
+    return new MateArena(steps, covered / steps, freight.paid());
   }
 }

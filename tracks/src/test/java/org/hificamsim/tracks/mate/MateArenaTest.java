@@ -42,7 +42,7 @@ class MateArenaTest {
   @Test
   void layoutsAreWithinMatesBounds() {
     for (long seed = 0; seed < 200; seed++) {
-      Scenario drawn = ArenaLayout.draw(SITE, new SplittableRandom(seed));
+      Scenario drawn = new ArenaLayout(SITE, new SplittableRandom(seed)).drawn();
       for (CameraSpec camera : drawn.cameras()) {
         assertTrue(isWithin(camera.x(), 500, 800) && isWithin(camera.y(), 500, 800));
       }
@@ -75,11 +75,11 @@ class MateArenaTest {
   /** Through nothing, and no faster than they can; all freight comes to where it is for. */
   @Test
   void targetsWalkAroundWhatTheyCannotPassUntilAllIsDelivered() {
-    Scenario drawn = ArenaLayout.draw(SITE, new SplittableRandom(1));
-    Freight freight = new Freight(drawn.targets(), new SplittableRandom(2));
-    Walls walls = Walls.of(drawn);
+    ArenaLayout arena = new ArenaLayout(SITE, new SplittableRandom(1));
+    Scenario drawn = arena.drawn();
+    Freight freight = new Freight(arena, new SplittableRandom(2));
     Registry<Movement> movements = new Registry<>("movement");
-    movements.register(Carrier.NAME, "", () -> new Carrier(freight, walls));
+    movements.register(Freight.Carrier.NAME, "", () -> freight.new Carrier());
     World world = new World(drawn, movements, 3);
     int steps = 0;
     while (!freight.delivered()) {
@@ -93,9 +93,9 @@ class MateArenaTest {
         assertTrue(way <= 2 * world.targets().speed(target), "slides are short");
         assertTrue(drawn.field().contains(x, y));
         assertTrue(
-            walls.discs().stream()
-                .allMatch(
-                    disc -> Math.hypot(x - disc.x(), y - disc.y()) >= disc.radius() * (1 - 1e-9)));
+            drawn.obstacles().stream().allMatch(disc -> ArenaLayout.off(disc, x, y) > -1e-9)
+                && drawn.cameras().stream()
+                    .allMatch(one -> Math.hypot(x - one.x(), y - one.y()) > 40 - 1e-9));
       }
       steps++;
     }
