@@ -20,7 +20,7 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at, Aim aim) {
+    int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
       return actions[at] < network.views(camera) ? actions[at] : network.view(camera);
     }
 
@@ -43,7 +43,7 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at, Aim aim) {
+    int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
       int pan = network.panOf(camera, network.view(camera));
       int zoom = network.zoomOf(camera, network.view(camera));
       return network.viewAt(
@@ -87,8 +87,8 @@ public enum ActionKind {
     }
 
     @Override
-    int view(NetworkView network, int camera, int[] actions, int at, Aim aim) {
-      return aim.moved(network, camera, rate(actions[at]), rate(actions[at + 1]));
+    int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
+      return steering.moved(network, camera, rate(actions[at]), rate(actions[at + 1]));
     }
 
     private static double rate(int action) {
@@ -125,7 +125,7 @@ public enum ActionKind {
   }
 
   /** The view that an action sends a camera to. */
-  abstract int view(NetworkView network, int camera, int[] actions, int at, Aim aim);
+  abstract int view(NetworkView network, int camera, int[] actions, int at, Steering steering);
 
   /** Writes 1, over zeros, for the actions of a camera that has arrived, but for rates. */
   void mask(NetworkView network, int camera, byte[] out, int from, int to) {}

@@ -19,7 +19,7 @@ public final class PlayedPolicy implements ZoomPolicy {
   private final ActionKind kind;
   private final Supplier<ZoomPolicy> experts;
   private ZoomPolicy expert;
-  private Aim aim;
+  private Steering steering;
   private int[] actions = {};
   private int[] wanted = {};
   private int[] advice = {};
@@ -39,7 +39,7 @@ public final class PlayedPolicy implements ZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    aim = null;
+    steering = null;
     advice = new int[network.cameras()];
     if (experts != null) {
       expert = experts.get();
@@ -79,15 +79,15 @@ public final class PlayedPolicy implements ZoomPolicy {
     if (expert != null) {
       advise(network, views);
     }
-    if (aim == null) {
-      aim = new Aim(network);
+    if (steering == null) {
+      steering = new Steering(network);
     }
     for (int camera = 0; camera < views.length; camera++) {
       if (expert != null && actions[camera * kind.numbers()] == AS_ADVISED) {
         views[camera] = wanted[camera];
-        aim.at(network, camera, wanted[camera]);
+        steering.at(network, camera, wanted[camera]);
       } else if (network.online(camera) && (kind == ActionKind.RATES || !network.moving(camera))) {
-        views[camera] = kind.view(network, camera, actions, camera * kind.numbers(), aim);
+        views[camera] = kind.view(network, camera, actions, camera * kind.numbers(), steering);
       }
     }
   }

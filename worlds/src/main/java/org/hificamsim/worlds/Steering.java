@@ -6,12 +6,12 @@ import org.hificamsim.core.policy.NetworkView;
  * Where cameras that are steered by rates are to look: at any angle between their outermost pan
  * angles, at any place between two zoom levels. What they get of it is the nearest view.
  */
-final class Aim {
+final class Steering {
   private final double[] pan; // radians
   private final double[] zoom; // levels
 
   /** At the views that cameras have. */
-  Aim(NetworkView network) {
+  Steering(NetworkView network) {
     pan = new double[network.cameras()];
     zoom = new double[network.cameras()];
     for (int camera = 0; camera < pan.length; camera++) {
