@@ -74,20 +74,30 @@ class OutputSafetyTest {
 
   @Test
   void aFullDeviceIsSuchAPlace() throws Exception {
-    Process process =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Dhificamsim.root=" + Cli.ROOT,
-                "-cp",
-                System.getProperty("java.class.path"),
-                "org.hificamsim.cli.Main",
-                "validate",
-                SCENARIO.toString())
-            .redirectOutput(new File("/dev/full"))
-            .start();
+    Process process = separate("validate").redirectOutput(new File("/dev/full")).start();
     String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(1, process.waitFor(), err);
     assertEquals(1, err.lines().count(), err);
+  }
+
+  @Test
+  void aReaderThatHasSeenEnoughIsNoErrorAndFilesAreComplete() throws Exception {
+    Process process = separate("run", "--steps", "5", "--out", folder.toString()).start();
+    process.getInputStream().close();
+    String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(0, process.waitFor(), err);
+    assertEquals("", err);
+    assertTrue(Files.exists(folder.resolve("summary.json")));
+  }
+
+  private static ProcessBuilder separate(String... words) {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-Dhificamsim.root=" + Cli.ROOT, "-cp"));
+    command.addAll(List.of(System.getProperty("java.class.path"), "org.hificamsim.cli.Main"));
+    command.addAll(List.of(words));
+    command.add(SCENARIO.toString());
+    return new ProcessBuilder(command);
   }
 
   @ParameterizedTest

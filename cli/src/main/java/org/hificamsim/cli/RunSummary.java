@@ -106,11 +106,10 @@ final class RunSummary {
   private void figures(RunPlan plan) {
     for (Metric metric : Metric.values()) {
       boolean has = results.stream().anyMatch(run -> run.has(metric));
-      if (metric.isPrinted() && has) {
-        figure(metric.title(), metric, metric.format(), metric.note());
-      }
       if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {
         figure("summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
+      } else if (metric.isPrinted() && has) {
+        figure(metric.title(), metric, metric.format(), metric.note());
       }
     }
   }

@@ -33,8 +33,8 @@ public enum Setting {
           (name, text) -> {},
           (scenario, text) -> scenario,
           scenario -> scenario.find(Scenario.DETECTION)),
-      "Detection model, optionally with a threshold or rule (--detect); overrides the"
-          + " scenario's. See 'list detections'."),
+      "Detection model, optionally with a threshold or rule (--detect); see 'list detections'."
+          + " Without this option the scenario's is used, and the default only if it names none."),
   THRESHOLD(
       Kind.NUMBER,
       "T",
@@ -86,7 +86,8 @@ public enum Setting {
               scenario.with(
                   Scenario.STEPS, scenario.find(Scenario.STEPS).map(any -> Integer.valueOf(text))),
           scenario -> scenario.find(Scenario.STEPS).map(String::valueOf)),
-      "Number of steps, 1 to 1,000,000,000; overrides the scenario's."),
+      "Number of steps, 1 to 1,000,000,000. Without this option the scenario's is used, and the"
+          + " default only if it names none."),
   SEED(
       Kind.LONG,
       "N",
