@@ -50,7 +50,7 @@ def scenario_file(scenario: str | os.PathLike[str]) -> str:
     if not os.path.isfile(text):
         raise InputError(
             f"scenario {shown(text)} is no file, and none of those that come with the package: "
-            + ", ".join(scenarios())
+            + ", ".join(tasks() if text.startswith(TASKS) else scenarios())
         )
     return os.path.abspath(text)
 

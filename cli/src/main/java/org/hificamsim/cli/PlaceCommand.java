@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Point;
@@ -38,6 +39,7 @@ import org.hificamsim.placement.site.Refinement;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.placement.site.Visits;
 import org.hificamsim.presentation.replay.FloorPictures;
+import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -150,17 +152,13 @@ final class PlaceCommand implements Callable<Integer> {
     }
     Path folder = out.orElseGet(() -> Path.of("out", name(file) + "-plan"));
     PlacementProblem problem = problem(goal);
+    List<Setup.Floor> floor = FloorPictures.of(file, problem.demand().site());
     Interrupt interrupt = new Interrupt(time);
     Optional<Refinement> refinement =
         Optional.of(problem).filter(p -> refine).map(p -> refinement(p.demand().site(), interrupt));
     SitePlan plan = problem.solve(effort(interrupt), watcher(goal, "%.2f %%", 100), refinement);
     try (OutputFolder output = screen.folder(folder)) {
-      PlanFiles.write(
-          output,
-          plan,
-          Catalogue.load(),
-          FloorPictures.of(file, plan.demand().site()),
-          screen.words());
+      PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
           InstanceFile.write(writer, problem.left(), instanceForm());
@@ -298,13 +296,21 @@ final class PlaceCommand implements Callable<Integer> {
     long started = System.nanoTime();
     String shown = goal.isAll() ? "%.2f" : form;
     double by = goal.isAll() ? 1 : scale;
-    return (score, bound) ->
-        screen.note(
-            "%6.1f s: plan " + shown + ", bound " + shown + ", gap %.2f %%",
-            (System.nanoTime() - started) / 1e9,
-            by * score,
-            by * bound,
-            100 * Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score)));
+    String[] before = {""};
+    return (score, limit) -> {
+      double bound = by == 1 ? limit : Math.min(1, limit); // no plan meets more than all
+      double gap = Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score));
+      String now =
+          Texts.format(
+              "plan " + shown + ", bound " + shown + ", gap %.2f %%",
+              by * score,
+              by * bound,
+              100 * gap);
+      if (!now.equals(before[0])) {
+        screen.note("%6.1f s: %s", (System.nanoTime() - started) / 1e9, now);
+      }
+      before[0] = now;
+    };
   }
 
   private void tell(SitePlan plan, Path folder) {
@@ -313,7 +319,7 @@ final class PlaceCommand implements Callable<Integer> {
     Object[] numbers = {
       plan.cameras().size(), plan.problem().kept().size(), plan.price(), 100 * plan.share()
     };
-    screen.say("%d cameras, %d of them stay, price %.2f: %.2f %% of the demand is met", numbers);
+    screen.say("%d cameras, %d of them kept, price %.2f: %.2f %% of the demand is met", numbers);
     screen.say("  %s%s", plan.problem().reading().words(), plan.gain());
     if (plan.problem().goal().isAll()) {
       screen.say("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());
@@ -332,7 +338,7 @@ final class PlaceCommand implements Callable<Integer> {
         all.cells().width(),
         found.seconds());
     screen.say(
-        "  the site's own %d cameras meet %.2f %%",
+        "  the site's own cameras (%d) meet %.2f %%",
         all.site().cameras().size(), 100 * plan.today());
     for (Demand.Watched zone : all.zones()) {
       screen.say(

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -45,6 +46,8 @@ import picocli.CommandLine.Parameters;
 final class TradeoffCommand implements Callable<Integer> {
   private static final Pattern HETEROGENEOUS =
       Pattern.compile("none|all|(sample|search):([1-9]\\d{0,6})");
+
+  private static final int NAMED = 6; // networks of a front, by rising cost
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
@@ -176,15 +179,21 @@ final class TradeoffCommand implements Callable<Integer> {
   private static void print(PrintWriter out, Study study) {
     TextTable table =
         new TextTable(
-            3, List.of("scenario", "detection", "networks", "on front", "hypervolume", "gain"));
+            4, List.of("scenario", "detection", "networks", "on the front", "hypervolume", "gain"));
     for (SetFront one : study.fronts) {
+      int homogeneous = one.group().members(Members.HOMOGENEOUS).length;
+      if (EnumSet.of(Members.STATIC, Members.ADAPTIVE, Members.ALL).contains(one.members())
+          && one.group().members(one.members()).length == homogeneous) {
+        continue; // the same networks
+      }
       RunPlan plan = one.group().plan();
+      int[] front = one.group().front(one.members());
       table.row(
           List.of(
               plan.scenario().name(),
               plan.detection().name(),
               Spelling.of(one.members()),
-              Integer.toString(one.group().front(one.members()).length),
+              one.names(NAMED) + (front.length > NAMED ? " and " + (front.length - NAMED) : ""),
               one.group().hypervolume(one.members()).text("%.3f"),
               one.group().gain(one.members(), Members.HOMOGENEOUS).text("%+.3f")));
     }

@@ -6,7 +6,8 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * Which actions each camera may be given: 1 for each allowed choice of each number of its action. A
- * camera on its way may only go on; for one that is off every action is allowed, since none counts.
+ * camera on its way may only go on; one that is off may be given any action of its own: none
+ * counts.
  */
 public final class Masks {
   private final ActionKind kind;
@@ -30,9 +31,9 @@ public final class Masks {
     Arrays.fill(masks, (byte) 0);
     for (int camera = 0; camera < network.cameras(); camera++) {
       int from = camera * width;
-      if (kind == ActionKind.RATES || !network.online(camera)) {
+      if (kind == ActionKind.RATES) {
         Arrays.fill(masks, from, from + width, (byte) 1);
-      } else if (network.moving(camera)) {
+      } else if (network.online(camera) && network.moving(camera)) {
         kind.maskOnItsWay(network, camera, masks, from);
       } else {
         kind.mask(network, camera, masks, from, from + width);

@@ -2,8 +2,11 @@ package org.hificamsim.worlds;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
@@ -125,6 +128,21 @@ class ActionsTest {
 
   private static double degrees(NetworkView network) {
     return Math.toDegrees(network.pan(0, network.view(0)));
+  }
+
+  @Test
+  void aCameraThatIsOffMayBeGivenNoViewThatItDoesNotHave() {
+    try (Played played = played("car-park", ActionKind.VIEW)) {
+      for (int step = 0; step < 205; step++) {
+        played.step(4);
+      }
+      NetworkView network = played.worlds().network(0);
+      assertFalse(network.online(3), "shop-east fails in step 200");
+      byte[] masks = played.bytes("masks", 0);
+      int width = masks.length / network.cameras();
+      byte[] own = Arrays.copyOfRange(masks, 3 * width, 4 * width);
+      assertEquals(network.views(3), IntStream.range(0, width).filter(i -> own[i] == 1).count());
+    }
   }
 
   private static byte[] mask(Played played, int camera) {

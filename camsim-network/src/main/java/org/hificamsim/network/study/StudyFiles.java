@@ -39,7 +39,15 @@ public final class StudyFiles {
   }
 
   /** The front of a set of networks of a group. */
-  public record SetFront(StudyGroup group, Members members) {}
+  public record SetFront(StudyGroup group, Members members) {
+    /** The names of up to {@code most} networks on it, by rising cost. */
+    public String names(int most) {
+      return Arrays.stream(group.front(members))
+          .limit(most)
+          .mapToObj(i -> group.plans().get(i).label())
+          .collect(Collectors.joining(" "));
+    }
+  }
 
   private static final List<Column<StudyPlan>> NETWORK =
       Table.<StudyPlan>of("")
@@ -131,11 +139,7 @@ public final class StudyFiles {
           .texts(
               "front",
               "the networks on it, by rising cost, up to a hundred",
-              row ->
-                  Arrays.stream(row.group.front(row.members))
-                      .limit(100)
-                      .mapToObj(i -> row.group.plans().get(i).label())
-                      .collect(Collectors.joining(" ")));
+              row -> row.names(100));
 
   private StudyFiles() {}
 

@@ -6,12 +6,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.policy.NetworkView;
@@ -152,11 +152,12 @@ public final class PlanCheck {
               ? proven(left, goal, bound)
               : "is not checked without --method exact";
     }
+    double shown = cover ? bound : 100 * Math.min(1, (all.worth(standing) + bound) / all.total());
     return List.of(
-        String.format(
-            Locale.ROOT, "%d cameras meet %.2f %% of the demand", cameras.size(), 100 * share),
-        String.format(
-            Locale.ROOT, "the bound %s %s for %d candidates", bound, by, candidates.size()));
+        Texts.format("%d cameras meet %.2f %% of the demand", cameras.size(), 100 * share),
+        Texts.format(
+            "the bound of %.2f%s %s for %d candidates",
+            shown, cover ? "" : " %", by, candidates.size()));
   }
 
   /** A bound may be no better than this. */

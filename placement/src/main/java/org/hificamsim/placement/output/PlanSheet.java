@@ -90,12 +90,12 @@ final class PlanSheet {
             : format("No plan of the candidates meets more than %.2f %%", 100 * plan.bound());
     return List.of(
         format(
-            "%d cameras, %d of them stay; price of the new ones %.2f",
+            "%d cameras, %d of them kept; price of the new ones %.2f",
             plan.cameras().size(), plan.problem().kept().size(), plan.price()),
         format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
         bound + (found.isProven() ? ", and one is proven to reach this" : ""),
         format(
-            "The site's own %d cameras meet %.2f %%",
+            "The site's own cameras (%d) meet %.2f %%",
             demand.site().cameras().size(), 100 * plan.today()));
   }
 

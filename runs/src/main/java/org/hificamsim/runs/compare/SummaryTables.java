@@ -124,10 +124,11 @@ public final class SummaryTables {
   public static void writeLatex(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
       throws IOException {
     CaseResult first = all.get(0);
-    String ofCases =
-        "Means over %s seeds with 95%% intervals. Performance is k_min summed over %s steps."
-            .formatted(first.runs().size(), first.plan().steps());
-    String scores = meanings(all).stream().map(text -> " " + text + ".").collect(joining());
+    String ofCases = "Means over %s seeds with 95%% intervals.".formatted(first.runs().size());
+    String scores =
+        isOfKMin(all)
+            ? " Performance is k_min summed over %s steps.".formatted(first.plan().steps())
+            : meanings(all).stream().map(text -> " " + text + ".").collect(joining());
     Optional<Yardstick> yardstick = Yardstick.of(asked);
     List<Figure> figures = shown(all);
     try (Writer out = folder.open(LATEX)) {
@@ -152,9 +153,7 @@ public final class SummaryTables {
   private static List<Figure> shown(List<CaseResult> cases) {
     List<Figure> shown =
         new ArrayList<>(
-            isOfKMin(cases)
-                ? List.of(PERFORMANCE, PROPORTION, OF_BOUND, OVER_FIXED)
-                : List.of(SCORE, PROPORTION, OF_BOUND, OVER_FIXED, PERFORMANCE));
+            List.of(isOfKMin(cases) ? PERFORMANCE : SCORE, PROPORTION, OF_BOUND, OVER_FIXED));
     for (Yardstick one : Yardstick.values()) {
       shown.removeIf(figure -> figure.metric == one.share() && !one.isIn(cases));
     }
