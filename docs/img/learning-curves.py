@@ -13,10 +13,10 @@ curves = defaultdict(lambda: defaultdict(list))
 with open("learning-curves.csv", newline="") as file:
     for row in csv.DictReader(file):
         curves[row["scenario"]][row["seed"]].append((int(row["episodes"]), float(row["score"])))
-beside = defaultdict(dict)  # by compare on seeds 100 to 119, as in docs/learning.md
+others = defaultdict(dict)  # by compare on seeds 100 to 119, as in docs/learning.md
 with open("learning-beside.csv", newline="") as file:
     for row in csv.DictReader(file):
-        beside[row["scenario"]][row["policy"]] = float(row["score"])
+        others[row["scenario"]][row["policy"]] = float(row["score"])
 
 figure, panels = plt.subplots(1, len(curves), figsize=(4.6 * len(curves), 3.6), squeeze=False)
 for panel, (scenario, seeds) in zip(panels[0], curves.items()):
@@ -28,7 +28,7 @@ for panel, (scenario, seeds) in zip(panels[0], curves.items()):
     panel.fill_between(episodes, scores.min(0), scores.max(0), color="#1d4ed8", alpha=0.15)
     styles = {"best-fixed": ("#b45309", "--"), "epsilon-greedy": ("#4b5563", ":")}
     for policy, (color, style) in styles.items():
-        panel.axhline(beside[scenario][policy], color=color, linestyle=style, label=policy)
+        panel.axhline(others[scenario][policy], color=color, linestyle=style, label=policy)
     panel.set_title(f"{scenario} ({len(scores)} seed{'s' if len(scores) > 1 else ''})")
     panel.set_xlabel("episodes of 300 steps")
     panel.set_ylim(bottom=0)

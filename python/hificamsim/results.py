@@ -171,7 +171,8 @@ def execute(*words: str) -> str:
         check=False,
     )
     if done.returncode == BAD_INPUT:
-        raise InputError(done.stderr.strip())
+        hint = "; ONNX Runtime is not on CLASSPATH" if "unknown policy 'onnx:" in done.stderr else ""
+        raise InputError(done.stderr.strip() + hint)
     if done.returncode:
         raise Error(done.stderr.strip())
     return done.stdout

@@ -247,7 +247,7 @@ final class PlaceCommand implements Callable<Integer> {
     return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
   }
 
-  /** The places of candidates, or between them where these are so many times closer. */
+  /** The places of candidates, or between them where these are {@code parts} times closer. */
   private List<Point> places(Scenario site, int parts) {
     List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());

@@ -20,7 +20,7 @@ import org.hificamsim.core.scenario.StepOrder;
  * meaning, its default, and where a plan has it. The options of commands, keyword arguments of
  * Python, the key of a run's results, {@code settings.json} and the plans that Spark sends follow.
  *
- * <p>What is asked for goes before what the scenario file says, and the file before the default.
+ * <p>What is asked for overrides what the scenario file says, and the file overrides the default.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Setting {

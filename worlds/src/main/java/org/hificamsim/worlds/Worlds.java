@@ -40,8 +40,8 @@ public final class Worlds implements AutoCloseable {
   private final int[] maskedRevision;
   private final boolean maskOften;
   private final float[][] state; // of each worker
-  private final float[][] observed; // likewise
-  private final SeenPairs[] pairs; // likewise
+  private final float[][] observed; // the same
+  private final SeenPairs[] pairs; // the same
   private final Workers.Share stepping = shared(this::step);
   private final Workers.Share resetting = shared(this::reset);
   private final Workers.Share telling = shared(this::writeState);

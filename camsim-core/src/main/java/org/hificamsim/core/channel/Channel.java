@@ -24,7 +24,7 @@ public final class Channel {
   private final ChannelModel model;
   private final boolean perfect;
   private final Stations stations;
-  private final RadioGraph radio; // null where all cameras hear each other
+  private final RadioGraph radio; // null where all cameras receive each other
   private final long start;
   private final long[] steps; // by camera: in which it sent last
   private final int[] numbers; // of the last message among those of the step

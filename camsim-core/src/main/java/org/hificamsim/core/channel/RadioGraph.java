@@ -5,8 +5,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
- * Which cameras hear each other, and the shortest ways over others to those that do not. Of equally
- * short ones, the way that is over the cameras with lower numbers counts.
+ * Which cameras receive each other, and the shortest ways over others to those that do not. Of
+ * equally short ones, the way that is over the cameras with lower numbers counts.
  */
 final class RadioGraph {
   private static final int NONE = -1;

@@ -13,8 +13,8 @@ final class Mount {
   private final Pose pose;
   private final ViewSet set;
   private final ZoomLevel[] zooms; // by view
-  private final int[] zoomNumbers; // likewise
-  private final Pose[] poses; // likewise
+  private final int[] zoomNumbers; // the same
+  private final Pose[] poses; // the same
 
   /**
    * @param number of a zoom level

@@ -14,8 +14,8 @@ import org.hificamsim.core.scenario.ScenarioReader;
 
 /**
  * Cameras that tell each other what they see, come to a belief of where targets are and go, and
- * divide them among them. They know what they see and hear, where all stand, how long moves take,
- * and the site's map; not where targets are that nobody sees, nor how many there are.
+ * divide them among them. They know what they see and receive, where all stand, how long moves
+ * take, and the site's map; not where targets are that nobody sees, nor how many there are.
  *
  * <p>In each step: share ({@link SightingReport}), believe ({@link Belief}), look ahead ({@link
  * Plan}), agree ({@link Agreement}).

@@ -57,7 +57,7 @@ final class MaxSum implements Agreement {
     }
   }
 
-  /** Finds what each view of a camera is worth, from what it heard. */
+  /** Finds what each view of a camera is worth, from what it received. */
   private void weigh(NetworkView network, Team team, int camera) {
     Plan plan = team.plan(camera);
     ViewForecast outlook = plan.outlook(camera);

@@ -7,8 +7,8 @@ import java.util.List;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What a camera believes and plans, and what it last heard of the others' choices. Over a perfect
- * channel one mind serves all cameras.
+ * What a camera believes and plans, and what it last received of the others' choices. Over a
+ * perfect channel one mind serves all cameras.
  */
 final class Mind {
   private record Letter(long sent, SightingReport report) {}
@@ -19,7 +19,7 @@ final class Mind {
   private final Belief belief;
   private final Plan plan;
   private final List<Letter> inbox = new ArrayList<>();
-  private final int[] heard; // the last choice of each camera that was heard of
+  private final int[] heard; // the last choice of each camera that was received
   private final long[] heardAt; // the step in which it was made
 
   Mind(Parameters parameters, Worth worth, Site site, NetworkView network) {

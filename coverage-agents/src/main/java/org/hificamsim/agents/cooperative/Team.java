@@ -20,7 +20,7 @@ final class Team {
   private final Post<Integer> choices;
   private final int[] chosen; // in this step
   private final int[] told; // messages in this step, by sender
-  private final boolean[] heard; // by sender and receiver: who heard the last bid
+  private final boolean[] heard; // by sender and receiver: who received the last bid
   private final boolean[] reached; // by sender and receiver: in this step
   private long messages;
   private long bits;

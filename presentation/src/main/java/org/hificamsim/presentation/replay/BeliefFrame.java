@@ -8,8 +8,8 @@ import org.hificamsim.core.scenario.Field;
  * What a camera believes, as the numbers of a {@link Frame}: for each target x, y, weight and
  * spread, the weight 0 for none; then the targets expected unseen in each of {@link #SIDE} x {@link
  * #SIDE} equal parts of the field, row by row from its south-west; then for each camera the
- * messages that it sent in this step; then for each the cameras that heard it, a number with a bit
- * for each of {@link #WORD} cameras, as many numbers as it takes.
+ * messages that it sent in this step; then for each the cameras that received them, a number with a
+ * bit for each of {@link #WORD} cameras, as many numbers as it takes.
  */
 final class BeliefFrame implements BeliefListener {
   /** Parts of the field along each side. */

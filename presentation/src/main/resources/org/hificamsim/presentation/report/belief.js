@@ -8,7 +8,7 @@ const WORD = 32; // cameras in a number
 /** Where the numbers of the field's parts begin. */
 export const partsFrom = run => 4 * run.setup.targets.length;
 
-/** How many messages a camera sent, and the cameras that heard it; nothing where that is not known. */
+/** How many messages a camera sent, and the cameras that received them; nothing where that is not known. */
 export function told(run, frame, camera) {
   const belief = run.belief[frame];
   const from = partsFrom(run) + PARTS * PARTS;

@@ -211,7 +211,7 @@ function beliefs(context, {belief, run, map, colours, unit}) {
   }
 }
 
-/** An arrow from the chosen camera to each that heard it in this step. */
+/** An arrow from the selected camera to each that received its message in this step. */
 function messages(context, scene) {
   const {belief, run, frame, map, colours, unit, selected} = scene;
   const said = belief && selected >= 0 && told(run, frame, selected);

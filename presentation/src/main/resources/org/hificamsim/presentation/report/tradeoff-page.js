@@ -44,7 +44,7 @@ function svg(tag, attributes, ...children) {
 }
 
 function group(data, networks, fronts, scenario) {
-  const told = el('div', {class: 'note', 'aria-live': 'polite'}, 'Choose a point, or a network of the front, to see who does what.');
+  const told = el('div', {class: 'note', 'aria-live': 'polite'}, 'Choose a point, or a network of the front, to see the strategy of each camera.');
   const show = row => told.replaceChildren(...details(data, row));
   const front = names(fronts, 'static').map(name => networks.find(row => row.network === name)).filter(Boolean);
   const buttons = front.map(row => el('button', {type: 'button', onclick: () => show(row)}, row.network));

@@ -21,7 +21,7 @@ public final class Benchmark {
   /** The file, in the folder of the scenarios that come with the simulator. */
   public static final String FILE = "benchmark.json";
 
-  /** What the names of tasks begin with where they stand beside names of scenarios. */
+  /** What the names of tasks begin with where they are listed with names of scenarios. */
   private static final String PREFIX = "bench/";
 
   private final Path file;

@@ -61,12 +61,12 @@ public record FieldCells(Field field, int columns, int rows) {
     return field.contains(x, y) && !Double.isNaN(x + y) ? row(y) * columns + column(x) : -1;
   }
 
-  /** The column of a place, the nearest one for those beside the field. */
+  /** The column of a place, the nearest one for those outside the field. */
   int column(double x) {
     return index(x - field.minX(), width(), columns);
   }
 
-  /** The row of a place, likewise. */
+  /** The row of a place, found in the same way. */
   int row(double y) {
     return index(y - field.minY(), height(), rows);
   }
