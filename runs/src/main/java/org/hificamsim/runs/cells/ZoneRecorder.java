@@ -75,7 +75,7 @@ public final class ZoneRecorder implements StepListener {
     private final int[] cells;
     private final ViewCells views;
     private final double[] counts; // of cameras, by cell
-    private ViewCells.Seen[] before = {};
+    private ViewCells.Seen[] seen = {}; // by each camera, in the last step
     private int revision;
     private double share;
     private double sum;
@@ -92,27 +92,28 @@ public final class ZoneRecorder implements StepListener {
     void begin(NetworkView network) {
       views.forget(network);
       revision = network.revision();
-      before = new ViewCells.Seen[0];
+      seen = new ViewCells.Seen[network.cameras()];
     }
 
     void step(NetworkView network) {
       if (revision != network.revision()) {
         begin(network);
       }
-      ViewCells.Seen[] seen = new ViewCells.Seen[network.cameras()];
+      boolean changed = false;
       for (int camera = 0; camera < seen.length; camera++) {
         int view = network.online(camera) ? network.seeing(camera) : -1;
-        seen[camera] = views.of(network, camera, view);
+        ViewCells.Seen now = views.of(network, camera, view);
+        changed |= now != seen[camera];
+        seen[camera] = now;
       }
-      if (!Arrays.equals(seen, before)) {
-        before = seen;
-        share = share(seen);
+      if (changed) {
+        share = share();
       }
       sum += share;
       steps++;
     }
 
-    private double share(ViewCells.Seen[] seen) {
+    private double share() {
       Arrays.fill(counts, 0);
       for (ViewCells.Seen one : seen) {
         for (int i = 0; i < one.cells().length; i++) {
