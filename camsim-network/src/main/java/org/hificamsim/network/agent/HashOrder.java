@@ -101,9 +101,4 @@ public final class HashOrder {
       append(other.items[i], other.hashes[i]);
     }
   }
-
-  /** Whether a copy would have the same order. */
-  public boolean copiesInOrder() {
-    return capacity == FIRST_CAPACITY;
-  }
 }

@@ -1,6 +1,9 @@
 package org.hificamsim.network.bandit;
 
+import java.util.Map;
 import java.util.Random;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * One camera's bandit: chooses among six arms now and then, and learns from what it is fed between
@@ -14,7 +17,7 @@ public final class BanditSolver {
   private final BanditParameters parameters;
   private final Random random;
   private final Arms arms;
-  private final Ranks communications = new Ranks();
+  private final SortedMap<Double, Integer> communications = new TreeMap<>(); // how often each was
   private int current = NONE;
   private int interval;
   private int steps;
@@ -50,12 +53,25 @@ public final class BanditSolver {
   }
 
   private void learn() {
-    double cost = communications.shareBelow(communication);
-    communications.add(communication);
+    double cost = shareBelow(communication, communications);
+    communications.merge(communication, 1, Integer::sum);
     arms.reward(current, parameters.alpha() * performance - (1 - parameters.alpha()) * cost);
     performance = 0;
     communication = 0;
     steps = 0;
+  }
+
+  /** The share of values that are strictly smaller than one; 0 without any. */
+  static double shareBelow(double value, SortedMap<Double, Integer> counts) {
+    return counts.isEmpty() ? 0 : (double) sum(counts.headMap(value)) / sum(counts);
+  }
+
+  private static int sum(Map<Double, Integer> counts) {
+    int sum = 0;
+    for (int count : counts.values()) {
+      sum += count;
+    }
+    return sum;
   }
 
   /** Chooses an arm at once. */

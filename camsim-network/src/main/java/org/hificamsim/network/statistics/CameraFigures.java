@@ -45,9 +45,9 @@ public final class CameraFigures {
   public void measure(Agent agent) {
     sum = 0.0;
     visible = 0;
-    HashOrder order = copied(agent.owned());
-    for (int i = 0; i < order.size(); i++) {
-      int target = order.get(i);
+    copy.copy(agent.owned());
+    for (int i = 0; i < copy.size(); i++) {
+      int target = copy.get(i);
       if (agent.sees(target)) {
         sum += certainty(agent.camera(), target);
         visible++;
@@ -68,14 +68,6 @@ public final class CameraFigures {
   /** The mean certainty of the targets owned and seen; 0 without any. */
   public double relativeConfidence() {
     return sum == 0 ? 0 : sum / visible;
-  }
-
-  private HashOrder copied(HashOrder owned) {
-    if (owned.copiesInOrder()) {
-      return owned;
-    }
-    copy.copy(owned);
-    return copy;
   }
 
   private double worth(int camera) {

@@ -13,8 +13,6 @@ public final class OverlapTable {
   private final ToDoubleBiFunction<FieldOfView, FieldOfView> overlap;
   private final double[][] overlaps; // by camera, with each later one
   private final FieldOfView[] fields;
-  private final double[] before;
-  private final double[] after;
   private int looks = -1;
 
   /**
@@ -27,8 +25,6 @@ public final class OverlapTable {
     overlaps = new double[count][];
     Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
     fields = new FieldOfView[count];
-    before = new double[count];
-    after = new double[count];
   }
 
   /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
@@ -50,14 +46,6 @@ public final class OverlapTable {
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
   double addPairs(int camera, double sum) {
     refresh();
-    if (before[camera] != sum) {
-      before[camera] = sum;
-      after[camera] = added(camera, sum);
-    }
-    return after[camera];
-  }
-
-  private double added(int camera, double sum) {
     double total = sum;
     double[] row = overlaps[camera];
     for (int i = 0; i < row.length; i++) {
@@ -73,7 +61,6 @@ public final class OverlapTable {
       return;
     }
     looks = cameras.looks();
-    Arrays.fill(before, Double.NaN); // no sum
     boolean[] changed = new boolean[fields.length];
     for (int camera = 0; camera < fields.length; camera++) {
       FieldOfView now = FieldOfView.of(cameras, camera);

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.SortedMap;
 import java.util.SplittableRandom;
+import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -66,14 +68,14 @@ class BanditSolverTest {
   }
 
   @Test
-  void ranksCountEarlierValuesThatAreSmaller() {
-    Ranks ranks = new Ranks();
-    assertEquals(0, ranks.shareBelow(5));
-    for (int i = 0; i < 100; i++) {
-      ranks.add(i % 25);
+  void theShareOfEarlierValuesThatAreSmaller() {
+    SortedMap<Double, Integer> counts = new TreeMap<>();
+    assertEquals(0, BanditSolver.shareBelow(5, counts));
+    for (double value = 0; value < 25; value++) {
+      counts.put(value, 4);
     }
-    assertEquals(0.4, ranks.shareBelow(10));
-    assertEquals(0, ranks.shareBelow(0));
-    assertEquals(1, ranks.shareBelow(25));
+    assertEquals(0.4, BanditSolver.shareBelow(10, counts));
+    assertEquals(0, BanditSolver.shareBelow(0, counts));
+    assertEquals(1, BanditSolver.shareBelow(25, counts));
   }
 }
