@@ -1,13 +1,14 @@
 package org.hificamsim.network.agent;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.channel.Post;
 import org.hificamsim.core.channel.Stations;
 
 /**
- * The messages on their way, in flat arrays, delivered in the order in which they were sent.
+ * The messages on their way, delivered in the order in which they were sent.
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
  * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
@@ -31,16 +32,11 @@ public final class MessageQueue {
     int receive(MessageKind kind, int from, int to, int target, double value);
   }
 
-  private record Letter(MessageKind kind, int target, double value) {}
+  private record Letter(MessageKind kind, int from, int to, int target, double value) {}
 
   private final int bitsWithoutValue;
   private Post<Letter> post; // null where all arrives at once
-  private MessageKind[] kinds = new MessageKind[64];
-  private int[] froms = new int[64];
-  private int[] tos = new int[64];
-  private int[] targets = new int[64];
-  private double[] values = new double[64];
-  private int waiting;
+  private final List<Letter> waiting = new ArrayList<>();
   private long startSearches;
   private long startTrackings;
   private long bits;
@@ -60,15 +56,8 @@ public final class MessageQueue {
 
   /** Appends a message to a camera, or to {@link #NEIGHBOURS}. */
   void send(MessageKind kind, int from, int to, int target, double value) {
-    if (waiting == kinds.length) {
-      grow();
-    }
     bits += bits(kind);
-    kinds[waiting] = kind;
-    froms[waiting] = from;
-    tos[waiting] = to;
-    targets[waiting] = target;
-    values[waiting++] = value;
+    waiting.add(new Letter(kind, from, to, target, value));
   }
 
   private int bits(MessageKind kind) {
@@ -77,30 +66,24 @@ public final class MessageQueue {
 
   /** Delivers every message that waits or arrives in this step, also those that arise meanwhile. */
   public void deliver(Receiver receiver) {
-    for (int i = 0; i < waiting; i++) {
+    for (int i = 0; i < waiting.size(); i++) {
+      Letter letter = waiting.get(i);
       if (post == null) {
-        count(kinds[i], receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]));
+        deliver(letter, letter.to, receiver);
+      } else if (letter.to == NEIGHBOURS) {
+        post.broadcast(letter.from, bits(letter.kind), letter);
       } else {
-        post(i);
+        post.send(letter.from, letter.to, bits(letter.kind), letter);
       }
     }
-    waiting = 0;
+    waiting.clear();
     if (post != null) {
-      post.deliver(
-          (from, to, sent, letter) ->
-              count(
-                  letter.kind,
-                  receiver.receive(letter.kind, from, to, letter.target, letter.value)));
+      post.deliver((from, to, sent, letter) -> deliver(letter, to, receiver));
     }
   }
 
-  private void post(int i) {
-    Letter letter = new Letter(kinds[i], targets[i], values[i]);
-    if (tos[i] == NEIGHBOURS) {
-      post.broadcast(froms[i], bits(kinds[i]), letter);
-    } else {
-      post.send(froms[i], tos[i], bits(kinds[i]), letter);
-    }
+  private void deliver(Letter letter, int to, Receiver receiver) {
+    count(letter.kind, receiver.receive(letter.kind, letter.from, to, letter.target, letter.value));
   }
 
   private void count(MessageKind kind, int receivers) {
@@ -130,14 +113,5 @@ public final class MessageQueue {
   public void resetCounts() {
     startSearches = 0;
     startTrackings = 0;
-  }
-
-  private void grow() {
-    int length = 2 * waiting;
-    kinds = Arrays.copyOf(kinds, length);
-    froms = Arrays.copyOf(froms, length);
-    tos = Arrays.copyOf(tos, length);
-    targets = Arrays.copyOf(targets, length);
-    values = Arrays.copyOf(values, length);
   }
 }
