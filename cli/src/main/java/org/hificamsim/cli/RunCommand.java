@@ -36,7 +36,9 @@ import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatRecorder;
 import org.hificamsim.runs.heat.HeatTable;
+import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.Detail;
+import org.hificamsim.runs.output.InputFiles;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
 import org.hificamsim.runs.output.TableFormat;
@@ -100,8 +102,8 @@ final class RunCommand implements Callable<Integer> {
     ReplayRecorder replay = record ? replay(plan, catalogue) : null;
     ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
-    try (RunFolder output =
-            new RunFolder(screen.folder(folder), plan.detection(), detail(plan), tables);
+    try (OutputFolder files = screen.folder(folder);
+        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables);
         Workers workers = Workers.of(threads.count())) {
       List<RunResult> results =
           execute(
@@ -116,18 +118,18 @@ final class RunCommand implements Callable<Integer> {
                       replay == null ? null : replay.listener(run)));
       output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
       if (replay != null) {
-        replay.write(output.replay());
+        replay.write(files.stream(ResultFolder.REPLAY));
       }
       HeatMap map = heat == null ? null : heat.map();
       if (map != null) {
-        output.add(all -> HeatTable.write(all, map));
+        HeatTable.write(files, map);
       }
-      output.inputs(plan);
+      InputFiles.write(files, List.of(plan));
       output.finish(plan, results);
       if (replay != null) {
-        output.add(files -> files.write(ResultFolder.REPORT, page(files, folder)));
+        files.write(ResultFolder.REPORT, page(files, folder));
       }
-      output.crate(plan);
+      CrateFile.write(files, List.of(plan));
       output.commit();
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));

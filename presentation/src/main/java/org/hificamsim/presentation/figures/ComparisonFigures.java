@@ -12,6 +12,7 @@ import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Yardstick;
 
 /**
@@ -43,7 +44,7 @@ public final class ComparisonFigures {
 
   private static Map<String, Supplier<Figure>> figures(List<CaseResult> cases) {
     Map<String, Supplier<Figure>> figures = new LinkedHashMap<>();
-    CaseGroups.byScenario(cases)
+    Cases.byScenario(cases)
         .forEach(
             (name, group) ->
                 figures.put(
@@ -65,16 +66,16 @@ public final class ComparisonFigures {
   private static Figure coverage(List<CaseResult> cases) {
     return CoverageFigure.of(
         "Targets covered by no, one, and more cameras",
-        CaseGroups.byScenario(cases).entrySet().stream()
+        Cases.byScenario(cases).entrySet().stream()
             .flatMap(
                 scenario ->
-                    CaseGroups.byDetection(scenario.getValue()).entrySet().stream()
+                    Cases.byDetection(scenario.getValue()).entrySet().stream()
                         .map(
                             detection ->
                                 new CoverageFigure.Group(
                                     scenario.getKey() + ", " + detection.getKey(),
                                     detection.getValue())))
             .toList(),
-        Math.min(3, CaseGroups.byDetection(cases).size()));
+        Math.min(3, Cases.byDetection(cases).size()));
   }
 }

@@ -9,6 +9,7 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
 import org.knowm.xchart.XYChart;
 
 /** The score over time by policy, a panel per detection model. */
@@ -38,7 +39,7 @@ public final class OverTime {
   public static Figure figure(String title, List<CaseResult> cases) {
     PolicyColors colors = colors(cases);
     double most = ceiling(cases);
-    Map<String, List<CaseResult>> detections = CaseGroups.byDetection(cases);
+    Map<String, List<CaseResult>> detections = Cases.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
     detections.forEach((name, group) -> panels.add(panel(name, group, colors::of, most)));
     return new Figure(

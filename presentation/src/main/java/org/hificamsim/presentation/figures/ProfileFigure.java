@@ -9,6 +9,7 @@ import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.Yardstick;
 import org.hificamsim.runs.statistics.PerformanceProfile;
@@ -26,7 +27,7 @@ final class ProfileFigure {
     List<CaseResult> shown = cases.stream().filter(one -> !one.isOptimum()).toList();
     PolicyColors colors = OverTime.colors(shown);
     List<XYChart> panels = new ArrayList<>();
-    CaseGroups.byDetection(shown)
+    Cases.byDetection(shown)
         .forEach((name, group) -> panels.add(panel(name, group, colors, yardstick)));
     return new Figure(
         "Performance profile",

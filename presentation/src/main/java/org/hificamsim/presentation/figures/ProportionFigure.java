@@ -12,6 +12,7 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Yardstick;
 import org.knowm.xchart.XYChart;
 
@@ -35,10 +36,10 @@ final class ProportionFigure {
             .flatMapToDouble(share -> DoubleStream.of(share.mean(), share.high()))
             .filter(Double::isFinite)
             .reduce(1, Math::max);
-    policies = new ArrayList<>(CaseGroups.byPolicy(cases).keySet());
+    policies = new ArrayList<>(Cases.byPolicy(cases).keySet());
     policies.removeIf(PolicyColors::isOptimal);
     Collections.reverse(policies);
-    detections = List.copyOf(CaseGroups.byDetection(cases).keySet());
+    detections = List.copyOf(Cases.byDetection(cases).keySet());
   }
 
   private Estimate share(CaseResult one) {
@@ -48,7 +49,7 @@ final class ProportionFigure {
   static Figure of(List<CaseResult> cases, Yardstick yardstick) {
     ProportionFigure figure = new ProportionFigure(cases, yardstick);
     List<XYChart> panels = new ArrayList<>();
-    CaseGroups.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
+    Cases.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
     return new Figure(
         "Proportion of " + yardstick.noun(),
         "Means over seeds with 95% intervals; "
@@ -75,7 +76,7 @@ final class ProportionFigure {
   private XYChart panel(String scenario, List<CaseResult> cases) {
     XyPanel panel =
         new XyPanel(scenario, "score / that of " + yardstick.noun(), "").x(0, most).rows(policies);
-    Map<String, List<CaseResult>> groups = CaseGroups.byDetection(cases);
+    Map<String, List<CaseResult>> groups = Cases.byDetection(cases);
     groups.forEach((name, group) -> group.forEach(one -> dot(panel, one)));
     return panel;
   }

@@ -34,10 +34,13 @@ public final class ViewCells {
   private final Visibility visibility;
   private final Obstacles obstacles;
   private final double size;
+  private int revision;
   private VisibleRegion[] regions = {};
   private Seen[][] seen = {};
   private double[][] pans = {};
   private long kept;
+  private Seen[] next = {};
+  private Seen[] now = {};
 
   /**
    * @param size of the targets, metres
@@ -51,20 +54,34 @@ public final class ViewCells {
 
   /** Forgets everything, as cameras are elsewhere now. */
   public void forget(NetworkView network) {
+    revision = network.revision();
     regions = new VisibleRegion[network.cameras()];
     seen = new Seen[network.cameras()][];
     pans = new double[network.cameras()][];
     kept = 0;
   }
 
-  /**
-   * What a camera sees through one of its views.
-   *
-   * @param view -1 for a camera that sees nothing
-   */
-  public Seen of(NetworkView network, int camera, int view) {
+  /** What each camera sees now: the same array until one sees something else. */
+  public Seen[] now(NetworkView network) {
+    if (revision != network.revision() || seen.length != network.cameras()) {
+      forget(network);
+    }
+    if (next.length != network.cameras()) {
+      next = new Seen[network.cameras()];
+    }
+    for (int camera = 0; camera < next.length; camera++) {
+      next[camera] = network.online(camera) ? now(network, camera) : Seen.NOTHING;
+    }
+    if (!Arrays.equals(next, now)) {
+      now = next.clone();
+    }
+    return now;
+  }
+
+  private Seen now(NetworkView network, int camera) {
+    int view = network.seeing(camera);
     if (view < 0) {
-      return Seen.NOTHING;
+      return Seen.NOTHING; // it is turning
     }
     if (kept > MAX_KEPT) {
       forget(network);

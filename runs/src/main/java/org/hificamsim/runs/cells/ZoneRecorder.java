@@ -51,7 +51,7 @@ public final class ZoneRecorder implements StepListener {
 
   @Override
   public void started(NetworkView network) {
-    zones.forEach(zone -> zone.begin(network));
+    zones.forEach(zone -> zone.views.forget(network));
   }
 
   @Override
@@ -76,7 +76,6 @@ public final class ZoneRecorder implements StepListener {
     private final ViewCells views;
     private final double[] counts; // of cameras, by cell
     private ViewCells.Seen[] seen = {}; // by each camera, in the last step
-    private int revision;
     private double share;
     private double sum;
     private long steps;
@@ -89,24 +88,10 @@ public final class ZoneRecorder implements StepListener {
       this.counts = new double[all.count()];
     }
 
-    void begin(NetworkView network) {
-      views.forget(network);
-      revision = network.revision();
-      seen = new ViewCells.Seen[network.cameras()];
-    }
-
     void step(NetworkView network) {
-      if (revision != network.revision()) {
-        begin(network);
-      }
-      boolean changed = false;
-      for (int camera = 0; camera < seen.length; camera++) {
-        int view = network.online(camera) ? network.seeing(camera) : -1;
-        ViewCells.Seen now = views.of(network, camera, view);
-        changed |= now != seen[camera];
-        seen[camera] = now;
-      }
-      if (changed) {
+      ViewCells.Seen[] now = views.now(network);
+      if (now != seen) {
+        seen = now;
         share = share();
       }
       sum += share;

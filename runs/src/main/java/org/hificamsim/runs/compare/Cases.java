@@ -3,9 +3,14 @@ package org.hificamsim.runs.compare;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.hificamsim.runs.RunPlan;
 
-/** The results of a comparison, found by the names of scenario, detection model and policy. */
+/**
+ * The results of a comparison, found by the names of scenario, detection model and policy; and in
+ * groups, in the order of their first appearance.
+ */
 public final class Cases {
   private record Name(String scenario, String detection, String policy) {
     static Name of(RunPlan plan) {
@@ -31,5 +36,22 @@ public final class Cases {
       throw new IllegalArgumentException("no result for " + name);
     }
     return found;
+  }
+
+  public static Map<String, List<CaseResult>> byScenario(List<CaseResult> cases) {
+    return by(cases, one -> one.plan().scenario().name());
+  }
+
+  public static Map<String, List<CaseResult>> byDetection(List<CaseResult> cases) {
+    return by(cases, one -> one.plan().detection().name());
+  }
+
+  public static Map<String, List<CaseResult>> byPolicy(List<CaseResult> cases) {
+    return by(cases, one -> one.plan().policy());
+  }
+
+  static <K> Map<K, List<CaseResult>> by(List<CaseResult> cases, Function<CaseResult, K> key) {
+    return cases.stream()
+        .collect(Collectors.groupingBy(key, LinkedHashMap::new, Collectors.toList()));
   }
 }

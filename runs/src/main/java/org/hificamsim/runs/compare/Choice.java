@@ -1,12 +1,8 @@
 package org.hificamsim.runs.compare;
 
-import static java.util.stream.Collectors.groupingBy;
-import static java.util.stream.Collectors.toList;
-
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.OutputFolder;
@@ -53,16 +49,11 @@ public record Choice(
 
   /** The choices of all detections in each scenario; none with one detection or policy. */
   public static List<Choice> of(List<CaseResult> cases) {
-    Map<String, Map<String, List<CaseResult>>> scenarios =
-        cases.stream()
-            .filter(one -> !Yardstick.isOne(one.plan().policy()))
-            .collect(
-                groupingBy(
-                    one -> one.plan().scenario().name(),
-                    LinkedHashMap::new,
-                    groupingBy(
-                        one -> one.plan().detection().name(), LinkedHashMap::new, toList())));
-    return scenarios.values().stream().flatMap(one -> of(one).stream()).toList();
+    List<CaseResult> chosen =
+        cases.stream().filter(one -> !Yardstick.isOne(one.plan().policy())).toList();
+    return Cases.byScenario(chosen).values().stream()
+        .flatMap(scenario -> of(Cases.byDetection(scenario)).stream())
+        .toList();
   }
 
   private static List<Choice> of(Map<String, List<CaseResult>> detections) {

@@ -2,9 +2,7 @@ package org.hificamsim.runs.compare;
 
 import java.io.IOException;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -235,14 +233,12 @@ public final class ComparisonFiles {
 
   /** Of the first policy of each scenario and detection: they are the same of all. */
   private static Stream<Measure> measures(List<CaseResult> cases) {
-    Map<ReferencePolicies.Group, CaseResult> groups = new LinkedHashMap<>();
-    cases.forEach(one -> groups.putIfAbsent(ReferencePolicies.Group.of(one.plan()), one));
-    return groups.values().stream()
+    return Cases.by(cases, one -> ReferencePolicies.Group.of(one.plan())).values().stream()
+        .map(group -> group.subList(0, 1))
         .flatMap(
-            one ->
+            first ->
                 Stream.of(Yardstick.values())
-                    .flatMap(
-                        yardstick -> runs(List.of(one)).map(run -> new Measure(run, yardstick))))
+                    .flatMap(yardstick -> runs(first).map(run -> new Measure(run, yardstick))))
         .filter(row -> !Double.isNaN(row.yardstick.score(row.run.run)));
   }
 

@@ -1,9 +1,6 @@
 package org.hificamsim.runs.compare;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.statistics.Strata;
 
@@ -13,18 +10,13 @@ import org.hificamsim.runs.statistics.Strata;
  * @param cases one per scenario
  */
 public record PolicyScores(List<CaseResult> cases) {
-  private record Name(String detection, String policy) {}
-
   /** The policies of cases, in the order of their first appearance. */
   public static List<PolicyScores> of(List<CaseResult> cases) {
-    Map<Name, List<CaseResult>> groups =
-        cases.stream()
-            .collect(
-                Collectors.groupingBy(
-                    one -> new Name(one.plan().detection().name(), one.plan().policy()),
-                    LinkedHashMap::new,
-                    Collectors.toList()));
-    return groups.values().stream().map(PolicyScores::new).toList();
+    return Cases.by(cases, one -> List.of(one.plan().detection().name(), one.plan().policy()))
+        .values()
+        .stream()
+        .map(PolicyScores::new)
+        .toList();
   }
 
   /** The detection's name in files. */

@@ -1,11 +1,12 @@
 package org.hificamsim.runs.compare;
 
+import static java.util.Comparator.comparingDouble;
 import static java.util.stream.Collectors.joining;
 
 import java.io.IOException;
 import java.io.Writer;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -72,16 +73,10 @@ public final class SummaryTables {
 
   /** How much of what is possible the best policy of each scenario and detection reaches. */
   public static List<String> atLeast(List<CaseResult> cases) {
-    Map<ReferencePolicies.Group, CaseResult> best = new LinkedHashMap<>();
-    cases.stream()
-        .filter(one -> !Double.isNaN(ofBound(one)))
-        .forEach(
-            one ->
-                best.merge(
-                    ReferencePolicies.Group.of(one.plan()),
-                    one,
-                    (had, other) -> ofBound(other) > ofBound(had) ? other : had));
-    return best.values().stream().map(SummaryTables::atLeast).toList();
+    List<CaseResult> known = cases.stream().filter(one -> !Double.isNaN(ofBound(one))).toList();
+    return Cases.by(known, one -> ReferencePolicies.Group.of(one.plan())).values().stream()
+        .map(group -> atLeast(Collections.max(group, comparingDouble(SummaryTables::ofBound))))
+        .toList();
   }
 
   private static double ofBound(CaseResult one) {
@@ -193,10 +188,6 @@ public final class SummaryTables {
 
   /** The cases of each scenario together: the optima come last otherwise. */
   private static List<CaseResult> byScenario(List<CaseResult> cases) {
-    return cases.stream()
-        .map(one -> one.plan().scenario().name())
-        .distinct()
-        .flatMap(name -> cases.stream().filter(one -> one.plan().scenario().name().equals(name)))
-        .toList();
+    return Cases.byScenario(cases).values().stream().flatMap(List::stream).toList();
   }
 }

@@ -1,6 +1,5 @@
 package org.hificamsim.runs.heat;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
@@ -20,16 +19,12 @@ import org.hificamsim.runs.heat.HeatMap.Place;
  * next to nothing.
  */
 public final class HeatRecorder implements StepListener {
-  private static final int NO_VIEW = -1;
-
   private final FieldCells cells;
   private final Obstacles obstacles;
   private final ViewCells views;
   private final CellSums sums;
   private ViewCells.Seen[] seen = {};
-  private ViewCells.Seen[] before = {};
   private long alike;
-  private int revision;
 
   /**
    * @param world of the first run, for what does not change
@@ -44,25 +39,15 @@ public final class HeatRecorder implements StepListener {
 
   @Override
   public void started(NetworkView network) {
-    seen = new ViewCells.Seen[network.cameras()];
-    before = new ViewCells.Seen[network.cameras()];
-    revision = network.revision();
     views.forget(network);
   }
 
   @Override
   public void stepped(NetworkView network, StepCoverage coverage) {
-    if (revision != network.revision() || seen.length != network.cameras()) {
+    ViewCells.Seen[] now = views.now(network);
+    if (now != seen) {
       addAlike();
-      started(network);
-    }
-    for (int camera = 0; camera < seen.length; camera++) {
-      boolean online = network.online(camera);
-      seen[camera] = views.of(network, camera, online ? network.seeing(camera) : NO_VIEW);
-    }
-    if (!Arrays.equals(seen, before)) {
-      addAlike();
-      System.arraycopy(seen, 0, before, 0, seen.length);
+      seen = now;
     }
     alike++;
     sums.addVisits(network);
@@ -75,7 +60,7 @@ public final class HeatRecorder implements StepListener {
 
   private void addAlike() {
     if (alike > 0) {
-      sums.add(before, alike);
+      sums.add(seen, alike);
       alike = 0;
     }
   }

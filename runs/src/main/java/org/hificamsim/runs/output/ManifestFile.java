@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
@@ -19,12 +20,16 @@ public final class ManifestFile {
   /** Adds the file to a folder's. */
   public static void write(OutputFolder folder, List<String> command, Instant started, long steps)
       throws IOException {
-    write(folder, command, started, steps, SourceCommit.asked());
+    write(folder, command, started, steps, SourceCommit.name());
   }
 
-  /** The same with a commit that was asked for before. */
+  /** The same with the commit that a longer run began with. */
   static void write(
-      OutputFolder folder, List<String> command, Instant started, long steps, SourceCommit asked)
+      OutputFolder folder,
+      List<String> command,
+      Instant started,
+      long steps,
+      Optional<String> commit)
       throws IOException {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     ArrayNode words = json.putArray("command");
@@ -33,7 +38,7 @@ public final class ManifestFile {
     json.put("seconds", Duration.between(started, Instant.now()).toMillis() / 1000.0);
     json.put("steps", steps);
     json.put("hificamsim", version());
-    asked.name().ifPresent(commit -> json.put("commit", commit));
+    commit.ifPresent(name -> json.put("commit", name));
     json.put("java", System.getProperty("java.vm.version"));
     json.put("system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
     JsonOutput.write(folder, ResultFolder.MANIFEST, json);

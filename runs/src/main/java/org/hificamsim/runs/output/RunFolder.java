@@ -2,9 +2,9 @@ package org.hificamsim.runs.output;
 
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
@@ -31,7 +31,7 @@ public final class RunFolder implements Closeable {
   /** What every run writes, which has to be free before it begins. */
   private static final List<String> ALWAYS = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
-  private final SourceCommit commit = SourceCommit.asked();
+  private final Optional<String> commit = SourceCommit.name();
   private final OutputFolder folder;
   private final Table<StepCursor> stepTable;
   private final Table<StepCursor> cameraTable;
@@ -100,36 +100,10 @@ public final class RunFolder implements Closeable {
     ManifestFile.write(folder, command, started, steps, commit);
   }
 
-  /** Adds a table of its own. */
-  public void add(TableWriter table) throws IOException {
-    table.write(folder);
-  }
-
-  /** Writes a table into a folder. */
-  @FunctionalInterface
-  public interface TableWriter {
-    void write(OutputFolder folder) throws IOException;
-  }
-
-  /** Adds the scenario and the detection model. */
-  public void inputs(RunPlan plan) throws IOException {
-    InputFiles.write(folder, List.of(plan));
-  }
-
-  /** Adds {@code replay.json}, which the caller fills and closes. */
-  public OutputStream replay() throws IOException {
-    return folder.stream(ResultFolder.REPLAY);
-  }
-
   /** Ends the tables and adds {@code summary.json}. */
   public void finish(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
     SummaryFile.write(folder, plan, results);
-  }
-
-  /** Adds {@code ro-crate-metadata.json} for the other files, which are finished. */
-  public void crate(RunPlan plan) throws IOException {
-    CrateFile.write(folder, List.of(plan));
   }
 
   /** Moves all files into place. */

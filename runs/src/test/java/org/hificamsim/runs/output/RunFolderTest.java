@@ -81,15 +81,16 @@ class RunFolderTest {
 
   private static Path run(String name, RunPlan plan, Detail detail) throws IOException {
     Path out = folder.resolve(name);
-    try (RunFolder output =
-        new RunFolder(new OutputFolder(out), plan.detection(), detail, TableFormats.named("csv"))) {
+    try (OutputFolder files = new OutputFolder(out);
+        RunFolder output =
+            new RunFolder(files, plan.detection(), detail, TableFormats.named("csv"))) {
       List<RunResult> results =
           new RunExecutor(Catalogue.load()).execute(plan, run -> List.of(output.listener(run)));
       output.manifest(
           List.of("run", "it's here.xml"), Instant.now().minusSeconds(90), STEPS * plan.repeats());
-      output.inputs(plan);
+      InputFiles.write(files, List.of(plan));
       output.finish(plan, results);
-      output.crate(plan);
+      CrateFile.write(files, List.of(plan));
       output.commit();
     }
     return out;
@@ -321,11 +322,10 @@ class RunFolderTest {
       assertEquals(0, own.steps());
       RunResult result = new RunExecutor(Catalogue.load()).repeat(plan, 0, List.of(own));
       assertEquals(STEPS, own.steps());
-      own.folder().inputs(plan);
       own.commit(plan, Traffic.NONE, Optional.empty());
       assertEquals(plan.seed(), result.seed());
     }
-    for (String name : List.of("steps.csv", "zooms.csv", "targets.csv", "scenario-site.xml")) {
+    for (String name : List.of("steps.csv", "zooms.csv", "targets.csv")) {
       assertEquals(Files.readString(whole.resolve(name)), Files.readString(out.resolve(name)));
     }
     assertEquals(
