@@ -46,11 +46,8 @@ final class Descriptions {
     long optics =
         scenario.cameras().stream().flatMap(one -> one.optics().stream()).distinct().count();
     if (optics > 0) {
-      int obstacles = scenario.obstacles().size();
-      return optics
-          + (optics == 1 ? " kind" : " kinds")
-          + " of optics, "
-          + Texts.counted(obstacles, "obstacle");
+      String kinds = Texts.counted(optics, "kind") + " of optics, ";
+      return kinds + Texts.counted(scenario.obstacles().size(), "obstacle");
     }
     return scenario.inCoverageDialect()
         ? Texts.counted(scenario.zooms().size(), "zoom level")

@@ -1,9 +1,10 @@
 package org.hificamsim.cli;
 
+import static org.hificamsim.cli.Numbers.plain;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -49,13 +50,11 @@ final class DetectionHints {
   }
 
   private static Optional<String> flatRule(Scenario scenario, Detection used) {
-    return scenario.hasHeights() && used.model().flat()
-        ? Optional.of(
-            Texts.format(
-                "'%s' is a rule of CamSim, whose world is flat: it gets distances over the"
-                    + " ground, not those from where cameras hang",
-                used.name()))
-        : Optional.empty();
+    String warning =
+        "'%s' is a rule of CamSim, whose world is flat: it gets distances over the"
+            + " ground, not those from where cameras hang";
+    return Optional.of(warning.formatted(used.name()))
+        .filter(any -> scenario.hasHeights() && used.model().flat());
   }
 
   /** A warning of views of cameras with heights that see no place at all. */
@@ -76,52 +75,40 @@ final class DetectionHints {
     List<String> blind = new ArrayList<>();
     for (int camera = 0; camera < cameras.count(); camera++) {
       int its = camera;
-      List<ZoomLevel> levels =
+      List<String> levels =
           IntStream.range(0, cameras.views(camera))
               .mapToObj(view -> cameras.zoom(its, view))
               .distinct()
               .filter(
                   level -> bodies.stream().allMatch(body -> visibility.at(level, body).isBlind()))
+              .map(level -> angles(level.viewingAngle(), level.vertical().tilt()))
               .toList();
       if (!levels.isEmpty()) {
-        blind.add(
-            "'%s' at %s"
-                .formatted(
-                    cameras.name(camera),
-                    levels.stream()
-                            .limit(MAX_LEVELS)
-                            .map(
-                                level ->
-                                    "hfov %s tilt %s"
-                                        .formatted(
-                                            Numbers.plain(Math.toDegrees(level.viewingAngle())),
-                                            Numbers.plain(Math.toDegrees(level.vertical().tilt()))))
-                            .collect(Collectors.joining(", "))
-                        + (levels.size() > MAX_LEVELS ? ", ..." : "")));
+        blind.add("'%s' at %s".formatted(cameras.name(camera), first(levels)));
       }
     }
-    return blind.isEmpty()
-        ? Optional.empty()
-        : Optional.of(
-            Texts.format(
-                "no target can be seen anywhere by camera %s: expected another tilt or height,"
-                    + " or less of a target that has to be seen",
-                String.join("; ", blind)));
+    String warning =
+        "no target can be seen anywhere by camera %s: expected another tilt or height,"
+            + " or less of a target that has to be seen";
+    return Optional.of(warning.formatted(String.join("; ", blind))).filter(any -> !blind.isEmpty());
+  }
+
+  private static String angles(double hfov, double tilt) {
+    return "hfov " + plain(Math.toDegrees(hfov)) + " tilt " + plain(Math.toDegrees(tilt));
+  }
+
+  private static String first(List<String> texts) {
+    boolean all = texts.size() <= MAX_LEVELS;
+    return String.join(", ", all ? texts : texts.subList(0, MAX_LEVELS)) + (all ? "" : ", ...");
   }
 
   /** How far a target is detected at each zoom level; by chance, half of the time. */
   static String reach(Scenario scenario, Detection detection) {
-    List<Reach> all = Reach.of(scenario, detection);
-    String levels =
-        all.stream()
-            .limit(MAX_LEVELS)
-            .map(one -> Numbers.plain(one.detected()) + " of " + Numbers.plain(one.radius()))
-            .collect(Collectors.joining(", "));
-    return levels
-        + (all.size() > MAX_LEVELS ? ", ..." : "")
-        + " m (a target of "
-        + Numbers.plain(Reach.largestTarget(scenario))
-        + " m)";
+    List<String> levels =
+        Reach.of(scenario, detection).stream()
+            .map(one -> plain(one.detected()) + " of " + plain(one.radius()))
+            .toList();
+    return first(levels) + " m (a target of " + plain(Reach.largestTarget(scenario)) + " m)";
   }
 
   /**
@@ -142,9 +129,9 @@ final class DetectionHints {
                 detection.name(),
                 detection.certain() ? "" : " half of the time",
                 reach(scenario, detection),
-                nearest.within(reach) == 0 ? "none" : "under " + Numbers.plain(100 * FEW) + " %",
+                nearest.within(reach) == 0 ? "none" : "under " + plain(100 * FEW) + " %",
                 nearest.steps(),
-                Numbers.plain(nearest.median()),
+                plain(nearest.median()),
                 fitting(scenario, nearest.median(), catalogue)));
   }
 
@@ -157,7 +144,7 @@ final class DetectionHints {
         .map(
             one ->
                 "another model, such as %s, which reaches %s m"
-                    .formatted(one.name(), Numbers.plain(Reach.farthest(scenario, one))))
+                    .formatted(one.name(), plain(Reach.farthest(scenario, one))))
         .orElse("longer focal lengths, larger radii or more cameras");
   }
 
@@ -195,7 +182,7 @@ final class DetectionHints {
                     .formatted(
                         camera.name(),
                         wrong.size() == 1 ? "" : " (one of " + wrong.size() + ")",
-                        Numbers.plain(camera.viewingAngle()),
+                        plain(camera.viewingAngle()),
                         angles(levels(camera, scenario), lens),
                         agreeing(camera, scenario)));
   }
@@ -209,8 +196,8 @@ final class DetectionHints {
   }
 
   private static String angles(List<ZoomLevel> levels, ModelLens lens) {
-    String narrowest = Numbers.plain(lens.angleOfView(levels.get(0)));
-    String widest = Numbers.plain(lens.angleOfView(levels.get(levels.size() - 1)));
+    String narrowest = plain(lens.angleOfView(levels.get(0)));
+    String widest = plain(lens.angleOfView(levels.get(levels.size() - 1)));
     return narrowest.equals(widest) ? narrowest : narrowest + " to " + widest;
   }
 
@@ -220,7 +207,7 @@ final class DetectionHints {
     double radius = levels.get(levels.size() - 1).radius();
     double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
     boolean known = camera.viewingAngle() < 180 && radius > 0 && Double.isFinite(height);
-    return known ? ", such as " + Numbers.plain(height) : "";
+    return known ? ", such as " + plain(height) : "";
   }
 
   private static List<ZoomLevel> levels(CameraSpec camera, Scenario scenario) {
@@ -248,13 +235,11 @@ final class DetectionHints {
         on.focalLength(),
         zooms.stream().mapToDouble(model.optics()::focalLength).filter(z -> z > NO_LENS));
     add(outside, "distances", upTo(on.distance()), zooms.stream().mapToDouble(ZoomLevel::radius));
-    return outside.isEmpty()
-        ? Optional.empty()
-        : Optional.of(
-            Texts.format(
-                "'%s' was not fitted on what is asked of it: %s; expected photos of these, or"
-                    + " a model whose f is the pinhole camera's",
-                name, String.join(", ", outside)));
+    String warning =
+        "'%s' was not fitted on what is asked of it: %s; expected photos of these, or"
+            + " a model whose f is the pinhole camera's";
+    return Optional.of(warning.formatted(name, String.join(", ", outside)))
+        .filter(any -> !outside.isEmpty());
   }
 
   /** What is nearer than any photo fills the image, and is detected. */
@@ -273,7 +258,6 @@ final class DetectionHints {
   }
 
   private static String shown(Span span) {
-    return Numbers.plain(span.least())
-        + (span.least() == span.most() ? "" : " to " + Numbers.plain(span.most()));
+    return plain(span.least()) + (span.least() == span.most() ? "" : " to " + plain(span.most()));
   }
 }

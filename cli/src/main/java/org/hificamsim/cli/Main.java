@@ -85,8 +85,8 @@ public final class Main {
         return 0;
       }
     }
-    print(line, "standard output cannot be written, expected a place with room for it");
-    return FAILURE;
+    return end(
+        line, "standard output cannot be written, expected a place with room for it", FAILURE);
   }
 
   /** What the help says of all options, and their defaults. */
@@ -109,8 +109,7 @@ public final class Main {
   private static int usage(ParameterException fault) {
     CommandLine command = fault.getCommandLine();
     String name = command.getCommandSpec().qualifiedName();
-    print(command, oneLine(message(fault)) + "; see " + name + " --help");
-    return BAD_INPUT;
+    return end(command, oneLine(message(fault)) + "; see " + name + " --help", BAD_INPUT);
   }
 
   private static Path path(String text) {
@@ -142,20 +141,17 @@ public final class Main {
       fault.printStackTrace(command.getErr());
     }
     if (fault instanceof InputException) {
-      print(command, fault.getMessage());
-      return BAD_INPUT;
+      return end(command, fault.getMessage(), BAD_INPUT);
     }
     if (fault instanceof UncheckedIOException io) {
       return failure(io.getCause(), command);
     }
     if (fault instanceof OutOfMemoryError) {
-      print(
-          command,
-          "out of memory, expected fewer steps or cameras, or HIFICAMSIM_OPTS=-Xmx8g or more");
-      return FAILURE;
+      String more =
+          "out of memory, expected fewer steps or cameras, or HIFICAMSIM_OPTS=-Xmx8g or more";
+      return end(command, more, FAILURE);
     }
-    print(command, oneLine(message(fault)));
-    return FAILURE;
+    return end(command, oneLine(message(fault)), FAILURE);
   }
 
   private static String message(Throwable fault) {
@@ -167,9 +163,10 @@ public final class Main {
         : fault.getClass().getSimpleName() + ": " + fault.getMessage();
   }
 
-  private static void print(CommandLine command, String message) {
+  private static int end(CommandLine command, String message, int code) {
     command.getErr().println("error: " + Place.printable(shortened(message)));
     command.getErr().flush();
+    return code;
   }
 
   /** Without the middle where it is long: at the end stands what was expected. */

@@ -65,6 +65,7 @@ final class PlaceCommand implements Callable<Integer> {
   private static final double TRIED = 0.8; // of the time, before it goes on with all candidates
   private static final double REFINED = 0.7; // of the time, before cameras are moved
   private static final int USUAL_CELLS = 60;
+  private static final String UNKNOWN = "%s: the site has no %s '%s', expected the name of one";
   private static final int SPOTS = 3; // that the terminal names
   private static final double USUAL_PLACES = 40; // along the longer side of the field
 
@@ -156,7 +157,7 @@ final class PlaceCommand implements Callable<Integer> {
     Interrupt interrupt = new Interrupt(time);
     Optional<Refinement> refinement =
         Optional.of(problem).filter(p -> refine).map(p -> refinement(p.demand().site(), interrupt));
-    SitePlan plan = problem.solve(effort(interrupt), watcher(goal, "%.2f %%", 100), refinement);
+    SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isAll()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
       if (form.isPresent()) {
@@ -283,29 +284,21 @@ final class PlaceCommand implements Callable<Integer> {
                 all.stream()
                     .filter(one -> name.apply(one).equals(asked))
                     .findFirst()
-                    .orElseThrow(() -> unknown(option, asked, kind)))
+                    .orElseThrow(() -> InputException.of(UNKNOWN, option, kind, asked)))
         .toList();
   }
 
-  private static InputException unknown(String option, String name, String kind) {
-    return InputException.of(
-        "%s: the site has no %s '%s', expected the name of one", option, kind, name);
-  }
-
-  private CoverSearch.Watcher watcher(Goal goal, String form, double scale) {
+  /** Prints the plan and the bound where they have changed: as shares, or as they are. */
+  private CoverSearch.Watcher watcher(boolean shares) {
     long started = System.nanoTime();
-    String shown = goal.isAll() ? "%.2f" : form;
-    double by = goal.isAll() ? 1 : scale;
+    String unit = shares ? " %%" : "";
+    String form = "plan %.2f" + unit + ", bound %.2f" + unit + ", gap %.2f %%";
     String[] before = {""};
     return (score, limit) -> {
-      double bound = by == 1 ? limit : Math.min(1, limit); // no plan meets more than all
+      double bound = shares ? Math.min(1, limit) : limit; // no plan meets more than all
       double gap = Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score));
-      String now =
-          Texts.format(
-              "plan " + shown + ", bound " + shown + ", gap %.2f %%",
-              by * score,
-              by * bound,
-              100 * gap);
+      int by = shares ? 100 : 1;
+      String now = Texts.format(form, by * score, by * bound, 100 * gap);
       if (!now.equals(before[0])) {
         screen.note("%6.1f s: %s", (System.nanoTime() - started) / 1e9, now);
       }
@@ -366,7 +359,7 @@ final class PlaceCommand implements Callable<Integer> {
     CoverInstance read = InstanceFile.read(path, instanceForm());
     CoverInstance all = goal.isAll() ? read.coverable() : read;
     Effort effort = effort(new Interrupt(time));
-    CoverPlan plan = CoverSearch.solve(all, goal, effort, watcher(goal, "%.2f", 1));
+    CoverPlan plan = CoverSearch.solve(all, goal, effort, watcher(false));
     screen.say(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
