@@ -42,7 +42,7 @@ export class FieldView {
   options() {
     const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
     const box = (name, label) => el('label', {}, el('input', {type: 'checkbox', name, onchange: event => this.set(name, event.target.checked)}), ` ${label}`);
-    this.beliefs = box('believes', 'what cameras believe: where targets are that were seen (circles), where others are expected (shaded), and which cameras received the selected one's messages (arrows)');
+    this.beliefs = box('believes', 'what cameras believe: where targets are that were seen (circles), where others are expected (shaded), and which cameras received messages of the selected one (arrows)');
     this.beliefs.hidden = true;
     const floor = () => el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.opacity,
       oninput: event => this.set('opacity', event.target.value / 100)});
