@@ -23,6 +23,7 @@ import hificamsim
 
 def train(scenario: str, updates: int, seed: int = 0) -> list[float]:
     """The mean share of the targets that cameras covered in an episode of each update."""
+    ray.init(num_cpus=1, include_dashboard=False, log_to_driver=False)
     settings = {"actions": "rates", "reward": "coverage", "steps": 100}
     register_env(scenario, lambda config: ParallelPettingZooEnv(hificamsim.parallel_env(scenario, **settings)))
     config = (
@@ -41,6 +42,7 @@ def train(scenario: str, updates: int, seed: int = 0) -> list[float]:
         scores.append(sum(returns.values()) / len(returns) / settings["steps"])
         print(f"update {len(scores)}: {scores[-1]:.3f} of the targets covered", flush=True)
     algorithm.stop()
+    ray.shutdown()
     return scores
 
 
@@ -50,9 +52,7 @@ def main() -> None:
     parser.add_argument("--updates", type=int, default=30)
     parser.add_argument("--seed", type=int, default=0)
     asked = parser.parse_args()
-    ray.init(num_cpus=1, include_dashboard=False)
     train(asked.scenario, asked.updates, asked.seed)
-    ray.shutdown()
 
 
 if __name__ == "__main__":

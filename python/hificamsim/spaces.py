@@ -65,8 +65,8 @@ def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) ->
     if values.shape != counts.shape:
         raise InputError(f"actions have shape {values.shape}, expected {counts.shape}")
     rated = counts.dtype.kind == "f"
-    if rated and values.dtype.kind in "fiu" and (np.abs(values) <= 1).all():
-        return np.rint(RATE * (values + 1)).astype(np.int32)
+    if rated and values.dtype.kind in "fiu" and ((values >= -1) & (values <= 1)).all():
+        return np.rint(RATE * (values.astype(np.float64) + 1)).astype(np.int32)
     if not rated and values.dtype.kind in "iu" and not np.count_nonzero(values.astype(np.uint64) >= counts):
         return values
     for index, value in np.ndenumerate(np.asarray(actions, object)):

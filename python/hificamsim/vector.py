@@ -95,11 +95,11 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         :param options: ``reset_mask``, bool for each environment: which of them begin
         """
         mask = (options or {}).get("reset_mask")
-        if mask is None and (seed is None or not isinstance(seed, (Sequence, np.ndarray))):
+        if mask is None and not _is_list(seed):
             self.worlds.begin(seed)  # type: ignore[arg-type]
         else:
             of_worlds = self._of_worlds(True if mask is None else mask, "reset_mask")
-            listed = isinstance(seed, (Sequence, np.ndarray))
+            listed = _is_list(seed)
             seeds = self._of_worlds(seed if listed else None, "seed")
             for i in range(self.worlds.num_envs):
                 if of_worlds[i]:
@@ -127,7 +127,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
 
     def _of_worlds(self, values: Any, what: str) -> list[Any]:
         """One value for each network of one for each environment; a single one is for all."""
-        listed = list(values) if isinstance(values, (Sequence, np.ndarray)) else [values] * self.num_envs
+        listed = list(values) if _is_list(values) else [values] * self.num_envs
         each = self.num_envs // self.worlds.num_envs
         of_worlds = listed[::each]
         if len(listed) != self.num_envs or any(one != of_worlds[i // each] for i, one in enumerate(listed)):
@@ -233,6 +233,10 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
 
     def close(self) -> None:
         self.worlds.close()
+
+
+def _is_list(value: Any) -> bool:
+    return isinstance(value, Sequence) or (isinstance(value, np.ndarray) and value.ndim == 1)
 
 
 def vector_env(scenario: str | os.PathLike[str], num_envs: int = 1, **settings: Any) -> CameraVectorEnv:

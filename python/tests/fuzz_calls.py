@@ -39,6 +39,8 @@ class Calls:
         self.envs: dict[str, Any] = {
             "parallel": hificamsim.parallel_env("cluster-random", backend="jvm"),
             "steps": hificamsim.parallel_env("campus", backend="jvm", actions="steps"),
+            "rates": hificamsim.parallel_env("campus", backend="jvm", actions="rates"),
+            "turns": hificamsim.vector_env("mate-4v8-9", 2, per="camera", backend="jvm", actions="rates"),
             "vector": hificamsim.vector_env("cluster-random", 3, backend="jvm"),
             "camera": hificamsim.vector_env("campus", 2, per="camera", backend="process"),
             "single": hificamsim.single_env("cluster-random", backend="jvm"),
@@ -71,7 +73,7 @@ class Calls:
         """Actions with one or more odd values; where they are refused, nothing has moved."""
         kind, env = self.chance.choice(list(self.envs.items()))
         env.reset(seed=self.chance.randrange(100))
-        actions: Any = env.action_space.sample() if kind not in ("parallel", "steps") else {
+        actions: Any = env.action_space.sample() if kind not in ("parallel", "steps", "rates") else {
             agent: env.action_space(agent).sample() for agent in env.agents
         }  # fmt: skip
         odd = self.chance.choice(ODD)

@@ -112,6 +112,14 @@ def test_the_next_episode_begins_in_the_step_that_follows(backend: str) -> None:
     same.close()
 
 
+def test_a_seed_that_is_no_number_is_refused() -> None:
+    envs = hificamsim.vector_env("campus", 2, steps=3)
+    for wrong in (np.array("a"), np.zeros((2, 2), object), "ab", [1, "b"]):
+        with pytest.raises(hificamsim.InputError, match="seed|expected"):
+            envs.reset(seed=wrong)
+    envs.close()
+
+
 def test_without_autoreset_a_mask_says_who_begins(backend: str) -> None:
     envs = hificamsim.vector_env("campus", 2, steps=3, autoreset_mode="Disabled", backend=backend)
     envs.reset(seed=3)

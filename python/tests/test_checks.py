@@ -94,6 +94,9 @@ def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
     limits = spaces.counts(spaces.action(by_rate))
     assert spaces.told([-1, 0.5], limits, str).tolist() == [0, 1500]
     assert spaces.told(np.array([1, 0]), limits, str).dtype == np.int32
+    assert spaces.told(np.array([1, -1], np.int8), limits, str).tolist() == [2000, 0]
+    with pytest.raises(ValueError, match="action -128 of .0,., expected a rate from -1 to 1"):
+        spaces.told(np.array([-128, 0], np.int8), limits, str)
     for wrong, said in ((1.5, "1.5"), (float("nan"), "nan"), (-2, "-2"), (True, "True"), ("x", "'x'")):
         with pytest.raises(ValueError, match=f"action {said} of .0,., expected a rate from -1 to 1"):
             spaces.told([wrong, 0.5] if wrong is not True else np.array([True, 0.5], object), limits, str)

@@ -129,13 +129,9 @@ def test_the_recipe_of_the_benchmark_trains_goes_on_and_enters(
 
 
 def test_rllib_trains_cameras_that_turn_and_zoom_by_rates(monkeypatch: pytest.MonkeyPatch) -> None:
-    ray = pytest.importorskip("ray")
+    pytest.importorskip("ray")
     monkeypatch.syspath_prepend(str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
     import rllib
 
-    ray.init(num_cpus=1, include_dashboard=False, log_to_driver=False)
-    try:
-        scores = rllib.train("mate-4v8-9", updates=4)
-    finally:
-        ray.shutdown()
+    scores = rllib.train("mate-4v8-9", updates=4)
     assert len(scores) == 4 and all(0.2 < score < 0.8 for score in scores)
