@@ -136,6 +136,16 @@ def test_without_autoreset_a_mask_says_who_begins(backend: str) -> None:
         hificamsim.vector_env("campus", autoreset_mode="never")
 
 
+def test_a_policy_of_rates_enters_and_agrees(tmp_path: pathlib.Path) -> None:
+    random = np.random.default_rng(1)
+
+    def drift(observations: np.ndarray, masks: np.ndarray) -> np.ndarray:
+        return random.uniform(-1, 1, (len(observations), 2))
+
+    hificamsim.benchmark(drift, tmp_path / "entry", name="drift", only=["mate-4v8-9-v1"], actions="rates")
+    assert "drift, 1 tasks, agrees" in hificamsim.execute("benchmark", "check", str(tmp_path / "entry"))
+
+
 class Clip:
     """In place of MoviePy's, where that is not installed (it brings a program under the GPL): what is filmed, as an array."""
 
