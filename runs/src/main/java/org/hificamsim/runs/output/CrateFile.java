@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.runs.RunPlan;
@@ -22,10 +23,10 @@ import org.hificamsim.runs.RunPlan;
 /**
  * Writes {@code ro-crate-metadata.json}: a folder of results as an RO-Crate 1.1, which says what
  * was run, with what, on which input, and what each file holds. It is made last, of the files that
- * are there; like {@code manifest.json} it has times in it.
+ * are there; like {@code manifest.json} it has times in it. What is the same in all crates is the
+ * resource {@code crate.json}.
  */
 public final class CrateFile {
-  private static final String CONTEXT = "https://w3id.org/ro/crate/1.1";
   private static final Map<String, String> FORMATS =
       Map.ofEntries(
           Map.entry("csv", "text/csv"),
@@ -39,7 +40,7 @@ public final class CrateFile {
           Map.entry("tex", "application/x-tex"),
           Map.entry("xml", "application/xml"));
 
-  private final ObjectNode crate = new ObjectMapper().createObjectNode();
+  private final JsonNode crate;
   private final ArrayNode graph;
   private final ResultFolder folder;
   private final JsonNode manifest;
@@ -47,9 +48,8 @@ public final class CrateFile {
   private CrateFile(ResultFolder folder) throws IOException {
     this.folder = folder;
     this.manifest = folder.json(ResultFolder.MANIFEST);
-    ArrayNode context = crate.putArray("@context").add(CONTEXT + "/context");
-    context.addObject().put("sha256", "http://schema.org/sha256"); // newer than the context
-    graph = crate.putArray("@graph");
+    this.crate = new ObjectMapper().readTree(Io.resource(CrateFile.class, "crate.json"));
+    this.graph = (ArrayNode) crate.get("@graph");
   }
 
   /**
@@ -65,16 +65,12 @@ public final class CrateFile {
 
   private void describe(Map<String, String> hashes, List<RunPlan> plans) throws IOException {
     List<String> files = List.copyOf(hashes.keySet());
-    ObjectNode descriptor = entity(ResultFolder.CRATE, "CreativeWork");
-    refer(descriptor.putObject("conformsTo"), CONTEXT);
-    refer(descriptor.putObject("about"), "./");
     root(files, plans);
     List<Detection> detections = plans.stream().map(RunPlan::detection).distinct().toList();
     action(files, detections.size());
     detections(detections);
     program();
     settings(plans);
-    thesis();
     for (Map.Entry<String, String> file : hashes.entrySet()) {
       file(file.getKey(), file.getValue());
     }
@@ -107,9 +103,6 @@ public final class CrateFile {
     refer(root.putObject("citation"), "#thesis");
     refer(root.putObject("mentions"), "#run");
     refer(root.putArray("hasPart"), files);
-    ObjectNode licence = entity("#licence", "CreativeWork");
-    licence.put("name", "Licence of these results");
-    licence.put("description", "Not chosen yet: to be filled in when the folder is published.");
   }
 
   /** What the command did, as the profile "Process Run Crate" has it. */
@@ -175,15 +168,6 @@ public final class CrateFile {
 
   private ObjectNode value(String id, String name, String value) {
     return entity(id, "PropertyValue").put("name", name).put("value", value);
-  }
-
-  private void thesis() {
-    ObjectNode thesis = entity("#thesis", "Thesis");
-    thesis.put("name", "Improving the Fidelity of Abstract Camera Network Simulations");
-    refer(thesis.putObject("author"), "#vejdanparast");
-    thesis.put("datePublished", "2019");
-    thesis.put("description", "PhD thesis, Aston University: the detection models g(f(q, d, z)).");
-    entity("#vejdanparast", "Person").put("name", "A. Vejdanparast");
   }
 
   private ObjectNode entity(String id, String type) {
