@@ -57,5 +57,10 @@ class PlanPageTest {
     for (String name : new String[] {"P1", "P2", "P3", "as asked for"}) {
       assertTrue(svg.contains(">" + name), name);
     }
+    String levels = Files.readString(plan.resolve("levels.svg"), StandardCharsets.UTF_8);
+    for (String name : new String[] {"P1", "none", "outline", "scrutinise"}) {
+      assertTrue(levels.contains(">" + name), name);
+    }
+    assertTrue(levels.contains(" (asked for)"));
   }
 }

@@ -309,10 +309,12 @@ final class PlaceCommand implements Callable<Integer> {
   private void tell(SitePlan plan, Path folder) {
     Demand all = plan.demand();
     CoverPlan found = plan.plan();
-    Object[] numbers = {
-      plan.cameras().size(), plan.problem().kept().size(), plan.price(), 100 * plan.share()
-    };
-    screen.say("%d cameras, %d of them kept, price %.2f: %.2f %% of the demand is met", numbers);
+    screen.say(
+        "%s, %d of them kept, price %.2f: %.2f %% of the demand is met",
+        Texts.counted(plan.cameras().size(), "camera"),
+        plan.problem().kept().size(),
+        plan.price(),
+        100 * plan.share());
     screen.say("  %s%s", plan.problem().reading().words(), plan.gain());
     if (plan.problem().goal().isAll()) {
       screen.say("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());

@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.stream.DoubleStream;
@@ -26,6 +26,7 @@ import org.hificamsim.placement.cover.Goal;
  */
 public final class Scip implements ExactMethod {
   private static final long POLL = 50_000_000; // nanoseconds
+  private static final int PATIENCE = 40; // times
   private static final double TOLERANCE = 1e-6; // of the solver, as a share
 
   /** Samples that the same candidates see. */
@@ -116,25 +117,23 @@ public final class Scip implements ExactMethod {
     return rows;
   }
 
+  /** On a thread that is left alone where SCIP, amid a large linear program, does not stop. */
   private static MPSolver.ResultStatus solve(MPSolver solver, BooleanSupplier stop) {
-    AtomicBoolean over = new AtomicBoolean();
-    Thread guard =
-        new Thread(
-            () -> {
-              while (!over.get()) {
-                LockSupport.parkNanos(POLL);
-                if (stop.getAsBoolean()) {
-                  solver.interruptSolve(); // again, as it may not have begun
-                }
-              }
-            },
-            "stops SCIP");
-    guard.setDaemon(true);
-    guard.start();
-    try {
-      return solver.solve();
-    } finally {
-      over.set(true);
+    CompletableFuture<MPSolver.ResultStatus> end =
+        CompletableFuture.supplyAsync(
+            solver::solve,
+            task -> {
+              Thread thread = new Thread(task, "SCIP");
+              thread.setDaemon(true);
+              thread.start();
+            });
+    for (int waited = 0; waited < PATIENCE && !end.isDone(); ) {
+      LockSupport.parkNanos(POLL);
+      if (stop.getAsBoolean()) {
+        solver.interruptSolve(); // again, as it may not have begun
+        waited++;
+      }
     }
+    return end.getNow(MPSolver.ResultStatus.NOT_SOLVED);
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.density;
 
+import java.util.Arrays;
+import java.util.List;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.Seen;
@@ -29,6 +31,16 @@ public final class DensityDetections {
             "ttpf",
             "probability of acquisition by pixels on target (Johnson's criteria)",
             DensityDetections::acquisition);
+  }
+
+  /** All levels of the standard that a detection is of, the least first; none of other models. */
+  public static List<String> levels(String detection) {
+    String standard = detection.replaceFirst("[:@].*", "");
+    Enum<?>[] levels =
+        standard.equals("dori-2014")
+            ? Dori.values()
+            : standard.equals("oodpcvs-2025") ? Oodpcvs.values() : new Dori[0];
+    return Arrays.stream(levels).map(one -> standard + ":level=" + Spelling.of(one)).toList();
   }
 
   /** The tasks of EN 62676-4:2014, Annex B. */

@@ -152,11 +152,14 @@ final class Enumeration implements ExactMethod {
     private long[] gains(long[] open, long[] before, int left, int missing) {
       long[] keys = new long[before.length];
       int count = 0;
+      int most = 0;
       for (long key : before) {
-        if (left == 1 && gain(key) < missing) {
-          break;
+        if (gain(key) + (left - 1) * Math.max(most, gain(key)) < missing) {
+          break; // gains only shrink
         }
-        keys[count++] = key(count(columns[(int) key], open), (int) key);
+        int gain = count(columns[(int) key], open);
+        most = Math.max(most, gain);
+        keys[count++] = key(gain, (int) key);
       }
       Arrays.sort(keys, 0, count);
       int others = sum(Arrays.copyOf(keys, Math.min(count, left - 1)), left - 1);

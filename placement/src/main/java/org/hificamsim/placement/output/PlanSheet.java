@@ -3,6 +3,7 @@ package org.hificamsim.placement.output;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.awt.Color;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -11,16 +12,20 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.world.World;
+import org.hificamsim.hifi.density.DensityDetections;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.SampleSight;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.presentation.picture.PlanPicture;
 import org.hificamsim.presentation.plot.A4Pages;
@@ -44,6 +49,7 @@ final class PlanSheet {
   private final Demand demand;
   private final int[] counts;
   private final Paintable floor;
+  private final Optional<Paintable> levels;
   private final Figure curve;
   private final List<Listing> listings;
 
@@ -52,17 +58,60 @@ final class PlanSheet {
     this.demand = plan.demand();
     this.counts = plan.counts();
     this.floor =
-        new PlanPicture(
-            new World(plan.scenario(), catalogue.movements(), 0),
-            demand.zones().get(0).detection(),
-            catalogue.policies().create("fixed"),
+        picture(
+            catalogue,
             floor,
-            demand.cells(),
             classes(),
             List.of(Palette.UNSEEN, Palette.SEEN_ONCE, Palette.SEEN_OFTEN),
             List.of("seen by no camera", "by fewer than asked for", "as asked for"));
+    this.levels = levels(catalogue, floor);
     this.curve = curve();
     this.listings = List.of(zones(), cameras(), failures(), spots());
+  }
+
+  private Paintable picture(
+      Catalogue catalogue,
+      List<Setup.Floor> floor,
+      double[] classes,
+      List<Color> colors,
+      List<String> signs) {
+    return new PlanPicture(
+        new World(plan.scenario(), catalogue.movements(), 0),
+        demand.zones().get(0).detection(),
+        catalogue.policies().create("fixed"),
+        floor,
+        demand.cells(),
+        classes,
+        colors,
+        signs);
+  }
+
+  /** The highest level of their standard that is reached, where zones ask for one. */
+  private Optional<Paintable> levels(Catalogue catalogue, List<Setup.Floor> floor) {
+    List<String> asked = demand.zones().stream().map(zone -> zone.detection().name()).toList();
+    List<String> names =
+        asked.stream().flatMap(one -> DensityDetections.levels(one).stream()).distinct().toList();
+    if (names.isEmpty() || names.size() > Palette.LEVELS.size()) { // of two standards
+      return Optional.empty();
+    }
+    double[] reached = classes();
+    Arrays.setAll(reached, cell -> 0 * reached[cell]);
+    List<Color> colors = new ArrayList<>(List.of(Palette.UNSEEN));
+    List<String> signs = new ArrayList<>(List.of("none"));
+    for (String name : names) {
+      Detection level = Detection.of(catalogue.detections().create(name));
+      colors.add(Palette.LEVELS.get(signs.size() - 1));
+      signs.add(
+          name.replaceFirst(".*=", "") + (asked.contains(level.name()) ? " (asked for)" : ""));
+      int[][] seen =
+          new SampleSight(demand.by(level), catalogue)
+              .covered(plan.cameras(), plan.problem().reading());
+      for (int sample : Arrays.stream(seen).flatMapToInt(Arrays::stream).toArray()) {
+        Demand.Sample at = demand.samples().get(sample);
+        reached[demand.cells().at(at.x(), at.y())] = signs.size() - 1;
+      }
+    }
+    return Optional.of(picture(catalogue, floor, reached, colors, signs));
   }
 
   /** By cell: 0 unseen, 1 seen by fewer cameras than a zone asks for, 2 as all its zones ask. */
@@ -86,15 +135,17 @@ final class PlanSheet {
     CoverPlan found = plan.plan();
     String bound =
         plan.problem().goal().isAll()
-            ? format("No plan of the candidates costs less than %.2f", found.bound())
-            : format("No plan of the candidates meets more than %.2f %%", 100 * plan.bound());
+            ? Texts.format("No plan of the candidates costs less than %.2f", found.bound())
+            : Texts.format("No plan of the candidates meets more than %.2f %%", 100 * plan.bound());
     return List.of(
-        format(
-            "%d cameras, %d of them kept; price of the new ones %.2f",
-            plan.cameras().size(), plan.problem().kept().size(), plan.price()),
-        format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
+        Texts.format(
+            "%s, %d of them kept; price of the new ones %.2f",
+            Texts.counted(plan.cameras().size(), "camera"),
+            plan.problem().kept().size(),
+            plan.price()),
+        Texts.format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
         bound + (found.isProven() ? ", and one is proven to reach this" : ""),
-        format(
+        Texts.format(
             "The site's own cameras (%d) meet %.2f %%",
             demand.site().cameras().size(), 100 * plan.today()));
   }
@@ -152,13 +203,15 @@ final class PlanSheet {
       rows.add(
           List.of(
               camera.name(),
-              format("%.2f", camera.x()),
-              format("%.2f", camera.y()),
+              Texts.format("%.2f", camera.x()),
+              Texts.format("%.2f", camera.y()),
               height(camera),
-              format("%.1f", camera.heading()),
-              format("%.1f", camera.tilt()),
+              Texts.format("%.1f", camera.heading()),
+              Texts.format("%.1f", camera.tilt()),
               camera.optics().map(OpticsSpec::name).orElse("own"),
-              i < plan.problem().kept().size() ? "stays" : format("%.2f", plan.prices().get(i)),
+              i < plan.problem().kept().size()
+                  ? "stays"
+                  : Texts.format("%.2f", plan.prices().get(i)),
               Integer.toString(plan.covered()[i].length)));
     }
     return new Listing(
@@ -169,7 +222,7 @@ final class PlanSheet {
 
   private String height(CameraSpec camera) {
     double z = camera.z().orElse(demand.site().mountHeight().orElse(Double.NaN));
-    return Double.isNaN(z) ? "" : format("%.1f", z);
+    return Double.isNaN(z) ? "" : Texts.format("%.1f", z);
   }
 
   private Listing failures() {
@@ -200,7 +253,8 @@ final class PlanSheet {
     double small = spots.stream().skip(MOST_SPOTS).mapToDouble(BlindSpot::area).sum();
     Stream<List<String>> rest =
         small > 0
-            ? Stream.of(List.of(spots.size() - MOST_SPOTS + " more", format("%.1f", small), "", ""))
+            ? Stream.of(
+                List.of(spots.size() - MOST_SPOTS + " more", Texts.format("%.1f", small), "", ""))
             : Stream.of();
     return new Listing(
         "Seen by no camera",
@@ -212,19 +266,15 @@ final class PlanSheet {
                         spot ->
                             List.of(
                                 spot.zone(),
-                                format("%.1f", spot.area()),
-                                format("%.1f", spot.x()),
-                                format("%.1f", spot.y()))),
+                                Texts.format("%.1f", spot.area()),
+                                Texts.format("%.1f", spot.x()),
+                                Texts.format("%.1f", spot.y()))),
                 rest)
             .toList());
   }
 
   private static String percent(double share) {
-    return format("%.1f %%", 100 * share);
-  }
-
-  private static String format(String format, Object... values) {
-    return String.format(Locale.ROOT, format, values);
+    return Texts.format("%.1f %%", 100 * share);
   }
 
   /** Writes {@code index.html}, {@code plan.pdf}, {@code plan.svg}. */
@@ -236,6 +286,11 @@ final class PlanSheet {
     try (OutputStream out = folder.stream("plan.svg")) {
       FigureFile.svg(out, floor);
     }
+    if (levels.isPresent()) {
+      try (OutputStream out = folder.stream("levels.svg")) {
+        FigureFile.svg(out, levels.get());
+      }
+    }
   }
 
   private List<Paintable> pages() {
@@ -243,6 +298,10 @@ final class PlanSheet {
     pages.heading(title());
     pages.text(facts());
     pages.picture(floor, 0.62);
+    if (levels.isPresent()) {
+      pages.heading("Levels reached");
+      pages.picture(levels.get(), 0.62);
+    }
     pages.heading("Coverage over the number of cameras");
     pages.picture(curve, 0.3);
     for (Listing listing : listings) {
@@ -258,6 +317,7 @@ final class PlanSheet {
     ObjectNode data = new ObjectMapper().createObjectNode();
     data.put("title", title()).put("command", command).put("version", version);
     data.put("floor", image(floor)).put("curve", image(curve));
+    data.put("levels", levels.isPresent() ? image(levels.get()) : null);
     facts().forEach(data.putArray("facts")::add);
     ArrayNode tables = data.putArray("tables");
     for (Listing listing : listings) {

@@ -7,8 +7,8 @@ import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import org.hificamsim.core.Texts;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
@@ -74,6 +74,6 @@ public record BlindSpot(String zone, double area, double x, double y) {
 
   @Override
   public String toString() {
-    return String.format(Locale.ROOT, "%s: %.1f m2 around (%.1f, %.1f)", zone, area, x, y);
+    return Texts.format("%s: %.1f m2 around (%.1f, %.1f)", zone, area, x, y);
   }
 }

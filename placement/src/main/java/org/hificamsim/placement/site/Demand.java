@@ -89,6 +89,15 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
     return new Demand(site, cells, watched, samples);
   }
 
+  /** The same places, each asked for by a detection. */
+  public Demand by(Detection detection) {
+    List<Watched> all =
+        zones.stream()
+            .map(one -> new Watched(one.name, detection, one.k, one.first, one.end))
+            .toList();
+    return new Demand(site, cells, all, samples);
+  }
+
   private static void requireCertain(Zone zone, Detection detection) {
     if (!detection.certain()) {
       throw InputException.of(

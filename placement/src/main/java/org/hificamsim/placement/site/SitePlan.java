@@ -2,10 +2,10 @@ package org.hificamsim.placement.site;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
@@ -68,9 +68,7 @@ public record SitePlan(
   /** What refinement gained, in words; nothing where there was none. */
   public String gain() {
     String words = "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points";
-    return unrefined
-        .map(one -> String.format(Locale.ROOT, words, 100 * one, 100 * (share() - one)))
-        .orElse("");
+    return unrefined.map(one -> Texts.format(words, 100 * one, 100 * (share() - one))).orElse("");
   }
 
   /** What all new cameras cost. */

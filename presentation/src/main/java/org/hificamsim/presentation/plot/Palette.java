@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.hificamsim.core.Texts;
 
 /**
@@ -29,6 +30,12 @@ public final class Palette {
   public static final Color SEEN_TWICE = SKY;
   public static final Color SEEN_OFTEN = GREEN;
   public static final Color CAMERA = BLUE;
+
+  /** Levels, the least first: seven of viridis (Smith and van der Walt 2015), from its end. */
+  public static final List<Color> LEVELS =
+      IntStream.of(0xFDE725, 0x90D743, 0x35B779, 0x21918C, 0x31688E, 0x443983, 0x440154)
+          .mapToObj(Color::new)
+          .toList();
 
   private static final Map<String, Color> MEANINGS =
       new TreeMap<>(

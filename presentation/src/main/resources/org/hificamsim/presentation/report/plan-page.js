@@ -9,6 +9,9 @@ export async function planPage(root, data) {
   root.append(el('section', {class: 'card'}, el('p', {}, el('b', {}, met)), ...facts.map(fact => el('p', {}, fact)),
     el('p', {class: 'note'}, el('a', {href: 'plan.pdf'}, 'PDF'), ' ', el('a', {href: 'plan.svg'}, 'floor plan as SVG'))));
   root.append(card('Floor plan', el('a', {href: 'plan.svg'}, picture(data.floor, 'The floor plan to scale with the cameras, what they look at, and the cells by how they are seen'))));
+  if (data.levels) {
+    root.append(card('Levels reached', el('a', {href: 'levels.svg'}, picture(data.levels, 'The floor plan with the cells by the highest level that a camera reaches there'))));
+  }
   for (const table of data.tables.filter(({rows}) => rows.length)) {
     const columns = table.columns.map(name => ({name}));
     root.append(card(table.title, el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': table.title}, sortable(table.title, columns, rowsOf(table), 'unseen'))));
