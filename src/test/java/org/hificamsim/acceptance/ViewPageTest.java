@@ -301,6 +301,49 @@ class ViewPageTest {
   }
 
   @Test
+  void camerasAreSuggestedAndTheSharesFollow() {
+    browser.leave();
+    view.close();
+    view = new ViewProcess(Cli.scenario("corridor"), "--policy", "zoom-out");
+    browser.open(view.address());
+    browser.until("return document.querySelector('.shares')?.textContent.includes('% of field')");
+    pause();
+    long cameras = number("hificamsim.runs[0].setup.cameras.length");
+    browser.find(".pose .remove-camera").click();
+    browser.until("return hificamsim.runs[0].setup.cameras.length === " + (cameras - 1));
+    double before = share();
+    browser.find(".pose .suggest").click();
+    browser.until("return hificamsim.runs[0].setup.cameras.length === " + cameras);
+    browser.until(
+        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) > "
+            + before);
+    double added = share();
+    browser.run(
+        "hificamsim.players[0].select(0); hificamsim.move(0, 0.5, 0.5); hificamsim.turn(0, 225)");
+    browser.until(
+        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) < "
+            + added);
+    double moved = share();
+    browser.find(".pose .suggest-place").click();
+    browser.until(
+        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) > "
+            + moved);
+    browser.find("#undo").click();
+    browser.until(
+        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) === "
+            + moved);
+  }
+
+  /** The first of the shares that the page shows, in percent. */
+  private static double share() {
+    return ((Number)
+            browser.run(
+                "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+"
+                    + " %/))"))
+        .doubleValue();
+  }
+
+  @Test
   void aCameraIsAddedAndTheScenarioIsSavedAndRuns() throws IOException {
     pause();
     browser.findAll(".rows button").get(4).click();

@@ -244,7 +244,8 @@ final class PlaceCommand implements Callable<Integer> {
     TRACKS
   }
 
-  private static Function<String, Detection> detections(Catalogue catalogue) {
+  /** Detections that zones name. */
+  static Function<String, Detection> detections(Catalogue catalogue) {
     return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
   }
 

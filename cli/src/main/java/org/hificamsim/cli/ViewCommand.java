@@ -3,9 +3,11 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.placement.site.SitePlanner;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.view.Browsers;
 import org.hificamsim.presentation.view.LiveChoice;
@@ -63,7 +65,13 @@ final class ViewCommand implements Callable<Integer> {
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
     LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
     LiveRun run =
-        new LiveRun(catalogue, scenario, choice, asked.seed(), FloorPictures.of(file, scenario));
+        new LiveRun(
+            catalogue,
+            scenario,
+            choice,
+            asked.seed(),
+            FloorPictures.of(file, scenario),
+            Optional.of(new SitePlanner(catalogue, PlaceCommand.detections(catalogue))));
     String page = LivePage.html(catalogue, scenario.name(), detection);
     try (LiveSession session = new LiveSession(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {

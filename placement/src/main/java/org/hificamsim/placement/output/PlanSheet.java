@@ -143,7 +143,8 @@ final class PlanSheet {
             Texts.counted(plan.cameras().size(), "camera"),
             plan.problem().kept().size(),
             plan.price()),
-        Texts.format("%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
+        Texts.format(
+            "%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
         bound + (found.isProven() ? ", and one is proven to reach this" : ""),
         Texts.format(
             "The site's own cameras (%d) meet %.2f %%",

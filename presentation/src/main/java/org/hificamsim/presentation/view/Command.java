@@ -120,6 +120,13 @@ public sealed interface Command {
     }
   }
 
+  record Suggest(int camera) implements Command {
+    @Override
+    public void obey(LiveSession session) {
+      session.renew(run -> run.suggest(camera));
+    }
+  }
+
   record Undo() implements Command {
     @Override
     public void obey(LiveSession session) {

@@ -117,6 +117,17 @@ final class EditedScenario {
     become("", now.with(Scenario.CAMERAS, more));
   }
 
+  /** Puts a camera in the place of the one of its name; or one more, under a free name. */
+  void put(CameraSpec camera, boolean more) {
+    List<CameraSpec> all = new ArrayList<>(now.cameras());
+    all.add(camera.with(CameraSpec.NAME, freeName()));
+    become(
+        "",
+        more
+            ? now.with(Scenario.CAMERAS, all)
+            : now.withCameras(one -> one.name().equals(camera.name()) ? camera : one));
+  }
+
   /** Takes a camera away, with the events that it has. */
   void removeCamera(int number) {
     String name = element(now.everyCamera().toList(), number, "camera").name();
@@ -231,7 +242,8 @@ final class EditedScenario {
     return ADDED + number;
   }
 
-  private Optional<CameraSpec> camera(String name) {
+  /** The camera of a name. */
+  Optional<CameraSpec> camera(String name) {
     return now.everyCamera().filter(camera -> camera.name().equals(name)).findFirst();
   }
 

@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
@@ -31,15 +33,29 @@ public final class LiveRun {
   private final List<LiveChoice> choices = new ArrayList<>();
   private final List<Setup.Floor> floor;
   private final Map<String, Integer> held = new HashMap<>();
+  private final Optional<Planner> planner;
   private List<LiveSide> sides = new ArrayList<>();
+  private List<Planner.Share> shares = List.of();
+  private Scenario shared; // of which these are
   private long seed;
   private long next;
   private boolean heat;
   private boolean paused;
 
+  /** Without suggestions. */
+  public LiveRun(
+      Catalogue catalogue,
+      Scenario scenario,
+      LiveChoice choice,
+      long seed,
+      List<Setup.Floor> floor) {
+    this(catalogue, scenario, choice, seed, floor, Optional.empty());
+  }
+
   /**
    * @param choice of the first simulation; its detection may be a model file
    * @param floor pictures under the field
+   * @param planner suggests cameras
    * @throws InputException when the choice is wrong or does not suit the scenario
    */
   public LiveRun(
@@ -47,7 +63,9 @@ public final class LiveRun {
       Scenario scenario,
       LiveChoice choice,
       long seed,
-      List<Setup.Floor> floor) {
+      List<Setup.Floor> floor,
+      Optional<Planner> planner) {
+    this.planner = planner;
     this.floor = List.copyOf(floor);
     this.catalogue = catalogue;
     this.scenario = new EditedScenario(scenario);
@@ -146,6 +164,34 @@ public final class LiveRun {
     rebuild();
   }
 
+  /**
+   * Puts a camera where it sees the most that others do not.
+   *
+   * @param camera its number; -1 for one more
+   */
+  void suggest(int camera) {
+    Optional<CameraSpec> moved = camera == -1 ? Optional.empty() : scenario.camera(online(camera));
+    CameraSpec found =
+        planner
+            .orElseThrow(() -> new InputException("nothing plans cameras here"))
+            .suggest(scenario.now(), detection(choices.get(0)), moved);
+    scenario.put(found, moved.isEmpty());
+    rebuildAsWritten();
+  }
+
+  /** What cameras can see of each zone where they are now; nothing where it is not known. */
+  List<Planner.Share> shares() {
+    if (planner.isPresent() && shared != scenario.now()) {
+      shared = scenario.now();
+      try {
+        shares = planner.get().shares(shared, detection(choices.get(0)));
+      } catch (InputException e) {
+        shares = List.of(); // by chance
+      }
+    }
+    return shares;
+  }
+
   /** Takes the last change of cameras, targets or walls back; learning begins again. */
   public void undo() {
     scenario.undo();
@@ -238,6 +284,7 @@ public final class LiveRun {
     }
     sides.set(side, side(sides.get(side).world(), choice));
     choices.set(side, choice);
+    shared = null;
   }
 
   /**
@@ -285,12 +332,14 @@ public final class LiveRun {
   }
 
   private LiveSide side(World world, LiveChoice choice) {
-    Detection detection =
-        spec(choice.detection()).detection(choice.asked(scenario.now()), scenario.now());
     LiveSide side =
-        new LiveSide(world, catalogue, detection, choice.policy(), seed, next, floor, held);
+        new LiveSide(world, catalogue, detection(choice), choice.policy(), seed, next, floor, held);
     side.heat(heat);
     return side;
+  }
+
+  private Detection detection(LiveChoice choice) {
+    return spec(choice.detection()).detection(choice.asked(scenario.now()), scenario.now());
   }
 
   /** A page may name what the catalogue has, and the file that the session began with. */

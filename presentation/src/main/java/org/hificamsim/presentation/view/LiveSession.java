@@ -33,6 +33,7 @@ public final class LiveSession implements AutoCloseable {
    * @param fault why it has stopped; empty unless a policy or model failed
    * @param held cameras that somebody holds in a view
    * @param heat whether there is a heat map
+   * @param shares what cameras can see of each zone
    * @param warning what is odd about the scenario as it was edited
    */
   private record StateMessage(
@@ -43,6 +44,7 @@ public final class LiveSession implements AutoCloseable {
       String fault,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> held,
       @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Planner.Share> shares,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) String warning) {}
 
   private final LiveRun run;
@@ -220,6 +222,7 @@ public final class LiveSession implements AutoCloseable {
                 fault,
                 run.held(),
                 run.heat(),
+                run.shares(),
                 Place.printable(run.warning()))));
   }
 

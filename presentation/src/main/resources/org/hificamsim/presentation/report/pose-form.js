@@ -12,7 +12,7 @@ export const tidy = number => Math.round(number * 1000) / 1000;
 
 export class PoseForm {
   /**
-   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`, `removeCamera(camera)`
+   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`, `removeCamera(camera)`, `suggest(camera)`, -1 for one more
    */
   constructor(edit) {
     this.x = field('x', 'm', () => this.move());
@@ -22,7 +22,9 @@ export class PoseForm {
     this.element = el('div', {class: 'pose', role: 'group', 'aria-label': 'the chosen camera’s place and heading'},
       ...[this.x, this.y, this.heading].map(input => input.label),
       el('button', {type: 'button', class: 'add', onclick: () => edit.add(this.camera)}, 'add a camera like it'),
-      el('button', {type: 'button', class: 'remove-camera', onclick: () => edit.removeCamera(this.camera)}, 'remove it'));
+      el('button', {type: 'button', class: 'remove-camera', onclick: () => edit.removeCamera(this.camera)}, 'remove it'),
+      el('button', {type: 'button', class: 'suggest', onclick: () => edit.suggest(-1)}, 'suggest a camera'),
+      el('button', {type: 'button', class: 'suggest-place', onclick: () => edit.suggest(this.camera)}, 'suggest a better place for it'));
   }
 
   move() {

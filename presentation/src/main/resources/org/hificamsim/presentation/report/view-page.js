@@ -43,11 +43,12 @@ class LiveView {
     this.thinned = el('p', {class: 'notice', hidden: true});
     this.warning = el('p', {class: 'notice warning', role: 'alert', hidden: true});
     this.said = el('p', {class: 'unseen', role: 'status'});
+    this.shares = el('p', {class: 'note shares', hidden: true}); // not a status: it changes while a camera is dragged
     this.pending = new Map();
     this.figure = ''; // of the heat map
     this.held = []; // cameras whose views are chosen by hand
     this.place = el('div', {class: 'live-view'});
-    root.append(this.header(), el('div', {class: 'messages'}, this.fault, this.warning, this.thinned), this.said, this.place);
+    root.append(this.header(), el('div', {class: 'messages'}, this.fault, this.warning, this.thinned), this.shares, this.said, this.place);
     this.playhead = new LivePlayhead(command => this.send(command));
     this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
     this.controls.listen();
@@ -124,6 +125,7 @@ class LiveView {
     const edit = {
       move: (camera, x, y) => this.move(camera, x, y), turn: (camera, heading) => this.turn(camera, heading), add: camera => this.add(camera),
       hold: (camera, view) => this.hold(camera, view), held: camera => this.held.includes(camera),
+      suggest: camera => this.suggest(camera),
       wall: (...ends) => this.wall(...ends), remove: obstacle => this.remove(obstacle),
       removeCamera: camera => this.removeNamed('camera', this.runs[0].setup.cameras[camera], {command: 'removecamera', camera}),
       removeTarget: target => this.removeNamed('target', this.runs[0].setup.targets[target], {command: 'removetarget', target}),
@@ -214,6 +216,9 @@ class LiveView {
     if (this.figure && this.heated && !state.heat) this.showHeat(''); // another page does without it
     this.heated = Boolean(state.heat);
     this.players.forEach(player => player.agent.show(this.playhead.frame));
+    this.shares.hidden = !state.shares;
+    const shares = (state.shares ?? []).map(({zone, met}) => `${decimals(100 * met, 1)} % of ${zone}`);
+    say(this.shares, `The cameras can see ${shares.join(', ')}`);
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.tell(state.fault);
     this.warning.hidden = !state.warning;
@@ -275,6 +280,13 @@ class LiveView {
     const {minX, maxX} = this.runs[0].setup.field;
     const apart = APART * this.nudge();
     this.send({command: 'add', like: camera, ...this.inField(x + (x + apart > maxX && x - apart >= minX ? -apart : apart), y)});
+  }
+
+  /** A camera more, or this one elsewhere, where it can see the most that others cannot. */
+  async suggest(camera) {
+    say(this.said, 'looking for a place');
+    const before = camera < 0 ? 'a camera more' : `camera ${this.runs[0].setup.cameras[camera].name}: moved`;
+    say(this.said, (await this.send({command: 'suggest', camera})) ? before : '');
   }
 
   /** Has a camera stay in a view, or leaves it to the policy again with -1. */
