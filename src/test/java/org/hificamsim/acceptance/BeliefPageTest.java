@@ -79,7 +79,7 @@ class BeliefPageTest {
       assertFalse(
           (boolean)
               browser.run(
-                  "return document.querySelector('[name=believes]').closest('label').hidden"));
+                  "return document.querySelector('[name=believes]').offsetParent === null"));
       browser.leave();
     }
   }

@@ -42,6 +42,8 @@ class RunPageTest {
   @Test
   void showsTheNumbersOfTheTablesAtEveryStepLookedAt() throws IOException {
     open(run);
+    String hidden = "return document.querySelector('[name=believes]').offsetParent === null";
+    assertTrue((boolean) browser.run(hidden), "the policy has no beliefs to show");
     List<String> steps = Files.readAllLines(run.resolve("steps.csv"));
     for (int step : new int[] {0, 1, 57, 123, STEPS - 1}) {
       scrubTo(step);
@@ -169,7 +171,8 @@ class RunPageTest {
     browser.press(" ");
     assertEquals(false, browser.run("return hificamsim.playhead.playing"));
     for (WebElement control : browser.findAll("button, select, input, canvas[role=img]")) {
-      assertTrue(!control.getAccessibleName().isBlank(), control.getDomProperty("outerHTML"));
+      boolean named = !control.isDisplayed() || !control.getAccessibleName().isBlank();
+      assertTrue(named, control.getDomProperty("outerHTML"));
     }
   }
 

@@ -48,7 +48,7 @@ export class FieldView {
       oninput: event => this.set('opacity', event.target.value / 100)});
     return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
       ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []), box('trails', 'last steps'), box('tracks', 'whole paths'),
-      known ? box('zones', 'pixel density of the chosen camera (IEC 62676-4:2025, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null, this.beliefs);
+      known ? box('zones', 'pixel density of the selected camera (IEC 62676-4:2025, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null, this.beliefs);
   }
 
   /** Buttons by which to look closer. */

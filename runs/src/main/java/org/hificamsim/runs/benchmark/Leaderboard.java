@@ -65,11 +65,17 @@ public record Leaderboard(Benchmark benchmark, List<BenchmarkEntry> entries) {
     folder.write("leaderboard.html", page.formatted(ManifestFile.version(), titles, rows));
   }
 
-  /** One line for each entry. */
+  /** One line for each entry: what it has in all tasks, or in those that it has. */
   public List<String> lines() {
-    return entries.stream()
-        .map(one -> value(figures(one), "", Aggregate.IQM.label()) + "  " + one.name())
-        .toList();
+    return entries.stream().map(one -> line(one, figures(one))).toList();
+  }
+
+  private String line(BenchmarkEntry entry, List<Figure> figures) {
+    return isWhole(benchmark, entry)
+        ? value(figures, "", Aggregate.IQM.label()) + "  " + entry.name()
+        : figures.stream()
+            .map(one -> one.task + " " + one.value.text("%.3f"))
+            .collect(joining(", ", "-  " + entry.name() + ", no place without all tasks: ", ""));
   }
 
   private List<Figure> figures(BenchmarkEntry entry) {
