@@ -183,12 +183,12 @@ final class DetectionHints {
                         camera.name(),
                         wrong.size() == 1 ? "" : " (one of " + wrong.size() + ")",
                         plain(camera.viewingAngle()),
-                        angles(levels(camera, scenario), lens),
+                        angles(World.zoomLevels(scenario, camera), lens),
                         agreeing(camera, scenario)));
   }
 
   private static boolean contradicts(CameraSpec camera, Scenario scenario, ModelLens lens) {
-    List<ZoomLevel> levels = levels(camera, scenario);
+    List<ZoomLevel> levels = World.zoomLevels(scenario, camera);
     double narrowest = lens.angleOfView(levels.get(0));
     double widest = lens.angleOfView(levels.get(levels.size() - 1));
     double angle = camera.viewingAngle();
@@ -203,15 +203,11 @@ final class DetectionHints {
 
   /** The height at which the widest radius has the viewing angle (Eq 3.2). */
   private static String agreeing(CameraSpec camera, Scenario scenario) {
-    List<ZoomLevel> levels = levels(camera, scenario);
+    List<ZoomLevel> levels = World.zoomLevels(scenario, camera);
     double radius = levels.get(levels.size() - 1).radius();
     double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
     boolean known = camera.viewingAngle() < 180 && radius > 0 && Double.isFinite(height);
     return known ? ", such as " + plain(height) : "";
-  }
-
-  private static List<ZoomLevel> levels(CameraSpec camera, Scenario scenario) {
-    return World.zoomLevels(scenario, camera);
   }
 
   /**

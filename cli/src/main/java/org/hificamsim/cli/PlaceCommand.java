@@ -151,7 +151,8 @@ final class PlaceCommand implements Callable<Integer> {
     if (instance.isPresent()) {
       return solve(instance.get(), goal);
     }
-    Path folder = out.orElseGet(() -> Path.of("out", name(file) + "-plan"));
+    String plain = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+    Path folder = out.orElse(Path.of("out", plain + "-plan"));
     PlacementProblem problem = problem(goal);
     List<Setup.Floor> floor = FloorPictures.of(file, problem.demand().site());
     Interrupt interrupt = new Interrupt(time);
@@ -170,10 +171,6 @@ final class PlaceCommand implements Callable<Integer> {
     }
     tell(plan, folder);
     return 0;
-  }
-
-  private static String name(Path path) {
-    return path.getFileName().toString().replaceFirst("\\.[^.]*$", "");
   }
 
   private enum Method {

@@ -55,10 +55,9 @@ public record Leaderboard(Benchmark benchmark, List<BenchmarkEntry> entries) {
     List<List<Figure>> figures = entries.stream().map(this::figures).toList();
     TABLE.write(folder, figures.stream().flatMap(List::stream));
     String titles =
-        "<th scope=\"col\">Entry</th><th scope=\"col\">IQM</th><th scope=\"col\">Mean</th>"
-            + benchmark.names().stream()
-                .map(name -> "<th scope=\"col\">" + name + "</th>")
-                .collect(joining());
+        Stream.concat(Stream.of("Entry", "IQM", "Mean"), benchmark.names().stream())
+            .map(name -> "<th scope=\"col\">" + name + "</th>")
+            .collect(joining());
     String rows = figures.stream().map(this::row).collect(joining("\n"));
     String page =
         new String(Io.resource(Leaderboard.class, "leaderboard.html"), StandardCharsets.UTF_8);
