@@ -16,10 +16,7 @@ import picocli.CommandLine.Option;
 /** {@code hificamsim benchmark arena}: greedy cameras against greedy targets, as in MATE. */
 @Command(
     name = "arena",
-    description = {
-      "Plays MATE's arena: its greedy cameras against its greedy targets, in this simulator.",
-      "Prints how many of the targets were covered, and what part of their freight was paid."
-    })
+    description = "Plays MATE's arena: its greedy cameras against its greedy targets.")
 final class ArenaCommand implements Callable<Integer> {
   private static final String SITE = "mate-4v8-9";
 
