@@ -180,6 +180,7 @@ public final class LiveRun {
   }
 
   /** What cameras can see of each zone where they are now; nothing where it is not known. */
+  @SuppressWarnings("ReferenceEquality") // every change makes a new scenario
   List<Planner.Share> shares() {
     if (planner.isPresent() && shared != scenario.now()) {
       shared = scenario.now();
