@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.data.CsvReader;
@@ -39,14 +40,15 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
    */
   public static List<CameraKind> catalogue(String name, Scenario site) throws IOException {
     if (name.equals(OF_SITE)) {
-      return of(site);
+      return of(site.name(), site.everyCamera());
     }
     return name.equals(GENERIC) ? generic() : read(Path.of(name));
   }
 
-  private static List<CameraKind> of(Scenario site) {
+  /** The kinds of some cameras, each at the price of 1. */
+  static List<CameraKind> of(String site, Stream<CameraSpec> cameras) {
     List<CameraKind> kinds =
-        site.everyCamera()
+        cameras
             .flatMap(camera -> camera.optics().stream())
             .filter(optics -> optics.law().hasAngles())
             .distinct()
@@ -54,8 +56,7 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
             .toList();
     if (kinds.isEmpty()) {
       throw InputException.of(
-          "scenario '%s' has no camera with a lens, expected --catalogue generic or a" + " file",
-          site.name());
+          "scenario '%s' has no camera with a lens, expected one, or generic ones or a file", site);
     }
     return kinds;
   }

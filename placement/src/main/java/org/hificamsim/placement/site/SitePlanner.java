@@ -1,7 +1,5 @@
 package org.hificamsim.placement.site;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -9,12 +7,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.presentation.view.Planner;
@@ -68,7 +66,8 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
     double longer = Math.max(site.field().width(), site.field().height());
     List<Point> places = new ArrayList<>(MountPoints.of(site, longer / PARTS, false, List.of()));
     Collections.shuffle(places, new Random(0)); // where time ends, some are tried everywhere
-    List<CameraKind> kinds = kinds(site, moved);
+    List<CameraKind> kinds =
+        CameraKind.of(site.name(), moved.map(Stream::of).orElseGet(site::everyCamera));
     Candidate best = null;
     for (Point place : places) {
       if (System.nanoTime() - started > LONGEST) {
@@ -97,29 +96,6 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
                     .with(CameraSpec.TILT, found.tilt())
                     .with(CameraSpec.HEADING, found.heading()))
         .orElse(found);
-  }
-
-  private static List<CameraKind> kinds(Scenario site, Optional<CameraSpec> moved) {
-    if (moved.isPresent()) {
-      OpticsSpec lens =
-          moved
-              .get()
-              .optics()
-              .filter(optics -> optics.law().hasAngles())
-              .orElseThrow(
-                  () ->
-                      InputException.of(
-                          "camera '%s' has no lens, expected one that has", moved.get().name()));
-      return List.of(new CameraKind(lens.name(), lens, 1));
-    }
-    boolean own =
-        site.everyCamera()
-            .anyMatch(one -> one.optics().filter(lens -> lens.law().hasAngles()).isPresent());
-    try {
-      return CameraKind.catalogue(own ? CameraKind.OF_SITE : CameraKind.GENERIC, site);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   /** What it is worth to see these samples where others see them so often. */

@@ -182,7 +182,7 @@ public final class LiveRun {
   /** What cameras can see of each zone where they are now; nothing where it is not known. */
   @SuppressWarnings("ReferenceEquality") // every change makes a new scenario
   List<Planner.Share> shares() {
-    if (planner.isPresent() && shared != scenario.now()) {
+    if (planner.isPresent() && !scenario.now().equals(shared)) {
       shared = scenario.now();
       try {
         shares = planner.get().shares(shared, detection(choices.get(0)));
