@@ -180,7 +180,6 @@ public final class LiveRun {
   }
 
   /** What cameras can see of each zone where they are now; nothing where it is not known. */
-  @SuppressWarnings("ReferenceEquality") // every change makes a new scenario
   List<Planner.Share> shares() {
     if (planner.isPresent() && !scenario.now().equals(shared)) {
       shared = scenario.now();
