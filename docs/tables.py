@@ -404,15 +404,16 @@ def placement(*folders):
 
 
 def short(text, digits):
-    return f"{number(text):.{digits}f}".replace("0.", ".", 1)
+    return f"{round(number(text), digits) + 0.0:.{digits}f}".replace("0.", ".", 1)
 
 
 def benchmark(folder):
     """The leaderboard: a folder of `benchmark leaderboard`."""
     lines = {}
     for row in rows(folder, "leaderboard.csv"):
-        line = lines.setdefault(row["name"], {})
-        if row["statistic"] == "IQM":
+        built_in = row["name"] == row["policy"]
+        line = lines.setdefault(f"`{row['name']}`" if built_in else row["name"], {})
+        if row["statistic"] == "iqm":
             line["IQM"] = f"{short(row['value'], 3)} [{short(row['low'], 3)}, {short(row['high'], 3)}]"
         elif row["task"]:
             line[row["task"].removesuffix("-v1")] = short(row["value"], 2)

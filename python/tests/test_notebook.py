@@ -11,7 +11,7 @@ import pytest
 EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
 NOTEBOOK = EXAMPLES / "cameras-that-learn.ipynb"
 CHECKS = """
-assert (len(beside), len(table)) == (5, 7)
+assert (len(built_in), len(table)) == (5, 7)
 assert curve.score.iloc[-3:].mean() > 1.5 * curve.score.iloc[0]
 assert table["mean"]["mine"] > 1.2 * table["mean"]["epsilon-greedy"]
 assert table["mean"]["trained for longer"] > 0.9 * table["mean"]["best-fixed"]
