@@ -50,6 +50,14 @@ public record CoverInstance(double[] units, int[] needs, int[][] columns, double
     return worth;
   }
 
+  /** What it adds to see these samples once more, where each is seen as often as this. */
+  public double gain(int[] counts, int[] seen) {
+    return Arrays.stream(seen)
+        .filter(sample -> counts[sample] < needs[sample])
+        .mapToDouble(sample -> units[sample])
+        .sum();
+  }
+
   /** What it is worth to see every sample as often as it counts. */
   public double total() {
     return worth(needs);

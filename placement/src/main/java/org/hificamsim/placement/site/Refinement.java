@@ -49,7 +49,8 @@ public record Refinement(List<List<Point>> places, int threads, BooleanSupplier 
         for (int i = 0; i < others.size(); i++) {
           add(counts, now.get(i), -1);
           for (Mounted other : others.get(i)) {
-            if (gain(problem, counts, other) > gain(problem, counts, now.get(i)) + least) {
+            double gain = problem.whole().gain(counts, other.covered);
+            if (gain > problem.whole().gain(counts, now.get(i).covered) + least) {
               now.set(i, other);
               moved = true;
             }
@@ -88,13 +89,6 @@ public record Refinement(List<List<Point>> places, int threads, BooleanSupplier 
             .limit(NEAR)
             .map(to -> one.moved(one.optics(), to, one.tilt(), 0));
     return Stream.of(turned, tilted, placed).flatMap(all -> all).toList();
-  }
-
-  private static double gain(PlacementProblem problem, int[] counts, Mounted one) {
-    return Arrays.stream(one.covered)
-        .filter(sample -> counts[sample] < problem.whole().needs()[sample])
-        .mapToDouble(sample -> problem.whole().units()[sample])
-        .sum();
   }
 
   private static void add(int[] counts, Mounted one, int by) {

@@ -14,6 +14,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.presentation.view.Planner;
 import org.hificamsim.runs.cells.FieldCells;
@@ -55,13 +56,15 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
   public CameraSpec suggest(Scenario site, Detection detection, Optional<CameraSpec> moved) {
     long started = System.nanoTime();
     Demand demand = demand(site, detection);
+    CoverInstance open =
+        new CoverInstance(demand.units(), demand.needs(), new int[0][], new double[0]);
     SampleSight sight = new SampleSight(demand, catalogue);
     List<CameraSpec> others =
         site.cameras().stream().filter(one -> !moved.equals(Optional.of(one))).toList();
     int[] counts = counts(sight, demand, others);
     double most =
         moved
-            .map(one -> gain(demand, counts, sight.covered(List.of(one), CoverageReading.ANY)[0]))
+            .map(one -> open.gain(counts, sight.covered(List.of(one), CoverageReading.ANY)[0]))
             .orElse(0.0);
     double longer = Math.max(site.field().width(), site.field().height());
     List<Point> places = new ArrayList<>(MountPoints.of(site, longer / PARTS, false, List.of()));
@@ -75,7 +78,7 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
       }
       Candidates here = Candidates.of(List.of(place), kinds, CoverageReading.ANY, sight, 1);
       for (int i = 0; i < here.all().size(); i++) {
-        double gain = gain(demand, counts, here.columns()[i]);
+        double gain = open.gain(counts, here.columns()[i]);
         if (gain > most + 1e-9) {
           most = gain;
           best = here.all().get(i);
@@ -96,15 +99,5 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
                     .with(CameraSpec.TILT, found.tilt())
                     .with(CameraSpec.HEADING, found.heading()))
         .orElse(found);
-  }
-
-  /** What it is worth to see these samples where others see them so often. */
-  private static double gain(Demand demand, int[] counts, int[] samples) {
-    int[] needs = demand.needs();
-    double[] units = demand.units();
-    return Arrays.stream(samples)
-        .filter(sample -> counts[sample] < needs[sample])
-        .mapToDouble(sample -> units[sample])
-        .sum();
   }
 }
