@@ -26,8 +26,6 @@ import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
 import org.hificamsim.profiling.report.FitFolder;
-import org.hificamsim.profiling.trial.TrialRun;
-import org.hificamsim.profiling.trial.Trials;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
@@ -89,18 +87,17 @@ final class FitCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     FitSettings settings = settings();
     int count = threads.count();
-    Destination.claim(spec, folder, List.of(FitFolder.REPORT, Trials.FILE));
+    Destination.claim(spec, folder, List.of(FitFolder.REPORT));
     PhotoCamera camera = PhotoCamera.of(folder);
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
-    List<Trials> trials = TrialRun.all(result, count);
-    print(result, trials, write(result, trials));
+    print(result, write(result));
     return 0;
   }
 
-  private int write(FitResult result, List<Trials> trials) throws IOException {
+  private int write(FitResult result) throws IOException {
     PipReading pip = confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE;
-    return FitFolder.write(folder, result, trials, pip, ResultFolder.name(folder), name);
+    return FitFolder.write(folder, result, pip, ResultFolder.name(folder), name);
   }
 
   private List<Measurement> measurements(PhotoCamera camera) {
@@ -109,7 +106,7 @@ final class FitCommand implements Callable<Integer> {
         : OwnConfidences.read(confidences, camera);
   }
 
-  private void print(FitResult result, List<Trials> trials, int models) {
+  private void print(FitResult result, int models) {
     PrintWriter out = spec.commandLine().getOut();
     List<FittedModel> all = FittedModel.all(result);
     PrintWriter err = spec.commandLine().getErr();
@@ -124,7 +121,6 @@ final class FitCommand implements Callable<Integer> {
         .forEach(model -> out.println(row(column, model)));
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
     out.println(Recommendation.lens(result));
-    trials.forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Texts.counted(models, "model"), folder.resolve(FittedModel.FOLDER));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {

@@ -11,7 +11,6 @@ import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
-import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.hifi.model.PublishedModels;
@@ -95,30 +94,9 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
         result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
-        known(fit().drawnFrom().residuals()),
+        Optional.of(fit().drawnFrom().residuals()).filter(one -> one.least() > NO_SCATTER),
         Optional.of(fittedOn()),
         provenance());
-  }
-
-  /**
-   * The model as it is fitted without a group of {@link FitResult#unseen}; it has the threshold of
-   * the model of all photos.
-   */
-  public HiFiDetection without(int group) {
-    HiFiDetection all = detection("without-" + group);
-    return new HiFiDetection(
-        all.name(),
-        f.unseen().fits().get(group).f(),
-        chosen().fits().get(group),
-        all.optics(),
-        all.defaultThreshold(),
-        known(fit().drawnFrom().unseen().get(group)),
-        all.fitted(),
-        all.provenance());
-  }
-
-  private static Optional<Residuals> known(Residuals residuals) {
-    return Optional.of(residuals).filter(one -> one.least() > NO_SCATTER);
   }
 
   /** Why there is no file of it. */

@@ -22,12 +22,10 @@ import org.hificamsim.hifi.Residuals;
  *
  * @param name of the kind: {@code constant} or {@code growing}
  * @param residuals of all photos
- * @param unseen of all photos but those of each group
  * @param calibration of the chances of {@code --detect chance} with its default options, for photos
  *     that neither g nor the residuals have seen; both kinds are asked about the same thresholds
  */
-public record ScatterFit(
-    String name, Residuals residuals, List<Residuals> unseen, Reliability calibration) {
+public record ScatterFit(String name, Residuals residuals, Reliability calibration) {
   private static final double LEAST_RATIO = 1e-2;
   private static final double MOST_RATIO = 1e4;
   private static final int RATIOS = 60;
@@ -64,8 +62,7 @@ public record ScatterFit(
                   .map(rows -> method.fit(Groups.at(rows, gained), Groups.at(rows, errors)))
                   .toList();
           both.add(
-              new ScatterFit(
-                  name, method.fit(gained, errors), unseen, calibration(g, y, groups, unseen)));
+              new ScatterFit(name, method.fit(gained, errors), calibration(g, y, groups, unseen)));
         });
     return both;
   }

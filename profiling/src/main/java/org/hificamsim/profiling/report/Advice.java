@@ -6,7 +6,6 @@ import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
-import org.hificamsim.profiling.trial.Trials;
 
 /** What the report says of the data set's own numbers: what to take, and how to read the tables. */
 final class Advice {
@@ -30,15 +29,14 @@ final class Advice {
         .orElse(all.get(0));
   }
 
-  /** What to take of the other detectors, how PIP grows, and what the simulation makes of it. */
-  static List<String> reasons(FitResult result, List<Trials> trials) {
+  /** What to take of the other detectors, and how PIP grows. */
+  static List<String> reasons(FitResult result) {
     Recommendation first = first(result);
     List<String> reasons = new ArrayList<>();
     Recommendation.all(result).stream()
         .filter(one -> !one.detector().equals(first.detector()))
         .forEach(one -> reasons.add(one.sentence()));
     reasons.add(Recommendation.lens(result));
-    trials.forEach(one -> reasons.add(one.sentence()));
     return reasons;
   }
 

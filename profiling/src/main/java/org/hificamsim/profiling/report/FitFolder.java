@@ -2,12 +2,10 @@ package org.hificamsim.profiling.report;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.trial.Trials;
 
 /** Everything that a fit leaves in the folder of its data set. */
 public final class FitFolder {
@@ -24,17 +22,11 @@ public final class FitFolder {
    * @return how many models were written
    */
   public static int write(
-      Path folder,
-      FitResult result,
-      List<Trials> trials,
-      PipReading pip,
-      String title,
-      String prefix)
+      Path folder, FitResult result, PipReading pip, String title, String prefix)
       throws IOException {
     try (OutputFolder files = new OutputFolder(folder)) {
       int models = FittedModel.writeAll(result, files, prefix);
-      Trials.write(files, trials);
-      FitReport.write(result, trials, pip, title, files);
+      FitReport.write(result, pip, title, files);
       files.commit(FittedModel.all(result).stream().map(FittedModel::file).toList());
       return models;
     }

@@ -3,7 +3,6 @@ package org.hificamsim.profiling.report;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -11,8 +10,6 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.trial.TrialRun;
-import org.hificamsim.profiling.trial.Trials;
 
 /**
  * Writes {@code report.html}, a page in one file, and its pictures once more as files for papers.
@@ -24,9 +21,8 @@ public final class FitReport {
       Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
 
   private static final Pattern PART = Pattern.compile("\\{(figure (.*)|(.*))\\}(?: (.*))?");
-  // Headings of what is left out where there is none.
+  // The heading of what is left out where there is none.
   private static final String SCATTERS = "# How confidences scatter, and how good the chances are";
-  private static final String SIMULATION = "# In the simulation";
 
   /** Something of the report that is made of the fit. */
   private interface Part {
@@ -34,7 +30,6 @@ public final class FitReport {
   }
 
   private final FitResult result;
-  private final List<Trials> trials;
   private final OutputFolder folder;
   private final HtmlPage page;
   private final ReportFigures figures;
@@ -43,9 +38,7 @@ public final class FitReport {
   private final HeldOut heldOut;
   private final Claims claims;
 
-  private FitReport(
-      FitResult result, List<Trials> trials, PipReading pip, OutputFolder folder, String title) {
-    this.trials = trials;
+  private FitReport(FitResult result, PipReading pip, OutputFolder folder, String title) {
     this.heldOut = HeldOut.of(pip);
     this.result = result;
     this.folder = folder;
@@ -59,13 +52,11 @@ public final class FitReport {
   /**
    * Writes the report on a data set of this name into a folder.
    *
-   * @param trials how the recommended models do in the simulation
    * @param pip how its PIP was counted
    */
-  public static void write(
-      FitResult result, List<Trials> trials, PipReading pip, String name, OutputFolder folder)
+  public static void write(FitResult result, PipReading pip, String name, OutputFolder folder)
       throws IOException {
-    new FitReport(result, trials, pip, folder, "Detection models fitted to " + name).write();
+    new FitReport(result, pip, folder, "Detection models fitted to " + name).write();
   }
 
   private void write() throws IOException {
@@ -76,9 +67,7 @@ public final class FitReport {
     for (String block : template.split("\n\n")) {
       String text = block.strip().replace('\n', ' ');
       if (text.startsWith("# ")) {
-        leftOut =
-            (text.equals(SCATTERS) && own.recommended().isEmpty())
-                || (text.equals(SIMULATION) && trials.isEmpty());
+        leftOut = text.equals(SCATTERS) && own.recommended().isEmpty();
       }
       if (!leftOut) {
         add(text, parts);
@@ -93,7 +82,7 @@ public final class FitReport {
     if (text.startsWith("# ")) {
       page.heading(text.substring(2));
     } else if (!part.matches()) {
-      page.paragraph(text.replace("CAMERAS", String.valueOf(TrialRun.CAMERAS)));
+      page.paragraph(text);
     } else if (part.group(2) == null) {
       parts.get(part.group(3)).add();
     } else {
@@ -103,11 +92,10 @@ public final class FitReport {
 
   /** What the template names in braces. */
   private Map<String, Part> parts() {
-    SimulationTables simulation = new SimulationTables(trials);
     Map<String, Part> parts = new HashMap<>();
     parts.put("headline", () -> page.paragraph(Advice.headline(result)));
     parts.put("recommendations", () -> own.recommendations(page));
-    parts.put("reasons", () -> Advice.reasons(result, trials).forEach(page::paragraph));
+    parts.put("reasons", () -> Advice.reasons(result).forEach(page::paragraph));
     parts.put("unseen", () -> page.paragraph(Advice.unseen(result)));
     parts.put("shapes", () -> own.shapes(page));
     parts.put("slopes", () -> own.slopes(page));
@@ -118,9 +106,6 @@ public final class FitReport {
     parts.put("decisions", () -> page.paragraph(Advice.decisions(result)));
     parts.put("scatters", () -> own.scatters(page));
     parts.put("reliability", this::reliability);
-    parts.put("trials by photo", () -> simulation.photos(page));
-    parts.put("trials by distance", () -> simulation.distances(page));
-    parts.put("trials by scene", () -> simulation.scenes(page));
     parts.put("claims", () -> ThesisTables.claims(page, claims.all()));
     parts.put("variables", () -> tables.variables(page));
     parts.put("features", () -> tables.features(page));

@@ -71,9 +71,11 @@ class ScatterFitTest {
     Arrays.setAll(y, i -> 0.05 + 0.4 * pip[i] + random.nextGaussian() * (i < PHOTOS ? 0.5 : 0.01));
     ShapeFit g =
         ShapeFit.of(DetectorShape.of("line"), pip, Collections.nCopies(OBJECTS, pip), y, objects);
-    ScatterFit fit = ScatterFit.both(g, y, objects).get(0);
-    assertEquals(0.01, fit.unseen().get(0).rmse(), 0.005);
-    assertTrue(fit.unseen().get(1).rmse() > 0.05);
+    double[] detected = ScatterFit.both(g, y, objects).get(0).calibration().detected();
+    double wild = Arrays.stream(detected, 0, PHOTOS).average().orElseThrow();
+    double others = Arrays.stream(detected, PHOTOS, pip.length).average().orElseThrow();
+    assertTrue(wild > 0.6, "by the threshold of the others, which is low: " + wild);
+    assertTrue(others < 0.25, "by a threshold that the wild one has raised: " + others);
   }
 
   @Test

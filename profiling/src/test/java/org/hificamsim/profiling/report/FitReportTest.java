@@ -36,8 +36,6 @@ import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.trial.TrialRun;
-import org.hificamsim.profiling.trial.Trials;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,8 +61,7 @@ class FitReportTest {
   }
 
   private static int write(FitResult result, String title, Path folder) throws IOException {
-    List<Trials> trials = TrialRun.all(result, 2);
-    return FitFolder.write(folder, result, trials, PipReading.SILHOUETTE, title, "mine");
+    return FitFolder.write(folder, result, PipReading.SILHOUETTE, title, "mine");
   }
 
   @Test
@@ -115,36 +112,6 @@ class FitReportTest {
         lens.startsWith("In your photos PIP grows with the focal length to the power 1.96 ["),
         lens);
     assertTrue(lens.contains("it is 1.32"), lens);
-  }
-
-  @Test
-  void whatTheSimulatorDetectsStandsBesideWhatWasMeasured() throws IOException {
-    String page = Files.readString(folder.resolve("report.html"));
-    assertTrue(page.contains("<h2>In the simulation"), "the section");
-    for (String detector : List.of("orb", "sift", "surf")) {
-      assertTrue(page.contains("In the simulation " + detector + "-"), detector);
-    }
-    assertTrue(page.contains("k of 1 or more: photos"), "coverage");
-  }
-
-  /** One row for each model and distance: a column for each would be wider than the page. */
-  @Test
-  void distancesStandBelowEachOther() throws IOException {
-    String page = Files.readString(folder.resolve("report.html"));
-    List<String> widths =
-        page.lines()
-            .filter(line -> line.contains("<th>distance, m"))
-            .map(line -> String.valueOf(line.split("<th>", -1).length - 1))
-            .toList();
-    assertEquals(List.of("8"), widths);
-    for (String detector : List.of("orb", "sift", "surf")) {
-      long rows =
-          page.lines()
-              .filter(line -> line.matches("<tr><td>" + detector + "-[a-z]+</td><td>\\d.*"))
-              .filter(line -> line.matches(".*<td>16</td>.*"))
-              .count();
-      assertEquals(10, rows, detector);
-    }
   }
 
   @Test

@@ -1,2 +1,0 @@
-/** Photos set up again in the simulator: whether it detects what was measured. */
-package org.hificamsim.profiling.trial;
