@@ -58,12 +58,12 @@ class BrokenScenarioTest {
   @Test
   void aMissingFileIsRefused() {
     Path file = folder.resolve("no.xml");
-    assertRefused(file, file + ":1:1: no such file, expected a scenario file (XML)");
+    assertRefused(file, file + ":1:1: no such file, expected a file");
   }
 
   @Test
   void aFolderIsRefused() {
-    assertRefused(folder, folder + ":1:1: is a folder, expected a scenario file (XML)");
+    assertRefused(folder, folder + ":1:1: is a folder, expected a file");
   }
 
   @Test

@@ -2,6 +2,8 @@ package org.hificamsim.core.file;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UnsupportedEncodingException;
+import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.xml.parsers.ParserConfigurationException;
@@ -14,6 +16,7 @@ import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
+import org.xml.sax.ext.Locator2;
 import org.xml.sax.helpers.DefaultHandler;
 import org.xml.sax.helpers.LocatorImpl;
 
@@ -56,6 +59,9 @@ public abstract class PlainXml extends DefaultHandler {
     } catch (SAXException e) { // the JDK's parser loses its way, as after <!DOCTYPE> inside <root>
       SAXParseException fault = new SAXParseException(e.getMessage(), locator);
       throw new InputException(fault(fault).getMessage(), e);
+    } catch (UnsupportedEncodingException e) {
+      String problem = "The encoding \"" + e.getMessage() + "\" is not known.";
+      throw new InputException(fault(new SAXParseException(problem, locator)).getMessage(), e);
     } catch (IOException e) {
       throw TextLines.unreadable(file, place().line(), e);
     }
@@ -77,6 +83,12 @@ public abstract class PlainXml extends DefaultHandler {
   protected InputException fault(SAXParseException e) {
     return place(e.getLineNumber(), e.getColumnNumber())
         .error("not well-formed XML, or cut off, expected a whole file: " + e.getMessage());
+  }
+
+  /** The encoding that the file is read in, or would be. */
+  protected final String encoding() {
+    String known = locator instanceof Locator2 with ? with.getEncoding() : null;
+    return known == null || !Charset.isSupported(known) ? "UTF-8" : known;
   }
 
   /** Where the reader is: at the end of a start tag. */

@@ -59,7 +59,7 @@ public final class TextLines implements Fields, Closeable {
    * @throws InputException when it is missing or cannot be read
    */
   public static InputStream stream(Path path) {
-    if (!Files.isRegularFile(path)) {
+    if (Files.isDirectory(path) || !Files.exists(path)) {
       String problem = Files.isDirectory(path) ? "is a folder" : "no such file";
       throw new Place(path.toString(), 1, 1).error(problem + ", expected a file");
     }

@@ -2,7 +2,6 @@ package org.hificamsim.core.scenario;
 
 import java.util.HashMap;
 import java.util.Map;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -41,10 +40,10 @@ final class Attributes<S> {
   }
 
   /** What an element is read as that has nothing but its attributes; warns of unknown ones. */
-  static <S> S read(XmlElement xml, Element<S> element, Consumer<String> warnings) {
+  static <S> S read(XmlElement xml, Element<S> element) {
     Attributes<S> attributes = new Attributes<>(xml, element);
     S read = attributes.read();
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return read;
   }
 
@@ -116,16 +115,15 @@ final class Attributes<S> {
   }
 
   /** Warns of attributes that are not declared, with their places. */
-  void warnOfUnknown(Consumer<String> warnings) {
+  void warnOfUnknown() {
     unknown()
         .filter(name -> element.ignored().stream().noneMatch(one -> one.name().equals(name)))
-        .forEach(name -> warnings.accept(unknown(name)));
+        .forEach(this::warnOfUnknown);
   }
 
-  private String unknown(String name) {
+  private void warnOfUnknown(String name) {
     String value = Place.shortened(xml.attributes().get(name));
-    return xml.place(name)
-        .line("unknown attribute %s=\"%s\" of <%s>, ignored".formatted(name, value, xml.name()));
+    xml.warn(name, "unknown attribute %s=\"%s\" of <%s>, ignored".formatted(name, value, xml.name()));
   }
 
   private Stream<String> unknown() {

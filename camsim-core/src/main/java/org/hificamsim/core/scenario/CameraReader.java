@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.function.Consumer;
 
 /** Reads cameras, from their own element or from an event that adds one. */
 final class CameraReader {
@@ -16,26 +15,20 @@ final class CameraReader {
   private final OptionalDouble mountHeight;
   private final Clearing clearing;
   private final AgentCheck agents;
-  private final Consumer<String> warnings;
   private final Set<String> names = new HashSet<>();
 
   /**
    * @param optics those of the file, by name
    */
   CameraReader(
-      Field field,
-      OptionalDouble mountHeight,
-      Clearing clearing,
-      Map<String, OpticsSpec> optics,
-      AgentCheck agents,
-      Consumer<String> warnings) {
+      Scenario scenario, Clearing clearing, Map<String, OpticsSpec> optics, AgentCheck agents) {
+    Field field = scenario.field();
     this.across = inField(field.minX(), field.maxX());
     this.along = inField(field.minY(), field.maxY());
     this.optics = oneOf(optics);
-    this.mountHeight = mountHeight;
+    this.mountHeight = scenario.mountHeight();
     this.clearing = clearing;
     this.agents = agents;
-    this.warnings = warnings;
   }
 
   private static Type<Double> inField(double min, double max) {
@@ -65,7 +58,7 @@ final class CameraReader {
     OptionalDouble z = camera.z().isPresent() ? camera.z() : mountHeight;
     clearing.requireFree(xml, camera.x(), camera.y(), z);
     agents.check(camera, as == CameraSpec.ADDED, xml::invalid);
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return camera;
   }
 

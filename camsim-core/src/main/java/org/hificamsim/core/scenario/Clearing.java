@@ -2,7 +2,6 @@ package org.hificamsim.core.scenario;
 
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.function.Consumer;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -10,11 +9,9 @@ import org.hificamsim.core.obstacle.Obstacles;
 /** Says where cameras and targets may stand: in no solid obstacle, nor on its border. */
 final class Clearing {
   private final Obstacles obstacles;
-  private final Consumer<String> warnings;
 
-  Clearing(List<Obstacle> obstacles, Consumer<String> warnings) {
+  Clearing(List<Obstacle> obstacles) {
     this.obstacles = new Obstacles(obstacles);
-    this.warnings = warnings;
   }
 
   /** The same for a camera: one with a height may be above or below an obstacle. */
@@ -40,10 +37,10 @@ final class Clearing {
       Waypoint from = path.get(i);
       Waypoint to = path.get((i + 1) % path.size());
       if (!obstacles.clear(from.x(), from.y(), to.x(), to.y())) {
-        warnings.accept(
+        element.warn(
             Texts.format(
-                "%s: the way from (%s, %s) to (%s, %s) leads through a solid obstacle",
-                element.place(), from.x(), from.y(), to.x(), to.y()));
+                "the way from (%s, %s) to (%s, %s) leads through a solid obstacle",
+                from.x(), from.y(), to.x(), to.y()));
         return;
       }
     }

@@ -1,7 +1,6 @@
 package org.hificamsim.core.scenario;
 
 import java.util.List;
-import java.util.function.Consumer;
 import java.util.function.Function;
 
 /** Reads events, each as its kind is declared. */
@@ -26,12 +25,10 @@ final class EventReader {
 
   private final CameraReader cameras;
   private final TargetReader targets;
-  private final Consumer<String> warnings;
 
-  EventReader(CameraReader cameras, TargetReader targets, Consumer<String> warnings) {
+  EventReader(CameraReader cameras, TargetReader targets) {
     this.cameras = cameras;
     this.targets = targets;
-    this.warnings = warnings;
   }
 
   private static Type<String> oneOf(
@@ -75,7 +72,7 @@ final class EventReader {
     Attributes<B> attributes = new Attributes<>(xml, body);
     cameras.narrow(attributes);
     Spec<B> said = attributes.said();
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return said;
   }
 }

@@ -6,8 +6,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Consumer;
-import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.ScenarioEvent.AddCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
@@ -20,7 +18,6 @@ final class EventStory {
 
   private final List<Told> events;
   private final Clearing clearing;
-  private final Consumer<String> warnings;
   private final Set<String> names = new HashSet<>(); // of cameras that are ever there
   private final Map<String, Waypoint> positions = new HashMap<>(); // of cameras that are there now
   private final Set<String> failed = new HashSet<>();
@@ -38,14 +35,9 @@ final class EventStory {
    * @param targets those of the start
    */
   EventStory(
-      List<Told> events,
-      List<CameraSpec> cameras,
-      List<TargetSpec> targets,
-      Clearing clearing,
-      Consumer<String> warnings) {
+      List<Told> events, List<CameraSpec> cameras, List<TargetSpec> targets, Clearing clearing) {
     this.events = events.stream().sorted(Comparator.comparingInt(one -> one.event.step())).toList();
     this.clearing = clearing;
-    this.warnings = warnings;
     cameras.forEach(this::add);
     targets.forEach(target -> features.add(target.features()));
     for (Told one : events) {
@@ -81,10 +73,10 @@ final class EventStory {
     if (one.event instanceof RemoveTarget remove
         && !features.remove(remove.features())
         && !one.isOfTracks()) {
-      warnings.accept(
-          Texts.format(
-              "%s: no object %s is there at step %s, nothing is removed",
-              one.xml.place("name"), remove.features(), remove.step()));
+      one.xml.warn(
+          "name",
+          "no object %s is there at step %s, nothing is removed"
+              .formatted(remove.features(), remove.step()));
     }
   }
 
@@ -107,12 +99,10 @@ final class EventStory {
     if (!positions.containsKey(camera) || failed.contains(camera)) {
       String unless =
           positions.containsKey(camera) ? " (unless camsim --quirks lets it come back)" : "";
-      warnings.accept(
-          one.xml
-              .place("name")
-              .line(
-                  "camera '%s' is not online at step %s, nothing happens%s"
-                      .formatted(camera, one.event.step(), unless)));
+      one.xml.warn(
+          "name",
+          "camera '%s' is not online at step %s, nothing happens%s"
+              .formatted(camera, one.event.step(), unless));
     }
   }
 

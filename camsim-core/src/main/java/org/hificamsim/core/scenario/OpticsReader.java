@@ -12,19 +12,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
 import org.hificamsim.core.Spelling;
 
 /** Reads the optics that cameras name. */
 final class OpticsReader {
   private static final int MAX_VIEWS = 10_000;
 
-  private final Consumer<String> warnings;
   private final Map<String, OpticsSpec> known = new HashMap<>();
-
-  OpticsReader(Consumer<String> warnings) {
-    this.warnings = warnings;
-  }
 
   /** Reads all of a file, by name. */
   Map<String, OpticsSpec> all(List<XmlElement> elements, Faults faults) {
@@ -49,10 +43,9 @@ final class OpticsReader {
           OpticsSpec.PANS, "at most " + MAX_VIEWS + " views, angles times levels");
     }
     if (attributes.has(SENSOR_WIDTH) && !attributes.has(FOCAL_LENGTHS)) {
-      warnings.accept(
-          xml.place() + ": sensor_width of <optics> is of no effect without focal_length");
+      xml.warn("sensor_width of <optics> is of no effect without focal_length");
     }
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     known.put(name, optics);
   }
 

@@ -152,6 +152,10 @@ shows, m (ours) | the field's borders
   static final Element<Scenario> ZONES_HOLDER =
       Element.<Scenario>of("zones", "What is demanded of the cameras, and where (ours).")
           .holds("zone*");
+  static final Element<Scenario> ZOOM_LIST =
+      Element.<Scenario>of(
+              "zoom", "The radii that every camera can choose from, between spaces, rising, m.")
+          .holds("#" + Type.RADII.schema());
   static final Element<Scenario> CAMERAS_HOLDER =
       Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera+");
   static final Element<Scenario> TARGETS_HOLDER =
@@ -183,7 +187,7 @@ shows, m (ours) | the field's borders
             Zone.ELEMENT,
             CAMERAS_HOLDER,
             OpticsSpec.ELEMENT,
-            ZoomListReader.ELEMENT,
+            ZOOM_LIST,
             CameraSpec.ELEMENT,
             TARGETS_HOLDER,
             TargetSpec.ELEMENT,

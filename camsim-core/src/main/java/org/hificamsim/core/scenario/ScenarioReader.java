@@ -15,7 +15,6 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.obstacle.Obstacle;
 
@@ -35,7 +34,6 @@ public final class ScenarioReader {
   private final XmlElement root;
   private final Predicate<String> movements;
   private final AgentCheck agents;
-  private final Consumer<String> warnings;
   private final Faults faults;
 
   private ScenarioReader(
@@ -45,10 +43,9 @@ public final class ScenarioReader {
       Consumer<String> warnings,
       Faults faults) {
     this.path = path;
-    this.root = XmlParser.parse(path);
+    this.root = XmlParser.parse(path, warnings);
     this.movements = movements;
     this.agents = agents;
-    this.warnings = warnings;
     this.faults = faults;
   }
 
@@ -120,22 +117,21 @@ public final class ScenarioReader {
       requireSome(simulation, scenario);
     }
     scenario = scenario.with(Scenario.VISION_GRAPH, visionGraph());
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return scenario;
   }
 
   private void warnOfUnknown() {
-    new Attributes<>(root, Scenario.ROOT).warnOfUnknown(warnings);
+    new Attributes<>(root, Scenario.ROOT).warnOfUnknown();
     Map<String, Element<?>> known =
         Scenario.elements().stream().collect(Collectors.toMap(Element::name, one -> one));
     root.below()
         .filter(xml -> !known.containsKey(xml.name()))
-        .map(xml -> xml.place() + ": unknown element <" + xml.name() + ">, ignored")
-        .forEach(warnings);
+        .forEach(xml -> xml.warn("unknown element <" + xml.name() + ">, ignored"));
     root.below()
         .filter(xml -> known.containsKey(xml.name()))
         .filter(xml -> known.get(xml.name()).attributes().isEmpty())
-        .forEach(xml -> new Attributes<>(xml, known.get(xml.name())).warnOfUnknown(warnings));
+        .forEach(xml -> new Attributes<>(xml, known.get(xml.name())).warnOfUnknown());
   }
 
   private XmlElement simulation() {
@@ -198,7 +194,7 @@ public final class ScenarioReader {
    */
   public static InputException error(
       Path path, Property<Scenario, ?> attribute, InputException cause) {
-    return XmlParser.parse(path)
+    return XmlParser.parse(path, warning -> {})
         .only(Scenario.ELEMENT.name(), "one")
         .map(simulation -> simulation.place(attribute.name()))
         .map(place -> place.error(attribute.name() + ": " + cause.getMessage()))
@@ -228,7 +224,7 @@ public final class ScenarioReader {
     Map<String, Element<? extends Obstacle>> kinds =
         ObstacleElements.ALL.stream().collect(Collectors.toMap(Element::name, one -> one));
     List<XmlElement> elements = root.below().filter(xml -> kinds.containsKey(xml.name())).toList();
-    return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name()), warnings));
+    return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name())));
   }
 
   private List<Zone> zones(Field field) {
@@ -236,7 +232,7 @@ public final class ScenarioReader {
     return faults.each(
         all(Zone.ELEMENT),
         xml -> {
-          Zone zone = Attributes.read(xml, Zone.ELEMENT, warnings);
+          Zone zone = Attributes.read(xml, Zone.ELEMENT);
           if (!names.add(zone.name())) {
             throw xml.invalid("name", "a name that no other zone has");
           }
@@ -253,40 +249,49 @@ public final class ScenarioReader {
   private <T> T said(
       XmlElement xml, Element<VisionGraph> element, Property<VisionGraph, T> property) {
     Attributes<VisionGraph> attributes = new Attributes<>(xml, element);
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return attributes.get(property);
   }
 
   /** The zoom list is what tells the dialect. */
   private Scenario withZooms(Scenario scenario, Attributes<Scenario> attributes) {
     if (!hasZooms() && !attributes.has(Scenario.ORDER) && !all(OpticsSpec.ELEMENT).isEmpty()) {
-      warnings.accept(
-          Texts.format(
-              "%s: a scenario with <optics> and neither <zoom> nor order runs in CamSim's"
-                  + " order, targets move and then cameras look; expected order=\"coverage\" or"
-                  + " order=\"camsim\"",
-              root.place()));
+      root.warn(
+          "a scenario with <optics> and neither <zoom> nor order runs in CamSim's order, targets"
+              + " move and then cameras look; expected order=\"coverage\" or order=\"camsim\"");
     }
     Scenario ordered =
         hasZooms() && !attributes.has(Scenario.ORDER)
             ? scenario.with(Scenario.ORDER, StepOrder.COVERAGE)
             : scenario;
-    return ordered.with(Scenario.ZOOMS, faults.or(List.of(), () -> ZoomListReader.zooms(root)));
+    return ordered.with(Scenario.ZOOMS, faults.or(List.of(), this::zooms));
   }
 
   private boolean hasZooms() {
-    return !all(ZoomListReader.ELEMENT).isEmpty();
+    return !all(Scenario.ZOOM_LIST).isEmpty();
+  }
+
+  private List<Double> zooms() {
+    return root.only(Scenario.ZOOM_LIST.name(), "one for all cameras")
+        .map(list -> zooms(list, list.text().strip()))
+        .orElse(List.of());
+  }
+
+  private static List<Double> zooms(XmlElement list, String text) {
+    try {
+      return Type.RADII.parser().apply(text);
+    } catch (IllegalArgumentException e) {
+      throw list.place().invalid("<zoom>", text, Type.RADII.expected());
+    }
   }
 
   private Scenario withStory(Scenario scenario) {
-    Field field = scenario.field();
-    Clearing clearing = new Clearing(scenario.obstacles(), warnings);
-    Map<String, OpticsSpec> optics =
-        new OpticsReader(warnings).all(all(OpticsSpec.ELEMENT), faults);
-    CameraReader cameraReader =
-        new CameraReader(field, scenario.mountHeight(), clearing, optics, agents, warnings);
-    TargetReader targetReader = new TargetReader(field, clearing, hasZooms(), movements, warnings);
-    EventReader eventReader = new EventReader(cameraReader, targetReader, warnings);
+    Clearing clearing = new Clearing(scenario.obstacles());
+    Map<String, OpticsSpec> optics = new OpticsReader().all(all(OpticsSpec.ELEMENT), faults);
+    CameraReader cameraReader = new CameraReader(scenario, clearing, optics, agents);
+    TargetReader targetReader =
+        new TargetReader(scenario.field(), clearing, hasZooms(), movements);
+    EventReader eventReader = new EventReader(cameraReader, targetReader);
     List<CameraSpec> cameras =
         faults.each(all(CameraSpec.ELEMENT), xml -> cameraReader.camera(xml, CameraSpec.ELEMENT));
     List<TargetSpec> targets =
@@ -298,7 +303,7 @@ public final class ScenarioReader {
                 all(EventReader.ELEMENT), xml -> new EventStory.Told(eventReader.event(xml), xml)));
     story.addAll(tracks(scenario));
     if (faults.none()) { // else who is missing in the story may be one of those with a fault
-      new EventStory(story, cameras, targets, clearing, warnings).check(faults);
+      new EventStory(story, cameras, targets, clearing).check(faults);
     }
     return scenario
         .with(Scenario.CAMERAS, cameras)
@@ -308,8 +313,8 @@ public final class ScenarioReader {
 
   private List<EventStory.Told> tracks(Scenario scenario) {
     List<XmlElement> elements = all(TracksReader.ELEMENT);
-    TracksReader reader = new TracksReader(path, scenario.field(), scenario.stepTime(), warnings);
-    List<List<ScenarioEvent>> events = faults.each(elements, reader::events);
+    List<List<ScenarioEvent>> events =
+        faults.each(elements, xml -> TracksReader.events(xml, path, scenario));
     faults.check(() -> root.only(TracksReader.ELEMENT.name(), "one"));
     return events.stream()
         .flatMap(List::stream)
@@ -342,10 +347,10 @@ public final class ScenarioReader {
     for (XmlElement node : all(VisionGraph.NODE)) {
       String camera = said(node, VisionGraph.NODE, VisionGraph.NODE_NAME);
       if (neighbours.remove(camera) != null) {
-        warnings.accept(
-            Texts.format(
-                "%s: a second <graphnode> for '%s', the last one counts",
-                node.place("name"), Place.shortened(camera)));
+        node.warn(
+            "name",
+            "a second <graphnode> for '%s', the last one counts"
+                .formatted(Place.shortened(camera)));
       }
       neighbours.put(
           camera,

@@ -91,9 +91,7 @@ public final class ScenarioWriter {
         .distinct()
         .forEach(optics -> element(OpticsSpec.ELEMENT, optics));
     if (!scenario.zooms().isEmpty()) {
-      String radii =
-          scenario.zooms().stream().map(String::valueOf).collect(Collectors.joining(" "));
-      xml.text(ZoomListReader.ELEMENT.name(), radii);
+      xml.text(Scenario.ZOOM_LIST.name(), Type.RADII.writer().apply(scenario.zooms()));
     }
     scenario.cameras().forEach(camera -> element(CameraSpec.ELEMENT, camera));
   }

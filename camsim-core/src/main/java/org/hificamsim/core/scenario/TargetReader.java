@@ -3,9 +3,7 @@ package org.hificamsim.core.scenario;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
-import org.hificamsim.core.Texts;
 
 /** Reads targets, from their own elements or from an event that adds one. */
 final class TargetReader {
@@ -18,23 +16,17 @@ final class TargetReader {
   private final Clearing clearing;
   private final boolean coverageDialect;
   private final Predicate<String> movements;
-  private final Consumer<String> warnings;
   private final Set<Double> features = new HashSet<>();
 
   /**
    * @param coverageDialect whether paths are scripted and may leave the field
    */
   TargetReader(
-      Field field,
-      Clearing clearing,
-      boolean coverageDialect,
-      Predicate<String> movements,
-      Consumer<String> warnings) {
+      Field field, Clearing clearing, boolean coverageDialect, Predicate<String> movements) {
     this.field = field;
     this.clearing = clearing;
     this.coverageDialect = coverageDialect;
     this.movements = movements;
-    this.warnings = warnings;
   }
 
   /** A target of the start. */
@@ -50,7 +42,7 @@ final class TargetReader {
     if (path.isEmpty()) {
       throw xml.place().error("no <waypoint>, expected at least two");
     }
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return read.with(TargetSpec.ORIGIN, TargetSpec.Origin.OBJECT_WITH_WAYPOINTS)
         .with(TargetSpec.MOVE, "epics.movement.Waypoints")
         .with(TargetSpec.WAYPOINTS, path)
@@ -62,11 +54,10 @@ final class TargetReader {
   /** The target that an event adds. */
   TargetSpec added(XmlElement event) {
     if (event.attributes().containsKey(TargetSpec.MOVE.name())) {
-      warnings.accept(
-          Texts.format(
-              "%s: an event's move is ignored, as in CamSim (unless camsim --quirks says"
-                  + " otherwise); fqName counts",
-              event.place(TargetSpec.MOVE.name())));
+      event.warn(
+          TargetSpec.MOVE.name(),
+          "an event's move is ignored, as in CamSim (unless camsim --quirks says otherwise); fqName"
+              + " counts");
     }
     return object(event, TargetSpec.ADDED).with(TargetSpec.ORIGIN, TargetSpec.Origin.EVENT);
   }
@@ -85,7 +76,7 @@ final class TargetReader {
     target = target.with(TargetSpec.WAYPOINTS, waypoints(xml, anywhere));
     checkMovement(xml, target, attributes);
     checkStart(xml, target);
-    attributes.warnOfUnknown(warnings);
+    attributes.warnOfUnknown();
     return target;
   }
 
@@ -119,9 +110,10 @@ final class TargetReader {
     Waypoint start = fromFirst ? target.waypoints().get(0) : new Waypoint(target.x(), target.y());
     clearing.requireFree(xml, start.x(), start.y());
     if (!field.contains(start.x(), start.y()) && !scripted && !(onPath && coverageDialect)) {
-      warnings.accept(
-          "%s: <%s> starts outside the field at (%s, %s); it stays there, turning, unless one step"
-                  .formatted(xml.place("x"), xml.name(), start.x(), start.y())
+      xml.warn(
+          "x",
+          "<%s> starts outside the field at (%s, %s); it stays there, turning, unless one step"
+                  .formatted(xml.name(), start.x(), start.y())
               + " leads inside");
     }
   }
@@ -140,10 +132,10 @@ final class TargetReader {
   }
 
   private Waypoint waypoint(XmlElement xml, boolean anywhere) {
-    Waypoint waypoint = Attributes.read(xml, Waypoint.ELEMENT, warnings);
+    Waypoint waypoint = Attributes.read(xml, Waypoint.ELEMENT);
     clearing.requireFree(xml, waypoint.x(), waypoint.y());
     if (!field.contains(waypoint.x(), waypoint.y()) && !anywhere) {
-      warnings.accept(xml.place() + ": <waypoint> lies outside the field, out of reach");
+      xml.warn("<waypoint> lies outside the field, out of reach");
     }
     return waypoint;
   }

@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import java.util.Arrays;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 
 /**
  * Where a target was from when it came to when it went: samples in order of time, as a recording
@@ -15,7 +16,6 @@ public final class Track {
 
   private final double[] samples;
   private final double stepTime;
-  private StepPlaces places;
 
   /**
    * @param samples seconds from step 0, rising, x and y in metres, of each
@@ -61,16 +61,6 @@ public final class Track {
     return (long) Math.floor((time(samples() - 1) + SLACK) / stepTime);
   }
 
-  /** Keeps where it is at each step, before anybody else knows the track. */
-  void keep(StepPlaces itsPlaces) {
-    places = itsPlaces;
-  }
-
-  /** Where it is at each step; null where that is worked out on the way. */
-  StepPlaces places() {
-    return places;
-  }
-
   /**
    * The same from a time on, by a clock that begins then, at other places.
    *
@@ -95,6 +85,11 @@ public final class Track {
       rest[i + 2] = place.y();
     }
     return new Track(rest, stepTime);
+  }
+
+  /** Whether it is in the field at all of its samples. */
+  boolean staysIn(Field field) {
+    return IntStream.range(0, samples()).allMatch(i -> field.contains(x(i), y(i)));
   }
 
   /** The speed from the first sample to the last along the way, metres a step. */

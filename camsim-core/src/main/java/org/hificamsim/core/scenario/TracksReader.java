@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.hificamsim.core.file.TextLines;
 
 /**
@@ -24,71 +24,51 @@ final class TracksReader {
           .holds("#xs:string");
   static final Property<Track, String> FILE = ELEMENT.optional("file", Type.TEXT);
 
-  private final Path scenario;
-  private final Field field;
-  private final double stepTime;
-  private final Consumer<String> warnings;
+  private TracksReader() {}
 
   /**
-   * @param scenario from whose folder paths are
-   * @param stepTime seconds
+   * The events of all targets of an element.
+   *
+   * @param path of the scenario, from whose folder paths are
    */
-  TracksReader(Path scenario, Field field, double stepTime, Consumer<String> warnings) {
-    this.scenario = scenario;
-    this.field = field;
-    this.stepTime = stepTime;
-    this.warnings = warnings;
-  }
-
-  /** The events of all targets of an element. */
-  List<ScenarioEvent> events(XmlElement element) {
+  static List<ScenarioEvent> events(XmlElement element, Path path, Scenario scenario) {
     Attributes<Track> attributes = new Attributes<>(element, ELEMENT);
-    attributes.warnOfUnknown(warnings);
-    try (TextLines lines = attributes.has(FILE) ? open(element, attributes) : element.lines()) {
-      return events(element, new TrackReader(lines, stepTime).tracks());
+    attributes.warnOfUnknown();
+    try (TextLines lines =
+        attributes.has(FILE) ? open(element, attributes, path) : element.lines()) {
+      List<TrackReader.Tracked> tracks = new TrackReader(lines, scenario.stepTime()).tracks();
+      tracks.forEach(TracksReader::requireNear);
+      warn(element, tracks, track -> !isMet(track), "no step meets: they are shorter than a step");
+      warn(element, tracks, track -> !track.staysIn(scenario.field()), "lead outside the field");
+      List<ScenarioEvent> events = new ArrayList<>();
+      tracks.stream()
+          .filter(one -> isMet(one.track()))
+          .forEach(one -> addEvents(one, events));
+      return events;
     }
   }
 
-  private TextLines open(XmlElement element, Attributes<Track> attributes) {
+  private static TextLines open(XmlElement element, Attributes<Track> attributes, Path path) {
     if (!element.text().isBlank()) {
       throw attributes.invalid(FILE, "none together with tracks that are written here");
     }
     try {
-      return TextLines.open(scenario.resolveSibling(attributes.get(FILE)));
+      return TextLines.open(path.resolveSibling(attributes.get(FILE)));
     } catch (InvalidPathException e) {
       throw attributes.invalid(FILE, "a path from the scenario's folder");
     }
   }
 
-  private List<ScenarioEvent> events(XmlElement element, List<TrackReader.Tracked> tracks) {
-    tracks.forEach(TracksReader::requireNear);
-    StepPlaces.keep(tracks.stream().map(TrackReader.Tracked::track).toList());
-    List<ScenarioEvent> events = new ArrayList<>();
-    int missed = 0;
-    int outside = 0;
-    for (TrackReader.Tracked one : tracks) {
-      missed += one.track().lastStep() < one.track().firstStep() ? 1 : 0;
-      outside += staysIn(one.track()) ? 0 : 1;
-      addEvents(one, events);
-    }
-    warn(element, missed, "no step meets: they are shorter than a step");
-    warn(element, outside, "lead outside the field");
-    return events;
-  }
-
-  private void warn(XmlElement element, int count, String what) {
+  private static void warn(
+      XmlElement element, List<TrackReader.Tracked> tracks, Predicate<Track> odd, String what) {
+    long count = tracks.stream().map(TrackReader.Tracked::track).filter(odd).count();
     if (count > 0) {
-      warnings.accept(element.place() + ": " + count + " of the tracks " + what);
+      element.warn(count + " of the tracks " + what);
     }
   }
 
-  private boolean staysIn(Track track) {
-    for (int i = 0; i < track.samples(); i++) {
-      if (!field.contains(track.x(i), track.y(i))) {
-        return false;
-      }
-    }
-    return true;
+  private static boolean isMet(Track track) {
+    return track.lastStep() >= track.firstStep();
   }
 
   private static void requireNear(TrackReader.Tracked one) {
@@ -103,11 +83,8 @@ final class TracksReader {
 
   /** A target goes at the beginning of the step after its last; at that step it may come again. */
   private static void addEvents(TrackReader.Tracked one, List<ScenarioEvent> events) {
-    Track track = one.track();
-    if (track.lastStep() >= track.firstStep()) {
-      events.add(new ScenarioEvent.AddTarget((int) track.firstStep(), target(one)));
-      events.add(track.removal(one.features()));
-    }
+    events.add(new ScenarioEvent.AddTarget((int) one.track().firstStep(), target(one)));
+    events.add(one.track().removal(one.features()));
   }
 
   private static TargetSpec target(TrackReader.Tracked one) {

@@ -58,6 +58,17 @@ record Type<T>(
           text -> text.isBlank() ? List.of() : POINTS.parser.apply(text),
           POINTS.writer);
 
+  /** Radii of zoom levels. */
+  static final Type<List<Double>> RADII =
+      new Type<>(
+          "rising radii above 0 and at most 1e9 (m), between spaces, 1 to " + MAX_NUMBERS,
+          "[" + POSITIVE_LENGTH.schema + "] minLength=1 maxLength=" + MAX_NUMBERS,
+          text -> {
+            List<Double> radii = items(text).map(Range.POSITIVE_LENGTH::parse).toList();
+            return require(radii.equals(rising(radii)) && radii.size() <= MAX_NUMBERS, radii);
+          },
+          radii -> listed(radii.stream().map(String::valueOf)));
+
   /** Any text, even none. */
   static Type<String> text(String expected) {
     return named(expected, text -> text, text -> text);

@@ -1,5 +1,6 @@
 package org.hificamsim.core.scenario;
 
+import java.io.StringReader;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -59,7 +60,7 @@ final class XmlElement {
 
   /** The lines of that text, which know where they stand. */
   TextLines lines() {
-    return source.lines(text(), end.line());
+    return new TextLines(end.file(), new StringReader(text()), end.line());
   }
 
   /** Where the start tag begins. */
@@ -70,6 +71,16 @@ final class XmlElement {
   /** Where an attribute of the start tag begins. */
   Place place(String attribute) {
     return source.attribute(end, attribute);
+  }
+
+  /** Warns of the element. */
+  void warn(String problem) {
+    source.warn(place().line(problem));
+  }
+
+  /** Warns of an attribute. */
+  void warn(String attribute, String problem) {
+    source.warn(place(attribute).line(problem));
   }
 
   /** An error about an attribute's value, or that it is missing. */

@@ -1,17 +1,18 @@
 package org.hificamsim.core.scenario;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.StringReader;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Optional;
+import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.PlainXml;
+import org.hificamsim.core.file.TextLines;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXParseException;
 
@@ -46,35 +47,27 @@ final class XmlParser extends PlainXml {
   /**
    * The root element of a file.
    *
+   * @param warnings takes one line for each thing that is odd with an element
    * @throws InputException when the file cannot be read, is too big, or is not plain XML
    */
-  static XmlElement parse(Path path) {
+  static XmlElement parse(Path path, Consumer<String> warnings) {
     String file = path.toString();
-    String content = XmlDecoder.decode(file, bytes(path));
-    XmlParser parser = new XmlParser(new XmlText(file, content));
-    parser.readSource(file, new InputSource(new StringReader(content)));
+    byte[] bytes = bytes(path);
+    XmlParser parser = new XmlParser(new XmlText(file, bytes, warnings));
+    parser.readSource(file, new InputSource(new ByteArrayInputStream(bytes)));
     return parser.root;
   }
 
   private static byte[] bytes(Path path) {
-    Place start = new Place(path.toString(), 1, 1);
-    if (Files.isDirectory(path)) {
-      throw start.error("is a folder, expected a scenario file (XML)");
-    }
-    try (InputStream in = Files.newInputStream(path)) {
+    try (InputStream in = TextLines.stream(path)) {
       byte[] bytes = Files.size(path) > MAX_BYTES ? null : in.readNBytes(MAX_BYTES + 1);
       if (bytes == null || bytes.length > MAX_BYTES) {
-        throw start.error("the file is too big, expected at most " + MAX_BYTES + " bytes");
+        throw new Place(path.toString(), 1, 1)
+            .error("the file is too big, expected at most " + MAX_BYTES + " bytes");
       }
       return bytes;
-    } catch (NoSuchFileException e) {
-      throw new InputException(start + ": no such file, expected a scenario file (XML)", e);
     } catch (IOException e) {
-      String reason = e instanceof FileSystemException fault ? fault.getReason() : null;
-      throw InputException.of(
-              "%s: cannot be read (%s), expected a scenario file (XML)",
-              start, reason == null ? e.getClass().getSimpleName() : reason)
-          .because(e);
+      throw TextLines.unreadable(path.toString(), 1, e);
     }
   }
 
@@ -88,6 +81,7 @@ final class XmlParser extends PlainXml {
     checkSize(element);
     if (root == null) {
       root = element;
+      text.encodedIn(encoding());
     } else {
       open.getLast().add(element);
     }
@@ -122,6 +116,11 @@ final class XmlParser extends PlainXml {
   protected InputException fault(SAXParseException e) {
     String words = String.valueOf(e.getMessage());
     Place place = place(e.getLineNumber(), e.getColumnNumber());
+    text.encodedIn(encoding());
+    Optional<InputException> undecodable = text.undecodable();
+    if (undecodable.isPresent()) {
+      return undecodable.get();
+    }
     if (words.contains(NO_DOCTYPE)) {
       return text.tag(place)
           .error("a document type declaration (<!DOCTYPE), expected a scenario without one");

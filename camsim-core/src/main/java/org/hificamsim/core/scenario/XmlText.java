@@ -1,16 +1,20 @@
 package org.hificamsim.core.scenario;
 
-import java.io.StringReader;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.Charset;
 import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.file.TextLines;
 
 /**
- * The characters of a scenario file, for finding places.
+ * The content of a scenario file, for finding places.
  *
  * <p>The parser reports where a start tag ends; since no attribute can hold {@code <}, the tag
  * begins at the last one before that. Only asked when there is something to report.
@@ -21,17 +25,45 @@ final class XmlText {
       Pattern.compile("\\s([^\\s=]+)\\s*=\\s*(?:\"[^\"]*\"|'[^']*')");
 
   private final String file;
-  private final String text;
+  private final byte[] bytes;
+  private final Consumer<String> warnings;
+  private Charset charset;
+  private String text;
   private int[] lines; // where each begins
 
-  XmlText(String file, String text) {
+  /**
+   * @param warnings takes one line for each thing that is odd
+   */
+  XmlText(String file, byte[] bytes, Consumer<String> warnings) {
     this.file = file;
-    this.text = text;
+    this.bytes = bytes;
+    this.warnings = warnings;
   }
 
-  /** The lines of a part of the file that begins in one of its lines, from 1. */
-  TextLines lines(String part, int firstLine) {
-    return new TextLines(file, new StringReader(part), firstLine);
+  /** Takes note of the encoding that the parser has found. */
+  void encodedIn(String encoding) {
+    charset = Charset.forName(encoding);
+  }
+
+  /** Reports something odd. */
+  void warn(String line) {
+    warnings.accept(line);
+  }
+
+  /** The first byte that is not in the encoding: the parser reads ahead, and names its block. */
+  Optional<InputException> undecodable() {
+    ByteBuffer in = ByteBuffer.wrap(bytes);
+    CharBuffer out = CharBuffer.allocate(bytes.length);
+    boolean wrong = charset.newDecoder().decode(in, out, true).isError();
+    text = withoutMark(out.flip().toString());
+    String problem = "byte 0x%02X is not %s, expected text in that encoding";
+    return wrong
+        ? Optional.of(at(text.length()).error(problem, bytes[in.position()], charset.name()))
+        : Optional.empty();
+  }
+
+  private static String withoutMark(String text) {
+    return text.startsWith("\uFEFF") ? text.substring(1) : text;
   }
 
   /** Where a tag begins that ends at a place. */
@@ -56,12 +88,13 @@ final class XmlText {
   }
 
   private int offset(Place place) {
+    int[] begins = lines();
     return Math.min(
-        lines()[Math.min(place.line(), lines().length) - 1] + place.column() - 1, text.length());
+        begins[Math.min(place.line(), begins.length) - 1] + place.column() - 1, text.length());
   }
 
   /** The place of a character, from 0; at most the text's length. */
-  Place at(int offset) {
+  private Place at(int offset) {
     int found = Arrays.binarySearch(lines(), offset);
     int line = found >= 0 ? found : -found - 2;
     return new Place(file, line + 1, offset - lines()[line] + 1);
@@ -69,6 +102,7 @@ final class XmlText {
 
   private int[] lines() {
     if (lines == null) {
+      text = text == null ? withoutMark(new String(bytes, charset)) : text;
       IntStream ends = LINE_END.matcher(text).results().mapToInt(MatchResult::end);
       lines = IntStream.concat(IntStream.of(0), ends).toArray();
     }

@@ -199,12 +199,12 @@ class XmlParserTest {
   @Test
   void aMissingFileAndAFolderAreRefused() {
     InputException missing =
-        assertThrows(InputException.class, () -> XmlParser.parse(folder.resolve("no.xml")));
+        assertThrows(InputException.class, () -> parsed(folder.resolve("no.xml")));
     assertTrue(
-        missing.getMessage().endsWith("no.xml:1:1: no such file, expected a scenario file (XML)"));
-    InputException directory = assertThrows(InputException.class, () -> XmlParser.parse(folder));
+        missing.getMessage().endsWith("no.xml:1:1: no such file, expected a file"));
+    InputException directory = assertThrows(InputException.class, () -> parsed(folder));
     assertTrue(
-        directory.getMessage().endsWith(":1:1: is a folder, expected a scenario file (XML)"));
+        directory.getMessage().endsWith(":1:1: is a folder, expected a file"));
   }
 
   private static void assertPlace(int line, int column, Place place) {
@@ -216,13 +216,17 @@ class XmlParserTest {
   }
 
   private XmlElement parse(String text, Charset charset) throws IOException {
-    return XmlParser.parse(Files.write(folder.resolve("test.xml"), text.getBytes(charset)));
+    return parsed(Files.write(folder.resolve("test.xml"), text.getBytes(charset)));
+  }
+
+  private static XmlElement parsed(Path file) {
+    return XmlParser.parse(file, warning -> {});
   }
 
   /** The error's line without the file's name. */
   private String fault(byte[] bytes) throws IOException {
     Path file = Files.write(folder.resolve("test.xml"), bytes);
-    String message = assertThrows(InputException.class, () -> XmlParser.parse(file)).getMessage();
+    String message = assertThrows(InputException.class, () -> parsed(file)).getMessage();
     return message.replace(file + ":", "");
   }
 }
