@@ -530,9 +530,14 @@ final class BrokenScenarios {
             StandardCharsets.ISO_8859_1,
             "byte 0xF6 is not UTF-8, expected text in that encoding"),
         encoding("UTF-9", "encoding=\"UTF-9\"?>@", "The encoding \"UTF-9\" is not known."),
-        encoding("no such?", "encoding=\"no such?@\"?>", "Invalid encoding name \"no such?\"."),
-        encoding("", "encoding=\"@\"?>", "Invalid encoding name \"\"."),
-        encoding("UTF-16", "encoding=\"UTF-16\"?>@", "Content is not allowed in prolog."),
+        encoding("no such?", "encoding=\"no such?\"?>@", "Invalid encoding name \"no such?\"."),
+        encoding("", "encoding=\"\"?>@", "Invalid encoding name \"\"."),
+        new BrokenScenario(
+            "UTF-8 that claims to be UTF-16",
+            "<?xml version=\"1.0\" encoding=\"UTF-16\"?><r/>\n".getBytes(StandardCharsets.UTF_8),
+            1,
+            40,
+            XML + "Content is not allowed in prolog."),
         new BrokenScenario(
             "a picture", picture(), 1, 1, "byte 0x89 is not UTF-8, expected text in that encoding"),
         new BrokenScenario(
