@@ -6,7 +6,6 @@ import static org.hificamsim.acceptance.BrokenScenario.text;
 import static org.hificamsim.acceptance.BrokenScenario.value;
 import static org.hificamsim.acceptance.BrokenScenario.without;
 
-import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;

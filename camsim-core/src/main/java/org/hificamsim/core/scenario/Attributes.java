@@ -123,7 +123,8 @@ final class Attributes<S> {
 
   private void warnOfUnknown(String name) {
     String value = Place.shortened(xml.attributes().get(name));
-    xml.warn(name, "unknown attribute %s=\"%s\" of <%s>, ignored".formatted(name, value, xml.name()));
+    xml.warn(
+        name, "unknown attribute %s=\"%s\" of <%s>, ignored".formatted(name, value, xml.name()));
   }
 
   private Stream<String> unknown() {

@@ -289,8 +289,7 @@ public final class ScenarioReader {
     Clearing clearing = new Clearing(scenario.obstacles());
     Map<String, OpticsSpec> optics = new OpticsReader().all(all(OpticsSpec.ELEMENT), faults);
     CameraReader cameraReader = new CameraReader(scenario, clearing, optics, agents);
-    TargetReader targetReader =
-        new TargetReader(scenario.field(), clearing, hasZooms(), movements);
+    TargetReader targetReader = new TargetReader(scenario.field(), clearing, hasZooms(), movements);
     EventReader eventReader = new EventReader(cameraReader, targetReader);
     List<CameraSpec> cameras =
         faults.each(all(CameraSpec.ELEMENT), xml -> cameraReader.camera(xml, CameraSpec.ELEMENT));

@@ -41,9 +41,7 @@ final class TracksReader {
       warn(element, tracks, track -> !isMet(track), "no step meets: they are shorter than a step");
       warn(element, tracks, track -> !track.staysIn(scenario.field()), "lead outside the field");
       List<ScenarioEvent> events = new ArrayList<>();
-      tracks.stream()
-          .filter(one -> isMet(one.track()))
-          .forEach(one -> addEvents(one, events));
+      tracks.stream().filter(one -> isMet(one.track())).forEach(one -> addEvents(one, events));
       return events;
     }
   }

@@ -200,11 +200,9 @@ class XmlParserTest {
   void aMissingFileAndAFolderAreRefused() {
     InputException missing =
         assertThrows(InputException.class, () -> parsed(folder.resolve("no.xml")));
-    assertTrue(
-        missing.getMessage().endsWith("no.xml:1:1: no such file, expected a file"));
+    assertTrue(missing.getMessage().endsWith("no.xml:1:1: no such file, expected a file"));
     InputException directory = assertThrows(InputException.class, () -> parsed(folder));
-    assertTrue(
-        directory.getMessage().endsWith(":1:1: is a folder, expected a file"));
+    assertTrue(directory.getMessage().endsWith(":1:1: is a folder, expected a file"));
   }
 
   private static void assertPlace(int line, int column, Place place) {
