@@ -33,7 +33,7 @@ start() {
     for word; do
         case ${1:-}:$word in
             *:parquet | *:--format=parquet) ;;
-            report:* | plot:*) [ -e "$word/steps.parquet" ] || continue ;;
+            report:*) [ -e "$word/steps.parquet" ] || continue ;;
             *) continue ;;
         esac
         part parquet

@@ -101,7 +101,7 @@ enum FuzzKind {
     @Override
     Cli read(Path file) throws IOException {
       Files.createDirectories(OUT);
-      for (String name : List.of("runs.jsonl", "shard.json", FileRecord.NAME)) {
+      for (String name : List.of("runs.jsonl", FileRecord.NAME)) {
         Files.copy(
             name.equals(file.getFileName().toString()) ? file : part().resolve(name),
             OUT.resolve(name));
@@ -117,7 +117,7 @@ enum FuzzKind {
   SHARD {
     @Override
     List<Path> made() throws IOException {
-      return List.of(part().resolve("runs.jsonl"), part().resolve("shard.json"));
+      return List.of(part().resolve("runs.jsonl"));
     }
 
     @Override
@@ -309,11 +309,11 @@ enum FuzzKind {
     return run(words.toArray());
   }
 
-  /** The page and the plot of a folder of results. */
+  /** The page and a picture of a folder of results. */
   private static Cli shown(Path folder) throws IOException {
     Files.createDirectories(OUT);
     Cli report = run("report", folder, "--out", OUT.resolve("a.html"));
-    return report.exit() == 0 ? run("plot", folder, "--out", OUT.resolve("a.svg")) : report;
+    return report.exit() == 0 ? run("report", folder, "--svg", OUT.resolve("a.svg")) : report;
   }
 
   private static Cli comparison(Path out, Object... more) throws IOException {

@@ -110,10 +110,10 @@ class MixedRunsTest {
     Files.writeString(model, MODEL.replace("WEIGHT", "2"));
     assertEquals(0, Cli.run(words(model, two, "--shard", "2/2")).exit());
     refused(
-        "'%s' is shard 1/2 of another comparison (another detection 'mine')".formatted(one),
+        "'%s' has runs of another detection 'mine'".formatted(one.resolve("runs.jsonl")),
         words(model, folder.resolve("merged"), "--merge", one, two));
     refused(
-        "holds shard 1/2 of another comparison (another detection 'mine')",
+        "has runs of another detection 'mine'",
         words(model, one, "--shard", "1/2", "--resume"));
   }
 

@@ -202,7 +202,6 @@ class OutputSafetyTest {
         "compare SCENARIO --steps 3 --repeat 1 --out DIR | results.csv",
         "compare SCENARIO --steps 3 --repeat 1 --out DIR | settings.json",
         "compare SCENARIO --steps 3 --repeat 1 --shard 1/2 --out DIR | runs.jsonl",
-        "plot RUN --out DIR/mine.svg | mine.svg",
         "report RUN --out DIR/mine.html | mine.html",
         "report RUN --png DIR/mine.png | mine.png",
         "report RUN --gif DIR/mine.gif --out DIR/b.html | mine.gif",
@@ -248,7 +247,6 @@ class OutputSafetyTest {
       delimiter = '|',
       value = {
         "generate DIR/mine.xml --force",
-        "plot RUN --out DIR/mine.svg --force",
         "report RUN --out DIR/mine.html --force",
         "report RUN --png DIR/mine.png --force",
         "camsim CAMSIM -t 3 -o DIR/o.csv --extra-out DIR/mine.csv --force",
@@ -275,7 +273,7 @@ class OutputSafetyTest {
   @ValueSource(
       strings = {
         "report RUN --out RUN/steps.csv --force",
-        "plot RUN --out RUN/steps.csv.svg --force",
+        "report RUN --svg RUN/steps.csv --force",
         "camsim DIR/in.xml -o DIR/in.xml",
         "camsim DIR/in.xml --for-camsim DIR/in.xml --force",
         "camsim DIR/in.xml -o DIR/o.csv --detection RUN/detection-hifi-orb-lin.json --extra-out"

@@ -23,7 +23,6 @@ import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
 import org.hificamsim.runs.compare.Shard;
-import org.hificamsim.runs.compare.ShardFolder;
 import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.InputFiles;
 import org.hificamsim.runs.output.ManifestFile;
@@ -163,8 +162,9 @@ final class BatchRun {
   private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
     List<RunTask> tasks = shard.tasks(all);
     try (OutputFolder folder = screen.folder(options.out());
-        Journal journal = ShardFolder.open(folder, shard, all, options.resume());
+        Journal journal = Journal.ofShard(folder, options.resume());
         Progress progress = progress(tasks.size())) {
+      folder.claim(List.of(ResultFolder.MANIFEST));
       warnOfDamage(journal);
       new JournalledEngine(engine, journal, progress).run(all, tasks, (task, run) -> {});
       manifest(folder, tasks.stream().mapToLong(task -> all.get(task.plan()).steps()).sum());

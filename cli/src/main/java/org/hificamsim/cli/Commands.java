@@ -19,7 +19,6 @@ final class Commands {
           SensitivityCommand.class,
           LadderCommand.class,
           TradeoffCommand.class,
-          PlotCommand.class,
           GenerateCommand.class,
           ImportCommand.class,
           PlaceCommand.class,

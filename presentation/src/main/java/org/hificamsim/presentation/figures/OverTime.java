@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
-import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
@@ -16,24 +15,8 @@ import org.knowm.xchart.XYChart;
 public final class OverTime {
   private static final int WIDTH = 470;
   private static final int HEIGHT = 300;
-  private static final int SINGLE_WIDTH = 620;
-  private static final int SINGLE_HEIGHT = 330;
 
   private OverTime() {}
-
-  /** The mean score of some runs, by step. */
-  public record Line(String label, double[] means) {}
-
-  /** One panel of lines; one named for a policy has that policy's colour. */
-  public static Figure figure(String title, Objective objective, String note, List<Line> lines) {
-    PolicyColors colors = new PolicyColors(lines.stream().map(Line::label).toList());
-    int steps = lines.stream().mapToInt(line -> line.means().length).max().orElseThrow();
-    double most = KMinPanel.ceiling(lines.stream().map(Line::means).toList());
-    KMinPanel panel = new KMinPanel("", objective, steps, most);
-    lines.forEach(line -> panel.raw(line.means(), colors.of(line.label())));
-    lines.forEach(line -> panel.smooth(line.label(), line.means(), colors.of(line.label())));
-    return new Figure(title, note, colors.legend(), List.of(panel), 1, SINGLE_WIDTH, SINGLE_HEIGHT);
-  }
 
   /** The figure of one scenario. */
   public static Figure figure(String title, List<CaseResult> cases) {

@@ -3,11 +3,11 @@ package org.hificamsim.presentation.figures;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Curve;
-import org.hificamsim.presentation.plot.Figure;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
@@ -18,9 +18,7 @@ class OverTimeTest {
     double[] peak = new double[1000];
     Arrays.fill(peak, 0.5);
     Arrays.fill(peak, 400, 405, 2.9);
-    Figure figure =
-        OverTime.figure("", Objective.kMin(), "", List.of(new OverTime.Line("sarsa", peak)));
-    XYChart chart = (XYChart) figure.panels().get(0);
+    XYChart chart = panel(peak);
     for (XYSeries series : chart.getSeriesMap().values()) {
       double most = Arrays.stream(series.getYData()).max().orElseThrow();
       assertTrue(most < chart.getStyler().getYAxisMax(), most + " is cut off");
@@ -40,11 +38,16 @@ class OverTimeTest {
     for (int steps : new int[] {5, 1000}) {
       double[] means = new double[steps];
       Arrays.setAll(means, i -> i % 2);
-      Figure figure =
-          OverTime.figure("", Objective.kMin(), "", List.of(new OverTime.Line("sarsa", means)));
-      XYChart chart = (XYChart) figure.panels().get(0);
-      List<Boolean> bent = chart.getSeriesMap().values().stream().map(XYSeries::isSmooth).toList();
+      List<Boolean> bent = panel(means).getSeriesMap().values().stream().map(XYSeries::isSmooth).toList();
       assertEquals(List.of(false, steps >= 20), bent);
     }
+  }
+
+  private static KMinPanel panel(double[] means) {
+    double most = KMinPanel.ceiling(List.of(means));
+    KMinPanel panel = new KMinPanel("", Objective.kMin(), means.length, most);
+    panel.raw(means, Color.BLUE);
+    panel.smooth("sarsa", means, Color.BLUE);
+    return panel;
   }
 }

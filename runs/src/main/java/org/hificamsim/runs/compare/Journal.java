@@ -26,6 +26,8 @@ public final class Journal implements Closeable {
   /** The file's name in the folder of a comparison. */
   public static final String NAME = ".compare.journal";
 
+  private static final String RUNS = "runs.jsonl";
+
   private static final int MAX_LINE = 1 << 28; // bytes
   private static final int CHUNK = 1 << 16; // bytes
 
@@ -69,8 +71,31 @@ public final class Journal implements Closeable {
     return journal;
   }
 
-  /** Opens a journal to read it. */
-  static Journal read(Path file) throws IOException {
+  /**
+   * Opens the journal of a shard to add to.
+   *
+   * @param resume whether runs found there count; otherwise there may be none
+   * @throws InputException when there is one that would be replaced
+   */
+  public static Journal ofShard(OutputFolder folder, boolean resume) throws IOException {
+    Path file = folder.path().resolve(RUNS);
+    if (!resume && Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+      throw InputException.of(
+          "'%s' would be replaced: expected another folder, or --resume to keep its runs", file);
+    }
+    return open(folder, RUNS, resume);
+  }
+
+  /**
+   * Opens the journal of a shard to read it.
+   *
+   * @throws InputException when it is missing
+   */
+  static Journal ofShard(Path folder) throws IOException {
+    Path file = folder.resolve(RUNS);
+    if (!Files.isRegularFile(file)) {
+      throw InputException.of("no file '%s', expected what --shard writes", file);
+    }
     Journal journal = new Journal(file, FileChannel.open(file));
     journal.index();
     return journal;
@@ -129,24 +154,19 @@ public final class Journal implements Closeable {
    * @throws InputException naming the input that has changed
    */
   void requireUnchanged(List<RunKey> keys) {
-    changed(keys)
-        .ifPresent(
-            input -> {
-              throw InputException.of(
-                  "'%s' has runs of another %s, expected the same to --resume; without it, all"
-                      + " runs are done again",
-                  file, input);
-            });
-  }
-
-  /** The input that has another content than for the runs here, if there is one. */
-  Optional<String> changed(List<RunKey> keys) {
-    return lines.keySet().stream()
+    lines.keySet().stream()
         .map(JournalLine::plan)
         .distinct()
         .map(RunKey::read)
         .flatMap(found -> keys.stream().flatMap(key -> key.changed(found).stream()))
-        .findFirst();
+        .findFirst()
+        .ifPresent(
+            input -> {
+              throw InputException.of(
+                  "'%s' has runs of another %s, expected the same to --resume or --merge; without"
+                      + " it, all runs are done again",
+                  file, input);
+            });
   }
 
   /** The result of a run that was finished before. */

@@ -9,8 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.scenario.Scenario;
@@ -87,13 +85,6 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
       }
     }
     return settings;
-  }
-
-  /** A digest of the keys of all runs of a comparison. */
-  static String comparison(List<RunPlan> plans) {
-    Stream<String> keys = of(plans).stream().map(RunKey::text);
-    Stream<String> seeds = plans.stream().map(plan -> plan.seed() + " " + plan.repeats());
-    return Sha256.of(bytes(Stream.concat(keys, seeds).collect(Collectors.joining("\n"))));
   }
 
   /** The key of a text; one of an unknown version where it is none of ours. */

@@ -25,15 +25,11 @@ public record Shard(int number, int of) {
     Matcher form = FORM.matcher(text);
     if (form.matches()) {
       Shard shard = new Shard(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
-      if (isOne(shard.number, shard.of)) {
+      if (shard.number >= 1 && shard.number <= shard.of) {
         return shard;
       }
     }
     throw InputException.of("--shard is '%s', expected i/n with i from 1 to n, such as 3/8", text);
-  }
-
-  static boolean isOne(int number, int of) {
-    return number >= 1 && number <= of;
   }
 
   /**
