@@ -113,8 +113,7 @@ class MixedRunsTest {
         "'%s' has runs of another detection 'mine'".formatted(one.resolve("runs.jsonl")),
         words(model, folder.resolve("merged"), "--merge", one, two));
     refused(
-        "has runs of another detection 'mine'",
-        words(model, one, "--shard", "1/2", "--resume"));
+        "has runs of another detection 'mine'", words(model, one, "--shard", "1/2", "--resume"));
   }
 
   @Test

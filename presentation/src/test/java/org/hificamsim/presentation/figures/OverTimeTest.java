@@ -38,7 +38,8 @@ class OverTimeTest {
     for (int steps : new int[] {5, 1000}) {
       double[] means = new double[steps];
       Arrays.setAll(means, i -> i % 2);
-      List<Boolean> bent = panel(means).getSeriesMap().values().stream().map(XYSeries::isSmooth).toList();
+      List<Boolean> bent =
+          panel(means).getSeriesMap().values().stream().map(XYSeries::isSmooth).toList();
       assertEquals(List.of(false, steps >= 20), bent);
     }
   }
