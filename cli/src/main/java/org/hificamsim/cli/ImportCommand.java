@@ -56,10 +56,9 @@ final class ImportCommand implements Callable<Integer> {
     List<Obstacle> walls = site.walls(recording.unitOf(format), projection);
     SiteSettings around = site.settings(name, file, walls);
     TrackSettings settings = recording.settings();
-    try (TracksImport tracks =
-            new TracksImport(
-                reader, recording.recording(file), recording.homography(), projection);
-        OutputFolder folder = Destination.folder(spec, out)) {
+    TracksImport tracks =
+        new TracksImport(reader, recording.recording(file), recording.homography(), projection);
+    try (OutputFolder folder = Destination.folder(spec, out)) {
       ImportSummary found = tracks.write(settings, new Obstacles(walls), folder, name + ".tracks");
       TrackedSite made = new TrackedSite(around, found);
       write(folder, name, made);

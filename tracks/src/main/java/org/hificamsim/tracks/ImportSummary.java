@@ -3,18 +3,23 @@ package org.hificamsim.tracks;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.tracks.Collector.TargetRecord;
-import org.hificamsim.tracks.Jumps.Speeds;
+import org.hificamsim.tracks.RecordedTarget.Sample;
 
 /** What an import found: extent in time and place, speeds, gaps, and what is odd. */
 public final class ImportSummary {
   private static final MathContext FOUR = new MathContext(4);
+  private static final String JUMP = "target %s jumps %s m before %s s, %s m/s";
+  private static final double ODD = 5;
+  private static final double LEAST = 0.1; // m/s: of targets that all stand
+  private static final double STEP = 0.01; // m/s
+  private static final int NAMED = 3; // jumps that are listed one by one
 
   private final Collector collected;
   private final double interval;
@@ -24,12 +29,16 @@ public final class ImportSummary {
   private final DoubleSummaryStatistics xs = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics ys = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics gaps = new DoubleSummaryStatistics();
-  private final Speeds speeds = new Speeds();
-  private final Jumps jumps = new Jumps();
+  private final DoubleStream.Builder allSpeeds = DoubleStream.builder();
+  private double[] speeds; // sorted, once they are all there
+  private final List<Way> fast = new ArrayList<>();
   private int targets;
   private int single;
   private long blocked; // ways between two samples
   private String firstBlocked = "";
+
+  /** The way between two samples of a target, which ends at a time; metres, metres per second. */
+  private record Way(String target, double time, double length, double speed) {}
 
   /**
    * @param interval between most samples of a target, seconds
@@ -43,41 +52,87 @@ public final class ImportSummary {
     this.obstacles = obstacles;
   }
 
-  /** Adds a sample. */
-  void sample(double time, double x, double y) {
-    times.accept(time);
-    xs.accept(x);
-    ys.accept(y);
-  }
-
-  /** Adds the way between two samples of a target, which ends at this time. */
-  void leg(TargetRecord target, double time, double duration, Point from, Point to) {
-    double way = Math.hypot(to.x() - from.x(), to.y() - from.y());
-    if (!obstacles.isEmpty()
-        && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
-        && blocked++ == 0) {
-      firstBlocked = "target " + target.name() + " at " + time + " s";
+  /**
+   * Adds a target, the next one of the recording.
+   *
+   * @param tracks of it, perhaps none
+   */
+  void add(String target, List<List<Sample>> tracks) {
+    Sample last = null;
+    int samples = 0;
+    for (List<Sample> track : tracks) {
+      if (last != null) {
+        gaps.accept(track.get(0).time() - last.time());
+      }
+      for (Sample sample : track) {
+        times.accept(sample.time());
+        xs.accept(sample.x());
+        ys.accept(sample.y());
+      }
+      addWays(target, track);
+      samples += track.size();
+      last = track.get(track.size() - 1);
     }
-    double speed = way / duration;
-    speeds.add(speed);
-    jumps.add(new Jumps.Leg(target.name(), time, way, speed));
+    targets += samples > 0 ? 1 : 0;
+    single += samples == 1 ? 1 : 0;
   }
 
-  /** Adds a time between two samples that ends a track, seconds. */
-  void gap(double duration) {
-    jumps.endTrack();
-    gaps.accept(duration);
+  private void addWays(String target, List<Sample> track) {
+    List<Way> ways = new ArrayList<>();
+    for (int i = 1; i < track.size(); i++) {
+      Sample from = track.get(i - 1);
+      Sample to = track.get(i);
+      double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
+      double speed = length / (to.time() - from.time());
+      ways.add(new Way(target, to.time(), length, speed));
+      allSpeeds.add(speed);
+      if (!obstacles.isEmpty()
+          && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
+          && blocked++ == 0) {
+        firstBlocked = "target " + target + " at " + to.time() + " s";
+      }
+    }
+    for (int i = 0; i < ways.size(); i++) {
+      if (ways.get(i).speed > ODD * slowerAround(ways, i)) {
+        fast.add(ways.get(i));
+      }
+    }
+  }
+
+  /** The speed of the slower of the ways before and after one; 0 where there are none. */
+  private static double slowerAround(List<Way> ways, int i) {
+    return Stream.of(i - 1, i + 1)
+        .filter(other -> other >= 0 && other < ways.size())
+        .mapToDouble(other -> ways.get(other).speed)
+        .min()
+        .orElse(0);
+  }
+
+  /** The speed that this part of all is not above, to the centimetre; NaN where there is none. */
+  double quantile(double part) {
+    speeds = speeds == null ? allSpeeds.build().sorted().toArray() : speeds;
+    int last = (int) Math.ceil(part * speeds.length) - 1;
+    return speeds.length == 0 ? Double.NaN : Math.rint(speeds[Math.max(0, last)] / STEP) * STEP;
   }
 
   /**
-   * Ends a target.
-   *
-   * @param samples how many of it were written
+   * Where targets jump: ways that are five times as fast as the slower of the ways before and after
+   * them, and as three quarters of all ways. A car that drives on is fast and does not jump.
    */
-  void endTarget(long samples) {
-    jumps.endTrack();
-    targets += samples > 0 ? 1 : 0;
-    single += samples == 1 ? 1 : 0;
+  private List<String> jumps() {
+    double usual = quantile(0.75);
+    double limit = ODD * Math.max(LEAST, Double.isNaN(usual) ? 0 : usual);
+    List<Way> jumps = fast.stream().filter(way -> way.speed > limit).toList();
+    List<String> lines = new ArrayList<>();
+    if (!jumps.isEmpty()) {
+      lines.add(line("%s jumps, faster than %s m/s", jumps.size(), limit));
+      jumps.stream()
+          .sorted(Comparator.comparingDouble(Way::speed).reversed())
+          .limit(NAMED)
+          .map(way -> line(JUMP, way.target, way.length, way.time, way.speed))
+          .forEach(lines::add);
+    }
+    return lines;
   }
 
   /** How many targets. */
@@ -117,7 +172,7 @@ public final class ImportSummary {
 
   /** What is odd, in lines. */
   List<String> odd() {
-    List<String> odd = new ArrayList<>(jumps.lines(speeds.quantile(0.75)));
+    List<String> odd = jumps();
     if (single > 0) {
       odd.add(single + " targets with one sample alone");
     }
@@ -145,7 +200,7 @@ public final class ImportSummary {
     lines.add(
         line(
             "speeds: a quarter up to %s m/s, half up to %s, three quarters up to %s",
-            speeds.quantile(0.25), speeds.quantile(0.5), speeds.quantile(0.75)));
+            quantile(0.25), quantile(0.5), quantile(0.75)));
     lines.add(
         gaps.getCount() == 0
             ? line("no gap longer than %s s", gap)
@@ -169,7 +224,7 @@ public final class ImportSummary {
   }
 
   /** Four digits, without an exponent or zeros at the end. */
-  static String rounded(double value) {
+  private static String rounded(double value) {
     if (!Double.isFinite(value)) {
       return "-";
     }

@@ -1,31 +1,28 @@
 package org.hificamsim.tracks;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.Writer;
+import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.Extent;
 import org.hificamsim.core.scenario.TrackWriter;
-import org.hificamsim.tracks.Collector.TargetRecord;
+import org.hificamsim.tracks.RecordedTarget.Sample;
 import org.hificamsim.tracks.format.Recording;
 import org.hificamsim.tracks.format.TrackFormat;
 import org.hificamsim.tracks.ground.Ground;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
 
-/**
- * A recording of any size, read once and checked, its samples stored by target, to be written as a
- * file of tracks. Memory grows with the number of targets, not with that of samples.
- */
-public final class TracksImport implements Closeable {
+/** A recording, read and checked, to be written as a file of tracks. */
+public final class TracksImport {
   /** Seconds a sample may be off the interval and be put there. */
   private static final double SLACK = 1e-6;
 
   private final Recording recording;
-  private final SampleStore store = new SampleStore();
   private final Collector collector;
-  private double secondsPerTick;
+  private final double secondsPerTick;
 
   /**
    * Reads a recording.
@@ -37,17 +34,11 @@ public final class TracksImport implements Closeable {
       TrackFormat format,
       Recording recording,
       Optional<Homography> homography,
-      LocalProjection projection)
-      throws IOException {
+      LocalProjection projection) {
     this.recording = recording;
-    collector = new Collector(store, unit -> Ground.of(unit, homography, projection));
-    try {
-      secondsPerTick = format.read(recording, collector).secondsPerTick(collector.spacing());
-      requireSome(!collector.targets().isEmpty());
-    } catch (RuntimeException e) {
-      close();
-      throw e;
-    }
+    collector = new Collector(unit -> Ground.of(unit, homography, projection));
+    secondsPerTick = format.read(recording, collector).secondsPerTick(collector.spacing());
+    requireSome(!collector.targets().isEmpty());
   }
 
   /**
@@ -64,30 +55,45 @@ public final class TracksImport implements Closeable {
     double interval = Math.max(SLACK, Math.rint(collector.spacing() * secondsPerTick * 1e6) / 1e6);
     double gap = settings.gap().orElse(3 * interval);
     ImportSummary summary = new ImportSummary(collector, interval, gap, obstacles);
+    double first = collector.firstTick();
     boolean ownNames = collector.ownNames();
+    int count = 0;
     try (Writer out = folder.open(name)) {
       TrackWriter writer = new TrackWriter(out, interval, SLACK);
-      for (TargetRecord target : collector.targets()) {
-        double number = ownNames ? Double.parseDouble(target.name()) : target.number() + 1;
-        TrackMaker maker = new TrackMaker(settings, writer, target, number, summary);
-        store.each(
-            target.number(),
-            (tick, x, y) -> maker.sample((tick - collector.firstTick()) * secondsPerTick, x, y));
-        maker.end();
+      for (RecordedTarget target : collector.targets()) {
+        count++;
+        List<List<Sample>> tracks = target.tracks(first, secondsPerTick, settings, gap);
+        double number = ownNames ? Double.parseDouble(target.name()) : count;
+        write(writer, number, target.extent().or(settings::extent), settings.size(), tracks);
+        summary.add(target.name(), tracks);
       }
     }
     requireSome(summary.samples() > 0);
     return summary;
   }
 
+  private static void write(
+      TrackWriter writer,
+      double number,
+      Optional<Extent> extent,
+      double size,
+      List<List<Sample>> tracks)
+      throws IOException {
+    for (List<Sample> track : tracks) {
+      if (extent.isPresent()) {
+        writer.target(number, extent.get());
+      } else {
+        writer.target(number, size);
+      }
+      for (Sample sample : track) {
+        writer.sample(sample.time(), sample.x(), sample.y());
+      }
+    }
+  }
+
   private void requireSome(boolean some) {
     if (!some) {
       throw recording.missing("samples of targets; the file, or what is cut from it, has none");
     }
-  }
-
-  @Override
-  public void close() throws IOException {
-    store.close();
   }
 }

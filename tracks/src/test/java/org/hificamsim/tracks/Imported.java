@@ -80,13 +80,10 @@ final class Imported {
     Recording recording = new Recording(file, rate, unit, columns);
     TrackSettings settings =
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
-    try (TracksImport read =
-            new TracksImport(
-                TrackFormat.registry().create(format),
-                recording,
-                homography,
-                new LocalProjection());
-        OutputFolder out = new OutputFolder(folder)) {
+    TracksImport read =
+        new TracksImport(
+            TrackFormat.registry().create(format), recording, homography, new LocalProjection());
+    try (OutputFolder out = new OutputFolder(folder)) {
       ImportSummary found = read.write(settings, new Obstacles(walls), out, "made.tracks");
       out.commit(List.of());
       return found;

@@ -10,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.Reference;
 import org.hificamsim.core.scenario.Field;
@@ -72,27 +71,21 @@ class TracksImportTest {
 
   @Test
   void aPartOfAllSpeedsIsNotAboveTheirQuantile() {
-    Jumps.Speeds speeds = new Jumps.Speeds();
-    assertEquals(Double.NaN, speeds.quantile(0.5));
-    for (double speed : new double[] {0, 1, 2, 5000}) {
-      speeds.add(speed);
-    }
+    ImportSummary found =
+        new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 0 0\n2 1 1 0\n3 1 3 0\n4 1 5003 0");
     double[] quantiles = {0, 0.25, 0.26, 0.5, 0.75, 1};
-    double[] expected = {0, 0, 1, 1, 2, 1000};
+    double[] expected = {0, 0, 1, 1, 2, 5000};
     for (int i = 0; i < quantiles.length; i++) {
-      assertEquals(expected[i], speeds.quantile(quantiles[i]), 1e-9);
+      assertEquals(expected[i], found.quantile(quantiles[i]), 1e-9);
     }
-    assertEquals(4, speeds.above(-1));
-    assertEquals(3, speeds.above(0));
-    assertEquals(1, speeds.above(2));
-    assertEquals(0, speeds.above(1000));
+    assertEquals(Double.NaN, new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n").quantile(0.5));
   }
 
   @Test
   void aWayIsAJumpBesideTheSlowerOfThoseAroundItInItsOwnTrack() {
     assertEquals(List.of(), jumps(1, 5, 1)); // five times as fast is none
     assertEquals(
-        List.of("1 jumps, faster than 5 m/s", "target a jumps 6 m before 2 s, 6 m/s"),
+        List.of("1 jumps, faster than 5 m/s", "target 1 jumps 6 m before 2 s, 6 m/s"),
         jumps(1, 6, 1));
     assertEquals(2, jumps(9, 1).size()); // at the start, and 9 m/s among the others is odd
     assertEquals(2, jumps(1, 9).size());
@@ -100,17 +93,19 @@ class TracksImportTest {
     assertEquals(4, jumps(1, 6, 1, 7, 1, 8, 1, 9, 1).size()); // four, of which three are named
   }
 
-  /** Of a track with these speeds, a way each second, between two slow ones. */
-  private static List<String> jumps(double... speeds) {
-    Jumps jumps = new Jumps();
-    jumps.add(new Jumps.Leg("b", 1, 0.01, 0.01));
-    jumps.endTrack();
-    for (int i = 0; i < speeds.length; i++) {
-      jumps.add(new Jumps.Leg("a", i + 1, speeds[i], speeds[i]));
+  /** Of a track with these speeds, a way each second, among others of 1 m/s, two of them slow. */
+  private List<String> jumps(double... speeds) {
+    StringBuilder text = new StringBuilder("0 2 0 1\n1 2 0.01 1\n0 3 0 2\n1 3 0.01 2\n");
+    for (int frame = 0; frame < 40; frame++) {
+      text.append(frame + " 4 " + frame + " 3\n");
     }
-    jumps.endTrack();
-    jumps.add(new Jumps.Leg("b", 1, 0.01, 0.01));
-    return jumps.lines(1);
+    double x = 0;
+    text.append("0 1 0 0\n");
+    for (int i = 0; i < speeds.length; i++) {
+      x += speeds[i];
+      text.append(i + 1 + " 1 " + x + " 0\n");
+    }
+    return new Imported(folder).rate(1).of("ethucy", text.toString()).odd();
   }
 
   @Test
@@ -162,30 +157,6 @@ class TracksImportTest {
     Imported imported = new Imported(folder).rate(1);
     imported.ofFile("ethucy", file);
     assertEquals("target 1 size 0.66;0 2 3;", imported.tracks());
-  }
-
-  @Test
-  void samplesThatAreNotKeptInMemoryComeBackInTheirOrder() throws IOException {
-    SplittableRandom random = new SplittableRandom(5);
-    int[] ticks = new int[20];
-    try (SampleStore store = new SampleStore()) {
-      for (int i = 0; i < 20_000; i++) {
-        int target = i < ticks.length ? i : random.nextInt(ticks.length - 2); // two have one sample
-        store.add(target, ticks[target]++, target, -i);
-      }
-      for (int target = 0; target < ticks.length; target++) {
-        int number = target;
-        int[] seen = {0};
-        store.each(
-            target,
-            (tick, x, y) -> {
-              assertEquals(seen[0]++, tick);
-              assertEquals(number, x);
-            });
-        assertEquals(ticks[target], seen[0]);
-        assertTrue(target >= 18 || seen[0] > 5 * SampleStore.BLOCK, "blocks of " + target);
-      }
-    }
   }
 
   @Test
