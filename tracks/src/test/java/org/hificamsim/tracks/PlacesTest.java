@@ -116,20 +116,35 @@ class PlacesTest {
         walls("a.svg", svg, Unit.M));
   }
 
+  @Test
+  void curvesOfADrawingAreChords() {
+    List<Obstacle> walls =
+        walls("a.svg", "<svg height='100'><path d='M0,0 a20,20 0 0 1 20,20'/></svg>", Unit.M);
+    assertTrue(walls.size() >= 4, walls::toString);
+    Obstacle.Wall first = (Obstacle.Wall) walls.get(0);
+    Obstacle.Wall last = (Obstacle.Wall) walls.get(walls.size() - 1);
+    assertEquals(List.of(10.0, 70.0), List.of(first.x1(), first.y1()));
+    assertEquals(List.of(20.0, 60.0), List.of(last.x2(), last.y2()));
+    for (Obstacle one : walls) {
+      Obstacle.Wall wall = (Obstacle.Wall) one;
+      double middleX = (wall.x1() + wall.x2()) / 2;
+      double middleY = (wall.y1() + wall.y2()) / 2;
+      assertEquals(10, Math.hypot(middleX - 10, middleY - 60), 0.03, wall::toString);
+    }
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
-        "a.svg|<svg height='10'><path d='M0,0 C1,1 2,2 3,3'/></svg>|<path> has the command C,"
-            + " expected straight ones",
         "a.svg|<svg><line/></svg>|<svg without viewBox> has no height",
         "a.svg|<svg height='10'><g transform='turn(3)'/></svg>|<g> transform is 'turn(3)'",
         "a.svg|<svg height='10'><polygon points='1 2 3'/></svg>|<polygon> points is '1 2 3'",
-        "a.svg|<svg height='10'><polyline points='1 2e9'/></svg>|<polyline> points is '1 2e9'",
-        "a.svg|<svg height='10'><line x1='9e8' transform='scale(2)'/></svg>|a point is at 1.8E9",
-        "a.svg|<svg height='10'><path d='L1'/></svg>|<path> has the command L",
-        "a.svg|<svg height='10'><path d='M0,0 h1 ?'/></svg>|<path> has the command h",
-        "a.svg|<svg height='10 10'/>|<svg> height is '10 10'",
+        "a.svg|<svg height='10'><polyline points='1 4e9'/></svg>|a point is at 10.5, -1.9",
+        "a.svg|<svg height='10'><line x1='9e8' transform='scale(4)'/></svg>|a point is at 1.8",
+        "a.svg|<svg height='10'><path d='L1'/></svg>|<path> d is 'L1'",
+        "a.svg|<svg height='10'><path d='M0,0 h1 ?'/></svg>|<path> d is 'M0,0 h1 ?'",
+        "a.svg|<svg height='10 10'/>|<svg without viewBox> height is '10 10'",
         "a.svg|<svg viewBox='0 0 9'/>|<svg> viewBox is '0 0 9'",
         "a.xml|<T><Line x1='1' y1='1' x2='NaN' y2='2'/></T>|:1:41: <Line> x2 is 'NaN', expected",
         "a.xml|<T><Line x1='1'|cut off",

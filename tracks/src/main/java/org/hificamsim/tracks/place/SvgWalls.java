@@ -1,25 +1,36 @@
 package org.hificamsim.tracks.place;
 
+import java.awt.Shape;
 import java.awt.geom.AffineTransform;
+import java.awt.geom.FlatteningPathIterator;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.PathIterator;
+import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+import java.io.StringReader;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
 import java.util.Set;
-import org.hificamsim.core.InputException;
+import org.apache.batik.parser.AWTPathProducer;
+import org.apache.batik.parser.AWTPolygonProducer;
+import org.apache.batik.parser.AWTPolylineProducer;
+import org.apache.batik.parser.AWTTransformProducer;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.PlainXml;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
-import org.hificamsim.tracks.place.SvgText.SvgPath;
 import org.xml.sax.Attributes;
 
 /**
- * The lines of an SVG: {@code line}, {@code polyline}, {@code polygon}, {@code rect}, and {@code
- * path} of straight parts, moved as {@code transform} says. Polygons and rectangles are solid.
+ * The lines of an SVG: {@code line}, {@code polyline}, {@code polygon}, {@code rect} and {@code
+ * path}, moved as {@code transform} says; of curves, chords. Polygons and rectangles are solid.
  * Their {@code data-height} is a height in metres. What only describes ({@code defs}, {@code
  * symbol}, ...) is left out.
  */
@@ -27,16 +38,18 @@ final class SvgWalls extends PlainXml {
   private static final Set<String> HIDDEN =
       Set.of("defs", "symbol", "clipPath", "mask", "marker", "pattern");
 
+  private static final Set<String> SOLID = Set.of("polygon", "rect");
+
   /** Metres, whatever the scale. */
   private static final String HEIGHT = "data-height";
+
+  /** How far a chord may be off its curve, metres. */
+  private static final double FLATNESS = 0.02;
 
   private final Path file;
   private final PictureFrame frame;
   private final WallCollector walls = new WallCollector(Unit.M, new LocalProjection());
-  private final Deque<AffineTransform> transforms = new ArrayDeque<>();
-  private double minX;
-  private double minY;
-  private double height = Double.NaN;
+  private final Deque<AffineTransform> transforms = new ArrayDeque<>(); // to metres
   private int hidden;
 
   SvgWalls(Path file, PictureFrame frame) {
@@ -54,22 +67,19 @@ final class SvgWalls extends PlainXml {
   public void startElement(String uri, String local, String qualified, Attributes attributes) {
     String name = plain(qualified);
     hidden += HIDDEN.contains(name) ? 1 : 0;
-    if (transforms.isEmpty()) {
-      if (!name.equals("svg")) {
-        throw place().error("the drawing is a <" + Place.shortened(name) + ">, expected an <svg>");
-      }
-      size(attributes);
+    if (transforms.isEmpty() && !name.equals("svg")) {
+      throw place().error("the drawing is a <" + Place.shortened(name) + ">, expected an <svg>");
     }
     AffineTransform transform =
-        transforms.isEmpty() ? new AffineTransform() : new AffineTransform(transforms.peek());
-    String own = attributes.getValue("transform");
-    if (own != null) {
-      transform.concatenate(SvgText.transform(own, () -> invalid(name, "transform", own)));
+        transforms.isEmpty() ? toMetres(attributes) : new AffineTransform(transforms.peek());
+    if (attributes.getValue("transform") != null) {
+      transform.concatenate(
+          parsed(attributes, name, "transform", AWTTransformProducer::createAffineTransform));
     }
     transforms.push(transform);
     if (hidden == 0) {
       int first = walls.count();
-      shape(name, attributes);
+      add(shape(name, attributes), SOLID.contains(name));
       if (attributes.getValue(HEIGHT) != null) {
         walls.raise(place(), first, number(attributes, name, HEIGHT));
       }
@@ -87,92 +97,116 @@ final class SvgWalls extends PlainXml {
   }
 
   /** The drawing's lower edge is where its view box ends, or its height. */
-  private void size(Attributes attributes) {
-    String box = attributes.getValue("viewBox");
-    if (box != null) {
-      double[] numbers = SvgText.numbers(box);
-      if (numbers.length != 4) {
-        throw invalid("svg", "viewBox", box);
-      }
-      minX = numbers[0];
-      minY = numbers[1];
-      height = numbers[3];
+  private AffineTransform toMetres(Attributes attributes) {
+    double[] box = {0, 0, 0, 0};
+    if (attributes.getValue("viewBox") != null) {
+      box = parsed(attributes, "svg", "viewBox", text -> numbers(text, 4));
     } else {
-      String text = text(attributes, "svg without viewBox", "height");
-      double[] numbers = SvgText.numbers(text.replaceFirst("(px)?\\s*$", ""));
-      if (numbers.length != 1) {
-        throw invalid("svg", "height", text);
-      }
-      height = numbers[0];
+      String element = "svg without viewBox";
+      box[3] =
+          parsed(attributes, element, "height", text -> numbers(text.replaceFirst("px$", ""), 1))[
+              0];
+    }
+    AffineTransform transform = new AffineTransform();
+    transform.translate(frame.x(), frame.y());
+    transform.scale(frame.scale(), -frame.scale());
+    transform.translate(-box[0], -(box[1] + box[3]));
+    return transform;
+  }
+
+  private static double[] numbers(String text, int count) {
+    double[] numbers =
+        Arrays.stream(text.strip().split("[\\s,]+")).mapToDouble(Double::parseDouble).toArray();
+    if (numbers.length != count) {
+      throw new NumberFormatException(text);
+    }
+    return numbers;
+  }
+
+  /** Reads an attribute. */
+  private interface Parser<T> {
+    T parsed(String text) throws IOException;
+  }
+
+  private <T> T parsed(Attributes attributes, String element, String name, Parser<T> parser) {
+    String text = text(attributes, element, name);
+    try {
+      return parser.parsed(text);
+    } catch (IOException | RuntimeException e) { // Batik throws what it likes
+      throw place().invalid("<" + element + "> " + name, text, "as SVG has it");
     }
   }
 
-  private InputException invalid(String element, String attribute, String value) {
-    return place().invalid("<" + element + "> " + attribute, value, "as SVG has it");
-  }
-
-  private void shape(String name, Attributes attributes) {
-    switch (name) {
+  /** What an element draws; nothing for one that is no shape. */
+  private Shape shape(String name, Attributes attributes) {
+    int rule = PathIterator.WIND_NON_ZERO;
+    return switch (name) {
       case "line" ->
-          walls.line(
-              List.of(
-                  point(of(attributes, "x1"), of(attributes, "y1")),
-                  point(of(attributes, "x2"), of(attributes, "y2"))));
-      case "polyline" -> walls.line(points(name, text(attributes, name, "points")));
-      case "polygon" -> walls.ring(points(name, text(attributes, name, "points")));
-      case "rect" -> rectangle(attributes);
-      case "path" -> path(text(attributes, name, "d"));
-      default -> {}
-    }
+          new Line2D.Double(
+              of(attributes, "x1"),
+              of(attributes, "y1"),
+              of(attributes, "x2"),
+              of(attributes, "y2"));
+      case "rect" ->
+          new Rectangle2D.Double(
+              of(attributes, "x"),
+              of(attributes, "y"),
+              of(attributes, "width"),
+              of(attributes, "height"));
+      case "polyline" ->
+          parsed(
+              attributes,
+              name,
+              "points",
+              text -> AWTPolylineProducer.createShape(new StringReader(text), rule));
+      case "polygon" ->
+          parsed(
+              attributes,
+              name,
+              "points",
+              text -> AWTPolygonProducer.createShape(new StringReader(text), rule));
+      case "path" ->
+          parsed(
+              attributes,
+              name,
+              "d",
+              text -> AWTPathProducer.createShape(new StringReader(text), rule));
+      default -> new Path2D.Double();
+    };
   }
 
   private double of(Attributes attributes, String name) {
     return attributes.getValue(name) == null ? 0 : number(attributes, "shape", name);
   }
 
+  private void add(Shape shape, boolean solid) {
+    List<Point> part = new ArrayList<>();
+    double[] at = new double[6];
+    PathIterator path =
+        new FlatteningPathIterator(shape.getPathIterator(transforms.peek()), FLATNESS);
+    for (; !path.isDone(); path.next()) {
+      int segment = path.currentSegment(at);
+      if (segment == PathIterator.SEG_MOVETO) {
+        add(part, solid);
+        part.clear();
+      }
+      part.add(segment == PathIterator.SEG_CLOSE ? part.get(0) : point(at[0], at[1]));
+    }
+    add(part, solid);
+  }
+
+  private void add(List<Point> part, boolean solid) {
+    if (solid) {
+      walls.ring(part);
+    } else {
+      walls.line(part);
+    }
+  }
+
   private Point point(double x, double y) {
-    double[] at = {x, y};
-    transforms.peek().transform(at, 0, at, 0, 1);
-    if (!(Math.abs(at[0]) <= 1e9 && Math.abs(at[1]) <= 1e9)) {
-      throw place()
-          .error("a point is at %s, %s, expected numbers from -1e9 to 1e9".formatted(at[0], at[1]));
+    if (!(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) {
+      throw place().error("a point is at %s, %s, expected numbers from -1e9 to 1e9", x, y);
     }
-    return WallCollector.rounded(
-        frame.x() + (at[0] - minX) * frame.scale(),
-        frame.y() + (minY + height - at[1]) * frame.scale());
-  }
-
-  private List<Point> points(String name, String text) {
-    double[] numbers = SvgText.numbers(text);
-    if (numbers.length % 2 == 1 || (numbers.length == 0 && !text.isBlank())) {
-      throw invalid(name, "points", text);
-    }
-    List<Point> points = new ArrayList<>();
-    for (int i = 0; i < numbers.length; i += 2) {
-      points.add(point(numbers[i], numbers[i + 1]));
-    }
-    return points;
-  }
-
-  private void rectangle(Attributes attributes) {
-    double x = of(attributes, "x");
-    double y = of(attributes, "y");
-    double right = x + of(attributes, "width");
-    double lower = y + of(attributes, "height");
-    walls.ring(List.of(point(x, y), point(right, y), point(right, lower), point(x, lower)));
-  }
-
-  private void path(String d) {
-    SvgPath path =
-        new SvgPath(
-            d,
-            letter ->
-                place()
-                    .error(
-                        "<path> has the command %s, expected straight ones: M, L, H, V, Z. A"
-                            + " drawing program makes lines of curves",
-                        letter));
-    path.parts()
-        .forEach(part -> walls.line(part.stream().map(at -> point(at.x(), at.y())).toList()));
+    return WallCollector.rounded(x, y);
   }
 }
