@@ -312,11 +312,6 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
-  public boolean detectsTurned(int camera, int view, int target) {
-    return targets.present(target) && sight.detectsTurned(camera, view, target);
-  }
-
-  @Override
   public boolean certain() {
     return visibility.detection().certain();
   }

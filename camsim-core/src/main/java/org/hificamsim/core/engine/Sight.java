@@ -1,7 +1,6 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.Field;
@@ -174,36 +173,13 @@ final class Sight {
 
   /** Whether the camera would detect the target, were it at this view. */
   boolean detects(int camera, int view, int target) {
-    return detects(camera, view, target, cameras.pose(camera, view), false);
-  }
-
-  /**
-   * The same, were it turned so that its picture has the target.
-   *
-   * @throws InputException when the model looks at where in the picture a target is
-   */
-  boolean detectsTurned(int camera, int view, int target) {
-    if (visibility.detection().model().dependsOnBearing()) {
-      throw InputException.of(
-          "detection '%s' looks at where in the picture a target is, expected one that"
-              + " looks at its distance alone for cameras that turn freely",
-          visibility.detection().name());
-    }
-    if (!lines.flat()) {
-      throw new InputException(
-          "the scenario has heights, expected a flat one, or views alone, for cameras that turn"
-              + " freely");
-    }
-    return detects(camera, view, target, cameras.pose(camera), true);
-  }
-
-  private boolean detects(int camera, int view, int target, Pose pose, boolean anyAngle) {
+    Pose pose = cameras.pose(camera, view);
     LevelSight level = level(camera, view, target);
     double x = targets.x(target);
     double y = targets.y(target);
     double squared = pose.squaredDistance(x, y);
     return level.isInReach(squared)
-        && (anyAngle || level.isInAngle(pose, x, y))
+        && level.isInAngle(pose, x, y)
         && level.detectsInView(
             pose,
             x,

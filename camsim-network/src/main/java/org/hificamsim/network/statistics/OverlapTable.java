@@ -1,46 +1,30 @@
 package org.hificamsim.network.statistics;
 
 import java.util.Arrays;
-import java.util.function.ToDoubleBiFunction;
+import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * An overlap of every pair of cameras, square metres, computed and added up again only where a
- * camera has changed.
+ * CamSim's overlap of every pair of cameras, square metres, computed again only where a camera has
+ * changed.
  */
-public final class OverlapTable {
+final class OverlapTable {
+  /** A camera as CamSim's overlap takes it: a place, counted from the top left corner. */
+  private record Disc(double x, double y, double radius) {}
+
   private final Cameras cameras;
-  private final ToDoubleBiFunction<FieldOfView, FieldOfView> overlap;
+  private final Field field;
   private final double[][] overlaps; // by camera, with each later one
-  private final FieldOfView[] fields;
+  private final Disc[] discs;
   private int looks = -1;
 
-  /**
-   * @param overlap of two cameras, the first being earlier in the list
-   */
-  OverlapTable(Cameras cameras, ToDoubleBiFunction<FieldOfView, FieldOfView> overlap) {
+  OverlapTable(Cameras cameras, Field field) {
     this.cameras = cameras;
-    this.overlap = overlap;
+    this.field = field;
     int count = cameras.count();
     overlaps = new double[count][];
     Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
-    fields = new FieldOfView[count];
-  }
-
-  /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
-  public static OverlapTable exact(Cameras cameras) {
-    return new OverlapTable(cameras, FieldOfView::overlap);
-  }
-
-  /** The sum over all pairs of cameras that are online. */
-  public double sum() {
-    double sum = 0;
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      if (cameras.online(camera)) {
-        sum = addPairs(camera, sum);
-      }
-    }
-    return sum;
+    discs = new Disc[count];
   }
 
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
@@ -61,19 +45,26 @@ public final class OverlapTable {
       return;
     }
     looks = cameras.looks();
-    boolean[] changed = new boolean[fields.length];
-    for (int camera = 0; camera < fields.length; camera++) {
-      FieldOfView now = FieldOfView.of(cameras, camera);
-      changed[camera] = !now.equals(fields[camera]);
-      fields[camera] = now;
+    boolean[] changed = new boolean[discs.length];
+    for (int camera = 0; camera < discs.length; camera++) {
+      Disc now =
+          new Disc(
+              cameras.x(camera) - field.minX(),
+              (field.minY() + cameras.y(camera)) * -1,
+              cameras.range(camera));
+      changed[camera] = !now.equals(discs[camera]);
+      discs[camera] = now;
     }
-    for (int first = 0; first < fields.length; first++) {
-      for (int second = first + 1; second < fields.length; second++) {
+    for (int first = 0; first < discs.length; first++) {
+      for (int second = first + 1; second < discs.length; second++) {
         if (changed[first] || changed[second]) {
-          overlaps[first][second - first - 1] =
-              overlap.applyAsDouble(fields[first], fields[second]);
+          overlaps[first][second - first - 1] = overlap(discs[first], discs[second]);
         }
       }
     }
+  }
+
+  private static double overlap(Disc a, Disc b) {
+    return CamSimOverlap.of(a.x, a.y, a.radius, b.x, b.y, b.radius);
   }
 }

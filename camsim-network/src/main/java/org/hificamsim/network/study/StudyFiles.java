@@ -200,8 +200,7 @@ public final class StudyFiles {
         run.value(Metric.OVERLAP),
         run.value(Metric.CONFIDENCE),
         run.value(Metric.TRACKED),
-        (long) run.value(Metric.HANDOVERS),
-        0);
+        (long) run.value(Metric.HANDOVERS));
   }
 
   private static Column<StudyRun> metric(Metric metric) {

@@ -1,6 +1,5 @@
 package org.hificamsim.agents.optimal;
 
-import java.util.Arrays;
 import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
@@ -14,12 +13,8 @@ abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
   /** By default; more than steps of some hundred cameras need, and seconds of search. */
   static final int DEFAULT_NODES = 1_000_000;
 
-  /** No set has been chosen. */
-  static final int NONE = -1;
-
   private ConfigurationSets sets;
   private Solver solver;
-  private int[] chosen = {};
   private long unprovenSteps;
   private double gap;
 
@@ -38,11 +33,9 @@ abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
    *
    * @param newSets what the network makes of the solver's problem
    */
-  final void search(NetworkView network, ConfigurationSets newSets, Solver newSolver) {
+  final void search(ConfigurationSets newSets, Solver newSolver) {
     sets = newSets;
     solver = newSolver;
-    chosen = new int[network.cameras()];
-    Arrays.fill(chosen, NONE);
   }
 
   @Override
@@ -56,15 +49,9 @@ abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
     int online = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        chosen[camera] = solver.chosen(online++);
-        views[camera] = sets.viewOf(chosen[camera]);
+        views[camera] = sets.viewOf(solver.chosen(online++));
       }
     }
-  }
-
-  /** The set that a camera was given last; {@link #NONE} before the first. */
-  final int chosen(int camera) {
-    return chosen[camera];
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OracleView;
 
@@ -9,30 +10,42 @@ import org.hificamsim.core.policy.OracleView;
  * nowhere better than another one of its camera is left out; of equal ones the narrowest stays.
  */
 final class ChanceRows implements ConfigurationSets {
+  /** A view with the targets that it may detect; used again for each step. */
+  private static final class Row {
+    private int view;
+    private int count;
+    private int[] targets = {};
+    private double[] chances = {};
+
+    private void set(int newView, int[] who, double[] sure, int newCount) {
+      view = newView;
+      count = newCount;
+      if (count > targets.length) {
+        targets = new int[2 * count];
+        chances = new double[2 * count];
+      }
+      System.arraycopy(who, 0, targets, 0, count);
+      System.arraycopy(sure, 0, chances, 0, count);
+    }
+  }
+
+  private final Row[] rows; // those in use first, camera by camera
   private final int[] who;
   private final double[] chances;
   private final double[] dense;
   private final int[] present;
   private final int[] firstRow;
-  private final int[] viewOf;
-  private final int[] begin;
-  private int[] target = new int[16];
-  private double[] chance = new double[16];
   private int targets;
   private int cameras;
 
   ChanceRows(NetworkView network) {
-    int views = 0;
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      views += network.views(camera);
-    }
+    rows = new Row[IntStream.range(0, network.cameras()).map(network::views).sum()];
+    Arrays.setAll(rows, row -> new Row());
     who = new int[network.targets()];
     chances = new double[network.targets()];
     dense = new double[network.targets()];
     present = new int[network.targets()];
     firstRow = new int[network.cameras() + 1];
-    viewOf = new int[views];
-    begin = new int[views + 1];
   }
 
   @Override
@@ -60,68 +73,47 @@ final class ChanceRows implements ConfigurationSets {
 
   /** Adds the rows of a camera from an index on; returns the index behind the last. */
   private int addRows(OracleView network, int camera, int from) {
-    int rows = from;
+    int end = from;
     for (int view = 0; view < network.views(camera); view++) {
-      int count = network.chances(camera, view, who, chances);
-      append(rows, view, count);
-      if (!isDominated(rows, from, rows)) {
-        rows = withoutDominated(from, rows);
+      rows[end].set(view, who, chances, network.chances(camera, view, who, chances));
+      if (!isDominated(from, end)) {
+        end = withoutDominated(from, end);
       }
     }
-    return rows;
+    return end;
   }
 
-  private void append(int row, int view, int count) {
-    int end = begin[row] + count;
-    if (end > target.length) {
-      target = Arrays.copyOf(target, 2 * end);
-      chance = Arrays.copyOf(chance, 2 * end);
+  private boolean isDominated(int from, int row) {
+    boolean dominated = false;
+    for (int other = from; other < row && !dominated; other++) {
+      dominated = dominates(rows[other], rows[row]);
     }
-    System.arraycopy(who, 0, target, begin[row], count);
-    System.arraycopy(chances, 0, chance, begin[row], count);
-    viewOf[row] = view;
-    begin[row + 1] = end;
-  }
-
-  private boolean isDominated(int row, int from, int to) {
-    for (int other = from; other < to; other++) {
-      if (dominates(other, row)) {
-        return true;
-      }
-    }
-    return false;
+    return dominated;
   }
 
   /** Takes out the rows that the one behind them dominates; returns the index behind that one. */
   private int withoutDominated(int from, int last) {
     int kept = from;
-    for (int row = from; row < last; row++) {
-      if (!dominates(last, row)) {
-        move(row, kept++);
+    for (int row = from; row <= last; row++) {
+      if (row == last || !dominates(rows[last], rows[row])) {
+        Row one = rows[row];
+        rows[row] = rows[kept];
+        rows[kept++] = one;
       }
     }
-    move(last, kept);
-    return kept + 1;
+    return kept;
   }
 
-  private void move(int row, int to) {
-    int count = begin[row + 1] - begin[row];
-    System.arraycopy(target, begin[row], target, begin[to], count);
-    System.arraycopy(chance, begin[row], chance, begin[to], count);
-    viewOf[to] = viewOf[row];
-    begin[to + 1] = begin[to] + count;
-  }
-
-  private boolean dominates(int better, int worse) {
-    for (int i = begin[better]; i < begin[better + 1]; i++) {
-      dense[target[i]] = chance[i];
+  private boolean dominates(Row better, Row worse) {
+    for (int i = 0; i < better.count; i++) {
+      dense[better.targets[i]] = better.chances[i];
     }
     boolean dominates = true;
-    for (int i = begin[worse]; i < begin[worse + 1]; i++) {
-      dominates &= chance[i] <= dense[target[i]];
+    for (int i = 0; i < worse.count; i++) {
+      dominates &= worse.chances[i] <= dense[worse.targets[i]];
     }
-    for (int i = begin[better]; i < begin[better + 1]; i++) {
-      dense[target[i]] = 0;
+    for (int i = 0; i < better.count; i++) {
+      dense[better.targets[i]] = 0;
     }
     return dominates;
   }
@@ -156,21 +148,23 @@ final class ChanceRows implements ConfigurationSets {
 
   @Override
   public int viewOf(int row) {
-    return viewOf[row];
+    return rows[row].view;
   }
 
   /** Adds a row's chances, times a factor, to the coverage of targets. */
   void add(int row, double factor, double[] coverage) {
-    for (int i = begin[row]; i < begin[row + 1]; i++) {
-      coverage[target[i]] += factor * chance[i];
+    Row one = rows[row];
+    for (int i = 0; i < one.count; i++) {
+      coverage[one.targets[i]] += factor * one.chances[i];
     }
   }
 
   /** The sum of a row's chances, each weighed by its target. */
   double weigh(int row, double[] weights) {
+    Row one = rows[row];
     double sum = 0;
-    for (int i = begin[row]; i < begin[row + 1]; i++) {
-      sum += weights[target[i]] * chance[i];
+    for (int i = 0; i < one.count; i++) {
+      sum += weights[one.targets[i]] * one.chances[i];
     }
     return sum;
   }

@@ -54,7 +54,7 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     sets = new DetectionSets(network, preference.mostTargets());
-    search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
+    search(sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
   @Override

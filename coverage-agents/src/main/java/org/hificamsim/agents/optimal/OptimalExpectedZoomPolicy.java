@@ -46,6 +46,6 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
           network.objective().text());
     }
     ChanceRows rows = new ChanceRows(network);
-    search(network, rows, new ExpectedSolver(rows, nodes));
+    search(rows, new ExpectedSolver(rows, nodes));
   }
 }
