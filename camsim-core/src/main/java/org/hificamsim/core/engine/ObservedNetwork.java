@@ -19,20 +19,11 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /** The cameras' observations of a world, and all that policies and listeners may know of it. */
-final class ObservedNetwork implements OracleView {
-  /** Entries for what a worker has found and not counted yet: few enough for a fast cache. */
-  private static final int ROOM = 1 << 10;
-
-  private final Cameras cameras;
-  private final Targets targets;
-  private final SightLines lines;
-  private final Visibility visibility;
-  private final Sight sight;
+final class ObservedNetwork extends Sight {
   private final int[] detected;
   private final int[] coverage;
   private final boolean phantoms;
   private final Objective objective;
-  private final Field field;
   private final Workers workers;
   private final long[][] found; // of each worker
   private final int[][] counts; // of each worker, in the order of the grid
@@ -41,10 +32,9 @@ final class ObservedNetwork implements OracleView {
   private final Division division = new Division();
   private Channel channel = Channel.PERFECT;
   private long[] masks = {};
-  private long step;
 
   ObservedNetwork(World world, Visibility visibility, Workers workers) {
-    this(world, visibility, workers, new Sight(world, visibility));
+    this(world, visibility, workers, Double.NaN);
   }
 
   /** Has messages go over the channel of the scenario. */
@@ -52,31 +42,18 @@ final class ObservedNetwork implements OracleView {
     channel = model.isPerfect() ? Channel.PERFECT : new Channel(model, this, seed);
   }
 
-  ObservedNetwork(World world, Visibility visibility, Workers workers, Sight sight) {
-    this.cameras = world.cameras();
-    this.targets = world.targets();
-    this.lines = world.sightLines();
-    this.visibility = visibility;
-    this.sight = sight;
+  /**
+   * @param side of the cells that cameras look into, metres; NaN where it is to be chosen
+   */
+  ObservedNetwork(World world, Visibility visibility, Workers workers, double side) {
+    super(world, visibility, side);
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
-    this.objective = world.scenario().objective();
-    this.field = world.scenario().field();
+    this.objective = scenario.objective();
     this.workers = workers;
-    this.found = new long[workers.count()][ROOM + coverage.length + 1];
+    this.found = new long[workers.count()][coverage.length + 1];
     this.counts = new int[workers.count()][coverage.length];
-  }
-
-  /** Says which step is under way, and takes note of what its events changed. */
-  void beginStep(long newStep) {
-    step = newStep;
-    sight.beginStep(newStep);
-  }
-
-  /** Takes note of where the targets are, for the decisions and the observation that follow. */
-  void locate() {
-    sight.locate();
   }
 
   /** Every online camera looks at the targets, or has done so. */
@@ -93,7 +70,7 @@ final class ObservedNetwork implements OracleView {
   private void addPhantoms() {
     for (int camera = 0; camera < detected.length; camera++) {
       boolean looks = cameras.online(camera) && cameras.seeing(camera) != Cameras.NO_VIEW;
-      detected[camera] += looks ? visibility.phantoms(step, camera) : 0;
+      detected[camera] += looks ? visibility.phantoms(step(), camera) : 0;
     }
   }
 
@@ -108,23 +85,18 @@ final class ObservedNetwork implements OracleView {
     Arrays.fill(counts[worker], 0);
     int first = workers.first(worker, detected.length);
     int end = workers.first(worker + 1, detected.length);
-    sight.look(first, end, detected, counts[worker], found[worker]);
+    look(first, end, detected, counts[worker], found[worker]);
   }
 
   /** Adds up what all workers counted, each worker for some of the targets. */
   private void addUp(int worker) {
-    int first = workers.first(worker, sight.grid().count());
-    int end = workers.first(worker + 1, sight.grid().count());
+    int first = workers.first(worker, grid().count());
+    int end = workers.first(worker + 1, grid().count());
     for (int[] count : counts) {
       for (int i = first; i < end; i++) {
-        coverage[sight.grid().point(i)] += count[i];
+        coverage[grid().point(i)] += count[i];
       }
     }
-  }
-
-  @Override
-  public long step() {
-    return step;
   }
 
   @Override
@@ -198,11 +170,6 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
-  public double reach(int camera, int view) {
-    return sight.reach(camera, view);
-  }
-
-  @Override
   public int seeing(int camera) {
     return cameras.seeing(camera);
   }
@@ -230,27 +197,6 @@ final class ObservedNetwork implements OracleView {
   @Override
   public double zoomInStep(int camera) {
     return cameras.zoomInStep(camera);
-  }
-
-  @Override
-  public Obstacles obstacles() {
-    return lines.map();
-  }
-
-  @Override
-  public Body body(double size) {
-    return sight.body(size);
-  }
-
-  @Override
-  public Field field() {
-    return field;
-  }
-
-  @Override
-  public boolean chancesAt(
-      int camera, double x, double y, double size, double transmittance, double[] chances) {
-    return sight.chancesAt(camera, x, y, size, transmittance, chances);
   }
 
   @Override
@@ -289,68 +235,8 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
-  public double confidence(int camera, int target) {
-    int view = cameras.seeing(camera);
-    if (!targets.present(target) || view == Cameras.NO_VIEW) {
-      return 0;
-    }
-    double value = sight.value(camera, view, target);
-    return DetectionModel.clamp(value * lines.transmittance(camera, target));
-  }
-
-  /** What is seen is not hidden: only what lets a part of the light through is asked. */
-  @Override
-  public double seenConfidence(int camera, int target, double distance) {
-    double value = sight.value(camera, cameras.seeing(camera), target, distance);
-    double through = lines.partial() ? lines.transmittance(camera, target) : 1;
-    return DetectionModel.clamp(value * through);
-  }
-
-  @Override
-  public boolean detects(int camera, int view, int target) {
-    return targets.present(target) && sight.detects(camera, view, target);
-  }
-
-  @Override
-  public boolean certain() {
-    return visibility.detection().certain();
-  }
-
-  @Override
-  public double chance(int camera, int view, int target) {
-    return targets.present(target) ? sight.chance(camera, view, target) : 0;
-  }
-
-  @Override
-  public int chances(int camera, int view, int[] who, double[] chances) {
-    return sight.chances(camera, view, who, chances);
-  }
-
-  @Override
   public double targetSize(int target) {
     return targets.size(target);
-  }
-
-  @Override
-  public void findSeen(SeenPairs pairs) {
-    int filled = 0;
-    for (int camera = 0; camera < detected.length; camera++) {
-      if (cameras.online(camera)) {
-        long[] room = pairs.scratch(filled + coverage.length + 1);
-        filled = sight.find(camera, cameras.seeing(camera), room, filled);
-      }
-    }
-    sight.add(pairs, filled);
-  }
-
-  @Override
-  public boolean dominates(int camera, int view, int other) {
-    return sight.dominates(camera, view, other);
-  }
-
-  @Override
-  public void detections(int camera, long[] masks, int words) {
-    sight.mark(camera, masks, words);
   }
 
   @Override

@@ -1,5 +1,10 @@
 package org.hificamsim.core.engine;
 
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.core.scenario.Scenario;
+
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.SeenPairs;
@@ -26,7 +31,7 @@ import org.hificamsim.core.world.World;
  * of the time. So the sign bit of a difference of squared distances says it, and a camera that
  * detects all that is near enough ({@link #whole}) needs no branch.
  */
-final class Sight {
+abstract class Sight implements OracleView {
   /** Pairs of cameras and targets below which looking at all takes no longer. */
   private static final long MIN_PAIRS = 4_000;
 
@@ -35,11 +40,12 @@ final class Sight {
 
   private static final double NOT_KNOWN = -1;
 
-  private final Cameras cameras;
-  private final Targets targets;
+  final Cameras cameras;
+  final Targets targets;
+  final Visibility visibility;
+  final Scenario scenario;
   private final SightLines lines;
   private final boolean open;
-  private final Visibility visibility;
   private final Body[] bodies; // the smallest first
   private final int[] kind; // of each target: its body's number
   private final PointGrid grid;
@@ -51,10 +57,6 @@ final class Sight {
   private int revision = -1;
   private long step;
 
-  Sight(World world, Visibility visibility) {
-    this(world, visibility, Double.NaN);
-  }
-
   /**
    * @param side of the grid's cells, metres; NaN where it is to be chosen
    */
@@ -64,6 +66,7 @@ final class Sight {
     this.lines = world.sightLines();
     this.open = lines.open();
     this.visibility = visibility;
+    this.scenario = world.scenario();
     lines.require(visibility.detection().model().seen());
     Body[] all = new Body[targets.count()];
     Arrays.setAll(all, lines.flat() ? target -> Body.flat(targets.size(target)) : targets::body);
@@ -71,19 +74,19 @@ final class Sight {
     this.kind = new int[all.length];
     Arrays.setAll(kind, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
     findLevels();
-    Field field = world.scenario().field();
-    this.grid = Double.isNaN(side) ? grid(field) : over(field, side);
+    this.grid = Double.isNaN(side) ? chosenGrid() : over(side);
   }
 
-  private PointGrid grid(Field field) {
+  private PointGrid chosenGrid() {
     if ((long) cameras.count() * targets.count() < MIN_PAIRS) {
       return PointGrid.single(targets.count());
     }
-    PointGrid cells = over(field, meanReach());
+    PointGrid cells = over(meanReach());
     return cells.cells() < MIN_CELLS ? PointGrid.single(targets.count()) : cells;
   }
 
-  private PointGrid over(Field field, double side) {
+  private PointGrid over(double side) {
+    Field field = field();
     return PointGrid.over(
         field.minX(), field.minY(), field.width(), field.height(), side, kind.length);
   }
@@ -158,6 +161,21 @@ final class Sight {
     grid.sort();
   }
 
+  @Override
+  public long step() {
+    return step;
+  }
+
+  @Override
+  public Field field() {
+    return scenario.field();
+  }
+
+  @Override
+  public Obstacles obstacles() {
+    return lines.map();
+  }
+
   /** Where the targets were when they were last located. */
   PointGrid grid() {
     return grid;
@@ -171,8 +189,17 @@ final class Sight {
     return open ? 1 : lines.transmittance(camera, target);
   }
 
-  /** Whether the camera would detect the target, were it at this view. */
-  boolean detects(int camera, int view, int target) {
+  @Override
+  public boolean certain() {
+    return visibility.detection().certain();
+  }
+
+  @Override
+  public boolean detects(int camera, int view, int target) {
+    return targets.present(target) && detectsPresent(camera, view, target);
+  }
+
+  private boolean detectsPresent(int camera, int view, int target) {
     Pose pose = cameras.pose(camera, view);
     LevelSight level = level(camera, view, target);
     double x = targets.x(target);
@@ -189,18 +216,20 @@ final class Sight {
             transmittance(camera, target));
   }
 
-  /** The chance that the camera detects the target, were it at this view, in [0, 1]. */
-  double chance(int camera, int view, int target) {
-    return level(camera, view, target)
-        .chance(
-            cameras.pose(camera, view),
-            targets.x(target),
-            targets.y(target),
-            transmittance(camera, target));
+  @Override
+  public double chance(int camera, int view, int target) {
+    return targets.present(target)
+        ? level(camera, view, target)
+            .chance(
+                cameras.pose(camera, view),
+                targets.x(target),
+                targets.y(target),
+                transmittance(camera, target))
+        : 0;
   }
 
-  /** As {@link org.hificamsim.core.policy.NetworkView#chancesAt}. */
-  boolean chancesAt(
+  @Override
+  public boolean chancesAt(
       int camera, double x, double y, double size, double transmittance, double[] chances) {
     double squared = cameras.pose(camera).squaredDistance(x, y);
     int nearest = nearestSize(size);
@@ -225,30 +254,37 @@ final class Sight {
     return nearest;
   }
 
-  /** As {@link org.hificamsim.core.policy.NetworkView#body}. */
-  Body body(double size) {
+  @Override
+  public Body body(double size) {
     int nearest = nearestSize(size);
     return nearest < 0 ? Body.flat(size) : bodies[nearest];
   }
 
-  /** The model's value for a target, as it would be with nothing in between; 0 out of view. */
-  double value(int camera, int view, int target) {
-    return level(camera, view, target)
-        .value(cameras.pose(camera, view), targets.x(target), targets.y(target));
+  @Override
+  public double confidence(int camera, int target) {
+    int view = cameras.seeing(camera);
+    if (!targets.present(target) || view == Cameras.NO_VIEW) {
+      return 0;
+    }
+    double value =
+        level(camera, view, target)
+            .value(cameras.pose(camera, view), targets.x(target), targets.y(target));
+    return DetectionModel.clamp(value * lines.transmittance(camera, target));
   }
 
-  /**
-   * The same to about 1e-8 for a target that the camera detects at this view.
-   *
-   * @param distance between the two, metres
-   */
-  double value(int camera, int view, int target, double distance) {
-    return level(camera, view, target)
-        .value(cameras.pose(camera, view), targets.x(target), targets.y(target), distance);
+  /** What is seen is not hidden: only what lets a part of the light through is asked. */
+  @Override
+  public double seenConfidence(int camera, int target, double distance) {
+    int view = cameras.seeing(camera);
+    double value =
+        level(camera, view, target)
+            .value(cameras.pose(camera, view), targets.x(target), targets.y(target), distance);
+    double through = lines.partial() ? lines.transmittance(camera, target) : 1;
+    return DetectionModel.clamp(value * through);
   }
 
-  /** Whether {@code view} is proven to detect whatever {@code other} does. */
-  boolean dominates(int camera, int view, int other) {
+  @Override
+  public boolean dominates(int camera, int view, int other) {
     if (view == other || lines.partial()) {
       return view == other;
     }
@@ -263,8 +299,9 @@ final class Sight {
         || cameras.pan(camera, view) == cameras.pan(camera, other);
   }
 
-  /** The distance beyond which the camera detects nothing at this view, metres; rounded up. */
-  double reach(int camera, int view) {
+  /** Rounded up. */
+  @Override
+  public double reach(int camera, int view) {
     return reach[cameras.zoomNumber(camera, view)];
   }
 
@@ -283,7 +320,7 @@ final class Sight {
       } else if (grid.cells() == 1 && whole[cameras.zoomNumber(camera, view)]) {
         detected[camera] = count(camera, outside[cameras.zoomNumber(camera, view)], counts);
       } else {
-        detected[camera] = find(camera, view, room, 0);
+        detected[camera] = find(camera, view, room);
         for (int k = 0; k < detected[camera]; k++) {
           counts[(int) room[k]]++;
         }
@@ -309,22 +346,18 @@ final class Sight {
    * Finds the targets that the camera detects at a view.
    *
    * @param view {@link Cameras#NO_VIEW} sees none
-   * @param found receives them, from entry {@code first} on: the camera in the upper half, the
-   *     index in the grid in the lower
+   * @param found receives their indices in the grid
    * @return how many entries are filled then; the next one may be written too
    */
-  int find(int camera, int view, long[] found, int first) {
+  private int find(int camera, int view, long[] found) {
     if (view == Cameras.NO_VIEW) {
-      return first;
-    }
-    if (grid.cells() == 1) {
-      return find(camera, view, 0, grid.count(), found, first);
+      return 0;
     }
     double far = reach(camera, view);
     int left = grid.column(cameras.x(camera) - far);
     int right = grid.column(cameras.x(camera) + far);
     int top = grid.row(cameras.y(camera) + far);
-    int filled = first;
+    int filled = 0;
     for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
       filled = find(camera, view, grid.start(row, left), grid.end(row, right), found, filled);
     }
@@ -336,12 +369,11 @@ final class Sight {
     double below = outside[number];
     double x = cameras.x(camera);
     double y = cameras.y(camera);
-    long upper = (long) camera << Integer.SIZE;
     int filled = first;
     for (int i = from; i < to; i++) {
       double dx = grid.x(i) - x;
       double dy = grid.y(i) - y;
-      found[filled] = upper + i;
+      found[filled] = i;
       filled += negative(dx * dx + dy * dy - below);
     }
     return whole[number] ? filled : keepDetected(camera, view, found, first, filled);
@@ -351,25 +383,30 @@ final class Sight {
   private int keepDetected(int camera, int view, long[] found, int first, int end) {
     int kept = first;
     for (int k = first; k < end; k++) {
-      if (detects(camera, view, grid.point((int) found[k]))) {
+      if (detectsPresent(camera, view, grid.point((int) found[k]))) {
         found[kept++] = found[k];
       }
     }
     return kept;
   }
 
-  /**
-   * Turns what was found into pairs with the places of the targets in the cameras' pictures.
-   *
-   * @param pairs receives them; what was found is in its scratch
-   */
-  void add(SeenPairs pairs, int count) {
-    long[] found = pairs.scratch(0);
+  @Override
+  public void findSeen(SeenPairs pairs) {
     pairs.clear();
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      if (cameras.online(camera)) {
+        long[] room = pairs.scratch(kind.length + 1);
+        int view = cameras.seeing(camera);
+        addSeen(camera, view, room, find(camera, view, room), pairs);
+      }
+    }
+  }
+
+  /** Adds what was found, with the places of the targets in the camera's picture. */
+  private void addSeen(int camera, int view, long[] found, int count, SeenPairs pairs) {
     for (int k = 0; k < count; k++) {
-      int camera = (int) (found[k] >>> Integer.SIZE);
       int i = (int) found[k];
-      Pose pose = cameras.pose(camera, cameras.seeing(camera));
+      Pose pose = cameras.pose(camera, view);
       double dx = grid.x(i) - pose.x();
       double dy = grid.y(i) - pose.y();
       double ahead = dx * pose.headingX() + dy * pose.headingY();
@@ -383,8 +420,8 @@ final class Sight {
     return (int) (Double.doubleToRawLongBits(difference) >>> 63);
   }
 
-  /** As {@link org.hificamsim.core.policy.OracleView#chances(int, int, int[], double[])}. */
-  int chances(int camera, int view, int[] who, double[] chances) {
+  @Override
+  public int chances(int camera, int view, int[] who, double[] chances) {
     double far = reach(camera, view);
     int left = grid.column(cameras.x(camera) - far);
     int right = grid.column(cameras.x(camera) + far);
@@ -401,14 +438,10 @@ final class Sight {
     return count;
   }
 
-  /** As {@link org.hificamsim.core.policy.OracleView#detections}. */
-  void mark(int camera, long[] masks, int words) {
+  @Override
+  public void detections(int camera, long[] masks, int words) {
     int views = cameras.views(camera);
     Arrays.fill(masks, 0, views * words, 0);
-    if (grid.cells() == 1) {
-      mark(camera, views, 0, grid.count(), masks, words);
-      return;
-    }
     double far = 0;
     for (int view = 0; view < views; view++) {
       far = Math.max(far, reach(camera, view));

@@ -54,12 +54,11 @@ class BigNetworkTest {
     double side = random.nextDouble(0.3, 12);
     World plain = scenario.world(seed);
     World binned = scenario.world(seed);
-    Sight sight = new Sight(binned, Visibility.of(detection), side);
-    assertTrue(sight.grid().cells() > 1);
     ObservedNetwork expected = inOneList(plain, Visibility.of(detection));
     try (Workers workers = Workers.of(1 + random.nextInt(3))) {
       ObservedNetwork observed =
-          new ObservedNetwork(binned, Visibility.of(detection), workers, sight);
+          new ObservedNetwork(binned, Visibility.of(detection), workers, side);
+      assertTrue(observed.grid().cells() > 1);
       for (int step = 0; step < STEPS; step++) {
         long drawn = random.nextLong();
         advance(plain, expected, step, new SplittableRandom(drawn));
@@ -70,9 +69,10 @@ class BigNetworkTest {
   }
 
   private static ObservedNetwork inOneList(World world, Visibility visibility) {
-    Sight sight = new Sight(world, visibility, Double.POSITIVE_INFINITY);
-    assertEquals(1, sight.grid().cells());
-    return new ObservedNetwork(world, visibility, Workers.CALLER, sight);
+    ObservedNetwork network =
+        new ObservedNetwork(world, visibility, Workers.CALLER, Double.POSITIVE_INFINITY);
+    assertEquals(1, network.grid().cells());
+    return network;
   }
 
   private static void advance(
@@ -104,7 +104,7 @@ class BigNetworkTest {
     double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
     Visibility visibility = Visibility.of(Detection.of(model(which, random)));
     ObservedNetwork network =
-        new ObservedNetwork(world, visibility, Workers.CALLER, new Sight(world, visibility, side));
+        new ObservedNetwork(world, visibility, Workers.CALLER, side);
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
     network.locate();
@@ -137,9 +137,8 @@ class BigNetworkTest {
     for (DetectionModel model :
         List.of(new GeometricDetection(), new CamSimVisibilityDetection())) {
       Visibility visibility = Visibility.of(Detection.of(model));
-      Sight sight = new Sight(world, visibility, 2.5);
-      assertEquals(64, sight.grid().cells());
-      ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, sight);
+      ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, 2.5);
+      assertEquals(64, network.grid().cells());
       network.locate();
       network.observe();
       assertEquals(4, network.detected(0), model.name());
@@ -148,7 +147,7 @@ class BigNetworkTest {
 
   private static int cells(World world) {
     Visibility visibility = Visibility.of(Detection.of(new GeometricDetection()));
-    return new Sight(world, visibility).grid().cells();
+    return new ObservedNetwork(world, visibility, Workers.CALLER).grid().cells();
   }
 
   @Test

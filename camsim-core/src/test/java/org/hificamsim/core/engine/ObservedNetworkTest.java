@@ -207,9 +207,8 @@ class ObservedNetworkTest {
   void detectionsAreMarkedForEachView(String rule, double side) {
     World world = crowd().world();
     Visibility visibility = Visibility.of(certain(rule));
-    Sight sight = new Sight(world, visibility, side);
-    assertEquals(side < 20, sight.grid().cells() > 1);
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, sight);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
+    assertEquals(side < 20, network.grid().cells() > 1);
     begin(world, network);
     long[] masks = new long[5];
     Arrays.fill(masks, -1);

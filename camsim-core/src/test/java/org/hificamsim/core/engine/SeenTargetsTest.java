@@ -31,7 +31,7 @@ class SeenTargetsTest {
     World world = world();
     Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
     ObservedNetwork network =
-        new ObservedNetwork(world, visibility, Workers.CALLER, new Sight(world, visibility, side));
+        new ObservedNetwork(world, visibility, Workers.CALLER, side);
     network.beginStep(0);
     network.locate();
     SeenPairs pairs = new SeenPairs();

@@ -58,8 +58,8 @@ class SightByChanceTest {
     String rule = List.of("chance", "chance:memory=3", "probability").get(which);
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
-    Sight table = new Sight(world, visibility);
-    Sight full = new Sight(world, Visibility.of(detection(rule, waves, true), seed));
+    Sight table = new ObservedNetwork(world, visibility, Workers.CALLER);
+    Sight full = new ObservedNetwork(world, Visibility.of(detection(rule, waves, true), seed), Workers.CALLER);
     int detected = 0;
     for (int step = 0; step < 5; step++) {
       table.beginStep(step);
@@ -101,7 +101,7 @@ class SightByChanceTest {
     ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
     try (Workers workers = Workers.of(3)) {
       ObservedNetwork binned =
-          new ObservedNetwork(world, visibility, workers, new Sight(world, visibility, 1.5));
+          new ObservedNetwork(world, visibility, workers, 1.5);
       for (ObservedNetwork network : List.of(plain, binned)) {
         network.beginStep(4);
         network.locate();
@@ -138,7 +138,7 @@ class SightByChanceTest {
       scenario.target(0, target);
     }
     World world = scenario.world();
-    Sight sight = new Sight(world, Visibility.of(detection(rule, 0, false), 1));
+    Sight sight = new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1), Workers.CALLER);
     int steps = 250_000;
     double chiSquare = 0;
     for (int target = 0; target < 8; target++) {

@@ -1,5 +1,7 @@
 package org.hificamsim.core.engine;
 
+import org.hificamsim.core.policy.SeenPairs;
+
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -67,8 +69,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = new Sight(world, Visibility.of(detection));
-    Sight full = new Sight(world, inFull(detection));
+    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
     assertSame(world, once, full);
   }
 
@@ -78,8 +80,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(world, new Sight(world, Visibility.of(detection)));
-    assertLooksAsItDetects(world, new Sight(world, inFull(detection)));
+    assertLooksAsItDetects(world, new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER));
+    assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection), Workers.CALLER));
   }
 
   /** One camera is off, one is at another level, and one target stands on a border. */
@@ -96,17 +98,14 @@ class SightTest {
     World world = scenario.target(3, 0).world();
     world.cameras().turnTo(1, 0);
     world.switchCamera(3, false);
-    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     sight.locate();
     int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
     int[] counts = new int[targets];
-    long[] found = new long[5 * targets + 1];
     sight.look(0, 5, detected, counts, new long[targets + 1]);
-    int all = 0;
-    for (int camera = 0; camera < 5; camera++) {
-      all = camera == 3 ? all : sight.find(camera, world.cameras().view(camera), found, all);
-    }
+    SeenPairs found = new SeenPairs();
+    sight.findSeen(found);
     int at = 0;
     int[] expected = new int[targets];
     for (int camera = 0; camera < 5; camera++) {
@@ -114,12 +113,13 @@ class SightTest {
       for (int i = 0; i < targets; i++) {
         if (camera != 3 && sight.detects(camera, world.cameras().view(camera), i)) {
           expected[i]++;
-          assertEquals(((long) camera << 32) + i, found[at++]);
+          assertEquals(camera, found.camera(at));
+          assertEquals(i, found.target(at++));
         }
       }
       assertEquals(at - before, detected[camera]);
     }
-    assertEquals(at, all);
+    assertEquals(at, found.count());
     assertArrayEquals(expected, counts);
     assertTrue(at > 50 && detected[1] > 0 && detected[1] < detected[0], at + " seen");
   }
@@ -135,11 +135,11 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight = new Sight(world, inFull ? inFull(detection) : Visibility.of(detection));
+    Sight sight = new ObservedNetwork(world, inFull ? inFull(detection) : Visibility.of(detection), Workers.CALLER);
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
-    sight.mark(0, masks, 3);
+    sight.detections(0, masks, 3);
     int seen = 0;
     for (int view = 0; view < 2; view++) {
       for (int target = 0; target < 150; target++) {
@@ -163,7 +163,7 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     int[] counts = new int[places.length];
     int[] detected = new int[1];
     sight.locate();
@@ -187,8 +187,8 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = new Sight(world, Visibility.of(detection));
-    Sight full = new Sight(world, inFull(detection));
+    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -228,7 +228,7 @@ class SightTest {
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       int views = world.cameras().views(camera);
       long[] masks = new long[views];
-      sight.mark(camera, masks, 1);
+      sight.detections(camera, masks, 1);
       for (int view = 0; view < views; view++) {
         world.cameras().turnTo(camera, view);
         int[] counts = new int[targets];
@@ -250,7 +250,7 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight sight = new Sight(world, Visibility.of(detection));
+    Sight sight = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int view = 0; view < 3; view++) {
         assertTrue(sight.dominates(camera, view, view));
@@ -267,7 +267,7 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -276,7 +276,7 @@ class SightTest {
   @Test
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = new Sight(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())), Workers.CALLER);
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }
