@@ -1,8 +1,8 @@
 package org.hificamsim.core.obstacle;
 
 /**
- * How one piece is seen from a standpoint that it does not touch: in which sectors, and within
- * which squared distances in each. Bounds hold with all rounding.
+ * How one piece is seen from a standpoint that it does not touch, in one of the sectors of all
+ * round: what of it is between the two rays that bound the sector. Bounds hold with all rounding.
  */
 final class PieceSight {
   /** Of the squared size of the scene: far more than rounding adds to a squared distance. */
@@ -16,201 +16,134 @@ final class PieceSight {
   /** A crossing seen under a smaller angle than this is not computed. */
   private static final double GRAZING = 1e-5;
 
+  /** Far more than what rounding does to a crossing that is computed, as a part of the edge. */
+  private static final double PART = 1e-9;
+
   private final Pieces pieces;
   private final double atX;
   private final double atY;
+  private final int sectors;
 
-  // Of the piece looked at: its ends as seen from the standpoint, counterclockwise.
-  private boolean pillar;
-  private double fromX;
-  private double fromY;
-  private double toX;
-  private double toY;
-  private double slack;
-  private double pillarNear;
-  private double pillarFar;
-  private boolean allRound;
-  private int sectors;
-  private int firstSector;
-  private int lastSector;
-  private int firstSpanned;
-  private int lastSpanned;
+  // The rays, a little outside of the sector.
+  private double rightX;
+  private double rightY;
+  private double leftX;
+  private double leftY;
 
-  // In the sector entered.
+  // The part of an edge that is in the sector, from 0 to 1.
+  private double start;
+  private double end;
+
   private boolean spans;
   private double near;
   private double far;
 
-  PieceSight(Pieces pieces, double atX, double atY) {
+  PieceSight(Pieces pieces, double atX, double atY, int sectors) {
     this.pieces = pieces;
     this.atX = atX;
     this.atY = atY;
-  }
-
-  private void place(int piece) {
-    double radius = pieces.radius[piece];
-    pillar = radius > 0;
-    fromX = pieces.x1[piece] - atX;
-    fromY = pieces.y1[piece] - atY;
-    if (pillar) {
-      placePillar(radius);
-      return;
-    }
-    toX = pieces.x2[piece] - atX;
-    toY = pieces.y2[piece] - atY;
-    double size = Math.abs(fromX) + Math.abs(fromY) + Math.abs(toX) + Math.abs(toY);
-    slack = SLACK * size * size;
-  }
-
-  private void placePillar(double radius) {
-    double distance = Math.sqrt(fromX * fromX + fromY * fromY);
-    slack = SLACK * (distance + radius) * (distance + radius);
-    double gap = Math.max(0, distance - radius);
-    pillarNear = gap * gap - slack;
-    pillarFar = distance * distance - radius * radius + slack;
-  }
-
-  /** Looks at a piece that does not touch the standpoint. */
-  void look(int piece, int sectors) {
     this.sectors = sectors;
-    place(piece);
-    allRound = false;
-    if (pillar) {
-      lookAtPillar(pieces.radius[piece]);
-    } else {
-      lookAtEdge();
-    }
-    if (allRound) {
-      firstSector = 0;
-      lastSector = sectors - 1;
-      firstSpanned = sectors;
-    }
   }
 
-  private void lookAtEdge() {
-    double from = Sector.measure(fromX, fromY);
-    double turn = Sector.turn(from, Sector.measure(toX, toY));
-    if (turn < 0) {
-      swap();
-      from += turn;
-      turn = -turn;
-    }
-    cover(from, turn);
-    span(from, turn);
-  }
-
-  private void swap() {
-    double x = fromX;
-    double y = fromY;
-    fromX = toX;
-    fromY = toY;
-    toX = x;
-    toY = y;
-  }
-
-  private void lookAtPillar(double radius) {
-    double outer = tangent(radius * TOO_LARGE);
-    cover(rightOf(outer, radius * TOO_LARGE), turnOf(outer, radius * TOO_LARGE));
-    double inner = tangent(radius * TOO_SMALL);
-    span(rightOf(inner, radius * TOO_SMALL), turnOf(inner, radius * TOO_SMALL));
-  }
-
-  /** The length of a tangent from the standpoint; NaN where that is within the radius. */
-  private double tangent(double radius) {
-    return Math.sqrt(fromX * fromX + fromY * fromY - radius * radius);
-  }
-
-  private double rightOf(double tangent, double radius) {
-    return Sector.measure(fromX * tangent + fromY * radius, fromY * tangent - fromX * radius);
-  }
-
-  private double turnOf(double tangent, double radius) {
-    double left =
-        Sector.measure(fromX * tangent - fromY * radius, fromY * tangent + fromX * radius);
-    return Sector.turn(rightOf(tangent, radius), left);
-  }
-
-  /** Notes the sectors in which anything of the piece may be seen. */
-  private void cover(double from, double turn) {
-    allRound = !(turn >= 0 && turn < 2 - GRAZING);
-    firstSector = floor(from - Sector.ROUNDING);
-    lastSector = Math.min(floor(from + turn + Sector.ROUNDING), firstSector + sectors - 1);
-  }
-
-  /** Notes the sectors all of whose rays meet the piece. */
-  private void span(double from, double turn) {
-    firstSpanned = -(int) Math.floor(-(from + Sector.ROUNDING) * sectors / Sector.ROUND);
-    lastSpanned = floor(from + turn - Sector.ROUNDING) - 1;
-  }
-
-  private int floor(double measure) {
-    return (int) Math.floor(measure * sectors / Sector.ROUND);
-  }
-
-  int firstSector() {
-    return firstSector;
-  }
-
-  /** May be the number of sectors or more: counted on from the first. */
-  int lastSector() {
-    return lastSector;
-  }
-
-  /** Looks at the piece within one sector. */
+  /** Looks into a sector. */
   void enter(int sector) {
-    spans = !allRound && sector >= firstSpanned && sector <= lastSpanned;
-    if (pillar) {
-      near = pillarNear;
-      far = pillarFar;
-    } else {
-      enterEdge(sector);
-    }
-    near = near > 0 ? near : 0;
+    double right = Sector.ROUND * sector / sectors - Sector.ROUNDING;
+    double left = Sector.ROUND * (sector + 1) / sectors + Sector.ROUNDING;
+    rightX = Sector.x(right);
+    rightY = Sector.y(right);
+    leftX = Sector.x(left);
+    leftY = Sector.y(left);
   }
 
-  private void enterEdge(int sector) {
-    double start = sector > firstSector && !allRound ? crossing(sector) : 0;
-    double end = sector < lastSector && !allRound ? crossing(sector + 1) : 1;
-    spans &= start >= 0 && end >= 0;
-    start = start >= 0 ? start : 0;
-    end = end >= 0 ? end : 1;
-    near = square(foot(start, end)) - slack;
-    far = Math.max(square(start), square(end)) + slack;
+  /** Looks at a piece; whether any of it may be in the sector. */
+  boolean meets(int piece) {
+    double x = pieces.x1[piece] - atX;
+    double y = pieces.y1[piece] - atY;
+    return pieces.radius[piece] > 0
+        ? meetsPillar(x, y, pieces.radius[piece])
+        : meetsEdge(x, y, pieces.x2[piece] - atX, pieces.y2[piece] - atY);
   }
 
-  /** Where on the edge, from 0 to 1, the ray that begins a sector meets it; NaN if unsure. */
-  private double crossing(int sector) {
-    double measure = (sector & sectors - 1) * Sector.ROUND / sectors;
-    double x = Sector.x(measure);
-    double y = Sector.y(measure);
-    double from = x * fromY - y * fromX;
-    double to = x * toY - y * toX;
+  private boolean meetsEdge(double fromX, double fromY, double toX, double toY) {
     double size = Math.abs(fromX) + Math.abs(fromY) + Math.abs(toX) + Math.abs(toY);
-    boolean sure = from < 0 && to > 0 && to - from > GRAZING * size;
-    return sure ? from / (from - to) : Double.NaN;
-  }
-
-  /** Where on the edge, within a part of it, the point nearest to the standpoint is. */
-  private double foot(double start, double end) {
+    start = 0;
+    end = 1;
+    if (!cut(leftOfRight(fromX, fromY), leftOfRight(toX, toY), size)
+        || !cut(-leftOfLeft(fromX, fromY), -leftOfLeft(toX, toY), size)
+        || start > end + PART) {
+      return false;
+    }
+    spans = start > 0 && end < 1 && end - start > PART;
     double dx = toX - fromX;
     double dy = toY - fromY;
-    double along = -(fromX * dx + fromY * dy) / (dx * dx + dy * dy);
-    return along > start ? Math.min(along, end) : start;
+    double nearest = -(fromX * dx + fromY * dy) / (dx * dx + dy * dy);
+    double foot = Math.max(start, Math.min(end, nearest));
+    double slack = SLACK * size * size;
+    near = square(fromX + foot * dx, fromY + foot * dy) - slack;
+    far =
+        slack
+            + Math.max(
+                square(fromX + start * dx, fromY + start * dy),
+                square(fromX + end * dx, fromY + end * dy));
+    return true;
   }
 
-  private double square(double along) {
-    double x = fromX + along * (toX - fromX);
-    double y = fromY + along * (toY - fromY);
+  /**
+   * Cuts off what of an edge is on the wrong side of a ray.
+   *
+   * @param from how far the one end is on the right side; below 0 on the wrong one
+   * @param to how far the other end is
+   * @return whether anything is left
+   */
+  private boolean cut(double from, double to, double size) {
+    if (Math.abs(from - to) > GRAZING * size) {
+      double crossing = from / (from - to);
+      start = from < 0 ? Math.max(start, crossing) : start;
+      end = to < 0 ? Math.min(end, crossing) : end;
+    }
+    return from >= 0 || to >= 0;
+  }
+
+  private boolean meetsPillar(double x, double y, double radius) {
+    double distance = Math.sqrt(square(x, y));
+    double offRight = leftOfRight(x, y) / Math.sqrt(square(rightX, rightY));
+    double offLeft = leftOfLeft(x, y) / Math.sqrt(square(leftX, leftY));
+    boolean beforeRight = x * rightX + y * rightY > 0;
+    boolean beforeLeft = x * leftX + y * leftY > 0;
+    spans =
+        beforeRight
+            && beforeLeft
+            && Math.max(Math.abs(offRight), Math.abs(offLeft)) < radius * TOO_SMALL;
+    double slack = SLACK * square(distance + radius, 0);
+    double gap = Math.max(0, distance - radius);
+    near = gap * gap - slack;
+    far = distance * distance - radius * radius + slack;
+    return (beforeRight || beforeLeft)
+        && offRight > -radius * TOO_LARGE
+        && offLeft < radius * TOO_LARGE;
+  }
+
+  /** How far a point is to the left of the sector's right ray, times the length of that. */
+  private double leftOfRight(double x, double y) {
+    return rightX * y - rightY * x;
+  }
+
+  private double leftOfLeft(double x, double y) {
+    return leftX * y - leftY * x;
+  }
+
+  private static double square(double x, double y) {
     return x * x + y * y;
   }
 
+  /** Whether all rays of the sector meet the piece. */
   boolean spans() {
     return spans;
   }
 
   /** A squared distance that nothing of the piece within the sector is nearer than. */
   double near() {
-    return near;
+    return Math.max(0, near);
   }
 
   /** A squared distance beyond which everything in the sector is behind a piece that spans it. */

@@ -19,18 +19,12 @@ final class Sector {
     return 2 + Math.copySign(1 - dx / (Math.abs(dx) + Math.abs(dy)), dy);
   }
 
-  /** How far to turn from one measure to another, in (-2, 2]. */
-  static double turn(double from, double to) {
-    double turn = to - from;
-    return turn > 2 ? turn - ROUND : turn <= -2 ? turn + ROUND : turn;
-  }
-
-  /** The x of the diamond's point at a measure in [0, 4]. */
+  /** The x of the diamond's point at a measure in [0, 4], or a little beyond. */
   static double x(double measure) {
     return measure < 2 ? measure - 1 : 3 - measure;
   }
 
-  /** The y of the diamond's point at a measure in [0, 4]. */
+  /** The y of the diamond's point at a measure in [0, 4], or a little beyond. */
   static double y(double measure) {
     return measure < 2 ? Math.abs(measure - 1) - 1 : 1 - Math.abs(3 - measure);
   }

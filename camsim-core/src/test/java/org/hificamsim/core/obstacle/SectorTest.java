@@ -15,18 +15,4 @@ class SectorTest {
     assertEquals(x / size, Sector.x(measured), 1e-15);
     assertEquals(y / size, Sector.y(measured), 1e-15);
   }
-
-  @ParameterizedTest
-  @CsvSource({
-    "1, 2, 1",
-    "2, 1, -1",
-    "3.5, 0.5, 1",
-    "0.5, 3.5, -1",
-    "0, 2, 2",
-    "2, 0, 2",
-    "3, 1, 2"
-  })
-  void theTurnIsTheShorterWay(double from, double to, double turn) {
-    assertEquals(turn, Sector.turn(from, to));
-  }
 }
