@@ -3,19 +3,11 @@ package org.hificamsim.core.engine;
 import java.util.Arrays;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.ChannelModel;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.CameraTask;
-import org.hificamsim.core.policy.OracleView;
-import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
-import org.hificamsim.core.world.SightLines;
-import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /** The cameras' observations of a world, and all that policies and listeners may know of it. */

@@ -1,14 +1,13 @@
 package org.hificamsim.core.engine;
 
+import java.util.Arrays;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.OracleView;
-import org.hificamsim.core.scenario.Scenario;
-
-import java.util.Arrays;
-import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.LevelSight;

@@ -103,8 +103,7 @@ class BigNetworkTest {
     World world = scenario(random).world(seed);
     double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
     Visibility visibility = Visibility.of(Detection.of(model(which, random)));
-    ObservedNetwork network =
-        new ObservedNetwork(world, visibility, Workers.CALLER, side);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
     network.locate();

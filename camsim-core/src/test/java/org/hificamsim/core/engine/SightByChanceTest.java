@@ -59,7 +59,9 @@ class SightByChanceTest {
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
     Sight table = new ObservedNetwork(world, visibility, Workers.CALLER);
-    Sight full = new ObservedNetwork(world, Visibility.of(detection(rule, waves, true), seed), Workers.CALLER);
+    Sight full =
+        new ObservedNetwork(
+            world, Visibility.of(detection(rule, waves, true), seed), Workers.CALLER);
     int detected = 0;
     for (int step = 0; step < 5; step++) {
       table.beginStep(step);
@@ -100,8 +102,7 @@ class SightByChanceTest {
     Visibility visibility = Visibility.of(detection("chance:phantoms=on", 0, false), seed);
     ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
     try (Workers workers = Workers.of(3)) {
-      ObservedNetwork binned =
-          new ObservedNetwork(world, visibility, workers, 1.5);
+      ObservedNetwork binned = new ObservedNetwork(world, visibility, workers, 1.5);
       for (ObservedNetwork network : List.of(plain, binned)) {
         network.beginStep(4);
         network.locate();
@@ -138,7 +139,8 @@ class SightByChanceTest {
       scenario.target(0, target);
     }
     World world = scenario.world();
-    Sight sight = new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1), Workers.CALLER);
+    Sight sight =
+        new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1), Workers.CALLER);
     int steps = 250_000;
     double chiSquare = 0;
     for (int target = 0; target < 8; target++) {

@@ -1,7 +1,5 @@
 package org.hificamsim.core.engine;
 
-import org.hificamsim.core.policy.SeenPairs;
-
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -21,6 +19,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
@@ -80,7 +79,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(world, new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER));
+    assertLooksAsItDetects(
+        world, new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER));
     assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection), Workers.CALLER));
   }
 
@@ -98,7 +98,9 @@ class SightTest {
     World world = scenario.target(3, 0).world();
     world.cameras().turnTo(1, 0);
     world.switchCamera(3, false);
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     sight.locate();
     int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
@@ -135,7 +137,9 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight = new ObservedNetwork(world, inFull ? inFull(detection) : Visibility.of(detection), Workers.CALLER);
+    Sight sight =
+        new ObservedNetwork(
+            world, inFull ? inFull(detection) : Visibility.of(detection), Workers.CALLER);
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
@@ -163,7 +167,9 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     int[] counts = new int[places.length];
     int[] detected = new int[1];
     sight.locate();
@@ -267,7 +273,9 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -276,7 +284,9 @@ class SightTest {
   @Test
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())), Workers.CALLER);
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new CamSimVisibilityDetection())), Workers.CALLER);
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

@@ -123,8 +123,7 @@ class ViewsTest {
     }
     ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
     try (Workers workers = Workers.of(3)) {
-      ObservedNetwork binned =
-          new ObservedNetwork(world, visibility, workers, 1.5);
+      ObservedNetwork binned = new ObservedNetwork(world, visibility, workers, 1.5);
       for (ObservedNetwork network : List.of(plain, binned)) {
         network.beginStep(2);
         network.locate();
