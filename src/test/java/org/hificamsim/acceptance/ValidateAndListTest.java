@@ -3,8 +3,6 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -150,25 +148,6 @@ class ValidateAndListTest {
             + lenient.err().lines().findFirst().orElseThrow().substring("warning: ".length())
             + "; expected no warning, with --strict",
         strict.err().strip());
-  }
-
-  @Test
-  void validateAsJsonHasEveryFileWithItsRemarks() throws IOException {
-    Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
-    Cli validate = Cli.run("validate", "--json", bad, Cli.scenario("ring-random"));
-    assertEquals(2, validate.exit());
-    JsonNode files = new ObjectMapper().readTree(validate.out());
-    assertEquals(2, files.size());
-    JsonNode first = files.get(0);
-    assertEquals(bad.toString(), first.get("file").asText());
-    assertEquals(false, first.get("valid").asBoolean());
-    assertEquals(5, first.get("errors").size());
-    assertEquals(2, first.get("errors").get(0).get("line").asInt());
-    assertEquals(55, first.get("errors").get(0).get("column").asInt());
-    assertTrue(first.get("errors").get(0).get("message").asText().startsWith("<simulation> order"));
-    assertEquals(6, first.get("warnings").get(0).get("line").asInt());
-    assertEquals(true, files.get(1).get("valid").asBoolean());
-    assertTrue(files.get(1).get("description").asText().contains("8 cameras"), validate.out());
   }
 
   @Test

@@ -12,7 +12,6 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.visibility.Body;
@@ -22,8 +21,6 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
-import org.hificamsim.runs.ModelLens;
-import org.hificamsim.runs.NearestDistances;
 import org.hificamsim.runs.Reach;
 
 /** What a detection model makes of a scenario's cameras, in words. */
@@ -32,8 +29,11 @@ final class DetectionHints {
   private static final double FEW = 0.1;
   private static final List<String> OTHERS =
       List.of("hifi:orb-lin", "hifi:orb-pinhole", "oodpcvs-2025:level=overview", "geometric");
-  private static final double TOLERANCE = 1.1;
   private static final double NO_LENS = 1e-6;
+  private static final int STEPS = 100; // that are looked at
+
+  /** Distances that are computed at most, so that a large scenario takes a moment too. */
+  private static final int ENOUGH = 1_000_000;
 
   private DetectionHints() {}
 
@@ -41,7 +41,6 @@ final class DetectionHints {
   static Stream<String> all(Scenario scenario, Detection used, Catalogue catalogue) {
     return Stream.of(
             smallReach(scenario, used, catalogue),
-            lens(scenario, used),
             extrapolation(scenario, used),
             overridden(scenario, used),
             flatRule(scenario, used),
@@ -118,8 +117,14 @@ final class DetectionHints {
   private static Optional<String> smallReach(
       Scenario scenario, Detection detection, Catalogue catalogue) {
     double reach = Reach.farthest(scenario, detection);
-    NearestDistances nearest = NearestDistances.of(scenario, catalogue.movements());
-    return !(nearest.within(reach) < FEW)
+    World world = new World(scenario, catalogue.movements(), 0);
+    int cameras = Math.max(1, world.cameras().count());
+    int targets = Math.min(world.targets().count(), Math.max(1, ENOUGH / cameras));
+    int steps = Math.max(1, Math.min(STEPS, ENOUGH / Math.max(1, cameras * targets)));
+    double[] nearest = nearest(world, targets, steps);
+    double median = nearest.length == 0 ? Double.NaN : nearest[nearest.length / 2];
+    double within = DoubleStream.of(nearest).filter(one -> one <= reach).count();
+    return nearest.length == 0 || within / nearest.length >= FEW
         ? Optional.empty()
         : Optional.of(
             Texts.format(
@@ -129,10 +134,33 @@ final class DetectionHints {
                 detection.name(),
                 detection.certain() ? "" : " half of the time",
                 reach(scenario, detection),
-                nearest.within(reach) == 0 ? "none" : "under " + plain(100 * FEW) + " %",
-                nearest.steps(),
-                plain(nearest.median()),
-                fitting(scenario, nearest.median(), catalogue)));
+                within == 0 ? "none" : "under " + plain(100 * FEW) + " %",
+                steps,
+                plain(median),
+                fitting(scenario, median, catalogue)));
+  }
+
+  /** How far targets are from the camera nearest to them, in metres, the least first. */
+  private static double[] nearest(World world, int targets, int steps) {
+    DoubleStream.Builder all = DoubleStream.builder();
+    for (int step = 0; step < steps; step++) {
+      world.fireEvents(step);
+      for (int target = 0; target < targets; target++) {
+        all.add(world.targets().present(target) ? nearest(world, target) : Double.NaN);
+      }
+      world.moveTargets();
+    }
+    return all.build().filter(Double::isFinite).sorted().toArray();
+  }
+
+  private static double nearest(World world, int target) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      double dx = world.targets().x(target) - world.cameras().x(camera);
+      double dy = world.targets().y(target) - world.cameras().y(camera);
+      nearest = world.cameras().online(camera) ? Math.min(nearest, dx * dx + dy * dy) : nearest;
+    }
+    return Math.sqrt(nearest);
   }
 
   /** The first of some models that reaches half of the targets. */
@@ -164,50 +192,6 @@ final class DetectionHints {
                 "its threshold %s is used for '%s', whose own is %s; expected --detection"
                     + " %s@%s where that one is meant",
                 used.threshold(), used.model().name(), own, used.model().name(), own));
-  }
-
-  /** A warning where cameras cannot have both their viewing angle and their focal lengths. */
-  private static Optional<String> lens(Scenario scenario, Detection detection) {
-    return ModelLens.of(detection, scenario).flatMap(lens -> contradiction(scenario, lens));
-  }
-
-  private static Optional<String> contradiction(Scenario scenario, ModelLens lens) {
-    List<CameraSpec> wrong =
-        scenario.cameras().stream().filter(camera -> contradicts(camera, scenario, lens)).toList();
-    return wrong.stream()
-        .findFirst()
-        .map(
-            camera ->
-                "camera '%s'%s sees %s degrees (viewing_angle), but its focal length gives %s (Eq 3.1); expected a mount_height that makes them agree%s, or viewing_angle 360"
-                    .formatted(
-                        camera.name(),
-                        wrong.size() == 1 ? "" : " (one of " + wrong.size() + ")",
-                        plain(camera.viewingAngle()),
-                        angles(World.zoomLevels(scenario, camera), lens),
-                        agreeing(camera, scenario)));
-  }
-
-  private static boolean contradicts(CameraSpec camera, Scenario scenario, ModelLens lens) {
-    List<ZoomLevel> levels = World.zoomLevels(scenario, camera);
-    double narrowest = lens.angleOfView(levels.get(0));
-    double widest = lens.angleOfView(levels.get(levels.size() - 1));
-    double angle = camera.viewingAngle();
-    return angle < 360 && (angle < narrowest / TOLERANCE || angle > widest * TOLERANCE);
-  }
-
-  private static String angles(List<ZoomLevel> levels, ModelLens lens) {
-    String narrowest = plain(lens.angleOfView(levels.get(0)));
-    String widest = plain(lens.angleOfView(levels.get(levels.size() - 1)));
-    return narrowest.equals(widest) ? narrowest : narrowest + " to " + widest;
-  }
-
-  /** The height at which the widest radius has the viewing angle (Eq 3.2). */
-  private static String agreeing(CameraSpec camera, Scenario scenario) {
-    List<ZoomLevel> levels = World.zoomLevels(scenario, camera);
-    double radius = levels.get(levels.size() - 1).radius();
-    double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
-    boolean known = camera.viewingAngle() < 180 && radius > 0 && Double.isFinite(height);
-    return known ? ", such as " + plain(height) : "";
   }
 
   /**

@@ -27,7 +27,8 @@ import org.hificamsim.runs.compare.Yardstick;
 final class OptimumTime {
   private static final double ENOUGH = 1; // seconds of a trial
   private static final double MOST = 4; // seconds of a trial
-  private static final int MOST_SAMPLES = 64;
+  private static final int FEW = 4; // steps that are tried
+  private static final int MANY = 64;
   private static final int FIRST_STEPS = 1024; // of those, where a run has more
   private static final int NODES = 10_000; // of a step that is tried
   private static final double FULL = 100; // times as many has a step of the optimum
@@ -50,47 +51,33 @@ final class OptimumTime {
             .filter(plan -> plan.policy().equals(Yardstick.OPTIMAL.policy()))
             .map(this::trial)
             .toList();
-    double least = trials.stream().mapToDouble(one -> one.all(one.least)).sum() / threads;
-    double most = trials.stream().mapToDouble(one -> one.all(one.most)).sum() / threads;
-    if (most > LONG) {
-      Trial slowest = Collections.max(trials, comparingDouble(one -> one.all(one.most)));
+    double seconds = trials.stream().mapToDouble(Trial::seconds).sum() / threads;
+    if (seconds > LONG) {
+      Trial slowest = Collections.max(trials, comparingDouble(Trial::seconds));
+      double step = slowest.most / slowest.tried;
+      Duration time = Duration.ofSeconds((long) seconds);
       err.println(
-          "the optimum of %s takes %s s a step, all optima %s hours;"
-                  .formatted(
-                      slowest.plan.scenario().name(),
-                      range(
-                          seconds(slowest.least / slowest.tried),
-                          seconds(slowest.most / slowest.tried)),
-                      range(hours(least), hours(most)))
-              + " --yardsticks bound takes a small part of it");
+          Texts.format(
+              "the optimum of %s takes up to "
+                  + (step < 10 ? "%.2g" : "%.0f")
+                  + " s a step, all optima up to %d:%02d hours; --yardsticks bound takes a small"
+                  + " part of it",
+              slowest.plan.scenario().name(),
+              step,
+              time.toHours(),
+              time.toMinutesPart()));
     }
   }
 
-  private static String range(String least, String most) {
-    return least.equals(most) ? "about " + most : least + " to " + most;
-  }
-
-  private static String seconds(double seconds) {
-    return Texts.format(seconds < 10 ? "%.2g" : "%.0f", seconds);
-  }
-
-  private static String hours(double seconds) {
-    Duration time = Duration.ofSeconds((long) seconds);
-    return Texts.format("%d:%02d", time.toHours(), time.toMinutesPart());
-  }
-
-  /** By ever more steps, until a trial is long enough: the first ones are not yet compiled. */
+  /** Of more steps where the first few took little: they are not yet compiled. */
   private Trial trial(RunPlan plan) {
-    Trial trial = new Trial(plan, 4);
-    for (int samples = 16; trial.least < ENOUGH && samples <= MOST_SAMPLES; samples *= 4) {
-      trial = new Trial(plan, samples);
-    }
-    return trial;
+    Trial trial = new Trial(plan, FEW);
+    return trial.took < ENOUGH ? new Trial(plan, MANY) : trial;
   }
 
   /**
-   * Cameras that stay, and an optimum that is searched now and then: between {@code least} seconds,
-   * which that took, and {@code most}, what it would have taken where it gave up its proof.
+   * Cameras that stay, and an optimum that is searched now and then; {@code most} is what that
+   * would have taken where it gave up its proof.
    */
   private final class Trial implements ZoomPolicy {
     private final ProvingZoomPolicy optimal =
@@ -99,7 +86,7 @@ final class OptimumTime {
     private final RunPlan plan;
     private final int every;
     private int tried;
-    private double least;
+    private double took;
     private double most;
 
     Trial(RunPlan plan, int samples) {
@@ -115,8 +102,8 @@ final class OptimumTime {
     }
 
     /** Seconds of all runs of the plan, from those of the steps that were tried. */
-    double all(double seconds) {
-      return seconds / tried * plan.steps() * plan.repeats();
+    double seconds() {
+      return most / tried * plan.work();
     }
 
     @Override
@@ -135,10 +122,10 @@ final class OptimumTime {
         long start = System.nanoTime();
         long unproven = optimal.unprovenSteps();
         optimal.decide(network, views.clone());
-        double took = since(start);
+        double seconds = since(start);
         tried++;
-        least += took;
-        most += optimal.unprovenSteps() > unproven ? FULL * took : took;
+        took += seconds;
+        most += optimal.unprovenSteps() > unproven ? FULL * seconds : seconds;
       }
     }
   }

@@ -1,11 +1,6 @@
 package org.hificamsim.cli;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.util.DefaultIndenter;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
-import java.io.Writer;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -24,7 +20,6 @@ import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -34,15 +29,14 @@ import picocli.CommandLine.Spec;
     description =
         "Checks scenario files; prints errors (exit code 2) and warnings with line and column.")
 final class ValidateCommand implements Callable<Integer> {
+  private static final int MAX = 100; // errors, or warnings, that are printed of a file
+
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private final SettingOptions settings = SettingOptions.of(Setting.DETECTION);
-
-  @Option(names = "--json")
-  private boolean json;
 
   @Spec private CommandSpec spec;
 
@@ -53,23 +47,12 @@ final class ValidateCommand implements Callable<Integer> {
     asked
         .asked(Setting.DETECTION)
         .ifPresent(name -> DetectionSpec.parse(name, catalogue::detection));
-    List<Checked> all = new ArrayList<>();
-    for (Path file : files) {
-      Checked one = check(file, asked, catalogue);
-      all.add(scenarioOptions.strict() ? one.strict() : one);
-      tell(all.get(all.size() - 1));
-    }
-    if (json) {
-      print(all.stream().map(Checked::entry).toList());
-    }
-    return all.stream().allMatch(Checked::valid) ? 0 : Main.BAD_INPUT;
+    long wrong = files.stream().filter(file -> !isValid(file, asked, catalogue)).count();
+    return wrong == 0 ? 0 : Main.BAD_INPUT;
   }
 
-  private void tell(Checked one) {
-    one.print(json ? new PrintWriter(Writer.nullWriter()) : out(), spec.commandLine().getErr());
-  }
-
-  private static Checked check(Path file, Settings asked, Catalogue catalogue) {
+  /** Says what is wrong or odd, or that nothing is wrong. */
+  private boolean isValid(Path file, Settings asked, Catalogue catalogue) {
     List<String> warned = new ArrayList<>();
     List<String> errors = new ArrayList<>();
     Optional<Scenario> scenario =
@@ -79,42 +62,45 @@ final class ValidateCommand implements Callable<Integer> {
             NetworkSettings.DEFAULT.check(),
             warned::add,
             fault -> errors.add(fault.getMessage()));
-    scenario.ifPresent(
-        one -> {
-          try {
-            Detection used = DetectionSpec.of(asked, one, file, catalogue);
-            DetectionHints.all(one, used, catalogue)
-                .forEach(line -> warned.add(file + ": " + line));
-          } catch (InputException e) {
-            errors.add(e.getMessage());
-          }
-        });
-    scenario.ifPresent(one -> warnAboutFloorplan(file, one, warned));
-    return new Checked(file, scenario, errors, warned);
+    scenario.ifPresent(one -> warnAbout(file, one, asked, catalogue, warned, errors));
+    if (scenarioOptions.strict()) {
+      errors.addAll(0, warned.stream().map(ScenarioOptions::asError).toList());
+      warned.clear();
+    }
+    print(file, "warning: ", warned);
+    print(file, "error: ", errors);
+    if (errors.isEmpty()) {
+      String description = Descriptions.of(scenario.orElseThrow());
+      spec.commandLine().getOut().println(file + ": ok, " + description);
+    }
+    return errors.isEmpty();
   }
 
-  /** A run needs no floorplan, unless it is recorded. */
-  private static void warnAboutFloorplan(Path file, Scenario scenario, List<String> warned) {
+  private static void warnAbout(
+      Path file,
+      Scenario scenario,
+      Settings asked,
+      Catalogue catalogue,
+      List<String> warned,
+      List<String> errors) {
     try {
-      FloorPictures.of(file, scenario);
+      Detection used = DetectionSpec.of(asked, scenario, file, catalogue);
+      DetectionHints.all(scenario, used, catalogue).forEach(line -> warned.add(file + ": " + line));
+    } catch (InputException e) {
+      errors.add(e.getMessage());
+    }
+    try {
+      FloorPictures.of(file, scenario); // which a run needs if it is recorded
     } catch (InputException e) {
       warned.add(e.getMessage());
     }
   }
 
-  private void print(List<Checked.Entry> all) {
-    DefaultIndenter lines = new DefaultIndenter("  ", "\n");
-    DefaultPrettyPrinter printer =
-        new DefaultPrettyPrinter().withObjectIndenter(lines).withArrayIndenter(lines);
-    try {
-      out().print(new ObjectMapper().writer(printer).writeValueAsString(all) + "\n");
-    } catch (JsonProcessingException e) {
-      throw new IllegalStateException("records and lists have a form in JSON", e);
+  private void print(Path file, String start, List<String> lines) {
+    PrintWriter err = spec.commandLine().getErr();
+    lines.stream().limit(MAX).forEach(line -> err.println(start + Place.printable(line)));
+    if (lines.size() > MAX) {
+      err.println(start + file + ": " + (lines.size() - MAX) + " more, expected none");
     }
-    out().flush();
-  }
-
-  private PrintWriter out() {
-    return spec.commandLine().getOut();
   }
 }

@@ -115,8 +115,10 @@ public final class ReproductionFiles {
 
   private ReproductionFiles() {}
 
-  private static Column<Table81.Cell> reading(Reading reading) {
-    return Column.ofDouble(reading.label(), "share", reading.meaning(), cell -> cell.of(reading));
+  private static List<Column<Table81.Cell>> reading(Reading reading) {
+    return Table.<Table81.Cell>of("")
+        .doubles(reading.label(), "share", reading.meaning(), cell -> cell.of(reading))
+        .columns();
   }
 
   /**

@@ -77,7 +77,7 @@ public final class StudyFiles {
           .with(
               StudyResults.KEPT.stream()
                   .filter(metric -> !IN_RESULTS.contains(metric.label()))
-                  .map(StudyFiles::metric)
+                  .flatMap(StudyFiles::metric)
                   .toList());
 
   /** A row per network. */
@@ -203,9 +203,11 @@ public final class StudyFiles {
         (long) run.value(Metric.HANDOVERS));
   }
 
-  private static Column<StudyRun> metric(Metric metric) {
-    return Column.<StudyRun>ofPlain(
-            metric.label(), metric.unit(), metric.meaning(), row -> row.result.value(metric))
-        .later();
+  private static Stream<Column<StudyRun>> metric(Metric metric) {
+    return Table.<StudyRun>of("")
+        .plain(metric, (row, one) -> row.result.value(one))
+        .later()
+        .columns()
+        .stream();
   }
 }

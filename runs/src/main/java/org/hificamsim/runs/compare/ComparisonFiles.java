@@ -75,16 +75,22 @@ public final class ComparisonFiles {
   /** One step of a case. */
   record CaseStep(CaseResult of, int step) {}
 
+  private static final String SEED = "the run's seed: first seed + repeat";
+  private static final List<Column<Run>> RUN =
+      Table.<Run>of("")
+          .with(CASE, Run::plan)
+          .longs("seed", "", SEED, run -> run.run.result().seed())
+          .columns();
+
   /** A row per run that was asked for. */
   public static final Table<Run> RESULTS =
       Table.<Run>of("results.csv")
-          .with(CASE, Run::plan)
-          .with(seed())
-          .with(ofMetric(Metric.PERFORMANCE))
-          .with(ofMetric(Metric.PROPORTION_OF_OPTIMAL))
-          .with(ofMetric(Metric.COVERED_0))
-          .with(ofMetric(Metric.COVERED_1))
-          .with(ofMetric(Metric.COVERED_K))
+          .with(RUN)
+          .plain(Metric.PERFORMANCE, Run::value)
+          .doubles(Metric.PROPORTION_OF_OPTIMAL, Run::value)
+          .doubles(Metric.COVERED_0, Run::value)
+          .doubles(Metric.COVERED_1, Run::value)
+          .doubles(Metric.COVERED_K, Run::value)
           .plain(
               "optimum",
               "that of `score`",
@@ -96,7 +102,7 @@ public final class ComparisonFiles {
               "what a step is scored by ([objectives](objectives.md))",
               run -> run.plan().objective().text())
           .later()
-          .with(ofMetric(Metric.SCORE))
+          .plain(Metric.SCORE, Run::value)
           .later();
 
   /** A row per scenario, detection, yardstick and seed. */
@@ -108,7 +114,7 @@ public final class ComparisonFiles {
               "`optimal`, `bound` or `best-fixed`: what scores are compared with (`compare"
                   + " --yardsticks`)",
               row -> row.yardstick.policy())
-          .with(List.of(seed()), Measure::run)
+          .longs("seed", "", SEED, row -> row.run.run.result().seed())
           .plain(
               "score",
               "that of `score`",
@@ -123,8 +129,7 @@ public final class ComparisonFiles {
   /** A row per run and metric, the optima's included. */
   public static final Table<RunMetric> METRICS =
       Table.<RunMetric>of("metrics.csv")
-          .with(CASE, row -> row.run.plan())
-          .with(List.of(seed()), RunMetric::run)
+          .with(RUN, RunMetric::run)
           .texts("metric", "its name, see below", row -> row.metric.label())
           .doubles("value", "", "its value", row -> row.run.value(row.metric));
 
@@ -240,19 +245,6 @@ public final class ComparisonFiles {
                 Stream.of(Yardstick.values())
                     .flatMap(yardstick -> runs(first).map(run -> new Measure(run, yardstick))))
         .filter(row -> !Double.isNaN(row.yardstick.score(row.run.run)));
-  }
-
-  private static Column<Run> seed() {
-    return Column.ofLong(
-        "seed", "", "the run's seed: first seed + repeat", run -> run.run.result().seed());
-  }
-
-  /** A metric as a column, in which whole performances and scores have no fraction. */
-  private static Column<Run> ofMetric(Metric metric) {
-    return metric == Metric.PERFORMANCE || metric == Metric.SCORE
-        ? Column.ofPlain(metric.label(), metric.unit(), metric.meaning(), run -> run.value(metric))
-        : Column.ofDouble(
-            metric.label(), metric.unit(), metric.meaning(), run -> run.value(metric));
   }
 
   /** The case of the same scenario and policy under the first detection, if another. */

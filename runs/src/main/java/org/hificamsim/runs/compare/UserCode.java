@@ -1,26 +1,24 @@
 package org.hificamsim.runs.compare;
 
-import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.ServiceLoader;
+import java.util.TreeMap;
 import java.util.jar.JarFile;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import java.util.zip.ZipEntry;
-import java.util.zip.ZipFile;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -63,71 +61,43 @@ final class UserCode {
    * the same digest as a jar that was made of it, as for a cluster.
    */
   static String digest(Path place) {
-    try {
-      List<String> lines = Files.isDirectory(place) ? below(place) : inside(place);
-      String content = lines.stream().sorted().collect(Collectors.joining());
-      return Sha256.of(content.getBytes(StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+    if (Files.isDirectory(place)) {
+      return Io.get(() -> ofFiles(place));
     }
+    return Io.get(
+        () -> {
+          try (FileSystem jar = FileSystems.newFileSystem(place)) {
+            return ofFiles(jar.getPath("/"));
+          }
+        });
   }
 
-  private static List<String> below(Path root) throws IOException {
-    List<Path> files = new ArrayList<>();
-    Files.walkFileTree(root, new Contents(root, files));
-    List<String> lines = new ArrayList<>();
-    for (Path file : files) {
-      String name = root.relativize(file).toString().replace(File.separatorChar, '/');
-      if (!name.equals(JarFile.MANIFEST_NAME)) {
-        lines.add(line(name, Sha256.of(file)));
-      }
-    }
-    return lines;
+  private static String ofFiles(Path root) throws IOException {
+    Map<String, String> digests = new TreeMap<>();
+    Files.walkFileTree(
+        root,
+        new SimpleFileVisitor<>() {
+          @Override
+          public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
+            boolean counts =
+                folder.equals(root) || !isHidden(folder) && !OutputFolder.isOne(folder);
+            return counts ? FileVisitResult.CONTINUE : FileVisitResult.SKIP_SUBTREE;
+          }
+
+          @Override
+          public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
+              throws IOException {
+            if (attributes.isRegularFile() && !isHidden(file)) {
+              digests.put(root.relativize(file).toString(), Sha256.of(file));
+            }
+            return FileVisitResult.CONTINUE;
+          }
+        });
+    digests.remove(JarFile.MANIFEST_NAME);
+    return Sha256.of(digests.toString().getBytes(StandardCharsets.UTF_8));
   }
 
-  private static List<String> inside(Path jar) throws IOException {
-    List<String> lines = new ArrayList<>();
-    try (ZipFile file = new ZipFile(jar.toFile())) {
-      for (ZipEntry entry : Collections.list(file.entries())) {
-        if (!entry.isDirectory() && !entry.getName().equals(JarFile.MANIFEST_NAME)) {
-          byte[] content = file.getInputStream(entry).readAllBytes();
-          lines.add(line(entry.getName(), Sha256.of(content)));
-        }
-      }
-    }
-    return lines;
-  }
-
-  private static String line(String name, String digest) {
-    return name + ' ' + digest + '\n';
-  }
-
-  /** Collects files, without those of folders that commands write into. */
-  private static final class Contents extends SimpleFileVisitor<Path> {
-    private final Path root;
-    private final List<Path> files;
-
-    Contents(Path root, List<Path> files) {
-      this.root = root;
-      this.files = files;
-    }
-
-    @Override
-    public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
-      boolean skipped = !folder.equals(root) && (isHidden(folder) || OutputFolder.isOne(folder));
-      return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
-    }
-
-    @Override
-    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
-      if (attributes.isRegularFile() && !isHidden(file)) {
-        files.add(file);
-      }
-      return FileVisitResult.CONTINUE;
-    }
-
-    private static boolean isHidden(Path file) {
-      return file.getFileName().toString().startsWith(".");
-    }
+  private static boolean isHidden(Path file) {
+    return file.getFileName().toString().startsWith(".");
   }
 }

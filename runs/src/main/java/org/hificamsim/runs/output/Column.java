@@ -1,9 +1,6 @@
 package org.hificamsim.runs.output;
 
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
-import java.util.function.ToIntFunction;
-import java.util.function.ToLongFunction;
 import org.hificamsim.core.file.Rows;
 
 /**
@@ -38,48 +35,8 @@ public record Column<R>(
     void add(R row, Rows to);
   }
 
-  /** Whole numbers of 32 bits. */
-  static <R> Column<R> ofInt(String name, String unit, String meaning, ToIntFunction<R> value) {
-    return new Column<>(
-        name, Kind.INT, unit, meaning, false, (row, to) -> to.add(value.applyAsInt(row)));
-  }
-
-  /** Whole numbers of 64 bits. */
-  public static <R> Column<R> ofLong(
-      String name, String unit, String meaning, ToLongFunction<R> value) {
-    return new Column<>(
-        name, Kind.LONG, unit, meaning, false, (row, to) -> to.add(value.applyAsLong(row)));
-  }
-
-  /** Floating numbers; NaN is an empty cell. */
-  public static <R> Column<R> ofDouble(
-      String name, String unit, String meaning, ToDoubleFunction<R> value) {
-    return new Column<>(
-        name, Kind.DOUBLE, unit, meaning, false, (row, to) -> to.add(value.applyAsDouble(row)));
-  }
-
-  /** Floating numbers, of which whole ones are written without a fraction. */
-  public static <R> Column<R> ofPlain(
-      String name, String unit, String meaning, ToDoubleFunction<R> value) {
-    return new Column<>(
-        name, Kind.DOUBLE, unit, meaning, false, (row, to) -> plain(value.applyAsDouble(row), to));
-  }
-
-  private static void plain(double number, Rows to) {
-    if (number == Math.rint(number)) {
-      to.add((long) number);
-    } else {
-      to.add(number);
-    }
-  }
-
-  /** Texts. */
-  static <R> Column<R> ofText(String name, String meaning, Function<R, String> value) {
-    return new Column<>(name, Kind.TEXT, "", meaning, false, (row, to) -> to.add(value.apply(row)));
-  }
-
   /** The same column, which files of earlier versions lack. */
-  public Column<R> later() {
+  Column<R> later() {
     return new Column<>(name, kind, unit, meaning, true, cell);
   }
 

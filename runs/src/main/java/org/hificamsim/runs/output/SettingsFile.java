@@ -12,7 +12,9 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.runs.ModelLens;
+import org.hificamsim.core.world.World;
+import org.hificamsim.hifi.OpticalDetection;
+import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 
@@ -82,14 +84,30 @@ public final class SettingsFile {
   }
 
   /**
-   * What the model looks through, metres: a focal length for each of the zooms, none for a model
-   * without optics.
+   * What the model looks through, metres: the height of all cameras, the scenario's or the one at
+   * which the narrowest radius has the longest focal length, and a focal length for each of the
+   * zooms; what each camera has of its own is left out (Eqs 3.1 and 3.2).
    */
   private static void lens(ObjectNode json, RunPlan plan) {
-    Optional<ModelLens> lens = ModelLens.of(plan.detection(), plan.scenario());
-    OptionalDouble height = lens.map(ModelLens::mountHeight).orElse(plan.scenario().mountHeight());
+    Scenario scenario = plan.scenario();
+    OptionalDouble height = scenario.mountHeight();
+    List<Double> focalLengths = List.of();
+    if (plan.detection().model() instanceof OpticalDetection model
+        && scenario.inCoverageDialect()) {
+      Optics optics = model.optics();
+      focalLengths =
+          World.zoomLevels(scenario).stream()
+              .filter(zoom -> !zoom.hasLens())
+              .map(optics::focalLength)
+              .distinct()
+              .toList();
+      if (height.isEmpty()) {
+        double narrowest = scenario.zooms().get(0);
+        height = OptionalDouble.of(optics.mountHeight(narrowest, optics.longestFocalLength()));
+      }
+    }
     json.put("mount_height", height.isPresent() ? (Double) height.getAsDouble() : null);
-    numbers(json, "focal_lengths", lens.map(ModelLens::focalLengths).orElse(List.of()));
+    numbers(json, "focal_lengths", focalLengths);
   }
 
   private static void numbers(ObjectNode json, String name, List<Double> values) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.ToDoubleBiFunction;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
 import java.util.function.ToLongFunction;
@@ -19,6 +20,8 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.output.Column.Kind;
 
 /**
  * A table of results.
@@ -33,39 +36,62 @@ public record Table<R>(String file, List<Column<R>> columns) {
     return new Table<>(file, List.of());
   }
 
-  /** The same table with another column. */
-  public Table<R> with(Column<R> column) {
-    return with(List.of(column));
-  }
-
   /** The same table with further columns. */
   public Table<R> with(List<Column<R>> further) {
     return new Table<>(file, Stream.concat(columns.stream(), further.stream()).toList());
   }
 
+  private Table<R> with(String name, Kind kind, String unit, String meaning, Column.Cell<R> cell) {
+    return with(List.of(new Column<>(name, kind, unit, meaning, false, cell)));
+  }
+
   /** The same table with a column of texts. */
   public Table<R> texts(String name, String meaning, Function<R, String> value) {
-    return with(Column.ofText(name, meaning, value));
+    return with(name, Kind.TEXT, "", meaning, (row, to) -> to.add(value.apply(row)));
   }
 
   /** The same table with a column of whole numbers of 32 bits. */
   public Table<R> ints(String name, String unit, String meaning, ToIntFunction<R> value) {
-    return with(Column.ofInt(name, unit, meaning, value));
+    return with(name, Kind.INT, unit, meaning, (row, to) -> to.add(value.applyAsInt(row)));
   }
 
   /** The same table with a column of whole numbers of 64 bits. */
   public Table<R> longs(String name, String unit, String meaning, ToLongFunction<R> value) {
-    return with(Column.ofLong(name, unit, meaning, value));
+    return with(name, Kind.LONG, unit, meaning, (row, to) -> to.add(value.applyAsLong(row)));
   }
 
   /** The same table with a column of floating numbers; NaN is an empty cell. */
   public Table<R> doubles(String name, String unit, String meaning, ToDoubleFunction<R> value) {
-    return with(Column.ofDouble(name, unit, meaning, value));
+    return with(name, Kind.DOUBLE, unit, meaning, (row, to) -> to.add(value.applyAsDouble(row)));
   }
 
-  /** The same; whole numbers are written without a fraction. */
+  /** The same table with a metric. */
+  public Table<R> doubles(Metric metric, ToDoubleBiFunction<R, Metric> value) {
+    return doubles(
+        metric.label(), metric.unit(), metric.meaning(), row -> value.applyAsDouble(row, metric));
+  }
+
+  /** Floating numbers; whole ones are written without a fraction. */
   public Table<R> plain(String name, String unit, String meaning, ToDoubleFunction<R> value) {
-    return with(Column.ofPlain(name, unit, meaning, value));
+    return with(
+        name,
+        Kind.DOUBLE,
+        unit,
+        meaning,
+        (row, to) -> {
+          double number = value.applyAsDouble(row);
+          if (number == Math.rint(number)) {
+            to.add((long) number);
+          } else {
+            to.add(number);
+          }
+        });
+  }
+
+  /** A metric, written in the same way. */
+  public Table<R> plain(Metric metric, ToDoubleBiFunction<R, Metric> value) {
+    return plain(
+        metric.label(), metric.unit(), metric.meaning(), row -> value.applyAsDouble(row, metric));
   }
 
   /**

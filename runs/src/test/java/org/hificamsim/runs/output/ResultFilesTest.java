@@ -31,7 +31,8 @@ class ResultFilesTest {
           .plain("plain", "m", "the same", Item::size)
           .texts("name", "a text", Item::name)
           .estimates("mean", "", "m", "a mean", Item::mean)
-          .with(List.of(Column.<Item>ofInt("later", "", "not always", item -> 1).later()), i -> i);
+          .ints("later", "", "not always", item -> 1)
+          .later();
 
   @TempDir Path folder;
 
