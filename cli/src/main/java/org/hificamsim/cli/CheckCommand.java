@@ -10,11 +10,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
+import org.hificamsim.profiling.check.Calibration;
+import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.profiling.check.CheckFolder;
-import org.hificamsim.profiling.check.CheckResult;
 import org.hificamsim.profiling.check.ErrorSummary;
+import org.hificamsim.profiling.check.MotSightings;
 import org.hificamsim.profiling.check.RealityCheck;
-import org.hificamsim.profiling.check.Size;
 import org.hificamsim.tracks.format.Unit;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -66,12 +67,11 @@ final class CheckCommand implements Callable<Integer> {
     Optional<Size> size = image.map(CheckCommand::size);
     requireLength("--unit", unit);
     calibrationUnit.ifPresent(one -> requireLength("--calibration-unit", one));
-    CheckResult.Settings settings =
-        new CheckResult.Settings(
-            file, unit, calibration, calibrationUnit, size, new Size(width, height));
-    CheckResult result = CheckResult.of(settings);
-    CheckFolder.write(out, result);
-    print(result);
+    Calibration camera = Calibration.read(calibration, calibrationUnit, size);
+    MotSightings boxes = new MotSightings(file, camera, unit.metres());
+    RealityCheck check = RealityCheck.of(boxes.sightings(), camera, new Size(width, height));
+    CheckFolder.write(out, check);
+    print(boxes, check);
     return 0;
   }
 
@@ -90,12 +90,11 @@ final class CheckCommand implements Callable<Integer> {
     return new Size(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
   }
 
-  private void print(CheckResult result) {
-    RealityCheck check = result.check();
+  private void print(MotSightings boxes, RealityCheck check) {
     PrintWriter to = spec.commandLine().getOut();
-    to.printf("%s boxes; left out: %s%n", check.boxes(), result.leftOut());
+    to.printf("%s boxes; left out: %s%n", check.boxes(), boxes.leftOut());
     to.println(
-        result.inWorld()
+        boxes.inWorld()
             ? "places: as the file says; half of the boxes stand within "
                 + Texts.format("%.1f", check.footError())
                 + " pixels of where the calibration has them"
@@ -111,6 +110,7 @@ final class CheckCommand implements Callable<Integer> {
           100 * one.ninety(),
           100 * one.bias());
     }
-    to.printf("by distance: %s, %s%n", out.resolve(CheckFolder.REALITY), CheckFolder.PICTURE);
+    to.printf(
+        "by distance: %s, %s%n", out.resolve(CheckFolder.REALITY), CheckFolder.PICTURE + ".png");
   }
 }

@@ -1,6 +1,8 @@
 package org.hificamsim.presentation.plot;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.StatUtils;
 
 /**
@@ -15,6 +17,11 @@ public record Curve(double[] x, double[] y) {
     double[] x = new double[values.length];
     Arrays.setAll(x, i -> i);
     return new Curve(x, values);
+  }
+
+  /** A point for each of some things. */
+  public static <T> Curve of(List<T> all, ToDoubleFunction<T> x, ToDoubleFunction<T> y) {
+    return new Curve(all.stream().mapToDouble(x).toArray(), all.stream().mapToDouble(y).toArray());
   }
 
   /** The number of points. */

@@ -20,6 +20,8 @@ public class XyPanel extends XYChart {
   private static final BasicStroke DASHED =
       new BasicStroke(
           1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
+  private static final int SMALL = 4; // points across
+  private static final double INSIDE = 0.94; // share of an axis that dots lie on
   private static final double PALE = 0.38;
   private static final double BAND = 0.18;
 
@@ -38,6 +40,14 @@ public class XyPanel extends XYChart {
     setXAxisTitle(xTitle);
     setYAxisTitle(yTitle);
     PanelStyle.apply(getStyler(), xTitle, yTitle);
+  }
+
+  /** For clouds of small dots: none is cut off at the edges, and ticks of odd ranges are short. */
+  public XyPanel cloud() {
+    getStyler().setMarkerSize(SMALL);
+    getStyler().setPlotContentSize(INSIDE);
+    getStyler().setDecimalPattern("0.####");
+    return this;
   }
 
   /** Leaves out the axes' titles. */

@@ -1,32 +1,83 @@
 package org.hificamsim.profiling.check;
 
+import java.nio.file.Path;
+import java.util.Optional;
+import org.apache.commons.math3.geometry.euclidean.threed.Rotation;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationConvention;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationOrder;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.TextLines;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.MatrixFile;
 
 /**
  * What is known of a real camera: which point of the world is where in its picture. The world is in
- * metres, its ground at z = 0 and its z upwards.
+ * metres, its ground at z = 0 and its z upwards. Without distortion (u w, v w, w) = A (x, y, z) +
+ * shift; Hartley and Zisserman, Multiple View Geometry (2004), 6.2: A is K R, and its last row, of
+ * length 1, is the view's axis.
+ *
+ * @param across the first row of A
+ * @param down the second row
+ * @param along the third row: the direction that the camera looks in
+ * @param lens what bends the picture
+ * @param picture its size, pixels
  */
-interface Calibration {
-  /** Where a point is in the picture; {@link Pixel#NONE} behind the camera. */
-  Pixel project(Vector3D point);
+public record Calibration(
+    Vector3D across, Vector3D down, Vector3D along, Vector3D shift, Lens lens, Size picture) {
+  private static final double SINGULAR = 1e-12;
 
-  /** The direction from the camera to what is seen at a pixel. */
-  Vector3D ray(Pixel pixel);
+  /**
+   * The lens and the sensor by Tsai's method (R. Tsai, IEEE J. Robotics and Automation 3(4), 1987)
+   * with one coefficient of radial distortion.
+   *
+   * @param focal length, millimetres
+   * @param kappa1 of radial distortion, per square millimetre: r (1 + kappa1 r^2) is where a
+   *     pinhole would have had what the lens puts at r
+   * @param dpx width of a pixel, millimetres
+   * @param dpy height of a pixel, millimetres
+   * @param sx what the width has to be multiplied by
+   * @param cx the picture's centre, pixels
+   * @param cy the picture's centre, pixels
+   */
+  record Lens(
+      double focal, double kappa1, double dpx, double dpy, double sx, double cx, double cy) {
+    private static final Lens STRAIGHT = new Lens(1, 0, 1, 1, 1, 0, 0);
+    private static final int STEPS = 30; // Newton's method needs some five
 
-  /** The direction that it looks in: the optical axis. */
-  Vector3D axis();
+    /** Where the lens puts what a pinhole has at a pixel; NaN where it puts it nowhere. */
+    Pixel bent(Pixel pinhole) {
+      double radius = Math.hypot(right(pinhole), below(pinhole));
+      return moved(pinhole, radius == 0 ? 1 : distorted(radius) / radius);
+    }
 
-  /** Where the camera is. */
-  Vector3D position();
+    /** Where a pinhole has what the lens puts at a pixel. */
+    Pixel straight(Pixel pixel) {
+      double radius = Math.hypot(right(pixel), below(pixel));
+      return moved(pixel, 1 + kappa1 * radius * radius);
+    }
 
-  /** The focal length in pixels, upright. */
-  double focalLength();
+    private double right(Pixel pixel) {
+      return (pixel.u() - cx) * dpx / sx;
+    }
 
-  /** The point of the ground that is seen at a pixel; NaN where that is above the horizon. */
-  default Vector3D ground(Pixel pixel) {
-    Vector3D ray = ray(pixel);
-    double times = -position().getZ() / ray.getZ();
-    return times > 0 ? position().add(ray.scalarMultiply(times)) : Vector3D.NaN;
+    private double below(Pixel pixel) {
+      return (pixel.v() - cy) * dpy;
+    }
+
+    private Pixel moved(Pixel pixel, double factor) {
+      return new Pixel(cx + (pixel.u() - cx) * factor, cy + (pixel.v() - cy) * factor);
+    }
+
+    /** The radius on the sensor of what a pinhole has at this one; NaN where the lens has none. */
+    private double distorted(double pinhole) {
+      double r = pinhole;
+      for (int i = 0; i < STEPS; i++) {
+        r -= (r * (1 + kappa1 * r * r) - pinhole) / (1 + 3 * kappa1 * r * r);
+      }
+      boolean found = Math.abs(r * (1 + kappa1 * r * r) - pinhole) <= 1e-9 * pinhole;
+      return found && r >= 0 && 1 + 3 * kappa1 * r * r > 0 ? r : Double.NaN;
+    }
   }
 
   /**
@@ -37,11 +88,159 @@ interface Calibration {
    */
   record Pixel(double u, double v) {
     /** Nowhere in any picture. */
-    static final Pixel NONE = new Pixel(Double.NaN, Double.NaN);
+    private static final Pixel NONE = new Pixel(Double.NaN, Double.NaN);
 
     /** How far another place is, pixels. */
     double distance(Pixel other) {
       return Math.hypot(u - other.u, v - other.v);
     }
+  }
+
+  /** Width and height: of a box or a picture in pixels, of a body in metres. */
+  public record Size(double width, double height) {
+    double area() {
+      return width * height;
+    }
+
+    @Override
+    public String toString() {
+      return Math.round(width) + "x" + Math.round(height);
+    }
+  }
+
+  /**
+   * Reads a calibration: XML by Tsai's method, as the PETS recordings have it, or a matrix of three
+   * rows and four columns.
+   *
+   * @param unit of the calibration's world; where nobody says, millimetres for XML and metres for a
+   *     matrix
+   * @param said the picture's size that somebody says, which a matrix does not
+   * @throws InputException with its place, when something is wrong or missing
+   */
+  public static Calibration read(Path file, Optional<Unit> unit, Optional<Size> said) {
+    if (isXml(file)) {
+      return new TsaiFile().read(file, unit.orElse(Unit.MM).metres(), said);
+    }
+    double[] rows = MatrixFile.read(file, 3, 4, "three rows of four numbers");
+    Size picture =
+        said.orElseThrow(
+            () ->
+                InputException.of(
+                    "%s: a matrix does not say how large the picture is, expected --image"
+                        + " WIDTHxHEIGHT",
+                    file));
+    try {
+      return matrix(rows, unit.orElse(Unit.M).metres(), picture);
+    } catch (InputException e) {
+      throw new InputException(file + ": " + e.getMessage(), e);
+    }
+  }
+
+  private static boolean isXml(Path file) {
+    try (TextLines lines = TextLines.open(file)) {
+      while (lines.next()) {
+        if (!lines.text().isBlank()) {
+          return lines.text().strip().replace("\uFEFF", "").startsWith("<");
+        }
+      }
+      return false;
+    }
+  }
+
+  /**
+   * A camera without distortion.
+   *
+   * @param p its matrix, row by row, in any scale; 12 numbers
+   * @param metres of a unit of its world
+   * @throws InputException when it is no camera's
+   */
+  static Calibration matrix(double[] p, double metres, Size picture) {
+    Vector3D first = new Vector3D(p[0], p[1], p[2]);
+    Vector3D second = new Vector3D(p[4], p[5], p[6]);
+    Vector3D third = new Vector3D(p[8], p[9], p[10]);
+    double determinant = first.dotProduct(second.crossProduct(third));
+    if (!(Math.abs(determinant) > SINGULAR * Math.pow(third.getNorm(), 3))) {
+      throw InputException.of(
+          "the matrix is not a camera's: the determinant of its left three columns is"
+              + " %s, expected another than 0",
+          determinant);
+    }
+    double scale = 1 / (third.getNorm() * Math.signum(determinant));
+    return new Calibration(
+        first.scalarMultiply(scale),
+        second.scalarMultiply(scale),
+        third.scalarMultiply(scale),
+        new Vector3D(p[3], p[7], p[11]).scalarMultiply(metres * scale),
+        Lens.STRAIGHT,
+        picture);
+  }
+
+  /**
+   * A camera by Tsai's method: x before it = R x + T, with R = Rz Ry Rx.
+   *
+   * @param turn rx, ry and rz, radians
+   * @param shift T, metres
+   */
+  static Calibration tsai(Vector3D turn, Vector3D shift, Lens lens, Size picture) {
+    double[][] r =
+        new Rotation(
+                RotationOrder.ZYX,
+                RotationConvention.VECTOR_OPERATOR,
+                turn.getZ(),
+                turn.getY(),
+                turn.getX())
+            .getMatrix();
+    double wide = lens.focal() * lens.sx() / lens.dpx();
+    double high = lens.focal() / lens.dpy();
+    Vector3D along = new Vector3D(r[2]);
+    return new Calibration(
+        new Vector3D(wide, new Vector3D(r[0]), lens.cx(), along),
+        new Vector3D(high, new Vector3D(r[1]), lens.cy(), along),
+        along,
+        new Vector3D(
+            wide * shift.getX() + lens.cx() * shift.getZ(),
+            high * shift.getY() + lens.cy() * shift.getZ(),
+            shift.getZ()),
+        lens,
+        picture);
+  }
+
+  /** The v for which A v is a vector (Cramer's rule). */
+  private Vector3D solve(Vector3D right) {
+    double determinant = across.dotProduct(down.crossProduct(along));
+    return down.crossProduct(along)
+        .scalarMultiply(right.getX())
+        .add(along.crossProduct(across).scalarMultiply(right.getY()))
+        .add(across.crossProduct(down).scalarMultiply(right.getZ()))
+        .scalarMultiply(1 / determinant);
+  }
+
+  /** Where a point is in the picture; NaN behind the camera. */
+  Pixel project(Vector3D point) {
+    double w = along.dotProduct(point) + shift.getZ();
+    return w > 0
+        ? lens.bent(
+            new Pixel(
+                (across.dotProduct(point) + shift.getX()) / w,
+                (down.dotProduct(point) + shift.getY()) / w))
+        : Pixel.NONE;
+  }
+
+  /** Where the camera is. */
+  Vector3D position() {
+    return solve(shift.negate());
+  }
+
+  /** The focal length in pixels, upright, whatever the principal point. */
+  double focalLength() {
+    return down.crossProduct(along).getNorm();
+  }
+
+  /** The point of the ground that is seen at a pixel; NaN where that is above the horizon. */
+  Vector3D ground(Pixel pixel) {
+    Pixel straight = lens.straight(pixel);
+    Vector3D ray = solve(new Vector3D(straight.u(), straight.v(), 1));
+    double times = -position().getZ() / ray.getZ();
+    return times > 0 ? position().add(ray.scalarMultiply(times)) : Vector3D.NaN;
   }
 }

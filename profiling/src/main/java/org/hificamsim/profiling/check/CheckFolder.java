@@ -1,14 +1,26 @@
 package org.hificamsim.profiling.check;
 
+import java.awt.Color;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.io.Writer;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
-import java.util.stream.Stream;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.XyPanel;
+import org.hificamsim.profiling.check.Calibration.Size;
+import org.hificamsim.profiling.check.ErrorSummary.Quantity;
+import org.hificamsim.profiling.check.RealityCheck.BoxComparison;
 import org.hificamsim.profiling.dataset.TableLayout;
 
 /** What a check leaves: a row per box, a row per rung and distance, and a picture. */
@@ -16,8 +28,8 @@ public final class CheckFolder {
   /** The errors, over all and by distance. */
   public static final String REALITY = "reality.csv";
 
-  /** The errors over distance. */
-  public static final String PICTURE = "reality.png";
+  /** The errors over distance, a picture. */
+  public static final String PICTURE = "reality";
 
   private static final TableLayout<ErrorSummary> SUMMARIES =
       new TableLayout<ErrorSummary>()
@@ -30,28 +42,36 @@ public final class CheckFolder {
           .with("error_90", one -> rounded(6, one.ninety()))
           .with("bias", one -> rounded(6, one.bias()));
 
+  private static final Map<SizeModel, Color> COLORS =
+      new EnumMap<>(Map.of(SizeModel.FLAT, Palette.BLUE, SizeModel.CALIBRATION, Palette.ORANGE));
+
+  private static final int MAX_POINTS = 3000;
+  private static final int WIDTH = 560;
+  private static final int HEIGHT = 280;
+
   private CheckFolder() {}
 
-  private static TableLayout<BoxComparison> boxes(double pixels) {
-    ToDoubleFunction<Size> pip = size -> size.area() / pixels;
-    return new TableLayout<BoxComparison>()
-        .with("frame", one -> (long) one.sighting().box().frame())
-        .with("target", one -> one.sighting().box().target())
-        .with("x", one -> rounded(4, one.sighting().foot().getX()))
-        .with("y", one -> rounded(4, one.sighting().foot().getY()))
-        .with("distance", one -> rounded(4, one.distance()))
-        .with("foot_error", one -> rounded(2, one.footError()))
-        .with("height", one -> rounded(2, one.sighting().size().height()))
-        .with("height_flat", one -> rounded(2, one.predicted(SizeModel.FLAT).height()))
-        .with("height_heights", one -> rounded(2, one.predicted(SizeModel.HEIGHTS).height()))
-        .with(
-            "height_calibration", one -> rounded(2, one.predicted(SizeModel.CALIBRATION).height()))
-        .with("pip", one -> rounded(8, pip.applyAsDouble(one.sighting().size())))
-        .with("pip_flat", one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.FLAT))))
-        .with("pip_heights", one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.HEIGHTS))))
-        .with(
-            "pip_calibration",
-            one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.CALIBRATION))));
+  private static TableLayout<BoxComparison> boxes(RealityCheck check) {
+    TableLayout<BoxComparison> layout =
+        new TableLayout<BoxComparison>()
+            .with("frame", one -> (long) one.sighting().box().frame())
+            .with("target", one -> one.sighting().box().target())
+            .with("x", one -> rounded(4, one.sighting().foot().getX()))
+            .with("y", one -> rounded(4, one.sighting().foot().getY()))
+            .with("distance", one -> rounded(4, one.distance()))
+            .with("foot_error", one -> rounded(2, one.footError()));
+    sizes(layout, "height", size -> rounded(2, size.height()));
+    sizes(layout, "pip", size -> rounded(8, check.pip(size)));
+    return layout;
+  }
+
+  /** Something of a box as it was measured, and as each rung predicts it. */
+  private static void sizes(
+      TableLayout<BoxComparison> layout, String name, Function<Size, Object> of) {
+    layout.with(name, one -> of.apply(one.sighting().size()));
+    for (SizeModel rung : SizeModel.values()) {
+      layout.with(name + "_" + Spelling.of(rung), one -> of.apply(one.predicted().get(rung)));
+    }
   }
 
   private static String rounded(int digits, double value) {
@@ -59,21 +79,56 @@ public final class CheckFolder {
   }
 
   /** Writes the files, all or none. */
-  public static void write(Path path, CheckResult result) throws IOException {
-    RealityCheck check = result.check();
+  public static void write(Path path, RealityCheck check) throws IOException {
     try (OutputFolder folder = new OutputFolder(path)) {
-      try (Writer out = folder.open(REALITY)) {
-        out.write(
-            SUMMARIES.csv(
-                Stream.of(check.overall(), check.byDistance()).flatMap(List::stream).toList()));
-      }
-      try (Writer out = folder.open("boxes.csv")) {
-        out.write(boxes(result.pixels()).csv(check.comparisons()));
-      }
-      try (OutputStream out = folder.stream(PICTURE)) {
-        out.write(CheckChart.png(check));
-      }
+      List<ErrorSummary> all = new ArrayList<>(check.overall());
+      all.addAll(check.byDistance());
+      folder.write(REALITY, SUMMARIES.csv(all));
+      folder.write("boxes.csv", boxes(check).csv(check.comparisons()));
+      FigureFile.write(folder, PICTURE, figure(check));
       folder.commit(List.of());
     }
+  }
+
+  /** Errors over distance: a point for each box, and the bias of each band as a line. */
+  private static Figure figure(RealityCheck check) {
+    List<LegendEntry> legend = new ArrayList<>();
+    COLORS.forEach(
+        (rung, c) -> legend.add(new LegendEntry(Spelling.of(rung), c, LegendEntry.Mark.DOT)));
+    return new Figure(
+        "Predicted against measured, " + check.boxes() + " boxes",
+        "A point for each box, and the bias by distance as a line.",
+        legend,
+        List.of(panel("box height", check, Quantity.HEIGHT), panel("PIP", check, Quantity.PIP)),
+        1,
+        WIDTH,
+        HEIGHT);
+  }
+
+  private static XyPanel panel(String title, RealityCheck check, Quantity quantity) {
+    XyPanel panel = new XyPanel(title, "distance, m", "error, % of the measured").cloud();
+    int every = 1 + check.boxes() / MAX_POINTS;
+    List<BoxComparison> shown =
+        IntStream.range(0, check.boxes())
+            .filter(i -> i % every == 0)
+            .mapToObj(check.comparisons()::get)
+            .toList();
+    COLORS.forEach(
+        (rung, color) ->
+            panel.dots(
+                Curve.of(shown, BoxComparison::distance, one -> 100 * one.error(rung, quantity)),
+                Palette.pale(color, 0.27)));
+    COLORS.forEach(
+        (rung, color) ->
+            panel.straight(
+                Curve.of(
+                    check.byDistance().stream()
+                        .filter(one -> one.rung().equals(Spelling.of(rung)))
+                        .filter(one -> one.quantity().equals(Spelling.of(quantity)))
+                        .toList(),
+                    one -> (one.from() + one.to()) / 2,
+                    one -> 100 * one.bias()),
+                color.darker()));
+    return panel;
   }
 }

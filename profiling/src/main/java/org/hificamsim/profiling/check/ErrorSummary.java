@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.profiling.check.Calibration.Size;
+import org.hificamsim.profiling.check.RealityCheck.BoxComparison;
 
 /**
  * How far predictions are off, as shares of what was measured.

@@ -5,11 +5,29 @@ import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.check.Calibration.Pixel;
+import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.tracks.format.MotFile;
 
 /** The boxes of a MOT file that can be compared, and how many cannot. */
-final class MotSightings {
-  private final CalibratedPicture picture;
+public final class MotSightings {
+  /**
+   * A target as it was seen: its box in the picture, and where it stood.
+   *
+   * @param foot its place on the ground, metres
+   */
+  public record Sighting(MotFile.Row box, Vector3D foot) {
+    Size size() {
+      return new Size(box.width(), box.height());
+    }
+
+    /** Where the box stands. */
+    Pixel stand() {
+      return new Pixel(box.footX(), box.footY());
+    }
+  }
+
+  private final Calibration camera;
   private final List<MotFile.Row> whole = new ArrayList<>();
   private final List<Sighting> sightings = new ArrayList<>();
   private final boolean inWorld;
@@ -23,8 +41,8 @@ final class MotSightings {
    * @param metres of a unit of its positions in the world
    * @throws InputException with its place, when something is wrong, or nothing can be compared
    */
-  MotSightings(Path file, CalibratedPicture picture, double metres) {
-    this.picture = picture;
+  public MotSightings(Path file, Calibration camera, double metres) {
+    this.camera = camera;
     MotFile.read(file, this::take);
     inWorld = whole.stream().anyMatch(MotFile.Row::inWorld);
     for (MotFile.Row row : whole) {
@@ -46,31 +64,39 @@ final class MotSightings {
   private void take(MotFile.Row row) {
     if (row.confidence() == 0 || row.width() <= 0 || row.height() <= 0) {
       ignored++;
-    } else if (picture.cuts(row)) {
+    } else if (isCut(row)) {
       cut++;
     } else {
       whole.add(row);
     }
   }
 
+  /** Whether the picture's border may have cut a box off. */
+  private boolean isCut(MotFile.Row box) {
+    return box.left() <= 0
+        || box.top() <= 0
+        || box.left() + box.width() >= camera.picture().width()
+        || box.top() + box.height() >= camera.picture().height();
+  }
+
   /** As the file says; where it says it of no target, as the calibration has the box's foot. */
   private Vector3D foot(MotFile.Row row, double metres) {
     return inWorld
         ? new Vector3D(metres * row.x(), metres * row.y(), 0)
-        : picture.camera().ground(new Calibration.Pixel(row.footX(), row.footY()));
+        : camera.ground(new Pixel(row.footX(), row.footY()));
   }
 
-  List<Sighting> sightings() {
+  public List<Sighting> sightings() {
     return sightings;
   }
 
   /** Whether the file says where targets were. */
-  boolean inWorld() {
+  public boolean inWorld() {
     return inWorld;
   }
 
   /** What is not compared, in words. */
-  String leftOut() {
+  public String leftOut() {
     return "%s of confidence 0 or without size, %s cut off by the picture's border, %s without a place on the ground"
         .formatted(ignored, cut, nowhere);
   }

@@ -1,20 +1,60 @@
 package org.hificamsim.profiling.check;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.profiling.check.ErrorSummary.Quantity;
+import org.hificamsim.profiling.check.MotSightings.Sighting;
 
 /** Sightings compared with predictions, and a summary of the errors: over all, and by distance. */
 public final class RealityCheck {
   private static final double MAX_BANDS = 8;
 
+  /**
+   * A sighting and what was predicted of it.
+   *
+   * @param distance from camera to target over the ground, metres
+   * @param footError from where the calibration has the target's foot to where the box stands,
+   *     pixels
+   * @param predicted by each rung
+   */
+  record BoxComparison(
+      Sighting sighting, double distance, double footError, Map<SizeModel, Size> predicted) {
+    static BoxComparison of(Sighting sighting, Calibration camera, Size body) {
+      Map<SizeModel, Size> predicted = new EnumMap<>(SizeModel.class);
+      for (SizeModel rung : SizeModel.values()) {
+        predicted.put(rung, rung.size(camera, sighting.foot(), body));
+      }
+      return new BoxComparison(
+          sighting,
+          SizeModel.distance(camera, sighting.foot()),
+          camera.project(sighting.foot()).distance(sighting.stand()),
+          predicted);
+    }
+
+    /** Whether the camera sees the place at all, and something is predicted. */
+    boolean possible() {
+      return predicted.values().stream().allMatch(size -> size.area() > 0) && footError >= 0;
+    }
+
+    /** The error of a prediction as a share of what was measured; above 0 where it is too large. */
+    double error(SizeModel rung, Quantity quantity) {
+      double measured = quantity.of(sighting.size());
+      return (quantity.of(predicted.get(rung)) - measured) / measured;
+    }
+  }
+
   private final List<BoxComparison> comparisons;
+  private final Calibration camera;
   private final double bandWidth;
 
-  private RealityCheck(List<BoxComparison> comparisons) {
+  private RealityCheck(List<BoxComparison> comparisons, Calibration camera) {
     this.comparisons = comparisons;
+    this.camera = camera;
     this.bandWidth = bandWidth(comparisons);
   }
 
@@ -25,7 +65,7 @@ public final class RealityCheck {
    * @throws InputException when the calibration is of another place than the sightings, or there
    *     are none
    */
-  static RealityCheck of(List<Sighting> sightings, Calibration camera, Size body) {
+  public static RealityCheck of(List<Sighting> sightings, Calibration camera, Size body) {
     List<BoxComparison> possible =
         sightings.stream()
             .map(sighting -> BoxComparison.of(sighting, camera, body))
@@ -37,7 +77,7 @@ public final class RealityCheck {
                   .formatted(sightings.size())
               + " of one place; maybe --unit or --calibration-unit");
     }
-    RealityCheck check = new RealityCheck(possible);
+    RealityCheck check = new RealityCheck(possible, camera);
     check.requireOnePlace();
     return check;
   }
@@ -69,6 +109,11 @@ public final class RealityCheck {
 
   List<BoxComparison> comparisons() {
     return comparisons;
+  }
+
+  /** A box's share of the picture. */
+  double pip(Size box) {
+    return box.area() / camera.picture().area();
   }
 
   /** How many boxes were compared. */

@@ -3,6 +3,7 @@ package org.hificamsim.profiling.check;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.visibility.UprightPicture;
+import org.hificamsim.profiling.check.Calibration.Size;
 
 /** How a size in the picture is predicted. */
 enum SizeModel {
@@ -25,7 +26,7 @@ enum SizeModel {
   HEIGHTS {
     @Override
     Size size(Calibration camera, Vector3D foot, Size body) {
-      Vector3D axis = camera.axis();
+      Vector3D axis = camera.along();
       double along = Math.hypot(axis.getX(), axis.getY());
       double east = foot.getX() - camera.position().getX();
       double north = foot.getY() - camera.position().getY();

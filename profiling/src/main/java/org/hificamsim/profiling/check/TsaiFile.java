@@ -10,6 +10,7 @@ import java.util.Set;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.PlainXml;
+import org.hificamsim.profiling.check.Calibration.Size;
 import org.xml.sax.Attributes;
 
 /** Reads the XML of the PETS recordings: {@code <Camera>} with three elements of numbers. */
@@ -27,7 +28,7 @@ final class TsaiFile extends PlainXml {
    * @param metres of a unit of its world
    * @param said the picture's size that somebody says; must be that of the file, where it has one
    */
-  CalibratedPicture read(Path file, double metres, Optional<Size> said) {
+  Calibration read(Path file, double metres, Optional<Size> said) {
     readFile(file);
     for (String element : ELEMENTS) {
       if (!found.contains(element)) {
@@ -37,22 +38,18 @@ final class TsaiFile extends PlainXml {
             file, element);
       }
     }
-    TsaiCamera camera =
-        new TsaiCamera(
-            new TsaiCamera.Extrinsic(
-                number("rx"),
-                number("ry"),
-                number("rz"),
-                new Vector3D(number("tx"), number("ty"), number("tz")).scalarMultiply(metres)),
-            new TsaiCamera.Intrinsic(
-                number("focal"),
-                number("kappa1"),
-                number("dpx"),
-                number("dpy"),
-                number("sx"),
-                number("cx"),
-                number("cy")));
-    return new CalibratedPicture(camera, size(file, said));
+    return Calibration.tsai(
+        new Vector3D(number("rx"), number("ry"), number("rz")),
+        new Vector3D(number("tx"), number("ty"), number("tz")).scalarMultiply(metres),
+        new Calibration.Lens(
+            number("focal"),
+            number("kappa1"),
+            number("dpx"),
+            number("dpy"),
+            number("sx"),
+            number("cx"),
+            number("cy")),
+        size(file, said));
   }
 
   private Size size(Path file, Optional<Size> said) {

@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.measure.PipReading;
 
@@ -86,7 +89,8 @@ public final class FitReport {
     } else if (part.group(2) == null) {
       parts.get(part.group(3)).add();
     } else {
-      figure(part.group(2), figures.figure(part.group(2)), part.group(4));
+      String title = title(part.group(2), part.group(4));
+      picture("figure-" + part.group(2), figures.figure(part.group(2), title), title + ".");
     }
   }
 
@@ -122,7 +126,7 @@ public final class FitReport {
   private void confidences() throws IOException {
     for (String detector : result.detectors()) {
       picture(
-          "objects-" + detector + ".png",
+          "objects-" + detector,
           figures.objects(detector),
           detector + ": every photo, its object by colour; g, and its 95% band.");
     }
@@ -130,7 +134,7 @@ public final class FitReport {
 
   private void reliability() throws IOException {
     picture(
-        "reliability.png",
+        "reliability",
         ReportFigures.reliability(own.recommended()),
         "Reliability in fifths of the unseen photos: on the line, chances are right.");
   }
@@ -138,16 +142,18 @@ public final class FitReport {
   private void lines() throws IOException {
     for (String detector : result.detectors()) {
       String number = DETECTOR_FIGURES.getOrDefault(detector, detector + "-line");
-      figure(number, figures.detector(detector), detector + " on measured PIP");
+      String title = title(number, detector + " on measured PIP");
+      picture("figure-" + number, figures.detector(detector, title), title + ".");
     }
   }
 
-  private void figure(String number, byte[] png, String caption) throws IOException {
-    picture("figure-" + number + ".png", png, "Figure " + number + ": " + caption + ".");
+  private static String title(String number, String caption) {
+    return "Figure " + number + ": " + caption;
   }
 
-  private void picture(String file, byte[] png, String caption) throws IOException {
-    folder.write(file, png);
-    page.figure(png, caption);
+  private void picture(String name, Figure figure, String caption) throws IOException {
+    FigureFile.Drawn drawn = FigureFile.draw(figure, Optional.empty());
+    drawn.write(folder, name);
+    page.figure(drawn.files().get(0), caption);
   }
 }

@@ -10,21 +10,28 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.hifi.detector.DetectorModel;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.profiling.fit.Coefficient;
 import org.hificamsim.profiling.fit.CurveBand;
-import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.LeastSquares;
 import org.hificamsim.profiling.fit.Reliability;
 import org.hificamsim.profiling.measure.Measurement;
-import org.knowm.xchart.XYChart;
-import org.knowm.xchart.style.markers.SeriesMarkers;
+import org.knowm.xchart.Histogram;
 import smile.stat.distribution.KernelDensity;
 
-/** The figures of chapters 4 to 6, each as a PNG file's bytes. */
+/** The figures of chapters 4 to 6, and those of the data set's own numbers. */
 final class ReportFigures {
-  private static final int FIGURES_A_ROW = 3;
+  private static final Color DOTS = Palette.pale(Palette.BLACK, 0.6);
+  private static final int WIDTH = 300;
+  private static final int HEIGHT = 230;
+  private static final int PANELS_A_ROW = 3;
+  private static final int BINS = 30;
   private static final int MAX_NAMED = 16;
   private static final int CURVE_POINTS = 60;
   private static final int DENSITY_POINTS = 200;
@@ -38,60 +45,93 @@ final class ReportFigures {
   }
 
   /** A figure of the thesis with these photos, by its number. */
-  byte[] figure(String number) {
+  Figure figure(String number, String title) {
+    double[] pip = result.measuredPip();
     return switch (number) {
-      case "4.1" -> variables();
-      case "4.2" -> transformation();
-      case "4.3" -> transformedRegression();
-      case "4.4" -> residuals(List.of("lin"));
-      case "4.5" -> residuals(List.of("sr"));
-      case "4.7" -> residuals(List.of("svr-lin", "svr-rbf"));
-      case "6.1" -> combinations();
-      case "6.2" -> camSim();
+      case "4.1" -> // the distributions of the variables
+          grid(title, Variable.of(result).stream().map(ReportFigures::histogram).toList());
+      case "4.2" -> grid(title, List.of(density("PIP", pip), density("-log10(PIP)", responses)));
+      case "4.3" -> // multiple linear regression before and after the transformation
+          grid(
+              title,
+              List.of(
+                  scatter("PIP", "PIP", "predicted PIP", pip, linearOnPip(), x -> x),
+                  scatter(
+                      "-log10(PIP)",
+                      "-log10(PIP)",
+                      "predicted -log10(PIP)",
+                      responses,
+                      result.feature("lin").validation().predicted(),
+                      x -> x)));
+      case "4.4" -> grid(title, List.of(residuals("lin")));
+      case "4.5" -> grid(title, List.of(residuals("sr")));
+      case "4.7" -> grid(title, List.of(residuals("svr-lin"), residuals("svr-rbf")));
+      case "6.1" -> // each detector on each predicted PIP
+          grid(
+              title,
+              result.detectors().stream()
+                  .flatMap(
+                      detector ->
+                          result.features().stream()
+                              .map(f -> fitted(detector, f.name(), "predicted PIP")))
+                  .toList());
+      case "6.2" ->
+          grid(
+              title,
+              result.detectors().stream()
+                  .map(detector -> fitted(detector, FitResult.CAMSIM, "CamSim's confidence"))
+                  .toList());
       default -> throw new IllegalArgumentException("there is no figure " + number);
     };
   }
 
-  /** Figure 4.1: the distributions of the variables. */
-  byte[] variables() {
-    return Charts.png(
-        Variable.of(result).stream()
-            .map(one -> Charts.histogram(one.name() + " " + one.unit(), one.values()))
-            .toList(),
-        2);
+  private static Figure grid(String title, List<XyPanel> panels) {
+    int columns = Math.min(PANELS_A_ROW, panels.size() == 4 ? 2 : panels.size());
+    return new Figure(title, "", List.of(), panels, columns, WIDTH, HEIGHT);
   }
 
-  /** Figure 4.2: the density of PIP before and after the transformation. */
-  byte[] transformation() {
-    return Charts.png(
-        List.of(density("PIP", result.measuredPip()), density("-log10(PIP)", responses)), 2);
+  private static XyPanel panel(String title, String x, String y) {
+    return new XyPanel(title, x, y).cloud();
+  }
+
+  /** A dot for each photo, and a line from the first to the last. */
+  private static XyPanel scatter(
+      String title,
+      String xTitle,
+      String yTitle,
+      double[] x,
+      double[] y,
+      DoubleUnaryOperator line) {
+    double[] ends = ends(x);
+    return panel(title, xTitle, yTitle)
+        .dots(new Curve(x, y), DOTS)
+        .straight(new Curve(ends, at(ends, line)), Palette.BLUE);
+  }
+
+  private static XyPanel histogram(Variable variable) {
+    Histogram bins = new Histogram(Arrays.stream(variable.values()).boxed().toList(), BINS);
+    double[] x = new double[2 * BINS];
+    double[] y = new double[2 * BINS];
+    double width = (bins.getMax() - bins.getMin()) / BINS;
+    for (int i = 0; i < x.length; i++) {
+      int edge = (i + 1) / 2;
+      x[i] = bins.getMin() + edge * width;
+      y[i] = bins.getyAxisData().get(i / 2);
+    }
+    return panel(variable.name(), variable.name() + " " + variable.unit(), "photos")
+        .band(new Curve(x, new double[x.length]), new Curve(x, y), Palette.BLUE)
+        .thin(new Curve(x, y), Palette.BLUE);
   }
 
   /** With Gaussian kernels and Scott's bandwidth; of a copy, since Smile sorts what it is given. */
-  private static XYChart density(String title, double[] values) {
-    double sd = Variable.sd(values);
-    double width = Math.max(sd * StrictMath.pow(values.length, -0.2), 1e-9);
+  private static XyPanel density(String title, double[] values) {
+    double width = Math.max(Variable.sd(values) * StrictMath.pow(values.length, -0.2), 1e-9);
     double from = StatUtils.min(values) - 3 * width;
     double step = (StatUtils.max(values) + 3 * width - from) / (DENSITY_POINTS - 1);
     double[] x = IntStream.range(0, DENSITY_POINTS).mapToDouble(i -> from + i * step).toArray();
-    XYChart chart = Charts.plot(title, title, "density");
-    Charts.line(
-        chart, "density", x, at(x, new KernelDensity(values.clone(), width)::p), Charts.BLUE);
-    double[] zeros = new double[values.length];
-    return Charts.points(chart, "photos", values, zeros, Charts.DOTS, SeriesMarkers.CROSS);
-  }
-
-  /** Figure 4.3: multiple linear regression before and after the transformation. */
-  byte[] transformedRegression() {
-    double[] pip = result.measuredPip();
-    XYChart before = Charts.plot("response PIP", "PIP", "predicted PIP");
-    Charts.points(before, "photos", pip, linearOnPip(), Charts.DOTS);
-    Charts.line(before, "equal", ends(pip), ends(pip), Charts.BLUE);
-    double[] log = result.feature("lin").validation().predicted();
-    XYChart after = Charts.plot("response -log10(PIP)", "-log10(PIP)", "predicted -log10(PIP)");
-    Charts.points(after, "photos", responses, log, Charts.DOTS);
-    Charts.line(after, "equal", ends(responses), ends(responses), Charts.BLUE);
-    return Charts.png(List.of(before, after), 2);
+    return panel(title, title, "density")
+        .straight(new Curve(x, at(x, new KernelDensity(values.clone(), width)::p)), Palette.BLUE)
+        .dots(new Curve(values, new double[values.length]), DOTS);
   }
 
   /** What multiple linear regression of PIP itself predicts. */
@@ -106,119 +146,102 @@ final class ReportFigures {
         .toArray();
   }
 
-  /** Figures 4.4, 4.5 and 4.7: the residuals of held-out predictions. */
-  byte[] residuals(List<String> names) {
-    return Charts.png(
-        names.stream()
-            .map(
-                f ->
-                    residuals(
-                        f,
-                        "predicted -log10(PIP)",
-                        responses,
-                        result.feature(f).validation().predicted()))
-            .toList(),
-        names.size());
+  /** The residuals of held-out predictions. */
+  private XyPanel residuals(String f) {
+    double[] predicted = result.feature(f).validation().predicted();
+    return residuals(f, "predicted -log10(PIP)", responses, predicted);
   }
 
-  private static XYChart residuals(
+  private static XyPanel residuals(
       String title, String label, double[] observed, double[] predicted) {
-    XYChart chart = Charts.plot(title, label, "residual");
-    Charts.points(
-        chart, "photos", predicted, MathArrays.ebeSubtract(observed, predicted), Charts.DOTS);
-    return Charts.line(chart, "zero", ends(predicted), new double[2], Charts.BLUE);
+    double[] errors = MathArrays.ebeSubtract(observed, predicted);
+    return scatter(title, label, "residual", predicted, errors, x -> 0);
   }
 
   /** Figures 5.3, 5.5 and 5.7: a detector's line on measured PIP, and its residuals. */
-  byte[] detector(String detector) {
-    double[] pip = result.measuredPip();
+  Figure detector(String detector, String title) {
     DetectorModel line = result.line(detector, FitResult.GROUND_TRUTH).line();
-    return Charts.png(
+    return grid(
+        title,
         List.of(
-            fitted(detector, FitResult.GROUND_TRUTH, detector + " on PIP", "PIP"),
+            fitted(detector, FitResult.GROUND_TRUTH, "PIP"),
             residuals(
                 "residuals",
                 "predicted confidence",
                 result.confidences(detector),
-                at(pip, line::confidence))),
-        2);
-  }
-
-  /** Figure 6.1: each detector on each predicted PIP. */
-  byte[] combinations() {
-    List<XYChart> charts = new ArrayList<>();
-    for (String detector : result.detectors()) {
-      for (FeatureResult f : result.features()) {
-        charts.add(fitted(detector, f.name(), detector + "-" + f.name(), "predicted PIP"));
-      }
-    }
-    return Charts.png(charts, FIGURES_A_ROW);
-  }
-
-  /** Figure 6.2: each detector on CamSim's standard confidence. */
-  byte[] camSim() {
-    List<XYChart> charts =
-        result.detectors().stream()
-            .map(detector -> fitted(detector, FitResult.CAMSIM, detector, "CamSim's confidence"))
-            .toList();
-    return Charts.png(charts, charts.size());
+                at(result.measuredPip(), line::confidence))));
   }
 
   /** A detector's confidences, and its line on some predictor. */
-  private XYChart fitted(String detector, String on, String title, String label) {
-    double[] x = result.predictor(on);
-    XYChart chart = Charts.plot(title, label, "confidence");
-    Charts.points(chart, "photos", x, result.confidences(detector), Charts.DOTS);
+  private XyPanel fitted(String detector, String on, String label) {
     DetectorModel line = result.line(detector, on).line();
-    return Charts.line(chart, "line", ends(x), at(ends(x), line::confidence), Charts.BLUE);
+    return scatter(
+        detector + " on " + on,
+        label,
+        "confidence",
+        result.predictor(on),
+        result.confidences(detector),
+        line::confidence);
   }
 
   /** A detector's confidence by measured PIP, object by object, with the chosen g and its band. */
-  byte[] objects(String detector) {
-    XYChart chart = Charts.large(detector + " by object", "PIP (logarithmic)", "confidence");
-    chart.getStyler().setXAxisLogarithmic(true);
+  Figure objects(String detector) {
+    XyPanel panel = panel("", "PIP (logarithmic)", "confidence");
+    panel.getStyler().setXAxisLogarithmic(true);
     Map<String, List<Measurement>> objects = result.byObject();
-    chart.getStyler().setLegendVisible(objects.size() <= MAX_NAMED);
+    List<LegendEntry> legend = new ArrayList<>();
     objects.forEach(
-        (name, photos) ->
-            Charts.points(
-                chart,
-                name,
-                photos.stream().mapToDouble(Measurement::pip).toArray(),
-                photos.stream().mapToDouble(m -> m.confidence(detector)).toArray(),
-                Color.getHSBColor(
-                    chart.getSeriesMap().size() / (float) objects.size(), 0.7f, 0.8f)));
+        (name, photos) -> {
+          float hue = legend.size() / (float) objects.size();
+          Color color = Color.getHSBColor(hue, 0.7f, 0.8f);
+          legend.add(new LegendEntry(name, color, LegendEntry.Mark.DOT));
+          panel.dots(
+              Curve.of(photos, Measurement::pip, photo -> photo.confidence(detector)), color);
+        });
     double[] pip = logarithmic(ends(result.measuredPip()));
     DetectorModel g = result.model(detector, FitResult.GROUND_TRUTH).chosen().g();
-    Charts.line(chart, "g", pip, at(pip, g::confidence), Color.BLACK);
     CurveBand band = CurveBand.of(result, detector, pip, 0);
-    Charts.line(chart, "95% low", pip, band.low(), Charts.DOTS);
-    Charts.line(chart, "95% high", pip, band.high(), Charts.DOTS);
-    return Charts.png(List.of(chart), 1);
+    panel.straight(new Curve(pip, at(pip, g::confidence)), Palette.BLACK);
+    panel.thin(new Curve(pip, band.low()), DOTS).thin(new Curve(pip, band.high()), DOTS);
+    return new Figure(
+        detector + " by object",
+        "Line: g; thin lines: its 95% band.",
+        legend.size() <= MAX_NAMED ? legend : List.of(),
+        List.of(panel),
+        1,
+        2 * WIDTH,
+        2 * HEIGHT);
   }
 
   /**
    * Reliability: in fifths of the photos, how many are detected over how many are expected to be;
    * before false alarms were taken off, and as the scatter that is taken has it.
    */
-  static byte[] reliability(List<FittedModel> models) {
-    return Charts.png(models.stream().map(ReportFigures::reliability).toList(), models.size());
+  static Figure reliability(List<FittedModel> models) {
+    return new Figure(
+        "Reliability in fifths of the unseen photos",
+        "On the line, chances are right.",
+        List.of(
+            new LegendEntry("before", Palette.ORANGE, LegendEntry.Mark.DOT),
+            new LegendEntry("now", Palette.BLUE, LegendEntry.Mark.DOT)),
+        models.stream().map(ReportFigures::reliability).toList(),
+        models.size(),
+        WIDTH,
+        HEIGHT);
   }
 
-  private static XYChart reliability(FittedModel model) {
-    XYChart chart = Charts.plot(model.name(), "expected share", "detected share");
-    chart.getStyler().setLegendVisible(true);
-    chart.getStyler().setMarkerSize(7);
-    Charts.line(chart, "equal", new double[] {0, 1}, new double[] {0, 1}, Charts.DOTS);
-    fifths(chart, "before", OwnTables.before(model.fit()), Charts.ORANGE);
-    fifths(chart, "now", model.fit().drawnFrom().calibration(), Charts.BLUE);
-    return chart;
+  private static XyPanel reliability(FittedModel model) {
+    double[] equal = {0, 1};
+    XyPanel panel = panel(model.name(), "expected share", "detected share");
+    panel.straight(new Curve(equal, equal), DOTS);
+    fifths(panel, OwnTables.before(model.fit()), Palette.ORANGE);
+    fifths(panel, model.fit().drawnFrom().calibration(), Palette.BLUE);
+    return panel;
   }
 
-  private static void fifths(XYChart chart, String name, Reliability of, Color colour) {
-    double[] x = of.fifths().stream().mapToDouble(Reliability.Part::expected).toArray();
-    double[] y = of.fifths().stream().mapToDouble(Reliability.Part::detected).toArray();
-    Charts.points(chart, name, x, y, colour);
+  private static void fifths(XyPanel panel, Reliability of, Color color) {
+    panel.dots(
+        Curve.of(of.fifths(), Reliability.Part::expected, Reliability.Part::detected), color);
   }
 
   private static double[] logarithmic(double[] ends) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.check.Calibration.Lens;
 import org.hificamsim.profiling.check.Calibration.Pixel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CalibrationTest {
   @Test
   void aLevelCameraSeesAsAPinholeDoes() {
-    TsaiCamera camera = MadeCameras.at(5, 0, MadeCameras.LENS);
+    Calibration camera = MadeCameras.at(5, 0, MadeCameras.LENS);
     Pixel foot = camera.project(new Vector3D(2, 20, 0));
     assertEquals(384 + 6 * 1.25 / 0.01 * 2 / 20, foot.u(), 1e-9);
     assertEquals(288 + 6 / 0.012 * 5 / 20, foot.v(), 1e-9);
@@ -28,21 +29,24 @@ class CalibrationTest {
 
   @Test
   void aTurnIsMadeAboutXFirstThenYThenZ() {
-    TsaiCamera.Extrinsic turn =
-        new TsaiCamera.Extrinsic(Math.PI / 2, Math.PI / 2, 0, new Vector3D(0, 0, 0));
-    Vector3D north = turn.before(new Vector3D(0, 1, 0)); // about x: to z; about y: z to x
-    assertEquals(1, north.getX(), 1e-12);
-    assertEquals(0, north.getZ(), 1e-12);
-    TsaiCamera.Extrinsic last =
-        new TsaiCamera.Extrinsic(0, Math.PI / 2, Math.PI / 2, new Vector3D(0, 0, 0));
-    Vector3D up = last.before(new Vector3D(0, 0, 1)); // about y: to x; about z: x to y
-    assertEquals(1, up.getY(), 1e-12);
+    Lens plain = new Lens(1, 0, 1, 1, 1, 0, 0);
+    Vector3D away = new Vector3D(0, 0, 5);
+    double quarter = Math.PI / 2;
+    Calibration camera =
+        Calibration.tsai(new Vector3D(quarter, quarter, 0), away, plain, MadeCameras.PICTURE);
+    Pixel north = camera.project(new Vector3D(0, 1, 0)); // about x: to z; about y: z to x
+    assertEquals(1.0 / 5, north.u(), 1e-12);
+    assertEquals(0, north.v(), 1e-12);
+    Calibration last =
+        Calibration.tsai(new Vector3D(0, quarter, quarter), away, plain, MadeCameras.PICTURE);
+    Pixel up = last.project(new Vector3D(0, 0, 1)); // about y: to x; about z: x to y
+    assertEquals(1.0 / 5, up.v(), 1e-12);
   }
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.005, -0.002})
   void whatIsSeenAtAPixelIsWhereItWasPut(double kappa1) {
-    TsaiCamera camera = MadeCameras.at(6, 15, MadeCameras.bent(kappa1));
+    Calibration camera = MadeCameras.at(6, 15, MadeCameras.bent(kappa1));
     for (double x = -6; x <= 6; x += 1.5) {
       for (double y = 12; y <= 40; y += 4) {
         Vector3D back = camera.ground(camera.project(new Vector3D(x, y, 0)));
@@ -56,7 +60,7 @@ class CalibrationTest {
 
   @Test
   void distortionMovesWhatIsFarFromTheCentre() {
-    TsaiCamera bent = MadeCameras.at(5, 0, MadeCameras.bent(0.01));
+    Calibration bent = MadeCameras.at(5, 0, MadeCameras.bent(0.01));
     Pixel seen = bent.project(new Vector3D(8, 20, 5));
     double r = (seen.u() - 384) * 0.01 / 1.25; // millimetres
     assertEquals(6.0 * 8 / 20, r * (1 + 0.01 * r * r), 1e-9);
@@ -65,9 +69,9 @@ class CalibrationTest {
   @ParameterizedTest
   @CsvSource({"1, 1", "0.001, 1", "1, -3.5", "0.01, 0.02"})
   void aMatrixIsTheSameCameraInAnyScaleAndUnit(double metres, double scale) {
-    TsaiCamera camera = MadeCameras.at(6, 15, MadeCameras.LENS);
-    ProjectionMatrix matrix =
-        new ProjectionMatrix(MadeCameras.matrix(camera, metres, scale), metres);
+    Calibration camera = MadeCameras.at(6, 15, MadeCameras.LENS);
+    Calibration matrix =
+        Calibration.matrix(MadeCameras.matrix(6, 15, metres, scale), metres, MadeCameras.PICTURE);
     Vector3D point = new Vector3D(3, 17, 1.2);
     assertEquals(0, camera.project(point).distance(matrix.project(point)), 1e-6);
     Vector3D ground = matrix.ground(camera.project(new Vector3D(-2, 25, 0)));
@@ -82,7 +86,7 @@ class CalibrationTest {
   void aMatrixThatIsNoCameraIsRefused() {
     double[] flat = {1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 1, 1};
     InputException refused =
-        assertThrows(InputException.class, () -> new ProjectionMatrix(flat, 1));
+        assertThrows(InputException.class, () -> Calibration.matrix(flat, 1, MadeCameras.PICTURE));
     assertTrue(refused.getMessage().contains("not a camera's"), refused.getMessage());
   }
 }

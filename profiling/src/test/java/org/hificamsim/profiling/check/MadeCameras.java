@@ -1,12 +1,15 @@
 package org.hificamsim.profiling.check;
 
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+import org.hificamsim.profiling.check.Calibration.Lens;
+import org.hificamsim.profiling.check.Calibration.Size;
 
 /** Cameras of our own making, whose every number is known. */
 final class MadeCameras {
-  /** Of a picture of 768 x 576 pixels. */
-  static final TsaiCamera.Intrinsic LENS =
-      new TsaiCamera.Intrinsic(6, 0, 0.01, 0.012, 1.25, 384, 288);
+  static final Size PICTURE = new Size(768, 576);
+
+  /** Of such a picture. */
+  static final Lens LENS = bent(0);
 
   private MadeCameras() {}
 
@@ -16,47 +19,39 @@ final class MadeCameras {
    * @param height metres
    * @param tilt downwards, degrees
    */
-  static TsaiCamera at(double height, double tilt, TsaiCamera.Intrinsic lens) {
+  static Calibration at(double height, double tilt, Lens lens) {
     double rx = Math.toRadians(90 + tilt);
-    Vector3D place = new Vector3D(0, 0, height);
-    Vector3D turned = new TsaiCamera.Extrinsic(rx, 0, 0, new Vector3D(0, 0, 0)).before(place);
-    return new TsaiCamera(new TsaiCamera.Extrinsic(rx, 0, 0, turned.negate()), lens);
+    Vector3D shift = new Vector3D(0, height * Math.sin(rx), -height * Math.cos(rx));
+    return Calibration.tsai(new Vector3D(rx, 0, 0), shift, lens, PICTURE);
   }
 
   /** The same lens, bent. */
-  static TsaiCamera.Intrinsic bent(double kappa1) {
-    return new TsaiCamera.Intrinsic(6, kappa1, 0.01, 0.012, 1.25, 384, 288);
+  static Lens bent(double kappa1) {
+    return new Lens(6, kappa1, 0.01, 0.012, 1.25, 384, 288);
   }
 
-  /** The matrix of a camera without distortion, whose world has so many metres to a unit. */
-  static double[] matrix(TsaiCamera camera, double metres, double scale) {
+  /** The matrix of such a camera, whose world has so many metres to a unit. */
+  static double[] matrix(double height, double tilt, double metres, double scale) {
     double[] p = new double[12];
-    Vector3D[] units = {
-      new Vector3D(0, 0, 0),
-      new Vector3D(metres, 0, 0),
-      new Vector3D(0, metres, 0),
-      new Vector3D(0, 0, metres)
-    };
-    Vector3D shift = homogeneous(camera, units[0]);
-    for (int column = 0; column < 3; column++) {
-      Vector3D moved = homogeneous(camera, units[column + 1]).add(shift.negate());
-      p[column] = scale * moved.getX();
-      p[4 + column] = scale * moved.getY();
-      p[8 + column] = scale * moved.getZ();
+    Vector3D shift = homogeneous(height, tilt, Vector3D.ZERO);
+    Vector3D[] axes = {Vector3D.PLUS_I, Vector3D.PLUS_J, Vector3D.PLUS_K, Vector3D.ZERO};
+    for (int column = 0; column < 4; column++) {
+      Vector3D moved = homogeneous(height, tilt, axes[column].scalarMultiply(metres));
+      Vector3D entry = column < 3 ? moved.subtract(shift) : shift;
+      p[column] = scale * entry.getX();
+      p[4 + column] = scale * entry.getY();
+      p[8 + column] = scale * entry.getZ();
     }
-    p[3] = scale * shift.getX();
-    p[7] = scale * shift.getY();
-    p[11] = scale * shift.getZ();
     return p;
   }
 
   /** (u w, v w, w) of a point, by the pinhole's own formula. */
-  private static Vector3D homogeneous(TsaiCamera camera, Vector3D point) {
-    TsaiCamera.Intrinsic lens = camera.lens();
-    Vector3D before = camera.view().before(point);
+  private static Vector3D homogeneous(double height, double tilt, Vector3D point) {
+    double down = Math.toRadians(tilt);
+    double above = point.getZ() - height;
+    double away = point.getY() * Math.cos(down) - above * Math.sin(down);
+    double below = -point.getY() * Math.sin(down) - above * Math.cos(down);
     return new Vector3D(
-        lens.focal() * lens.sx() / lens.dpx() * before.getX() + lens.cx() * before.getZ(),
-        lens.focal() / lens.dpy() * before.getY() + lens.cy() * before.getZ(),
-        before.getZ());
+        6 * 1.25 / 0.01 * point.getX() + 384 * away, 6 / 0.012 * below + 288 * away, away);
   }
 }

@@ -12,14 +12,16 @@ import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.profiling.check.Calibration.Pixel;
+import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.profiling.check.ErrorSummary.Quantity;
+import org.hificamsim.profiling.check.MotSightings.Sighting;
 import org.hificamsim.tracks.format.MotFile;
 import org.junit.jupiter.api.Test;
 
 /** Boxes of a made camera, with errors that are known. */
 class RealityCheckTest {
   private static final Size BODY = new Size(0.5, 1.75);
-  private static final TsaiCamera TILTED = MadeCameras.at(6, 15, MadeCameras.bent(0.004));
+  private static final Calibration TILTED = MadeCameras.at(6, 15, MadeCameras.bent(0.004));
 
   @Test
   void boxesAsTheCalibrationHasThemHaveNoError() {
@@ -62,7 +64,7 @@ class RealityCheckTest {
 
   @Test
   void aFlatWorldIsRightOnTheAxisOfALevelCameraAndShortBesideIt() {
-    TsaiCamera level = MadeCameras.at(1.5, 0, MadeCameras.LENS);
+    Calibration level = MadeCameras.at(1.5, 0, MadeCameras.LENS);
     List<Sighting> sightings =
         List.of(sighting(level, 0, 20, 0), sighting(level, 15, 20, 0), sighting(level, 0, 10, 0));
     RealityCheck check = RealityCheck.of(sightings, level, BODY);
