@@ -8,12 +8,9 @@ import java.io.IOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.StreamSupport;
 import java.util.zip.Deflater;
-import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
@@ -47,7 +44,6 @@ final class ComparisonReport {
           AggregateFiles.PAIRS.file());
 
   private static final int MAX_PICTURES = 3_000_000; // bytes
-  private static final double ROUNDING = 1e-9;
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_DRAWN_ROWS = 50_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
@@ -68,8 +64,7 @@ final class ComparisonReport {
   /**
    * The page.
    *
-   * @throws org.hificamsim.core.InputException when a table is missing, broken, or of another
-   *     comparison than the rest
+   * @throws org.hificamsim.core.InputException when a table is missing or broken
    */
   static Page of(Path folder, String name) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);
@@ -102,7 +97,6 @@ final class ComparisonReport {
   private void addComparison() throws IOException {
     CsvRows summary = ComparisonFiles.SUMMARY.read(folder);
     CsvRows results = ComparisonFiles.RESULTS.read(folder);
-    check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
     for (Table<?> table : List.of(ComparisonFiles.LEVELS, ComparisonFiles.YARDSTICKS)) {
@@ -113,43 +107,7 @@ final class ComparisonReport {
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
     data.set("names", MetricNames.json());
-    if (ComparisonFiles.STEPS.isIn(folder)) {
-      data.set("curves", CaseCurves.of(folder, settings));
-    }
     addColors(summary);
-  }
-
-  /** A page must not mix two comparisons: a case's mean performance must be that of its runs. */
-  private static void check(CsvRows summary, CsvRows results) {
-    Map<List<String>, SummaryStatistics> runs = new HashMap<>();
-    for (CsvRow row : results.rows()) {
-      runs.computeIfAbsent(Table.caseOf(row), any -> new SummaryStatistics())
-          .addValue(row.numberOrNaN("performance"));
-    }
-    for (CsvRow row : summary.rows()) {
-      double mean = row.numberOrNaN("mean");
-      row.numberOrNaN("low");
-      row.numberOrNaN("high");
-      SummaryStatistics own = runs.get(Table.caseOf(row));
-      if (own != null && row.text("metric").equals("performance")) {
-        check(row, mean, own);
-      }
-    }
-  }
-
-  private static void check(CsvRow row, double mean, SummaryStatistics own) {
-    boolean same = Math.abs(mean - own.getMean()) <= ROUNDING * Math.max(1, Math.abs(mean));
-    if (!same || row.numberOrNaN("runs") != own.getN()) {
-      throw row.place(0)
-          .error(
-              "mean performance %s of %s runs, but %s has %s of %s, expected the files of"
-                  + " one comparison",
-              row.text("mean"),
-              row.text("runs"),
-              ComparisonFiles.RESULTS.file(),
-              own.getMean(),
-              own.getN());
-    }
   }
 
   /** The pictures (SVG), deflated; without their data once they are too many. */

@@ -1,7 +1,6 @@
 // The page of a comparison: cases side by side with their intervals, the score over time, all runs, pictures and settings.
 import { el, onThemeChange, rem, style } from './dom.js';
 import { inflate } from './inflate.js';
-import { movingMean } from './smooth.js';
 import { rowsOf, sortable } from './table.js';
 import { besideUnit, held, isShare, scoreNumber, spelled, tipped, told, words } from './names.js';
 import { decimals, percent } from './numbers.js';
@@ -16,7 +15,7 @@ const OPTIMAL = 'optimal';
 export async function comparisonPage(root, data) {
   const adapting = data.tables.find(table => table.name === 'adapting.csv');
   const table = data.summary && comparison(data);
-  const course = data.curves && curves(data);
+  const course = data.levels?.rows.length && curves(data);
   const tables = data.tables.map(table => card(titleOf(table.name), plainTable(table, data.names)));
   const figures = data.pictures.length && await pictures(data.pictures);
   const made = [data.results && folded(`All runs (${data.results.count})`, () => plainTable(data.results, data.names)),
@@ -176,23 +175,20 @@ function choice(name, values, chosen, onchange, nameOf = value => value) {
 const DASHES = [{line: [], piece: 'solid'}, {line: [8, 4], piece: 'dashed'}, {line: [2, 4], piece: 'dotted'}, {line: [10, 3, 2, 3], piece: 'double'}];
 
 /** The score over time of a scenario's cases: policies by colour, detection models by dashes, intervals as bands, yardsticks named at their ends. */
-function curves({curves: {cases, steps}, colours, settings, levels, yardsticks}) {
+function curves({levels, colours, settings, yardsticks}) {
+  const cases = casesOf(rowsOf(levels));
   const pick = choice('scenario', distinct(cases, 'scenario'), cases[0].scenario, () => draw());
-  const widths = [1, 5, 25, 101].filter(width => width === 1 || width < Math.max(...cases.map(one => one.score.length)) / 3);
-  const width = choice('mean over points', widths.map(String), String(widths[Math.min(2, widths.length - 1)]), () => draw());
   const box = el('div', {class: 'lines', role: 'img', 'aria-label': 'score over time by case; the tables have the numbers'});
   const detections = distinct(cases, 'detection');
-  const parts = levels ? rowsOf(levels) : [];
+  const banded = cases.some(({parts}) => parts[0].low !== '');
   let plot;
 
   function draw() {
     const shown = cases.filter(one => one.scenario === pick.value);
-    const longest = Math.max(...shown.map(one => one.score.length));
-    const x = Array.from({length: longest}, (none, i) => i * steps);
+    const x = shown[0].parts.map(part => Number(part.step));
     const {score_words: title, score_unit: unit} = settings?.find(({scenario}) => scenario === pick.value) ?? {};
     const share = unit === 'share';
-    const half = (Number(width.value) - 1) / 2;
-    const bands = shown.map(one => ends(parts.filter(row => sameCase(row, one)), one.score.length, half));
+    const bands = shown.map(({parts}) => (parts[0].low === '' ? null : {low: parts.map(part => Math.max(0, Number(part.low))), high: parts.map(part => Number(part.high))}));
     const levelled = horizontal(yardsticks, settings, shown, detections);
     const most = Math.max(...bands.flatMap(band => band?.high ?? []), ...levelled.map(({level}) => level));
     plot?.destroy();
@@ -204,7 +200,7 @@ function curves({curves: {cases, steps}, colours, settings, levels, yardsticks})
       hooks: {drawAxes: [plot => drawBands(plot, bands)], draw: [plot => nameYardsticks(plot, shown, levelled)]},
       series: [{label: 'step'}, ...shown.map(one => series(one, share))],
       legend: {markers: {dash: (any, i) => DASHES[Math.max(0, detections.indexOf(shown[i - 1]?.detection)) % DASHES.length].piece}},
-    }, [x, ...shown.map(one => movingMean(one.score, half))], box);
+    }, [x, ...shown.map(one => one.parts.map(part => Number(part.score)))], box);
   }
 
   const series = ({policy, detection}, share) => ({
@@ -217,9 +213,9 @@ function curves({curves: {cases, steps}, colours, settings, levels, yardsticks})
     else if (box.clientWidth) plot.setSize({width: box.clientWidth, height: 26 * rem()});
   })).observe(box);
   onThemeChange(() => plot?.redraw());
-  const note = 'Mean over the seeds' + (parts.length ? ', with its 95 % interval as a band' : '') + (steps > 1 ? `; a point is ${steps} steps` : '; a point is a step') +
-    '. Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
-  return card('Score over time', el('p', {class: 'pick'}, pick.label, width.label), box, el('p', {class: 'note'}, note));
+  const note = 'Mean over the seeds' + (banded ? ', with its 95 % interval as a band' : '') +
+    '; a point is one of fifty equal parts of the run, or a step where there are fewer. Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
+  return card('Score over time', el('p', {class: 'pick'}, pick.label), box, el('p', {class: 'note'}, note));
 }
 
 /** What no policy of a network can run, and the others are measured by. */
@@ -227,11 +223,14 @@ const YARDSTICKS = [OPTIMAL, 'best-fixed', 'bound'];
 
 const sameCase = (row, one) => row.scenario === one.scenario && row.detection === one.detection && row.policy === one.policy;
 
-/** The ends of a case's interval at each of its points, smoothed as its curve is; null where a single seed has none. */
-function ends(rows, points, half) {
-  if (!rows.length || rows[0].low === '') return null;
-  const side = name => movingMean(Array.from({length: points}, (none, i) => Math.max(0, Number(rows[Math.floor((i * rows.length) / points)][name]))), half);
-  return {low: side('low'), high: side('high')};
+/** The rows of each case, which follow each other. */
+function casesOf(rows) {
+  const cases = [];
+  for (const row of rows) {
+    if (!cases.length || !sameCase(row, cases[cases.length - 1])) cases.push({scenario: row.scenario, detection: row.detection, policy: row.policy, parts: []});
+    cases[cases.length - 1].parts.push(row);
+  }
+  return cases;
 }
 
 function drawBands({ctx, data: [x], series, valToPos}, bands) {

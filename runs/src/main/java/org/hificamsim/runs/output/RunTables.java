@@ -10,8 +10,7 @@ public final class RunTables {
           .longs("step", "steps", "from 0", at -> at.step)
           .columns();
 
-  /** A row per run and step, as far as a recording knows it. */
-  public static final Table<StepCursor> RECORDED =
+  private static final Table<StepCursor> UNSCORED =
       Table.<StepCursor>of("steps.csv")
           .with(WHICH)
           .ints(
@@ -38,12 +37,12 @@ public final class RunTables {
               at -> at.coverage.meanK());
 
   /** A row per run and step. */
-  public static final Table<StepCursor> STEPS = scored(RECORDED);
+  public static final Table<StepCursor> STEPS = scored(UNSCORED);
 
   /** The same where detections are by chance. */
   public static final Table<StepCursor> STEPS_BY_CHANCE =
       scored(
-          RECORDED
+          UNSCORED
               .doubles(
                   "expected_k_min",
                   "cameras",
@@ -147,7 +146,7 @@ public final class RunTables {
 
   private RunTables() {}
 
-  /** With what the objective makes of a step; a recording does not know it. */
+  /** With what the objective makes of a step, the last column. */
   private static Table<StepCursor> scored(Table<StepCursor> table) {
     return table
         .doubles(

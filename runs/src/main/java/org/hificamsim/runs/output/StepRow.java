@@ -72,11 +72,6 @@ public record StepRow(Path file, int line, String run, String step, String measu
     }
   }
 
-  /** That what is measured is not what was expected. */
-  public InputException error(String message) {
-    return error(measured(), message);
-  }
-
   private int measured() {
     return run.length() + step.length() + 3;
   }

@@ -180,9 +180,4 @@ public record Table<R>(String file, List<Column<R>> columns) {
   private List<String> required() {
     return columns.stream().filter(column -> !column.isLater()).map(Column::name).toList();
   }
-
-  /** The scenario, detection and policy of a row. */
-  public static List<String> caseOf(CsvRow row) {
-    return List.of(row.text("scenario"), row.text("detection"), row.text("policy"));
-  }
 }

@@ -94,11 +94,6 @@ class ResultFilesTest {
     assertEquals(3, row.kMin());
     assertEquals(2.5, row.score());
     assertFault(":2:4: step is 7, expected one below 7", () -> row.step(7));
-    assertFault(
-        ":2:6: none",
-        () -> {
-          throw row.error("none");
-        });
     StepRow odd = rows.get(1);
     assertFault(":3:3: step is 'x', expected a whole number", () -> odd.step(9));
     assertFault(":3:5: k_min is 'y', expected a whole number", odd::kMin);

@@ -8,6 +8,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.PathIterator;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
+import java.io.Reader;
 import java.io.StringReader;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -139,7 +140,6 @@ final class SvgWalls extends PlainXml {
 
   /** What an element draws; nothing for one that is no shape. */
   private Shape shape(String name, Attributes attributes) {
-    int rule = PathIterator.WIND_NON_ZERO;
     return switch (name) {
       case "line" ->
           new Line2D.Double(
@@ -153,26 +153,26 @@ final class SvgWalls extends PlainXml {
               of(attributes, "y"),
               of(attributes, "width"),
               of(attributes, "height"));
-      case "polyline" ->
-          parsed(
-              attributes,
-              name,
-              "points",
-              text -> AWTPolylineProducer.createShape(new StringReader(text), rule));
-      case "polygon" ->
-          parsed(
-              attributes,
-              name,
-              "points",
-              text -> AWTPolygonProducer.createShape(new StringReader(text), rule));
-      case "path" ->
-          parsed(
-              attributes,
-              name,
-              "d",
-              text -> AWTPathProducer.createShape(new StringReader(text), rule));
+      case "polyline" -> drawn(attributes, name, "points", AWTPolylineProducer::createShape);
+      case "polygon" -> drawn(attributes, name, "points", AWTPolygonProducer::createShape);
+      case "path" -> drawn(attributes, name, "d", AWTPathProducer::createShape);
       default -> new Path2D.Double();
     };
+  }
+
+  /** Batik's reader of one kind of shape. */
+  private interface Producer {
+    Shape shape(Reader text, int windingRule) throws IOException;
+  }
+
+  private Shape drawn(Attributes attributes, String element, String name, Producer producer) {
+    return text(attributes, element, name).isBlank()
+        ? new Path2D.Double()
+        : parsed(
+            attributes,
+            element,
+            name,
+            text -> producer.shape(new StringReader(text), PathIterator.WIND_NON_ZERO));
   }
 
   private double of(Attributes attributes, String name) {
