@@ -38,6 +38,7 @@ import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.InputFiles;
+import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
 import org.hificamsim.runs.output.TableFormat;
@@ -114,7 +115,7 @@ final class RunCommand implements Callable<Integer> {
                       scores,
                       heat,
                       replay == null ? null : replay.listener(run)));
-      output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
+      ManifestFile.write(files, screen.words(), started, plan.work());
       if (replay != null) {
         replay.write(files.stream(ResultFolder.REPLAY));
       }

@@ -12,6 +12,7 @@ import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
+import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunTables;
 import org.hificamsim.runs.output.SingleRun;
@@ -82,7 +83,7 @@ public final class CamSimFiles implements Closeable {
   public void commit(List<String> command, Instant started) throws IOException {
     steps.close();
     if (coverage != null) {
-      coverage.folder().manifest(command, started, plan.steps());
+      ManifestFile.write(coverage.folder(), command, started, plan.steps());
       coverage.commit(plan, run.traffic(), Optional.empty());
     }
     file.commit();

@@ -12,7 +12,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.Yardstick;
-import org.hificamsim.runs.statistics.PerformanceProfile;
+import org.hificamsim.runs.statistics.Aggregate;
 import org.knowm.xchart.XYChart;
 
 /** Performance profiles: the share of runs that reach a proportion of the yardstick. */
@@ -47,8 +47,8 @@ final class ProfileFigure {
         new XyPanel(title, "tau (of " + yardstick.noun() + ")", "share of runs").x(0, 1).y(0, 1);
     List<PolicyScores> policies =
         PolicyScores.of(cases).stream().filter(one -> one.scores().runs() > 0).toList();
-    List<PerformanceProfile> profiles =
-        policies.stream().map(one -> PerformanceProfile.of(one.scores())).toList();
+    List<Estimate[]> profiles =
+        policies.stream().map(one -> Aggregate.profile(one.scores())).toList();
     for (int i = 0; i < profiles.size(); i++) {
       band(panel, profiles.get(i), colors, policies.get(i).policy());
     }
@@ -58,15 +58,13 @@ final class ProfileFigure {
     return panel;
   }
 
-  private static void band(
-      XyPanel panel, PerformanceProfile profile, PolicyColors colors, String policy) {
-    if (!Double.isNaN(profile.shares()[0].low())) {
+  private static void band(XyPanel panel, Estimate[] profile, PolicyColors colors, String policy) {
+    if (!Double.isNaN(profile[0].low())) {
       panel.band(curve(profile, Estimate::low), curve(profile, Estimate::high), colors.of(policy));
     }
   }
 
-  private static Curve curve(PerformanceProfile profile, ToDoubleFunction<Estimate> side) {
-    return new Curve(
-        PerformanceProfile.TAUS, Arrays.stream(profile.shares()).mapToDouble(side).toArray());
+  private static Curve curve(Estimate[] profile, ToDoubleFunction<Estimate> side) {
+    return new Curve(Aggregate.TAUS, Arrays.stream(profile).mapToDouble(side).toArray());
   }
 }

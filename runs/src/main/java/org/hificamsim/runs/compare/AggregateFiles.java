@@ -1,6 +1,7 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -8,13 +9,11 @@ import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.statistics.Aggregate;
-import org.hificamsim.runs.statistics.Holm;
-import org.hificamsim.runs.statistics.Improvement;
-import org.hificamsim.runs.statistics.PerformanceProfile;
-import org.hificamsim.runs.statistics.SignFlips;
+import org.hificamsim.runs.statistics.PairedTest;
 
 /** The tables over all scenarios of a comparison, and those of pairs of policies. */
 public final class AggregateFiles {
@@ -28,6 +27,41 @@ public final class AggregateFiles {
   private static final String MEASURE =
       "what is compared: `proportion_of_optimal`; without the optimum as a yardstick"
           + " `proportion_of_bound`, else `value_of_learning`, else `score`";
+
+  /** Two policies under one detection, over the same scenarios. */
+  record PolicyPair(PolicyScores one, PolicyScores other) {
+    /**
+     * The two in one scenario.
+     *
+     * @param metric whose differences are looked at
+     */
+    record InScenario(CaseResult one, CaseResult other, Metric metric) {
+      /** What the first has more than the other, by seed, where both have a value. */
+      double[] differences() {
+        return Estimate.differences(one.figures(metric), other.figures(metric));
+      }
+    }
+
+    /** Each pair once, the policy that was asked for first before the other. */
+    static List<PolicyPair> of(List<PolicyScores> policies) {
+      List<PolicyPair> pairs = new ArrayList<>();
+      for (int i = 0; i < policies.size(); i++) {
+        for (PolicyScores other : policies.subList(i + 1, policies.size())) {
+          if (other.detection().equals(policies.get(i).detection())) {
+            pairs.add(new PolicyPair(policies.get(i), other));
+          }
+        }
+      }
+      return pairs;
+    }
+
+    /** The pair scenario by scenario. */
+    List<InScenario> inScenarios() {
+      return IntStream.range(0, one.cases().size())
+          .mapToObj(i -> new InScenario(one.cases().get(i), other.cases().get(i), one.metric()))
+          .toList();
+    }
+  }
 
   /** A statistic of a policy. */
   record Statistic(PolicyScores of, Aggregate aggregate, Estimate value) {}
@@ -137,14 +171,14 @@ public final class AggregateFiles {
   }
 
   private static List<Point> points(PolicyScores one) {
-    Estimate[] shares = PerformanceProfile.of(one.scores()).shares();
+    Estimate[] shares = Aggregate.profile(one.scores());
     return IntStream.range(0, shares.length)
-        .mapToObj(i -> new Point(one, PerformanceProfile.TAUS[i], shares[i]))
+        .mapToObj(i -> new Point(one, Aggregate.TAUS[i], shares[i]))
         .toList();
   }
 
   private static Against against(PolicyPair pair) {
-    return new Against(pair, Improvement.estimate(pair.one().scores(), pair.other().scores()));
+    return new Against(pair, Aggregate.improvement(pair.one().scores(), pair.other().scores()));
   }
 
   /** Holm's correction is over all rows. */
@@ -152,10 +186,10 @@ public final class AggregateFiles {
     List<PolicyPair.InScenario> all =
         pairs.stream().flatMap(pair -> pair.inScenarios().stream()).toList();
     double[] p =
-        Parallel.map(all, threads, pair -> SignFlips.p(pair.differences())).stream()
+        Parallel.map(all, threads, pair -> PairedTest.p(pair.differences())).stream()
             .mapToDouble(Double::doubleValue)
             .toArray();
-    double[] corrected = Holm.corrected(p);
+    double[] corrected = PairedTest.corrected(p);
     return IntStream.range(0, p.length)
         .mapToObj(
             i ->

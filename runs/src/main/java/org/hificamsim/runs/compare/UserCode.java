@@ -80,7 +80,7 @@ final class UserCode {
           @Override
           public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
             boolean counts =
-                folder.equals(root) || !isHidden(folder) && !OutputFolder.isOne(folder);
+                folder.equals(root) || !(isHidden(folder) || OutputFolder.isOne(folder));
             return counts ? FileVisitResult.CONTINUE : FileVisitResult.SKIP_SUBTREE;
           }
 

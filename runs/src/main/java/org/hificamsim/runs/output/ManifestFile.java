@@ -4,6 +4,9 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -20,17 +23,6 @@ public final class ManifestFile {
   /** Adds the file to a folder's. */
   public static void write(OutputFolder folder, List<String> command, Instant started, long steps)
       throws IOException {
-    write(folder, command, started, steps, SourceCommit.name());
-  }
-
-  /** The same with the commit that a longer run began with. */
-  static void write(
-      OutputFolder folder,
-      List<String> command,
-      Instant started,
-      long steps,
-      Optional<String> commit)
-      throws IOException {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     ArrayNode words = json.putArray("command");
     command.forEach(words::add);
@@ -38,7 +30,7 @@ public final class ManifestFile {
     json.put("seconds", Duration.between(started, Instant.now()).toMillis() / 1000.0);
     json.put("steps", steps);
     json.put("hificamsim", version());
-    commit.ifPresent(name -> json.put("commit", name));
+    sourceCommit().ifPresent(name -> json.put("commit", name));
     json.put("java", System.getProperty("java.vm.version"));
     json.put("system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
     JsonOutput.write(folder, ResultFolder.MANIFEST, json);
@@ -48,5 +40,30 @@ public final class ManifestFile {
   public static String version() {
     String version = ManifestFile.class.getPackage().getImplementationVersion();
     return version == null ? "development" : version;
+  }
+
+  /**
+   * The commit of the checkout that the launcher has built this program from, with {@code -dirty}
+   * where files were changed since; empty without Git.
+   */
+  private static Optional<String> sourceCommit() {
+    Path root = Path.of(System.getProperty("hificamsim.root", ""));
+    if (System.getProperty("hificamsim.root") == null || !Files.exists(root.resolve(".git"))) {
+      return Optional.empty();
+    }
+    ProcessBuilder git =
+        new ProcessBuilder("git", "describe", "--always", "--dirty", "--abbrev=40", "--exclude=*");
+    git.directory(root.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD);
+    git.environment().put("GIT_OPTIONAL_LOCKS", "0");
+    try {
+      Process asked = git.start();
+      String said = new String(asked.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      return asked.waitFor() == 0 ? Optional.of(said.strip()) : Optional.empty();
+    } catch (IOException e) {
+      return Optional.empty(); // no Git
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return Optional.empty();
+    }
   }
 }

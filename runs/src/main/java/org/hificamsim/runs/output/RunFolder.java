@@ -1,15 +1,18 @@
 package org.hificamsim.runs.output;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.Closeable;
 import java.io.IOException;
-import java.time.Instant;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
@@ -31,7 +34,6 @@ public final class RunFolder implements Closeable {
   /** What every run writes, which has to be free before it begins. */
   private static final List<String> ALWAYS = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
-  private final Optional<String> commit = SourceCommit.name();
   private final OutputFolder folder;
   private final Table<StepCursor> stepTable;
   private final Table<StepCursor> cameraTable;
@@ -95,15 +97,40 @@ public final class RunFolder implements Closeable {
     }
   }
 
-  /** Adds {@code manifest.json}. */
-  public void manifest(List<String> command, Instant started, long steps) throws IOException {
-    ManifestFile.write(folder, command, started, steps, commit);
-  }
-
-  /** Ends the tables and adds {@code summary.json}. */
+  /**
+   * Ends the tables and adds {@code summary.json}: every setting, and the metrics of the repeats.
+   */
   public void finish(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
-    SummaryFile.write(folder, plan, results);
+    ObjectNode json = SettingsFile.of(plan);
+    List<Metric> metrics = Metric.ofRuns().stream().filter(results.get(0)::has).toList();
+    metrics.forEach(metric -> mean(json, metric, results));
+    if (results.size() > 1) {
+      ObjectNode intervals = json.putObject("interval_95");
+      for (Metric metric : metrics) {
+        Estimate estimate = Estimate.of(results, metric);
+        intervals.putArray(metric.label()).add(estimate.low()).add(estimate.high());
+      }
+    }
+    ArrayNode runs = json.putArray("runs");
+    for (RunResult result : results) {
+      ObjectNode run = runs.addObject().put("run", result.run()).put("seed", result.seed());
+      metrics.forEach(metric -> run.set(metric.label(), JsonOutput.number(result.value(metric))));
+      Arrays.stream(Metric.values())
+          .filter(metric -> metric.isClaim() && result.has(metric))
+          .forEach(metric -> run.set(metric.label(), JsonOutput.number(result.value(metric))));
+    }
+    JsonOutput.write(folder, ResultFolder.SUMMARY, json);
+  }
+
+  /** Of a single run, what is a sum over its steps is written as in the list of runs. */
+  private static void mean(ObjectNode json, Metric metric, List<RunResult> results) {
+    double mean = Estimate.of(results, metric).mean();
+    if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
+      json.set(metric.label(), JsonOutput.number(mean));
+    } else {
+      json.put(metric.label(), mean);
+    }
   }
 
   /** Moves all files into place. */

@@ -20,6 +20,7 @@ import org.hificamsim.runs.Traffic;
 /** One run with its folder, for programs that take the steps themselves. */
 public final class SingleRun implements StepListener, Closeable {
   private final int run;
+  private final OutputFolder files;
   private final RunFolder folder;
   private final StepListener rows;
   private final RunCoverage sums = new RunCoverage();
@@ -34,7 +35,8 @@ public final class SingleRun implements StepListener, Closeable {
   public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
     TableFormat csv = TableFormats.named(TableFormats.CSV);
-    folder = new RunFolder(new OutputFolder(path), detection, detail, csv);
+    files = new OutputFolder(path);
+    folder = new RunFolder(files, detection, detail, csv);
     rows = folder.listener(run);
   }
 
@@ -50,8 +52,8 @@ public final class SingleRun implements StepListener, Closeable {
   }
 
   /** Where its files go. */
-  public RunFolder folder() {
-    return folder;
+  public OutputFolder folder() {
+    return files;
   }
 
   /**

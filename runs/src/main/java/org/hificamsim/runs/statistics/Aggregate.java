@@ -1,11 +1,13 @@
 package org.hificamsim.runs.statistics;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
@@ -24,6 +26,10 @@ public enum Aggregate {
   MEAN(strata -> StatUtils.mean(strata.means())),
   /** The median of the scenarios' means. */
   MEDIAN(strata -> StatUtils.percentile(strata.means(), 50));
+
+  /** Tau, in hundredths. */
+  public static final double[] TAUS =
+      IntStream.rangeClosed(0, 100).mapToDouble(percent -> percent / 100.0).toArray();
 
   private final ToDoubleFunction<Strata> number;
 
@@ -52,5 +58,66 @@ public enum Aggregate {
   /** The name in files. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);
+  }
+
+  /**
+   * The performance profile with its intervals, point by point: the share of runs whose score is
+   * tau or more, one for each of {@link #TAUS}. At 1 it is that of runs that were optimal
+   * throughout.
+   */
+  public static Estimate[] profile(Strata strata) {
+    return Arrays.stream(Bootstrap.all(Aggregate::shares, strata))
+        .map(share -> share.within(0, 1))
+        .toArray(Estimate[]::new);
+  }
+
+  private static double[] shares(Strata strata) {
+    double[] sorted = strata.sorted();
+    double[] shares = new double[TAUS.length];
+    int below = 0;
+    for (int i = 0; i < TAUS.length; i++) {
+      while (below < sorted.length && sorted[below] < TAUS[i]) {
+        below++;
+      }
+      shares[i] = (sorted.length - below) / (double) sorted.length;
+    }
+    return shares;
+  }
+
+  /**
+   * The probability that a run of one policy has a higher score than a run of another in the same
+   * scenario, a tie counting half (Mann and Whitney's U over the number of pairs), as the mean over
+   * the scenarios. Runs are not paired by seed here.
+   *
+   * @return NaN where no scenario has runs of both
+   */
+  public static Estimate improvement(Strata policy, Strata over) {
+    return Bootstrap.of(Aggregate::probability, policy, over).within(0, 1);
+  }
+
+  /** The probability alone; both have the same scenarios in the same order. */
+  static double probability(Strata policy, Strata over) {
+    double[][] scores = policy.sortedByScenario();
+    double[][] others = over.sortedByScenario();
+    double[] shares = new double[scores.length];
+    Arrays.setAll(shares, i -> share(scores[i], others[i]));
+    return StatUtils.mean(Arrays.stream(shares).filter(share -> !Double.isNaN(share)).toArray());
+  }
+
+  /** Of one scenario, both sides' scores rising. */
+  private static double share(double[] scores, double[] others) {
+    double wins = 0;
+    int below = 0;
+    int notAbove = 0;
+    for (double score : scores) {
+      while (below < others.length && others[below] < score) {
+        below++;
+      }
+      while (notAbove < others.length && others[notAbove] <= score) {
+        notAbove++;
+      }
+      wins += (below + notAbove) / 2.0;
+    }
+    return wins / ((double) scores.length * others.length);
   }
 }

@@ -86,8 +86,8 @@ class RunFolderTest {
             new RunFolder(files, plan.detection(), detail, TableFormats.named("csv"))) {
       List<RunResult> results =
           new RunExecutor(Catalogue.load()).execute(plan, run -> List.of(output.listener(run)));
-      output.manifest(
-          List.of("run", "it's here.xml"), Instant.now().minusSeconds(90), STEPS * plan.repeats());
+      Instant started = Instant.now().minusSeconds(90);
+      ManifestFile.write(files, List.of("run", "it's here.xml"), started, plan.work());
       InputFiles.write(files, List.of(plan));
       output.finish(plan, results);
       CrateFile.write(files, List.of(plan));
@@ -232,19 +232,10 @@ class RunFolderTest {
     assertEquals(7, root.get("hasPart").size());
     JsonNode action = entities.get("#run");
     assertEquals(results, ids(action.get("result")));
-    assertEquals(
-        Stream.concat(inputs.stream(), Stream.of("#seeds", "#steps", "#repeats", "#detection-1"))
-            .toList(),
-        ids(action.get("object")));
+    assertEquals(inputs, ids(action.get("object")));
     Instant start = Instant.parse(action.get("startTime").asText());
     Instant end = Instant.parse(action.get("endTime").asText());
     assertTrue(!end.isBefore(start.plusSeconds(90)) && end.isBefore(start.plusSeconds(900)));
-    assertEquals("7 to 8", entities.get("#seeds").get("value").asText());
-    assertEquals("5", entities.get("#steps").get("value").asText());
-    assertEquals("2", entities.get("#repeats").get("value").asText());
-    JsonNode detection = entities.get("#detection-1");
-    assertTrue(detection.get("value").asText().startsWith("threshold 0."));
-    assertTrue(detection.get("description").asText().startsWith("model from "));
     assertEquals("development", entities.get("#hificamsim").get("softwareVersion").asText());
     assertTrue(
         entities
@@ -252,12 +243,10 @@ class RunFolderTest {
             .get("identifier")
             .asText()
             .matches("git commit [0-9a-f]{40}.*"));
-    assertTrue(entities.get("#java").get("operatingSystem").asText().length() > 3);
     assertEquals("#licence", id(root.get("license")));
     assertEquals("#thesis", id(root.get("citation")));
     assertEquals("#run", id(root.get("mentions")));
     assertEquals("#hificamsim", id(action.get("instrument")));
-    assertEquals("#java", id(entities.get("#hificamsim").get("softwareRequirements")));
     assertEquals("#vejdanparast", id(entities.get("#thesis").get("author")));
     JsonNode crate = entities.get("ro-crate-metadata.json");
     assertEquals("./", id(crate.get("about")));
@@ -336,14 +325,10 @@ class RunFolderTest {
   }
 
   @Test
-  void aDetectionByChanceIsDescribedByItsRuleAndHasItsColumns() throws IOException {
-    Path code = run("probability", plan("camsim-range@probability", "fixed", 1), Detail.STEPS);
-    String said = Files.readString(code.resolve("ro-crate-metadata.json"));
-    assertTrue(said.contains("\"probability, half of the time at "), said);
-    assertTrue(said.contains("\"a rule in the program\""), said);
+  void aDetectionByChanceIsNamedByItsRuleAndHasItsColumns() throws IOException {
     Path out = run("chance", plan("hifi:orb-lin@chance", "fixed", 1), Detail.ZOOMS);
     String crate = Files.readString(out.resolve("ro-crate-metadata.json"));
-    assertTrue(crate.contains("\"chance, half of the time at 0."), crate);
+    assertTrue(crate.contains("Detections: hifi:orb-lin@chance"), crate);
     Map<String, String> step = rows(out.resolve("steps.csv")).get(0);
     assertTrue(step.containsKey("least_chance"));
     double chance = Double.parseDouble(rows(out.resolve("targets.csv")).get(0).get("chance_1"));

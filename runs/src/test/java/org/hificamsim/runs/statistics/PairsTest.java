@@ -16,15 +16,13 @@ class PairsTest {
     Strata one = Strata.of(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
     Strata other = Strata.of(List.of(new double[] {2, 0}, new double[] {1, 1, 1}));
     double first = (1 + 1 + 0.5) / 4; // 1 over 0, 2 over 0, 2 beside 2
-    assertEquals((first + 1) / 2, Improvement.probability(one, other), 1e-12);
-    assertEquals(1 - (first + 1) / 2, Improvement.probability(other, one), 1e-12);
+    assertEquals((first + 1) / 2, Aggregate.probability(one, other), 1e-12);
+    assertEquals(1 - (first + 1) / 2, Aggregate.probability(other, one), 1e-12);
   }
 
   @Test
   void aProfileFallsFromAllRunsToThoseThatAreOptimal() {
-    PerformanceProfile profile =
-        PerformanceProfile.of(Strata.of(List.of(new double[] {0, 0.25, 0.5, 1})));
-    Estimate[] shares = profile.shares();
+    Estimate[] shares = Aggregate.profile(Strata.of(List.of(new double[] {0, 0.25, 0.5, 1})));
     assertEquals(1, shares[0].mean());
     assertEquals(0.75, shares[25].mean());
     assertEquals(0.5, shares[26].mean());
@@ -34,39 +32,39 @@ class PairsTest {
 
   @Test
   void flippedSignsAreCountedOutWhereTheyAreFew() {
-    assertEquals(0.25, SignFlips.p(new double[] {1, 1, 1}), 1e-12);
-    assertEquals(0.75, SignFlips.p(new double[] {3, 1, -1}), 1e-12); // all but 3 - 1 - 1 reach 3
-    assertEquals(1, SignFlips.p(new double[] {0, 0, 0, 0}), 1e-12);
+    assertEquals(0.25, PairedTest.p(new double[] {1, 1, 1}), 1e-12);
+    assertEquals(0.75, PairedTest.p(new double[] {3, 1, -1}), 1e-12); // all but 3 - 1 - 1 reach 3
+    assertEquals(1, PairedTest.p(new double[] {0, 0, 0, 0}), 1e-12);
   }
 
   @Test
   void flippedSignsAreDrawnWhereTheyAreMany() {
     double[] all = new double[40];
     Arrays.fill(all, 0.1);
-    assertEquals(1e-5, SignFlips.p(all), 1e-12);
+    assertEquals(1e-5, PairedTest.p(all), 1e-12);
     double[] balanced = new double[40];
     Arrays.setAll(balanced, i -> i % 2 == 0 ? 0.1 : -0.1);
-    assertEquals(1, SignFlips.p(balanced), 1e-12);
+    assertEquals(1, PairedTest.p(balanced), 1e-12);
   }
 
   @Test
   void drawnSignsAgreeWithAllSigns() {
-    double[] few = new double[SignFlips.EXACT];
+    double[] few = new double[PairedTest.EXACT];
     Arrays.setAll(few, i -> Math.sin(i) + 0.3);
-    double[] withZeros = Arrays.copyOf(few, SignFlips.EXACT + 70); // zeros change nothing
-    assertEquals(SignFlips.p(few), SignFlips.p(withZeros), 0.005);
+    double[] withZeros = Arrays.copyOf(few, PairedTest.EXACT + 70); // zeros change nothing
+    assertEquals(PairedTest.p(few), PairedTest.p(withZeros), 0.005);
   }
 
   @Test
   void oneDifferenceHasNoPValue() {
-    assertTrue(Double.isNaN(SignFlips.p(new double[] {1})));
+    assertTrue(Double.isNaN(PairedTest.p(new double[] {1})));
   }
 
   @Test
   void holmMultipliesTheSmallestByAllAndNeverFalls() {
     double[] p = {0.04, 0.01, Double.NaN, 0.03, 0.02, 0.5};
     assertArrayEquals(
-        new double[] {0.09, 0.05, Double.NaN, 0.09, 0.08, 0.5}, Holm.corrected(p), 1e-12);
-    assertArrayEquals(new double[] {1, 1}, Holm.corrected(new double[] {0.6, 0.7}));
+        new double[] {0.09, 0.05, Double.NaN, 0.09, 0.08, 0.5}, PairedTest.corrected(p), 1e-12);
+    assertArrayEquals(new double[] {1, 1}, PairedTest.corrected(new double[] {0.6, 0.7}));
   }
 }

@@ -34,10 +34,10 @@ class PeersTest {
 
   @BeforeAll
   static void ask() throws Exception {
-    ObjectNode question = JSON.createObjectNode().put("few", SignFlips.EXACT - 4);
+    ObjectNode question = JSON.createObjectNode().put("few", PairedTest.EXACT - 4);
     question.putPOJO("x", X.scores());
     question.putPOJO("y", Y.scores());
-    question.putPOJO("taus", PerformanceProfile.TAUS);
+    question.putPOJO("taus", Aggregate.TAUS);
     JsonNode asked = JSON.readTree(JSON.writeValueAsBytes(question));
     if (PYTHON.isPresent()) {
       theirs = answer(asked);
@@ -62,7 +62,7 @@ class PeersTest {
 
   @Test
   void theProbabilityOfImprovementIsTheSame() {
-    Estimate ours = Improvement.estimate(X, Y);
+    Estimate ours = Aggregate.improvement(X, Y);
     assertEquals(theirs.at("/improvement/0").asDouble(), ours.mean(), ROUNDING);
     assertClose(theirs.at("/improvementEnds/0"), theirs.at("/improvementEnds/1"), ours);
   }
@@ -70,9 +70,9 @@ class PeersTest {
   /** Near 0 and 1, where what a bootstrap draws is skew, our intervals are longer than theirs. */
   @Test
   void theProfileIsTheSameWhereNoScoreIsTau() {
-    PerformanceProfile ours = PerformanceProfile.of(X);
-    for (int i = 0; i < PerformanceProfile.TAUS.length; i++) {
-      Estimate share = ours.shares()[i];
+    Estimate[] ours = Aggregate.profile(X);
+    for (int i = 0; i < Aggregate.TAUS.length; i++) {
+      Estimate share = ours[i];
       assertEquals(theirs.at("/profile/" + i).asDouble(), share.mean(), ROUNDING);
       double low = theirs.at("/profileEnds/0/" + i).asDouble();
       double high = theirs.at("/profileEnds/1/" + i).asDouble();
@@ -89,9 +89,9 @@ class PeersTest {
   void pValuesOfPairedDifferencesAreTheSame() {
     double[] differences = new double[SEEDS];
     Arrays.setAll(differences, i -> X.scores()[0][i] - Y.scores()[0][i]);
-    double[] few = Arrays.copyOf(differences, SignFlips.EXACT - 4);
-    assertEquals(theirs.at("/exact").asDouble(), SignFlips.p(few), ROUNDING);
-    assertEquals(theirs.at("/drawn").asDouble(), SignFlips.p(differences), 0.005);
+    double[] few = Arrays.copyOf(differences, PairedTest.EXACT - 4);
+    assertEquals(theirs.at("/exact").asDouble(), PairedTest.p(few), ROUNDING);
+    assertEquals(theirs.at("/drawn").asDouble(), PairedTest.p(differences), 0.005);
   }
 
   /** Ends of intervals, which are of chance, to a tenth of their width. */

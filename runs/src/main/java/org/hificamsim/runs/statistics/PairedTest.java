@@ -1,14 +1,18 @@
 package org.hificamsim.runs.statistics;
 
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 
 /**
  * Fisher's randomization test of paired differences (The Design of Experiments, 1935, section 21):
  * if two policies were alike, each difference might as well have the other sign. It asks nothing of
  * the distribution; the p-value is two-sided.
  */
-public final class SignFlips {
+public final class PairedTest {
   /** Up to this many differences, every choice of signs is looked at. */
   static final int EXACT = 16;
 
@@ -16,7 +20,7 @@ public final class SignFlips {
   private static final long SEED = 1935;
   private static final double ROUNDING = 1e-12;
 
-  private SignFlips() {}
+  private PairedTest() {}
 
   /**
    * The p-value of a mean that is not 0.
@@ -66,5 +70,33 @@ public final class SignFlips {
       sum += Double.longBitsToDouble(Double.doubleToRawLongBits(differences[i]) ^ flip);
     }
     return sum;
+  }
+
+  /**
+   * P-values after Holm's correction for many comparisons (A Simple Sequentially Rejective Multiple
+   * Test Procedure, 1979), in the order of those given: the chance of even one false finding among
+   * all stays below the level that is asked for. NaN stays, and is not counted.
+   *
+   * @param p of all comparisons that are looked at together
+   */
+  public static double[] corrected(double[] p) {
+    double[] corrected = new double[p.length];
+    Arrays.fill(corrected, Double.NaN);
+    List<Integer> rising = rising(p);
+    double most = 0;
+    for (int rank = 0; rank < rising.size(); rank++) {
+      int at = rising.get(rank);
+      most = Math.max(most, Math.min(1, (rising.size() - rank) * p[at]));
+      corrected[at] = most;
+    }
+    return corrected;
+  }
+
+  private static List<Integer> rising(double[] p) {
+    return IntStream.range(0, p.length)
+        .filter(i -> !Double.isNaN(p[i]))
+        .boxed()
+        .sorted(Comparator.comparingDouble(i -> p[i]))
+        .toList();
   }
 }
