@@ -26,9 +26,9 @@ public final class Detectors {
       if (name.equals("hog")) {
         return new BoxSpec(name, new Memory(60, 0), PeopleDetector::new);
       }
-      if (name.startsWith(OnnxOptions.PREFIX)) {
-        OnnxOptions options = OnnxOptions.of(name.substring(OnnxOptions.PREFIX.length()));
-        return new BoxSpec(options.column(), new Memory(10, 0), () -> new OnnxDetector(options));
+      if (name.startsWith(OnnxDetector.PREFIX)) {
+        OnnxDetector.Network network = OnnxDetector.Network.of(name);
+        return new BoxSpec(network.column(), new Memory(10, 0), () -> new OnnxDetector(network));
       }
       throw InputException.of(
           "--detectors has '%s', expected some of orb, sift, surf, each also with -located or"
@@ -61,11 +61,6 @@ public final class Detectors {
     return names.stream().flatMap(name -> features(name).stream()).distinct().toList();
   }
 
-  /** The columns of those that find boxes. */
-  public static List<String> boxes(List<String> names) {
-    return boxSpecs(names).stream().map(BoxSpec::column).toList();
-  }
-
   /** What the one with the largest need takes for each pixel of a photo. */
   public static Memory memoryNeed(List<String> names) {
     Memory none = new Memory(0, 0);
@@ -86,7 +81,7 @@ public final class Detectors {
               .toList();
       sources.add(new FeatureSource(detector, readings, test, templates));
     }
-    boxSpecs(names).forEach(spec -> sources.add(new BoxSource(spec.column(), spec.maker().get())));
+    boxSpecs(names).forEach(spec -> sources.add(spec.maker().get()));
     return sources;
   }
 }

@@ -24,6 +24,11 @@ final class PeopleDetector implements BoxDetector {
   }
 
   @Override
+  public String name() {
+    return "hog";
+  }
+
+  @Override
   public List<Box> detect(Photograph photo) {
     Mat picture = photo.grey();
     Size window = people.get_winSize();

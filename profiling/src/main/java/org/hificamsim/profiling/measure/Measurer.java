@@ -2,19 +2,23 @@ package org.hificamsim.profiling.measure;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.core.InputException;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.detector.ConfidenceSource;
 import org.hificamsim.profiling.detector.ConfidenceSource.Subject;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.FeatureDetector;
 import org.hificamsim.profiling.detector.Memory;
+import org.hificamsim.profiling.detector.Photograph;
 import org.hificamsim.profiling.detector.Templates;
 import org.hificamsim.profiling.opencv.OpenCv;
 
@@ -23,8 +27,13 @@ import org.hificamsim.profiling.opencv.OpenCv;
  * features; what has been measured survives a kill (see {@link MeasurementJournal}).
  */
 public final class Measurer {
+  private static final int PLACES = 8;
+
   private final Dataset dataset;
   private final MeasureSettings settings;
+
+  /** Each thread has its own. */
+  private ThreadLocal<List<ConfidenceSource>> detectors;
 
   public Measurer(Dataset dataset, MeasureSettings settings) {
     this.dataset = dataset;
@@ -44,7 +53,8 @@ public final class Measurer {
    * Measures all photos and writes {@code measurements.csv}; the same on any number of threads.
    *
    * @param wanted how many threads at most
-   * @throws InputException when a photo turns out unreadable, or larger than the memory
+   * @throws org.hificamsim.core.InputException when a photo turns out unreadable, or larger than
+   *     the memory
    */
   public Outcome measure(int wanted, MeasureProgress watcher) {
     OpenCv.load();
@@ -52,14 +62,17 @@ public final class Measurer {
     int threads = Memory.free().threads(wanted, dataset.largestPicture(), need);
     List<FeatureDetector> features = Detectors.features(settings.detectors());
     try (Templates templates = new Templates(dataset.templates(), features, threads)) {
-      return measure(templates, new DetectorPool(settings, templates), threads, watcher);
+      detectors =
+          ThreadLocal.withInitial(
+              () -> Detectors.sources(settings.detectors(), settings.test(), templates));
+      detectors.get(); // a file that is no detector's is refused at once
+      return measure(templates, threads, watcher);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private Outcome measure(
-      Templates templates, DetectorPool detectors, int threads, MeasureProgress watcher)
+  private Outcome measure(Templates templates, int threads, MeasureProgress watcher)
       throws IOException {
     try (OutputFolder folder = new OutputFolder(dataset.folder());
         MeasurementJournal done = new MeasurementJournal(dataset, settings)) {
@@ -74,7 +87,7 @@ public final class Measurer {
                   done.get(photo)
                       .orElseGet(
                           () -> {
-                            Measurement row = done.add(measured(photo, detectors));
+                            Measurement row = done.add(measured(photo));
                             watcher.advance();
                             return row;
                           }));
@@ -83,18 +96,18 @@ public final class Measurer {
           .warnings(rows)
           .forEach(line -> warnings.add(dataset.folder().resolve(Dataset.TABLE) + ": " + line));
       if (!dataset.negatives().isEmpty()) {
-        warnings.addAll(writeThresholds(rows, detectors, threads, watcher, folder));
+        warnings.addAll(writeThresholds(rows, threads, watcher, folder));
       }
-      write(rows, folder);
+      MeasurementsFile.write(folder, settings.pip(), rows);
       folder.commit(List.of());
       done.finish();
       return new Outcome(resumed, threads, warnings);
     }
   }
 
-  private Measurement measured(LabelledPhoto photo, DetectorPool detectors) {
+  private Measurement measured(LabelledPhoto photo) {
     List<Subject> subject = List.of(new Subject(photo.object(), photo.patch()));
-    Map<String, Double> found = detectors.confidences(photo.file(), subject, true).get(0);
+    Map<String, Double> found = confidences(photo.file(), subject, true).get(0);
     Map<String, Double> confidences = new LinkedHashMap<>();
     settings.columns().forEach(column -> confidences.put(column, found.get(column)));
     return new Measurement(
@@ -107,33 +120,43 @@ public final class Measurer {
         confidences);
   }
 
-  private void write(List<Measurement> rows, OutputFolder folder) throws IOException {
-    int[] heights = dataset.samples().stream().mapToInt(s -> s.patch().height()).toArray();
-    List<Measurement> all = rows;
-    for (String detector : Detectors.boxes(settings.detectors())) {
-      all = Recall.with(all, heights, detector);
+  /**
+   * Looks at a photo with one detector after the other.
+   *
+   * @param shown whether the photo has the subjects
+   * @return the confidences of each subject, by column
+   */
+  private List<Map<String, Double>> confidences(Path file, List<Subject> subjects, boolean shown) {
+    List<Map<String, Double>> all =
+        subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
+    try (Photograph photo = new Photograph(file)) {
+      for (ConfidenceSource detector : detectors.get()) {
+        List<Map<String, Double>> found =
+            photo.lookedAt(detector.name(), () -> detector.confidences(photo, subjects, shown));
+        for (int i = 0; i < all.size(); i++) {
+          all.get(i).putAll(found.get(i));
+        }
+      }
     }
-    MeasurementsFile.write(folder, settings.pip(), all);
+    return all;
   }
 
   /** Returns a warning where too few photos without the objects say anything. */
   private List<String> writeThresholds(
-      List<Measurement> rows,
-      DetectorPool detectors,
-      int threads,
-      MeasureProgress watcher,
-      OutputFolder folder)
+      List<Measurement> rows, int threads, MeasureProgress watcher, OutputFolder folder)
       throws IOException {
-    FalseAlarms alarms = new FalseAlarms(dataset, detectors);
     List<AlarmThreshold> thresholds = new ArrayList<>();
     double rate = settings.falseAlarms();
-    Map<String, List<Double>> without = alarms.confidences(threads, watcher);
+    List<Map<String, Double>> without = withoutObjects(threads, watcher);
     for (String detector : rows.get(0).confidences().keySet()) {
       List<Double> with = rows.stream().map(row -> row.confidence(detector)).toList();
-      thresholds.add(AlarmThreshold.of(detector, without.get(detector), with, rate));
+      List<Double> alarms = without.stream().map(row -> row.get(detector)).toList();
+      thresholds.add(AlarmThreshold.of(detector, alarms, with, rate));
     }
     AlarmThreshold.write(folder, thresholds);
-    if (alarms.looks() * rate >= 1) {
+    // Places in one photo are not independent.
+    int looks = dataset.negatives().size() * dataset.templates().size();
+    if (looks * rate >= 1) {
       return List.of();
     }
     return List.of(
@@ -141,7 +164,35 @@ public final class Measurer {
             .formatted(
                 dataset.folder().resolve(AlarmThreshold.FILE),
                 rate,
-                alarms.looks(),
+                looks,
                 (long) Math.ceil(1 / Math.max(1e-9, rate))));
+  }
+
+  /**
+   * What the detectors make of photos without any of the objects. Each photo is asked for each
+   * object, at places and in sizes that the object has in the other photos.
+   */
+  private List<Map<String, Double>> withoutObjects(int threads, MeasureProgress watcher) {
+    List<Subject> subjects =
+        dataset.templates().keySet().stream().flatMap(this::elsewhere).toList();
+    return Parallel.map(
+            dataset.negatives(),
+            threads,
+            photo -> {
+              List<Map<String, Double>> seen = confidences(photo, subjects, false);
+              watcher.advance();
+              return seen;
+            })
+        .stream()
+        .flatMap(List::stream)
+        .toList();
+  }
+
+  private Stream<Subject> elsewhere(String object) {
+    List<LabelledPhoto> of =
+        dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
+    int places = Math.min(PLACES, of.size());
+    return IntStream.range(0, places)
+        .mapToObj(i -> new Subject(object, of.get(i * of.size() / places).patch()));
   }
 }

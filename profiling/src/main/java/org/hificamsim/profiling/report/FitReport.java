@@ -128,7 +128,7 @@ public final class FitReport {
       picture(
           "objects-" + detector,
           figures.objects(detector),
-          detector + ": every photo, its object by colour; g, and its 95% band.");
+          detector + ": every photo, its object by colour, and g.");
     }
   }
 

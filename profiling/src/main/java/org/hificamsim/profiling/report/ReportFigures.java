@@ -16,7 +16,6 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.profiling.fit.Coefficient;
-import org.hificamsim.profiling.fit.CurveBand;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.LeastSquares;
@@ -184,7 +183,7 @@ final class ReportFigures {
         line::confidence);
   }
 
-  /** A detector's confidence by measured PIP, object by object, with the chosen g and its band. */
+  /** A detector's confidence by measured PIP, object by object, with the chosen g. */
   Figure objects(String detector) {
     XyPanel panel = panel("", "PIP (logarithmic)", "confidence");
     panel.getStyler().setXAxisLogarithmic(true);
@@ -200,12 +199,10 @@ final class ReportFigures {
         });
     double[] pip = logarithmic(ends(result.measuredPip()));
     DetectorModel g = result.model(detector, FitResult.GROUND_TRUTH).chosen().g();
-    CurveBand band = CurveBand.of(result, detector, pip, 0);
     panel.straight(new Curve(pip, at(pip, g::confidence)), Palette.BLACK);
-    panel.thin(new Curve(pip, band.low()), DOTS).thin(new Curve(pip, band.high()), DOTS);
     return new Figure(
         detector + " by object",
-        "Line: g; thin lines: its 95% band.",
+        "Dots: photos. Line: g.",
         legend.size() <= MAX_NAMED ? legend : List.of(),
         List.of(panel),
         1,
