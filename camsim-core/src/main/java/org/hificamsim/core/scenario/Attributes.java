@@ -21,7 +21,7 @@ final class Attributes<S> {
 
   private final XmlElement xml;
   private final Element<S> element;
-  private final Map<Property<?, ?>, Type<?>> narrowed = new HashMap<>(0);
+  private final Map<String, Type<?>> narrowed = new HashMap<>(0);
 
   Attributes(XmlElement xml, Element<S> element) {
     this.xml = xml;
@@ -29,14 +29,14 @@ final class Attributes<S> {
   }
 
   /** Expects a narrower type of an attribute than what is declared. */
-  <T> Attributes<S> narrow(Property<?, T> attribute, Type<T> type) {
+  Attributes<S> narrow(String attribute, Type<?> type) {
     narrowed.put(attribute, type);
     return this;
   }
 
-  @SuppressWarnings("unchecked") // narrow() lets nothing else in
+  @SuppressWarnings("unchecked") // a narrower one of the same values
   private <T> Type<T> type(Property<S, T> attribute) {
-    return (Type<T>) narrowed.getOrDefault(attribute, attribute.type());
+    return (Type<T>) narrowed.getOrDefault(attribute.name(), attribute.type());
   }
 
   /** What an element is read as that has nothing but its attributes; warns of unknown ones. */

@@ -47,9 +47,9 @@ final class CameraReader {
   CameraSpec camera(XmlElement xml, Element<CameraSpec> as) {
     Attributes<CameraSpec> attributes =
         new Attributes<>(xml, as)
-            .narrow(CameraSpec.X, across)
-            .narrow(CameraSpec.Y, along)
-            .narrow(CameraSpec.OPTICS, optics);
+            .narrow("x", across)
+            .narrow("y", along)
+            .narrow("optics", optics);
     CameraSpec camera = withView(attributes.read(), attributes);
     if (!names.add(camera.name())) {
       throw attributes.invalid(CameraSpec.NAME, "a camera name that is not taken");
@@ -98,7 +98,6 @@ final class CameraReader {
 
   /** Expects an event that changes a camera to leave it in the field. */
   void narrow(Attributes<?> change) {
-    change.narrow(ScenarioEvent.ChangeCamera.X, Type.orUnchanged(across));
-    change.narrow(ScenarioEvent.ChangeCamera.Y, Type.orUnchanged(along));
+    change.narrow("x", Type.orUnchanged(across)).narrow("y", Type.orUnchanged(along));
   }
 }

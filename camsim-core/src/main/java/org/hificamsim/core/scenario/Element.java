@@ -75,6 +75,12 @@ final class Element<S> {
     return attribute(attribute, its, null).required();
   }
 
+  /** Attributes of one type that must be given. */
+  Element<S> requires(Type<?> its, String... names) {
+    Arrays.stream(names).forEach(one -> required(one, its));
+    return this;
+  }
+
   /** An attribute without a default. */
   <T> Property<S, T> optional(String attribute, Type<T> its) {
     return attribute(attribute, its, null);
@@ -89,8 +95,9 @@ final class Element<S> {
   }
 
   /** An attribute that has no effect, and is kept for the writer. */
-  void ignored(String attribute, Type<?> its) {
+  Element<S> ignored(String attribute, Type<?> its) {
     ignored.add(new Property<>(-1, attribute, its, null));
+    return this;
   }
 
   /** Something that no attribute says. */

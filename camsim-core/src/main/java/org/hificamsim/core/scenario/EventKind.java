@@ -3,6 +3,7 @@ package org.hificamsim.core.scenario;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * One kind of event, as scenario files have it.
@@ -23,9 +24,14 @@ record EventKind<E extends ScenarioEvent, B>(
     Function<E, Spec<B>> of) {
   /** A kind whose record has the step, and then the attributes of its body in their order. */
   static <E extends Record & ScenarioEvent> EventKind<E, E> of(
-      String participant, String happening, Class<E> type, String doc) {
+      String participant,
+      String happening,
+      Class<E> type,
+      String doc,
+      UnaryOperator<Element<E>> attributes) {
     Element<E> body = Element.ofRecord("event", type, doc);
     Property<E, Integer> step = body.property(0);
+    attributes.apply(body);
     return new EventKind<>(
         participant,
         happening,

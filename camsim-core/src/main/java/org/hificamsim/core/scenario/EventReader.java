@@ -46,7 +46,7 @@ final class EventReader {
             .filter(one -> one.participant().equals(participant))
             .toList();
     if (head.has(HAPPENING)) {
-      head.narrow(HAPPENING, oneOf(its, EventKind::happening));
+      head.narrow("event", oneOf(its, EventKind::happening));
     }
     String happening = head.get(HAPPENING);
     return its.stream()

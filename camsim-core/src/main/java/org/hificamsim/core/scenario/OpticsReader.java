@@ -79,7 +79,7 @@ final class OpticsReader {
       return;
     }
     if (law.widest() < 180) {
-      attributes.narrow(ANGLES_OF_VIEW, Type.numbers(Range.BELOW_180));
+      attributes.narrow("hfov", Type.numbers(Range.BELOW_180));
     }
     if (law.needsReach()) {
       attributes.require(REACH);

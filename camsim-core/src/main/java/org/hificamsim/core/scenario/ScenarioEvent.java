@@ -65,22 +65,13 @@ public sealed interface ScenarioEvent {
             x, y: place, m
             heading, viewing_angle: degrees
             range: reach, m
-            """);
-
-    static {
-      KIND.body().required("name", Type.CAMERA);
-    }
-
-    static final Property<ChangeCamera, Double> X =
-        KIND.body().required("x", Type.orUnchanged(Type.COORDINATE));
-    static final Property<ChangeCamera, Double> Y =
-        KIND.body().required("y", Type.orUnchanged(Type.COORDINATE));
-
-    static {
-      KIND.body().required("heading", Type.FINITE);
-      KIND.body().required("viewing_angle", Type.orUnchanged(Type.OPENING));
-      KIND.body().required("range", Type.orUnchanged(Type.LENGTH));
-    }
+            """,
+            body ->
+                body.requires(Type.CAMERA, "name")
+                    .requires(Type.orUnchanged(Type.COORDINATE), "x", "y")
+                    .requires(Type.FINITE, "heading")
+                    .requires(Type.orUnchanged(Type.OPENING), "viewing_angle")
+                    .requires(Type.orUnchanged(Type.LENGTH), "range"));
 
     @Override
     public Optional<String> existingCamera() {
@@ -103,12 +94,8 @@ public sealed interface ScenarioEvent {
             The camera fails.
             name: the camera
             duration: 0 for nothing, any other number of steps for ever, as in CamSim
-            """);
-
-    static {
-      KIND.body().required("name", Type.CAMERA);
-      KIND.body().required("duration", Type.whole(-1));
-    }
+            """,
+            body -> body.requires(Type.CAMERA, "name").requires(Type.whole(-1), "duration"));
 
     @Override
     public Optional<String> existingCamera() {
@@ -138,11 +125,8 @@ public sealed interface ScenarioEvent {
             """
             The target leaves.
             name: its features
-            """);
-
-    static {
-      KIND.body().required("name", Type.FINITE);
-    }
+            """,
+            body -> body.requires(Type.FINITE, "name"));
   }
 
   /** The global registration goes offline. */
@@ -156,11 +140,7 @@ public sealed interface ScenarioEvent {
             CamSim's global registration fails: see the end.
             duration: steps
             name: of no effect
-            """);
-
-    static {
-      KIND.body().required("duration", Type.whole(-1));
-      KIND.body().ignored("name", Type.CAMERA);
-    }
+            """,
+            body -> body.requires(Type.whole(-1), "duration").ignored("name", Type.CAMERA));
   }
 }

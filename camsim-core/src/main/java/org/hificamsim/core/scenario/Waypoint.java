@@ -4,15 +4,11 @@ package org.hificamsim.core.scenario;
 public record Waypoint(double x, double y) {
   static final Element<Waypoint> ELEMENT =
       Element.ofRecord(
-          "waypoint",
-          Waypoint.class,
-          """
-          A corner of a path.
-          x, y: place to walk to, m
-          """);
-
-  static {
-    ELEMENT.required("x", Type.COORDINATE);
-    ELEMENT.required("y", Type.COORDINATE);
-  }
+              "waypoint",
+              Waypoint.class,
+              """
+              A corner of a path.
+              x, y: place to walk to, m
+              """)
+          .requires(Type.COORDINATE, "x", "y");
 }

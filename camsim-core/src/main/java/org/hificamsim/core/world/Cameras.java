@@ -42,13 +42,13 @@ public final class Cameras {
     names[camera] = name;
     online[camera] = false;
     mount(camera, later.at(NOWHERE));
-    view[camera] = later.set().home();
+    view[camera] = later.set.home();
   }
 
   /** Lets moves take time, once all cameras are defined. */
   void startMotion(double newStepTime) {
     stepTime = newStepTime;
-    ViewSet[] sets = Arrays.stream(mounts).map(Mount::set).toArray(ViewSet[]::new);
+    ViewSet[] sets = Arrays.stream(mounts).map(mount -> mount.set).toArray(ViewSet[]::new);
     if (Arrays.stream(sets).anyMatch(ViewSet::takesTime)) {
       motion = new Motion(sets, stepTime);
       for (int camera = 0; camera < view.length; camera++) {
@@ -80,7 +80,7 @@ public final class Cameras {
     mounts[camera] = mount;
     aimed[camera] = null;
     if (motion != null) {
-      motion.refit(camera, mount.set());
+      motion.refit(camera, mount.set);
     }
   }
 
@@ -107,7 +107,7 @@ public final class Cameras {
    */
   public void aim(int camera, int newView, double pan) {
     jumpTo(camera, newView);
-    aimed[camera] = mounts[camera].pose().turned(pan);
+    aimed[camera] = mounts[camera].pose.turned(pan);
     aimedPan[camera] = pan;
     looks++;
   }
@@ -145,39 +145,39 @@ public final class Cameras {
 
   /** Where the camera stands and which way it is mounted. */
   public Pose pose(int camera) {
-    return mounts[camera].pose();
+    return mounts[camera].pose;
   }
 
   /** Where the camera stands and which way it looks in one of its views. */
   public Pose pose(int camera, int ofView) {
     return aimed[camera] != null && ofView == view[camera]
         ? aimed[camera]
-        : mounts[camera].pose(ofView);
+        : mounts[camera].poses[ofView];
   }
 
   /** Metres. */
   public double x(int camera) {
-    return mounts[camera].pose().x();
+    return mounts[camera].pose.x();
   }
 
   /** Metres. */
   public double y(int camera) {
-    return mounts[camera].pose().y();
+    return mounts[camera].pose.y();
   }
 
   /** The mounted heading: radians, 0 is +y and pi/2 is +x; not normalised. */
   public double heading(int camera) {
-    return mounts[camera].pose().heading();
+    return mounts[camera].pose.heading();
   }
 
   /** The number of views, 1 or more. */
   public int views(int camera) {
-    return mounts[camera].views();
+    return mounts[camera].zooms.length;
   }
 
   /** The number of zoom levels, 1 or more. */
   public int zooms(int camera) {
-    return mounts[camera].set().zooms().size();
+    return mounts[camera].set.zooms().size();
   }
 
   /** The view that was chosen last, from 0. */
@@ -195,9 +195,9 @@ public final class Cameras {
    * and one pan angle at a time.
    */
   public boolean reaches(int camera, int otherView) {
-    return mounts[camera].set().takesTime()
+    return mounts[camera].set.takesTime()
         ? motion.reaches(camera, otherView)
-        : mounts[camera].set().isNextTo(view[camera], otherView); // thesis 7.4.1
+        : mounts[camera].set.isNextTo(view[camera], otherView); // thesis 7.4.1
   }
 
   /** How many steps a camera is on its way to a view before the one in which it arrives. */
@@ -207,18 +207,18 @@ public final class Cameras {
 
   /** How far the camera turns within a step, radians; infinite where it turns at once. */
   public double turnInStep(int camera) {
-    return stepTime * mounts[camera].set().panSpeed();
+    return stepTime * mounts[camera].set.panSpeed();
   }
 
   /** How far its lens changes within a step, zoom levels; infinite where it changes at once. */
   public double zoomInStep(int camera) {
-    return stepTime * mounts[camera].set().zoomSpeed();
+    return stepTime * mounts[camera].set.zoomSpeed();
   }
 
   /** How far the camera sees now, metres; 0 while it moves blindly. */
   public double range(int camera) {
     int through = seeing(camera);
-    return through == NO_VIEW ? 0 : mounts[camera].zoom(through).radius();
+    return through == NO_VIEW ? 0 : mounts[camera].zooms[through].radius();
   }
 
   /** Whether the camera is on its way to the view that was chosen last. */
@@ -228,29 +228,29 @@ public final class Cameras {
 
   /** The zoom level of one of the views. */
   public ZoomLevel zoom(int camera, int ofView) {
-    return mounts[camera].zoom(ofView);
+    return mounts[camera].zooms[ofView];
   }
 
   /** A number from 0 that equal zoom levels have in common, in all worlds of a scenario. */
   public int zoomNumber(int camera, int ofView) {
-    return mounts[camera].zoomNumber(ofView);
+    return mounts[camera].zoomNumbers[ofView];
   }
 
   /** The pan angle of one of the views, radians off the mounted heading. */
   public double pan(int camera, int ofView) {
     return aimed[camera] != null && ofView == view[camera]
         ? aimedPan[camera]
-        : mounts[camera].set().pan(ofView);
+        : mounts[camera].set.pan(ofView);
   }
 
   /** Radians below the horizon, in one of the views. */
   public double tilt(int camera, int ofView) {
-    return mounts[camera].set().tilt(ofView);
+    return mounts[camera].set.tilt(ofView);
   }
 
   /** Height of the lens, metres; NaN in a flat world. */
   public double z(int camera) {
-    return mounts[camera].zoom(0).vertical().z();
+    return mounts[camera].zooms[0].vertical().z();
   }
 
   /** Changes whenever a camera is added, moved, refitted or switched off. */

@@ -10,11 +10,19 @@ import org.hificamsim.core.visibility.Pose;
  * it.
  */
 final class Mount {
-  private final Pose pose;
-  private final ViewSet set;
-  private final ZoomLevel[] zooms; // by view
-  private final int[] zoomNumbers; // the same
-  private final Pose[] poses; // the same
+  /** Where the camera stands and which way it is mounted. */
+  final Pose pose;
+
+  final ViewSet set;
+
+  /** By view. */
+  final ZoomLevel[] zooms;
+
+  /** By view: a number that equal zoom levels have in common. */
+  final int[] zoomNumbers;
+
+  /** By view: where the camera stands and which way it looks. */
+  final Pose[] poses;
 
   /**
    * @param number of a zoom level
@@ -42,33 +50,5 @@ final class Mount {
   /** The same camera elsewhere. */
   Mount at(Pose other) {
     return new Mount(other, set, zooms, zoomNumbers);
-  }
-
-  /** Where the camera stands and which way it is mounted. */
-  Pose pose() {
-    return pose;
-  }
-
-  ViewSet set() {
-    return set;
-  }
-
-  /** The number of views, 1 or more. */
-  int views() {
-    return zooms.length;
-  }
-
-  ZoomLevel zoom(int view) {
-    return zooms[view];
-  }
-
-  /** A number that equal zoom levels have in common. */
-  int zoomNumber(int view) {
-    return zoomNumbers[view];
-  }
-
-  /** Where the camera stands and which way it looks in a view. */
-  Pose pose(int view) {
-    return poses[view];
   }
 }

@@ -6,13 +6,15 @@ import org.hificamsim.core.scenario.TargetSpec;
  * Moves one target, step by step: an extension point, found by {@link #name} through a scenario's
  * {@code move} or {@code fqName} attribute.
  *
- * <p>An implementer writes {@link #name} and {@link #move}; one that needs parameters also {@link
- * #start}. Each target has an instance of its own, so state may be kept in fields. The border comes
+ * <p>An implementer writes {@link #move}, and {@link #name} where that is not the class's; one that
+ * needs parameters also {@link #start}. Each target has an instance of its own, so state may be kept in fields. The border comes
  * free through {@link Targets#advance}.
  */
 public interface Movement {
   /** The name in scenario files. */
-  String name();
+  default String name() {
+    return getClass().getSimpleName();
+  }
 
   /** Called once, when the target appears with its start position, heading and speed set. */
   default void start(int target, Targets targets, TargetSpec spec) {}

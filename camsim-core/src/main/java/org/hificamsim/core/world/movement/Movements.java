@@ -42,11 +42,6 @@ public final class Movements {
     private double dy;
 
     @Override
-    public String name() {
-      return "Straight";
-    }
-
-    @Override
     public void start(int target, Targets targets, TargetSpec spec) {
       face(target, targets);
     }
@@ -78,11 +73,6 @@ public final class Movements {
 
     private List<Waypoint> path;
     private int next = 1;
-
-    @Override
-    public String name() {
-      return "Waypoints";
-    }
 
     @Override
     public void start(int target, Targets targets, TargetSpec spec) {
@@ -121,11 +111,6 @@ public final class Movements {
     private int next = 1;
 
     @Override
-    public String name() {
-      return "Scripted";
-    }
-
-    @Override
     public void start(int target, Targets targets, TargetSpec spec) {
       path = spec.waypoints();
       targets.put(target, path.get(0).x(), path.get(0).y());
@@ -156,11 +141,6 @@ public final class Movements {
     private double std;
 
     @Override
-    public String name() {
-      return "Brownian";
-    }
-
-    @Override
     public void start(int target, Targets targets, TargetSpec spec) {
       mean = spec.mean();
       std = spec.std();
@@ -179,11 +159,6 @@ public final class Movements {
    * straight step. The speed may become negative; mean and std are not used.
    */
   private static final class DirectedBrownian implements Movement {
-    @Override
-    public String name() {
-      return "DirectedBrownian";
-    }
-
     @Override
     public void move(int target, Targets targets, RandomStreams random) {
       double forSpeed = random.move().nextGaussian();
@@ -204,11 +179,6 @@ public final class Movements {
    */
   private static final class Tracks implements Movement {
     private final TrackWalk walk = new TrackWalk();
-
-    @Override
-    public String name() {
-      return "Tracks";
-    }
 
     @Override
     public void start(int target, Targets targets, TargetSpec spec) {
