@@ -44,7 +44,7 @@ final class ObservedNetwork extends Sight {
     this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.objective = scenario.objective();
     this.workers = workers;
-    this.found = new long[workers.count()][coverage.length + 1];
+    this.found = new long[workers.count()][coverage.length];
     this.counts = new int[workers.count()][coverage.length];
   }
 

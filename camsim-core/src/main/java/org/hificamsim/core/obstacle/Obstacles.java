@@ -41,19 +41,14 @@ public final class Obstacles {
    * transmittances of all obstacles touched, each once; 1 where none is.
    */
   public double transmittance(double x1, double y1, double x2, double y2) {
-    double product = 1;
-    for (int i = 0; i < obstacles.size() && product > 0; i++) {
-      Obstacle obstacle = obstacles.get(i);
-      product *= obstacle.touches(x1, y1, x2, y2) ? obstacle.transmittance() : 1;
-    }
-    return product;
+    return transmittance(x1, y1, Double.NaN, x2, y2, 0, 0);
   }
 
   /**
    * The same in space: from a point at a height to what is between two heights of an upright line;
    * an obstacle that any of these lines touches counts.
    *
-   * @param z the height of the first point, metres
+   * @param z the height of the first point, metres; NaN in a flat world
    * @param low the least height of what is looked at, metres
    * @param high the greatest, metres
    */

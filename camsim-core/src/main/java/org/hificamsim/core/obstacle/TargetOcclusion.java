@@ -10,39 +10,15 @@ public final class TargetOcclusion {
   private TargetOcclusion() {}
 
   /**
-   * Whether a disc hides a target from a camera.
+   * Whether a disc hides a target from a camera. In space a disc is upright, from the ground to its
+   * height: whether one hides any of what is between two heights of the target.
    *
+   * @param cameraZ metres; NaN in a flat world
    * @param target its number among the discs
    * @param x the discs' centres, metres
    * @param y the discs' centres, metres
    * @param radius metres; a disc of radius 0 or less hides nothing
-   * @param count of the discs, the first of the arrays
-   */
-  public static boolean hidden(
-      double cameraX,
-      double cameraY,
-      int target,
-      double[] x,
-      double[] y,
-      double[] radius,
-      int count) {
-    double distance = square(x[target] - cameraX, y[target] - cameraY);
-    for (int i = 0; i < count; i++) {
-      if (square(x[i] - cameraX, y[i] - cameraY) < distance
-          && i != target
-          && hides(cameraX, cameraY, x[target], y[target], x[i], y[i], radius[i], true)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /**
-   * The same in space, where a target reaches from the ground to its height: whether one that is as
-   * near hides any of what is between two heights of the target.
-   *
-   * @param cameraZ metres
-   * @param height of each target, metres
+   * @param height of each disc, metres
    * @param low the least height of what is looked at, metres
    * @param high the greatest, metres
    */
@@ -59,43 +35,21 @@ public final class TargetOcclusion {
       double high) {
     double distance = square(x[target] - cameraX, y[target] - cameraY);
     for (int i = 0; i < x.length; i++) {
-      double start = Slab.start(cameraZ, low, high, 0, height[i]);
-      double end = Slab.end(cameraZ, low, high, 0, height[i]);
-      if (start <= end
-          && square(x[i] - cameraX, y[i] - cameraY) < distance
-          && i != target
-          && hides(
-              Slab.at(cameraX, x[target], start),
-              Slab.at(cameraY, y[target], start),
-              Slab.at(cameraX, x[target], end),
-              Slab.at(cameraY, y[target], end),
-              x[i],
-              y[i],
-              radius[i],
-              start == 0)) {
-        return true;
+      if (square(x[i] - cameraX, y[i] - cameraY) < distance && i != target && radius[i] > 0) {
+        double start = Slab.start(cameraZ, low, high, 0, height[i]);
+        double end = Slab.end(cameraZ, low, high, 0, height[i]);
+        double fromX = Slab.at(cameraX, x[target], start);
+        double fromY = Slab.at(cameraY, y[target], start);
+        double toX = Slab.at(cameraX, x[target], end);
+        double toY = Slab.at(cameraY, y[target], end);
+        if (start <= end
+            && Discs.touch(x[i], y[i], radius[i], fromX, fromY, toX, toY)
+            && !(start == 0 && Discs.contains(x[i], y[i], radius[i], cameraX, cameraY))) {
+          return true;
+        }
       }
     }
     return false;
-  }
-
-  /**
-   * Whether a disc is between two points, the farther of which is farther away than its centre.
-   *
-   * @param atCamera whether the first point is the camera's, which may be in the disc
-   */
-  private static boolean hides(
-      double fromX,
-      double fromY,
-      double toX,
-      double toY,
-      double atX,
-      double atY,
-      double radius,
-      boolean atCamera) {
-    return radius > 0
-        && Discs.touch(atX, atY, radius, fromX, fromY, toX, toY)
-        && !(atCamera && Discs.contains(atX, atY, radius, fromX, fromY));
   }
 
   private static double square(double dx, double dy) {

@@ -79,25 +79,17 @@ public final class SightLines {
    * between.
    */
   public double transmittance(int camera, int target) {
-    double through = regions.length == 0 ? 1 : through(camera, target);
-    return byTargets && through > 0 && isHidden(camera, target) ? 0 : through;
-  }
-
-  private double through(int camera, int target) {
-    double x = targets.x(target);
-    double y = targets.y(target);
-    return flat
-        ? regions[camera].transmittance(x, y)
-        : regions[camera].transmittance(
-            x, y, cameras.z(camera), targets.low(target), targets.high(target));
-  }
-
-  private boolean isHidden(int camera, int target) {
-    double x = cameras.x(camera);
-    double y = cameras.y(camera);
-    return flat
-        ? targets.isHidden(target, x, y)
-        : targets.isHidden(target, x, y, cameras.z(camera));
+    double z = cameras.z(camera);
+    double through =
+        regions.length == 0
+            ? 1
+            : regions[camera].transmittance(
+                targets.x(target), targets.y(target), z, targets.low(target), targets.high(target));
+    return byTargets
+            && through > 0
+            && targets.isHidden(target, cameras.x(camera), cameras.y(camera), z)
+        ? 0
+        : through;
   }
 
   /** Says what has to be seen of targets where the scenario does not. */

@@ -151,15 +151,10 @@ public final class Targets {
     return new Body(size[target], low(target), high(target), foreshortened);
   }
 
-  /** The same from a height. */
+  /** Whether another target hides this one from a point; metres, a height of NaN in a flat world. */
   boolean isHidden(int target, double fromX, double fromY, double fromZ) {
     return TargetOcclusion.hidden(
         fromX, fromY, fromZ, target, x, y, radius, height, low(target), high(target));
-  }
-
-  /** Whether another target hides this one from a point. */
-  boolean isHidden(int target, double fromX, double fromY) {
-    return TargetOcclusion.hidden(fromX, fromY, target, x, y, radius, radius.length);
   }
 
   /** Turns the target. */

@@ -63,16 +63,6 @@ class ObstaclesTest {
   }
 
   @Test
-  void areEqualWhereTheirObstaclesAre() {
-    Obstacles obstacles = new Obstacles(List.of(WALL, PILLAR));
-    Obstacles same = new Obstacles(List.of(new Obstacle.Wall(0, 0, 0, 4, 0.5), PILLAR));
-    assertEquals(obstacles, same);
-    assertEquals(obstacles.hashCode(), same.hashCode());
-    assertNotEquals(obstacles, new Obstacles(List.of(PILLAR, WALL)));
-    assertEquals(List.of(WALL, PILLAR).toString(), obstacles.toString());
-  }
-
-  @Test
   void noneLetsEverythingPass() {
     assertTrue(Obstacles.NONE.isEmpty());
     assertEquals(1, Obstacles.NONE.transmittance(0, 0, 1, 1));

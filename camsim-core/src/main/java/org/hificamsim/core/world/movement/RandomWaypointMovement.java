@@ -19,6 +19,11 @@ final class RandomWaypointMovement implements Movement {
   private double toY;
 
   @Override
+  public String name() {
+    return "RandomWaypoint";
+  }
+
+  @Override
   public void start(int target, Targets targets, TargetSpec spec) {
     walking = false;
   }
