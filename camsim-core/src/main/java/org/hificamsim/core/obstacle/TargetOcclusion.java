@@ -33,11 +33,12 @@ public final class TargetOcclusion {
       double[] height,
       double low,
       double high) {
+    boolean flat = Double.isNaN(cameraZ);
     double distance = square(x[target] - cameraX, y[target] - cameraY);
     for (int i = 0; i < x.length; i++) {
       if (square(x[i] - cameraX, y[i] - cameraY) < distance && i != target && radius[i] > 0) {
-        double start = Slab.start(cameraZ, low, high, 0, height[i]);
-        double end = Slab.end(cameraZ, low, high, 0, height[i]);
+        double start = flat ? 0 : Slab.start(cameraZ, low, high, 0, height[i]);
+        double end = flat ? 1 : Slab.end(cameraZ, low, high, 0, height[i]);
         double fromX = Slab.at(cameraX, x[target], start);
         double fromY = Slab.at(cameraY, y[target], start);
         double toX = Slab.at(cameraX, x[target], end);
