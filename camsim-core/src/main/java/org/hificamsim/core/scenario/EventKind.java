@@ -3,7 +3,7 @@ package org.hificamsim.core.scenario;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.function.Function;
-import java.util.function.UnaryOperator;
+import java.util.function.Consumer;
 
 /**
  * One kind of event, as scenario files have it.
@@ -28,10 +28,10 @@ record EventKind<E extends ScenarioEvent, B>(
       String happening,
       Class<E> type,
       String doc,
-      UnaryOperator<Element<E>> attributes) {
+      Consumer<Element<E>> attributes) {
     Element<E> body = Element.ofRecord("event", type, doc);
     Property<E, Integer> step = body.property(0);
-    attributes.apply(body);
+    attributes.accept(body);
     return new EventKind<>(
         participant,
         happening,
