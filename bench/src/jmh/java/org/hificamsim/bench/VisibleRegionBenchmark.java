@@ -117,7 +117,16 @@ public class VisibleRegionBenchmark {
       for (int disc = 0; disc < DISCS; disc++) {
         hidden +=
             TargetOcclusion.hidden(
-                cameraX[camera], cameraY[camera], Double.NaN, disc, discX, discY, radius, radius, 0, 0)
+                    cameraX[camera],
+                    cameraY[camera],
+                    Double.NaN,
+                    disc,
+                    discX,
+                    discY,
+                    radius,
+                    radius,
+                    0,
+                    0)
                 ? 1
                 : 0;
       }

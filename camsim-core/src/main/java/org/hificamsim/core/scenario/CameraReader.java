@@ -46,10 +46,7 @@ final class CameraReader {
   /** Reads a camera. */
   CameraSpec camera(XmlElement xml, Element<CameraSpec> as) {
     Attributes<CameraSpec> attributes =
-        new Attributes<>(xml, as)
-            .narrow("x", across)
-            .narrow("y", along)
-            .narrow("optics", optics);
+        new Attributes<>(xml, as).narrow("x", across).narrow("y", along).narrow("optics", optics);
     CameraSpec camera = withView(attributes.read(), attributes);
     if (!names.add(camera.name())) {
       throw attributes.invalid(CameraSpec.NAME, "a camera name that is not taken");

@@ -2,8 +2,8 @@ package org.hificamsim.core.scenario;
 
 import java.util.Map;
 import java.util.function.BiFunction;
-import java.util.function.Function;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * One kind of event, as scenario files have it.

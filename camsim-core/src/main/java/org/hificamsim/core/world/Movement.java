@@ -7,8 +7,8 @@ import org.hificamsim.core.scenario.TargetSpec;
  * {@code move} or {@code fqName} attribute.
  *
  * <p>An implementer writes {@link #move}, and {@link #name} where that is not the class's; one that
- * needs parameters also {@link #start}. Each target has an instance of its own, so state may be kept in fields. The border comes
- * free through {@link Targets#advance}.
+ * needs parameters also {@link #start}. Each target has an instance of its own, so state may be
+ * kept in fields. The border comes free through {@link Targets#advance}.
  */
 public interface Movement {
   /** The name in scenario files. */

@@ -151,7 +151,9 @@ public final class Targets {
     return new Body(size[target], low(target), high(target), foreshortened);
   }
 
-  /** Whether another target hides this one from a point; metres, a height of NaN in a flat world. */
+  /**
+   * Whether another target hides this one from a point; metres, a height of NaN in a flat world.
+   */
   boolean isHidden(int target, double fromX, double fromY, double fromZ) {
     return TargetOcclusion.hidden(
         fromX, fromY, fromZ, target, x, y, radius, height, low(target), high(target));

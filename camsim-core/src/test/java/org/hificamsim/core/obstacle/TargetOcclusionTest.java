@@ -100,8 +100,7 @@ class TargetOcclusionTest {
   /** In a flat world. */
   private static boolean hidden(
       double cameraX, double cameraY, int target, double[] x, double[] y, double[] radius) {
-    return TargetOcclusion.hidden(
-        cameraX, cameraY, Double.NaN, target, x, y, radius, radius, 0, 0);
+    return TargetOcclusion.hidden(cameraX, cameraY, Double.NaN, target, x, y, radius, radius, 0, 0);
   }
 
   private static double[] array(double... values) {
