@@ -30,7 +30,6 @@ final class Destination {
           "--out",
           "--png",
           "--svg",
-          "--gif",
           "--output",
           "--summaryfile",
           "--coverage-out",
