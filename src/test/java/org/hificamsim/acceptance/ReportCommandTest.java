@@ -55,7 +55,8 @@ class ReportCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,x | score is 'x', expected a number",
+        "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,x | ,x' is no row, expected"
+            + " run,step,k_min,...,score, numbers",
         "summary.json | \\{ | [[ | not JSON",
         "replay.json | \"x\":[0-9.e-]+ | \"x\":[] | replay.json:1:",
         "replay.json | \"data\":\"....... | \"data\":\"eJx?AAA | run 0",

@@ -31,8 +31,8 @@ public record FrameScores(Objective objective, Map<Long, Double> byStep, double 
     StepRow.each(
         folder,
         row -> {
-          if (row.run().equals(Integer.toString(run.run()))) {
-            byStep.put((long) row.step(steps), row.score());
+          if (row.run() == run.run()) {
+            byStep.put(row.step(), row.score());
           }
         });
     return Optional.of(

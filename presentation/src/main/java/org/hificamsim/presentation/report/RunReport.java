@@ -78,7 +78,7 @@ final class RunReport {
 
   /** Of the recorded frames, by run; of none in a folder of an earlier version. */
   private Collection<List<Double>> scores() throws IOException {
-    Map<String, List<Double>> scores = new LinkedHashMap<>();
+    Map<Integer, List<Double>> scores = new LinkedHashMap<>();
     Set<String> recorded = new HashSet<>();
     for (int i = 0; i < replay.runs().size(); i++) {
       RecordedRun run = replay.recording(folder, i);
