@@ -27,13 +27,7 @@ final class Destination {
   /** The options that say where to write. What all others name is read. */
   static final Set<String> OUTPUTS =
       Set.of(
-          "--out",
-          "--png",
-          "--svg",
-          "--output",
-          "--summaryfile",
-          "--coverage-out",
-          "--for-camsim");
+          "--out", "--png", "--svg", "--output", "--summaryfile", "--coverage-out", "--for-camsim");
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
