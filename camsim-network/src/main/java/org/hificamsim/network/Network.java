@@ -1,6 +1,5 @@
 package org.hificamsim.network;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.IntConsumer;
@@ -15,7 +14,6 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.WorldObserver;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.BidderHashes;
-import org.hificamsim.network.agent.HashOrder;
 import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.ScheduleKind;
@@ -84,8 +82,10 @@ public final class Network implements Cooperation, WorldObserver {
         };
     searches = new Searches(cameras, world.targets().count());
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
-    double[] features = new double[world.targets().count()];
-    Arrays.setAll(features, target -> world.targetSpec(target).features());
+    List<Agent.Features> features =
+        IntStream.range(0, world.targets().count())
+            .mapToObj(target -> new Agent.Features(world.targetSpec(target).features()))
+            .toList();
     shared =
         new Agent.Shared(
             cameras,
@@ -94,7 +94,7 @@ public final class Network implements Cooperation, WorldObserver {
             searches,
             queue,
             new Random(seed),
-            settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::of : camera -> 0,
+            settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::of : null,
             !settings.has(Quirk.MISPRICED_SALES));
     world.scenario().cameras().forEach(camera -> cameraAdded(added));
     world.scenario().targets().forEach(target -> targetAppeared(appeared));
@@ -202,11 +202,7 @@ public final class Network implements Cooperation, WorldObserver {
 
   /** The targets that a camera owns, in the order in which it goes through them. */
   public List<Integer> owned(int camera) {
-    if (agents[camera] == null) {
-      return List.of();
-    }
-    HashOrder owned = agents[camera].owned();
-    return IntStream.range(0, owned.size()).mapToObj(owned::get).toList();
+    return agents[camera] == null ? List.of() : List.copyOf(agents[camera].owned());
   }
 
   /** What each camera saw in the last step. */

@@ -58,7 +58,7 @@ class BidderHashesTest {
     Agent.Shared shared =
         new Agent.Shared(
             world.cameras(),
-            new double[0],
+            List.of(),
             sightings,
             new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(4, 8),

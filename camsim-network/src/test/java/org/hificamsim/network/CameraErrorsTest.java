@@ -74,12 +74,12 @@ class CameraErrorsTest {
     Agent.Shared shared =
         new Agent.Shared(
             world.cameras(),
-            new double[] {1},
+            List.of(new Agent.Features(1)),
             sightings,
             new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(4, 8),
             new Random(0),
-            camera -> 0,
+            null,
             false);
     AgentFactory factory = new AgentFactory(world, settings, new Random(0));
     for (int camera = 0; camera < agents.length; camera++) {

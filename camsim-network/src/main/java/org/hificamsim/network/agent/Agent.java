@@ -1,13 +1,24 @@
 package org.hificamsim.network.agent;
 
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.function.IntUnaryOperator;
+import java.util.stream.Stream;
 import org.hificamsim.core.world.Cameras;
 
 /**
  * One camera as a trader of targets (behaviour 8.1): it advertises what it owns, bids for what
  * others sell, and settles its own auctions (behaviour 8.3 to 8.5). An auction opened in a step is
  * settled in it.
+ *
+ * <p>What it owns, and what others bid, are in hash maps as CamSim has them: its numbers depend on
+ * their order (behaviour 4.4, 4.5).
  */
 public final class Agent {
   /**
@@ -16,14 +27,14 @@ public final class Agent {
    * @param features of all targets that there will ever be
    * @param searches of all agents
    * @param random draws whom Smooth and Step ask
-   * @param bidderHash orders the bids of several cameras; the same number for all means the order
+   * @param bidderHash hash code of a camera, which orders the bids of several; null for the order
    *     of arrival
    * @param exactPrices whether a price is the second highest value, and prices paid add up; quirk
    *     Q14 otherwise
    */
   public record Shared(
       Cameras cameras,
-      double[] features,
+      List<Features> features,
       Sightings sightings,
       Searches searches,
       MessageQueue queue,
@@ -37,12 +48,28 @@ public final class Agent {
   private final AuctionSchedule schedule;
   private final Contacts contacts;
   private final Searches searches;
-  private final OwnedTargets owned;
-  private final Bids bids;
+  private final Map<Features, Integer> owned = new HashMap<>(); // by features
+  private final List<List<Bid>> bids; // by target
   private final Mean sharedViews = new Mean();
   private CommunicationPolicy policy;
   private double received;
   private double paid;
+
+  /** What CamSim knows a target by: a list of one number. */
+  public record Features(double value) {
+    @Override
+    public int hashCode() {
+      return 31 + Double.hashCode(value);
+    }
+  }
+
+  /** A camera's bid, with that camera's hash code then. */
+  private record Bid(int camera, double value, int hash) {
+    @Override
+    public int hashCode() {
+      return hash;
+    }
+  }
 
   /**
    * An agent that owns nothing and knows nobody.
@@ -62,9 +89,11 @@ public final class Agent {
     this.policy = policy;
     this.shared = shared;
     contacts = new Contacts(camera, links, shared);
+    bids =
+        Stream.generate(() -> (List<Bid>) new ArrayList<Bid>(0))
+            .limit(shared.features().size())
+            .toList();
     searches = shared.searches();
-    owned = new OwnedTargets(shared.features());
-    bids = new Bids(shared.features().length);
   }
 
   /** The camera's number. */
@@ -117,9 +146,23 @@ public final class Agent {
     searches.begin(camera, target, Searches.NOBODY);
   }
 
-  /** The targets owned, for reading only. */
-  public HashOrder owned() {
-    return owned.order();
+  /** The targets owned, in the order of the map that holds them; for reading only. */
+  public Collection<Integer> owned() {
+    return owned.values();
+  }
+
+  /** The same targets in the order of a copy of that map. */
+  public Collection<Integer> copyOfOwned() {
+    if (owned.size() < 2) {
+      return owned.values();
+    }
+    Map<Features, Integer> copy = new HashMap<>();
+    owned.forEach(copy::put);
+    return copy.values();
+  }
+
+  private boolean owns(int target) {
+    return owned.containsKey(shared.features().get(target));
   }
 
   /** How sure the camera is of a target now; 0 where it does not see it. */
@@ -166,13 +209,13 @@ public final class Agent {
       }
       case STOP_SEARCH -> {
         searches.end(camera, target);
-        if (sees(target) && !owned.contains(target)) {
+        if (sees(target) && !owns(target)) {
           countView(true);
         }
       }
       case FOUND -> {
-        if (contacts.neighbours.get(from) && contacts.advertised.contains(target)) {
-          bids.add(target, from, value, shared.bidderHash().applyAsInt(from));
+        if (contacts.neighbours.get(from) && contacts.asked(target) != null) {
+          note(target, from, value);
         }
       }
       case START_TRACKING -> {
@@ -182,13 +225,25 @@ public final class Agent {
     }
   }
 
+  /** The first bid of each camera counts. */
+  private void note(int target, int from, double value) {
+    for (Bid bid : bids.get(target)) {
+      if (bid.camera == from) {
+        return;
+      }
+    }
+    boolean byHash = shared.bidderHash() != null;
+    int hash = byHash ? shared.bidderHash().applyAsInt(from) : 0;
+    bids.get(target).add(new Bid(from, value, hash));
+  }
+
   /** Counts a target that this camera and another see, or one of them alone. */
   private void countView(boolean both) {
     sharedViews.add(both ? 1 : 0, 1);
   }
 
   private void own(int target) {
-    owned.add(target);
+    owned.put(shared.features().get(target), target);
     searches.end(camera, target);
   }
 
@@ -203,8 +258,7 @@ public final class Agent {
 
   /** Offers its targets for sale, in the order of the map that holds them (behaviour 8.3). */
   public void advertise() {
-    for (int i = 0; i < owned().size(); i++) {
-      int target = owned().get(i);
+    for (int target : owned()) {
       if (schedule.advertises(target, confidence(target))) {
         searches.begin(camera, target, camera);
         policy.startSearch(contacts, target);
@@ -219,7 +273,7 @@ public final class Agent {
     for (int i = 0; i < sightings.visible(camera); i++) {
       int target = sightings.visible(camera, i);
       int searcher = searches.searcher(camera, target);
-      if (searcher == Searches.NONE || owned.contains(target)) {
+      if (searcher == Searches.NONE || owns(target)) {
         continue;
       }
       if (searcher == camera) {
@@ -245,17 +299,14 @@ public final class Agent {
     received = 0;
     paid = 0;
     contacts.beginSettlement();
-    int own = searches.findOwn(camera, owned());
-    for (int i = 0; i < own; i++) {
-      settle(searches.own(i));
-    }
+    searches.own(camera, owned()).forEach(this::settle);
     schedule.settled();
   }
 
   private void settle(int target) {
     double best = value(target);
-    Bids.OfTarget offers = bids.of(target);
-    if (offers == null) {
+    List<Bid> offers = bids.get(target);
+    if (offers.isEmpty()) {
       if (sees(target)) {
         countView(false);
       }
@@ -264,23 +315,32 @@ public final class Agent {
     double beforeBest = best;
     double second = 0;
     int winner = camera;
-    for (int i = 0; i < offers.size(); i++) {
-      double value = offers.value(i);
-      if (!contacts.reaches(offers.bidder(i))) {
+    for (Bid offer : inOrder(offers)) {
+      double value = offer.value;
+      if (!contacts.reaches(offer.camera)) {
         continue;
       }
       if (value > best) {
         second = best;
         beforeBest = best;
         best = value;
-        winner = offers.bidder(i);
+        winner = offer.camera;
       } else if (value > second) {
         second = value;
       }
     }
     int count = offers.size();
-    bids.clear(target);
+    offers.clear();
     sell(target, winner, shared.exactPrices() ? second : beforeBest, count);
+  }
+
+  private Collection<Bid> inOrder(List<Bid> arrived) {
+    if (shared.bidderHash() == null || arrived.size() < 2) {
+      return arrived;
+    }
+    Set<Bid> byHash = new HashSet<>();
+    byHash.addAll(arrived); // one by one, as CamSim's map grows
+    return byHash;
   }
 
   private void sell(int target, int winner, double price, int count) {
@@ -293,8 +353,10 @@ public final class Agent {
     } else {
       contacts.send(MessageKind.START_TRACKING, winner, target, price);
       contacts.links.strengthen(winner, target);
-      contacts.advertised.remove(target, winner);
-      owned.remove(target);
+      if (contacts.asked(target) != null) {
+        contacts.asked(target).clear(winner);
+      }
+      owned.remove(shared.features().get(target));
       countView(sees(target));
     }
     policy.stopSearch(contacts, target);

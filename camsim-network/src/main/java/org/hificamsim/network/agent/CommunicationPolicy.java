@@ -48,14 +48,14 @@ public enum CommunicationPolicy implements Named {
       case BROADCAST -> contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
       case FIX -> tell(contacts, contacts.links.linked(), target);
       case SMOOTH, STEP -> {
-        if (contacts.advertised.isEmpty()) {
+        if (!contacts.advertises()) {
           contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
-        } else if (contacts.advertised.contains(target)) {
-          tell(contacts, contacts.advertised.asked(target), target);
+        } else if (contacts.asked(target) != null) {
+          tell(contacts, contacts.asked(target), target);
         }
       }
     }
-    contacts.advertised.close(target);
+    contacts.withdraw(target);
   }
 
   /** Asks the neighbours whose chance is above one draw, or all where there are none. */
@@ -82,11 +82,11 @@ public enum CommunicationPolicy implements Named {
   }
 
   private static void askLinked(Contacts contacts, int target) {
-    contacts.advertised.close(target);
-    contacts.advertised.open(target);
+    contacts.withdraw(target);
+    contacts.advertise(target);
     BitSet linked = contacts.links.linked();
     for (int name = linked.nextSetBit(0); name >= 0; name = linked.nextSetBit(name + 1)) {
-      contacts.advertised.add(target, name);
+      contacts.asked(target).set(name);
       contacts.send(MessageKind.START_SEARCH, name, target, 0);
     }
   }

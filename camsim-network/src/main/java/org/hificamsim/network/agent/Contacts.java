@@ -10,7 +10,8 @@ import org.hificamsim.core.world.Cameras;
 final class Contacts {
   final BitSet neighbours = new BitSet();
   final Links links;
-  final Advertised advertised;
+  private final BitSet advertised = new BitSet();
+  private final BitSet[] asked; // by target that is or was advertised
   private final int camera;
   private final Agent.Shared shared;
   private boolean countsFallback = true;
@@ -20,7 +21,7 @@ final class Contacts {
     this.camera = camera;
     this.links = links;
     this.shared = shared;
-    advertised = new Advertised(shared.features().length);
+    asked = new BitSet[shared.features().size()];
   }
 
   /** Whether a message to this name arrives; not all names are cameras. */
@@ -61,7 +62,7 @@ final class Contacts {
   /** Asks all neighbours to bid for a target. */
   void askNeighbours(int target) {
     sent += neighbours.cardinality();
-    advertised.open(target);
+    advertise(target);
     if (links != Links.UNREAD) { // else it always asks all of them
       for (int name = neighbours.nextSetBit(0); name >= 0; name = neighbours.nextSetBit(name + 1)) {
         noteAsked(name, target);
@@ -78,10 +79,34 @@ final class Contacts {
   }
 
   private void noteAsked(int neighbour, int target) {
-    advertised.open(target);
+    advertise(target);
     if (shared.cameras().online(neighbour)) {
-      advertised.add(target, neighbour);
+      asked[target].set(neighbour);
     }
+  }
+
+  /** A target is advertised from now on, though no camera that can be named was asked. */
+  void advertise(int target) {
+    if (!advertised.get(target)) {
+      advertised.set(target);
+      asked[target] = asked[target] == null ? new BitSet() : asked[target];
+      asked[target].clear();
+    }
+  }
+
+  /** A target is advertised no longer. */
+  void withdraw(int target) {
+    advertised.clear(target);
+  }
+
+  /** The names that were asked about a target; null where it is not advertised. */
+  BitSet asked(int target) {
+    return advertised.get(target) ? asked[target] : null;
+  }
+
+  /** Whether it advertises any target. */
+  boolean advertises() {
+    return !advertised.isEmpty();
   }
 
   /** From now on links fade and grow, and asking all neighbours instead does not count as sent. */

@@ -1,6 +1,10 @@
 package org.hificamsim.network.agent;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -19,7 +23,6 @@ public final class Searches {
   private final int[][] searcher; // by target, then camera
   private final long[][] since;
   private long searches; // that have begun
-  private int[] own = new int[8];
 
   /** No camera looks for any target. */
   public Searches(Cameras cameras, int targets) {
@@ -71,33 +74,20 @@ public final class Searches {
     return count;
   }
 
-  /**
-   * Finds those of a camera's targets that it looks for itself, in the order in which it began to.
-   *
-   * @return how many there are; {@link #own} has them until the next call
-   */
-  int findOwn(int camera, HashOrder owned) {
-    int count = 0;
-    for (int i = 0; i < owned.size(); i++) {
-      if (searcher[owned.get(i)][camera] == camera) {
-        insert(camera, owned.get(i), count++);
+  /** Of a camera's targets those that it looks for itself, in the order in which it began to. */
+  List<Integer> own(int camera, Collection<Integer> owned) {
+    if (owned.isEmpty()) {
+      return List.of();
+    }
+    List<Integer> own = new ArrayList<>();
+    for (int target : owned) {
+      if (searcher[target][camera] == camera) {
+        own.add(target);
       }
     }
-    return count;
-  }
-
-  private void insert(int camera, int target, int end) {
-    own = end == own.length ? Arrays.copyOf(own, 2 * end) : own;
-    int place = end;
-    while (place > 0 && since[own[place - 1]][camera] > since[target][camera]) {
-      own[place] = own[place - 1];
-      place--;
+    if (own.size() > 1) {
+      own.sort(Comparator.comparingLong(target -> since[target][camera]));
     }
-    own[place] = target;
-  }
-
-  /** A target as {@link #findOwn} found it. */
-  int own(int index) {
-    return own[index];
+    return own;
   }
 }

@@ -5,7 +5,6 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
-import org.hificamsim.network.agent.HashOrder;
 
 /**
  * What a camera's targets are worth: its utility (behaviour 10.3) and its relative confidence
@@ -19,7 +18,6 @@ public final class CameraFigures {
   private final Cameras cameras;
   private final Targets targets;
   private final Field field;
-  private final HashOrder copy = new HashOrder();
   private double sum;
   private int visible;
 
@@ -33,10 +31,9 @@ public final class CameraFigures {
   /** The visibility of the targets owned, weighed by the camera's range. */
   public double utility(Agent agent) {
     double worth = Math.max(worth(agent.camera()), 0);
-    HashOrder owned = agent.owned();
     double utility = 0.0;
-    for (int i = 0; i < owned.size(); i++) {
-      utility += agent.confidence(owned.get(i)) * worth;
+    for (int target : agent.owned()) {
+      utility += agent.confidence(target) * worth;
     }
     return utility;
   }
@@ -45,9 +42,7 @@ public final class CameraFigures {
   public void measure(Agent agent) {
     sum = 0.0;
     visible = 0;
-    copy.copy(agent.owned());
-    for (int i = 0; i < copy.size(); i++) {
-      int target = copy.get(i);
+    for (int target : agent.copyOfOwned()) {
       if (agent.sees(target)) {
         sum += certainty(agent.camera(), target);
         visible++;

@@ -3,7 +3,6 @@ package org.hificamsim.network.agent;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -67,16 +66,14 @@ class SearchesTest {
   }
 
   private void assertSame(int camera) {
-    HashOrder owned = new HashOrder();
+    List<Integer> owned = new ArrayList<>();
     for (int target = 0; target < TARGETS; target++) {
-      owned.add(target, random.nextInt());
+      owned.add(random.nextInt(owned.size() + 1), target);
       int expected = plain.get(camera).getOrDefault(target, Searches.NONE);
       assertEquals(expected, searches.searcher(camera, target));
     }
     List<Integer> own = new ArrayList<>(plain.get(camera).keySet());
     own.removeIf(target -> plain.get(camera).get(target) != camera);
-    int[] found = new int[searches.findOwn(camera, owned)];
-    Arrays.setAll(found, searches::own);
-    assertEquals(own, Arrays.stream(found).boxed().toList());
+    assertEquals(own, searches.own(camera, owned));
   }
 }
