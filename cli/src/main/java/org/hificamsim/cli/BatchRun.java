@@ -2,11 +2,13 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
@@ -17,8 +19,11 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Comparison;
 import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.EngineSettings;
 import org.hificamsim.runs.compare.Journal;
 import org.hificamsim.runs.compare.JournalledEngine;
+import org.hificamsim.runs.compare.LocalEngine;
+import org.hificamsim.runs.compare.MergedShards;
 import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
@@ -27,67 +32,91 @@ import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.InputFiles;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
-/** The runs of a command that has many: with progress, a manifest, the page and a summary. */
+/**
+ * The runs of a command that has many, and the options of all such commands: with progress, a
+ * manifest, the page and a summary.
+ */
 final class BatchRun {
-  /**
-   * Writes a command's own files.
-   *
-   * @param <R> what its summary is made of
-   */
+  /** Writes a command's own files. */
   @FunctionalInterface
-  interface Files<R> {
-    /** Adds them to a folder's. */
-    R write(OutputFolder folder, List<CaseResult> results) throws IOException;
+  interface Files {
+    /** Adds them to a folder's, and returns what prints their summary. */
+    Consumer<PrintWriter> write(OutputFolder folder, List<CaseResult> results) throws IOException;
   }
 
-  /**
-   * Runs what a command needs, and writes its own files.
-   *
-   * @param <R> what its summary is made of
-   */
+  /** Runs what a command needs, and writes its own files. */
   @FunctionalInterface
-  interface Work<R> {
-    /** Adds them to a folder's; the engine keeps finished runs for {@code --resume}. */
-    R write(OutputFolder folder, RunEngine engine) throws IOException;
+  interface Work {
+    /** The same; the engine keeps finished runs for {@code --resume}. */
+    Consumer<PrintWriter> write(OutputFolder folder, RunEngine engine) throws IOException;
   }
 
-  private final Screen screen;
-  private final BatchOptions options;
-  private final Catalogue catalogue;
-  private final ReferencePolicies references;
+  @Mixin private ThreadsOption threads;
+
+  @Option(names = "--out", paramLabel = "DIR")
+  private Path out;
+
+  @Option(names = "--resume")
+  private boolean resume;
+
+  @Option(names = "--engine", paramLabel = "local|spark")
+  private String engine;
+
+  @Option(names = "--master", paramLabel = "URL")
+  private Optional<String> master;
+
+  @Option(names = "--shard", paramLabel = "i/n")
+  private Optional<String> shard;
+
+  @Option(names = "--merge", arity = "1..*", paramLabel = "DIR")
+  private List<Path> merge;
+
   private final Instant started = Instant.now();
+  private Screen screen;
 
-  /**
-   * @param references what is run in addition to the command's plans
-   */
-  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue, ReferencePolicies references) {
-    this.screen = screen;
-    this.options = options;
-    this.catalogue = catalogue;
-    this.references = references;
+  /** The threads that were asked for, 1 or more. */
+  int threads() {
+    return threads.count();
+  }
+
+  /** Whether all runs are still to be computed, by this machine. */
+  boolean computesHere() {
+    return merge == null && !resume && engine.equals(LocalEngine.NAME);
+  }
+
+  /** Whether a part of the runs was asked for, or parts are put together. */
+  boolean isInParts() {
+    return shard.isPresent() || merge != null;
   }
 
   /**
    * Checks that every plan can start, then runs them all, or the part that was asked for.
    *
-   * @param files the command's own
-   * @param summary prints the results; not those of a part, which wait to be merged
+   * @param references what is run in addition to the command's plans
+   * @param files the command's own; not those of a part, which wait to be merged
    * @return the exit code
-   * @throws org.hificamsim.core.InputException when a plan cannot start; nothing was written then
+   * @throws InputException when a plan cannot start; nothing was written then
    */
-  <R> int execute(List<RunPlan> plans, Files<R> files, BiConsumer<PrintWriter, R> summary)
+  int execute(
+      Screen on,
+      Catalogue catalogue,
+      ReferencePolicies references,
+      List<RunPlan> plans,
+      Files files)
       throws IOException {
     List<RunPlan> all = references.with(plans);
     long steps = all.stream().mapToLong(RunPlan::work).sum();
-    Work<R> work =
-        (folder, engine) -> {
-          List<CaseResult> results = Comparison.run(plans, references, engine);
+    Work work =
+        (folder, journalled) -> {
+          List<CaseResult> results = Comparison.run(plans, references, journalled);
           warnOfFewSeeds(plans.get(0).repeats());
           results.forEach(this::warnOfUnproven);
           return files.write(folder, results);
         };
-    return execute(all, all, steps, true, work, summary);
+    return execute(on, catalogue, all, all, steps, true, work);
   }
 
   /**
@@ -98,25 +127,36 @@ final class BatchRun {
    * @param steps of all runs, at most
    * @param page whether the page is made too
    * @return the exit code
-   * @throws org.hificamsim.core.InputException when a plan cannot start; nothing was written then
+   * @throws InputException when a plan cannot start, there is no such engine, it cannot work, or
+   *     shards are missing; nothing was written then
    */
-  <R> int execute(
+  int execute(
+      Screen on,
+      Catalogue catalogue,
       List<RunPlan> all,
       List<RunPlan> inputs,
       long steps,
       boolean page,
-      Work<R> work,
-      BiConsumer<PrintWriter, R> summary)
+      Work work)
       throws IOException {
+    screen = on;
     all.forEach(new RunExecutor(catalogue)::check);
-    Optional<Shard> shard = options.shard();
-    RunEngine engine = options.engine(catalogue, all);
-    if (shard.isPresent()) {
-      part(shard.get(), engine, all);
-    } else {
-      summary.accept(screen.out(), whole(engine, inputs, runs(all, steps), steps, page, work));
+    if (shard.isPresent() && merge != null) {
+      throw new InputException("--shard and --merge are given, expected one of them");
     }
-    screen.out().println("files: " + options.out());
+    Optional<Shard> part = shard.map(Shard::parse);
+    RunEngine computing = RunEngine.registry().create(engine);
+    if (merge == null) {
+      computing.configure(new EngineSettings(catalogue, threads(), master));
+    } else {
+      computing = new MergedShards(merge, all);
+    }
+    if (part.isPresent()) {
+      compute(part.get(), computing, all);
+    } else {
+      whole(computing, inputs, runs(all, steps), steps, page, work).accept(screen.out());
+    }
+    screen.out().println("files: " + out);
     return 0;
   }
 
@@ -126,11 +166,11 @@ final class BatchRun {
     return Math.max(all.stream().mapToLong(RunPlan::repeats).sum(), steps / longest);
   }
 
-  private <R> R whole(
-      RunEngine engine, List<RunPlan> inputs, long runs, long steps, boolean page, Work<R> work)
+  private Consumer<PrintWriter> whole(
+      RunEngine computing, List<RunPlan> inputs, long runs, long steps, boolean page, Work work)
       throws IOException {
-    try (OutputFolder folder = screen.folder(options.out());
-        Journal journal = Journal.open(folder, Journal.NAME, options.resume())) {
+    try (OutputFolder folder = screen.folder(out);
+        Journal journal = Journal.open(folder, Journal.NAME, resume)) {
       folder.claim(
           List.of(
               ResultFolder.SETTINGS,
@@ -142,9 +182,9 @@ final class BatchRun {
               ComparisonFiles.SUMMARY.file(),
               ComparisonFiles.STEPS.file()));
       warnOfDamage(journal);
-      R written;
+      Consumer<PrintWriter> summary;
       try (Progress progress = progress(runs)) {
-        written = work.write(folder, new JournalledEngine(engine, journal, progress));
+        summary = work.write(folder, new JournalledEngine(computing, journal, progress));
       }
       InputFiles.write(folder, inputs);
       manifest(folder, steps);
@@ -155,22 +195,22 @@ final class BatchRun {
       CrateFile.write(folder, inputs);
       ResultFolder.commit(folder, List.of());
       journal.finish(); // until here, --resume has all runs
-      return written;
+      return summary;
     }
   }
 
-  private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
-    List<RunTask> tasks = shard.tasks(all);
-    try (OutputFolder folder = screen.folder(options.out());
-        Journal journal = Journal.ofShard(folder, options.resume());
+  private void compute(Shard part, RunEngine computing, List<RunPlan> all) throws IOException {
+    List<RunTask> tasks = part.tasks(all);
+    try (OutputFolder folder = screen.folder(out);
+        Journal journal = Journal.ofShard(folder, resume);
         Progress progress = progress(tasks.size())) {
       folder.claim(List.of(ResultFolder.MANIFEST));
       warnOfDamage(journal);
-      new JournalledEngine(engine, journal, progress).run(all, tasks, (task, run) -> {});
+      new JournalledEngine(computing, journal, progress).run(all, tasks, (task, run) -> {});
       manifest(folder, tasks.stream().mapToLong(task -> all.get(task.plan()).steps()).sum());
       folder.commit(List.of());
     }
-    screen.say("shard %s: %s runs", shard, tasks.size());
+    screen.say("shard %s: %s runs", part, tasks.size());
   }
 
   void warnOfFewSeeds(int seeds) {

@@ -59,7 +59,7 @@ final class CompareCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
-  @Mixin private BatchOptions batch;
+  @Mixin private BatchRun batch;
 
   @Mixin private Screen screen;
 
@@ -76,21 +76,22 @@ final class CompareCommand implements Callable<Integer> {
     if (batch.computesHere()) {
       new OptimumTime(catalogue, batch.threads()).tell(plans, references, screen.err());
     }
-    return new BatchRun(screen, batch, catalogue, references)
-        .execute(
-            plans,
-            (folder, results) -> {
-              List<CaseResult> asked = results.subList(0, plans.size());
-              ComparisonFiles.write(folder, asked, results);
-              Choice.write(folder, asked);
-              ComparisonFigures.write(folder, results, width, batch.threads());
-              AggregateFiles.write(folder, asked, batch.threads());
-              if (latex) {
-                SummaryTables.writeLatex(folder, asked, results);
-              }
-              return results;
-            },
-            CompareCommand::print);
+    return batch.execute(
+        screen,
+        catalogue,
+        references,
+        plans,
+        (folder, results) -> {
+          List<CaseResult> asked = results.subList(0, plans.size());
+          ComparisonFiles.write(folder, asked, results);
+          Choice.write(folder, asked);
+          ComparisonFigures.write(folder, results, width, batch.threads());
+          AggregateFiles.write(folder, asked, batch.threads());
+          if (latex) {
+            SummaryTables.writeLatex(folder, asked, results);
+          }
+          return out -> print(out, results);
+        });
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {

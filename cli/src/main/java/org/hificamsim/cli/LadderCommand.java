@@ -66,7 +66,7 @@ final class LadderCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
-  @Mixin private BatchOptions batch;
+  @Mixin private BatchRun batch;
 
   @Mixin private Screen screen;
 
@@ -80,14 +80,16 @@ final class LadderCommand implements Callable<Integer> {
     Settings asked = settings.settings();
     Ladder ladder = ladder(asked, catalogue);
     List<RunPlan> plans = ladder.plans(asked);
-    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
-        .execute(
-            plans,
-            (folder, results) -> {
-              ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
-              return LadderFiles.write(folder, ladder, results, catalogue);
-            },
-            LadderCommand::print);
+    return batch.execute(
+        screen,
+        catalogue,
+        ReferencePolicies.OPTIMUM,
+        plans,
+        (folder, results) -> {
+          ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
+          LadderResult result = LadderFiles.write(folder, ladder, results, catalogue);
+          return out -> print(out, result);
+        });
   }
 
   private Ladder ladder(Settings asked, Catalogue catalogue) {

@@ -30,7 +30,7 @@ import picocli.CommandLine.Mixin;
     description =
         "Computes the thesis's Table 8.1 and Figures 7.3 to 8.1, next to the published numbers.")
 final class ReproduceCommand implements Callable<Integer> {
-  @Mixin private BatchOptions batch;
+  @Mixin private BatchRun batch;
 
   @Mixin private Screen screen;
 
@@ -46,14 +46,16 @@ final class ReproduceCommand implements Callable<Integer> {
             ShippedScenarios.read(ReproductionPlans.scenarioNames(), catalogue),
             settings.settings());
     List<RunPlan> plans = preset.plans(catalogue::detection);
-    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
-        .execute(
-            plans,
-            (folder, results) -> {
-              ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
-              return ReproductionFiles.write(folder, results);
-            },
-            ReproduceCommand::print);
+    return batch.execute(
+        screen,
+        catalogue,
+        ReferencePolicies.OPTIMUM,
+        plans,
+        (folder, results) -> {
+          ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
+          Judgement judgement = ReproductionFiles.write(folder, results);
+          return out -> print(out, judgement);
+        });
   }
 
   private static void print(PrintWriter out, Judgement judgement) {

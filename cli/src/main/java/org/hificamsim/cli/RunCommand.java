@@ -42,7 +42,6 @@ import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
 import org.hificamsim.runs.output.TableFormat;
-import org.hificamsim.runs.output.TableFormats;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -91,7 +90,7 @@ final class RunCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Instant started = Instant.now();
     int most = mostCells();
-    TableFormat tables = TableFormats.named(format);
+    TableFormat tables = TableFormat.named(format);
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);

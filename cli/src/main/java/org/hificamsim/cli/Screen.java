@@ -3,6 +3,7 @@ package org.hificamsim.cli;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
@@ -14,6 +15,8 @@ import picocli.CommandLine.Spec;
 final class Screen {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
+
+  private static final Duration NEVER = Duration.ofDays(10_000);
 
   @Option(names = "--quiet")
   private boolean quiet;
@@ -55,8 +58,7 @@ final class Screen {
         unit,
         total,
         err(),
-        quiet ? Progress.Telling.NOTHING : Progress.Telling.asLaunched(),
-        System::nanoTime);
+        quiet ? NEVER : Progress.QUIET);
   }
 
   /** A folder to write into; what the command reads is kept as it is. */

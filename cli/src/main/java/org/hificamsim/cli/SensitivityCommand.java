@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.sensitivity.SensitivityFiles;
@@ -18,7 +17,7 @@ import picocli.CommandLine.Mixin;
         "Shows what chapter 8 depends on: varies thresholds, targets, radii, optics, f, g, CamSim's"
             + " formula, the reading of greedy and the learners' settings, one at a time.")
 final class SensitivityCommand implements Callable<Integer> {
-  @Mixin private BatchOptions batch;
+  @Mixin private BatchRun batch;
 
   @Mixin private Screen screen;
 
@@ -31,10 +30,14 @@ final class SensitivityCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
-    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
-        .execute(
-            sweeps.plans(settings.settings()),
-            (folder, results) -> SensitivityFiles.write(folder, sweeps, results),
-            PrintWriter::print);
+    return batch.execute(
+        screen,
+        catalogue,
+        ReferencePolicies.OPTIMUM,
+        sweeps.plans(settings.settings()),
+        (folder, results) -> {
+          String summary = SensitivityFiles.write(folder, sweeps, results);
+          return out -> out.print(summary);
+        });
   }
 }

@@ -29,7 +29,6 @@ import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.StudyStatements;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
-import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.output.TextTable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -67,7 +66,7 @@ final class TradeoffCommand implements Callable<Integer> {
   @Option(names = "--camsim-files")
   private boolean camSimFiles;
 
-  @Mixin private BatchOptions batch;
+  @Mixin private BatchRun batch;
 
   @Mixin private Screen screen;
 
@@ -106,8 +105,9 @@ final class TradeoffCommand implements Callable<Integer> {
     long steps =
         all.stream().mapToLong(RunPlan::work).sum()
             + bases.stream().mapToLong(base -> searched * base.work()).sum();
-    BatchRun run = new BatchRun(screen, batch, catalogue, ReferencePolicies.parse("", "none"));
-    return run.execute(
+    return batch.execute(
+        screen,
+        catalogue,
         all,
         bases,
         steps,
@@ -120,7 +120,7 @@ final class TradeoffCommand implements Callable<Integer> {
               new NetworkSearch(choice, base, results, engine).run(searched);
             }
           }
-          run.warnOfFewSeeds(bases.get(0).repeats());
+          batch.warnOfFewSeeds(bases.get(0).repeats());
           if (camSimFiles) {
             StudyFiles.writeSummaries(folder, results);
           }
@@ -128,9 +128,8 @@ final class TradeoffCommand implements Callable<Integer> {
           List<Judged> statements =
               StudyStatements.judged(fronts.stream().map(SetFront::group).distinct().toList());
           ReproductionFiles.VERDICTS.write(folder, statements.stream());
-          return new Study(fronts, statements);
-        },
-        TradeoffCommand::print);
+          return out -> print(out, fronts, statements);
+        });
   }
 
   /** The number of heterogeneous networks that are asked for in this way; 0 in another. */
@@ -174,13 +173,11 @@ final class TradeoffCommand implements Callable<Integer> {
     return networks;
   }
 
-  private record Study(List<SetFront> fronts, List<Judged> statements) {}
-
-  private static void print(PrintWriter out, Study study) {
+  private static void print(PrintWriter out, List<SetFront> fronts, List<Judged> statements) {
     TextTable table =
         new TextTable(
             4, List.of("scenario", "detection", "networks", "on the front", "hypervolume", "gain"));
-    for (SetFront one : study.fronts) {
+    for (SetFront one : fronts) {
       int homogeneous = one.group().members(Members.HOMOGENEOUS).length;
       if (EnumSet.of(Members.STATIC, Members.ADAPTIVE, Members.ALL).contains(one.members())
           && one.group().members(one.members()).length == homogeneous) {
@@ -198,6 +195,6 @@ final class TradeoffCommand implements Callable<Integer> {
               one.group().gain(one.members(), Members.HOMOGENEOUS).text("%+.3f")));
     }
     table.print(out);
-    study.statements.forEach(one -> out.printf("%-15s %s%n", one.verdict().label(), one.text()));
+    statements.forEach(one -> out.printf("%-15s %s%n", one.verdict().label(), one.text()));
   }
 }

@@ -15,7 +15,7 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.RunFolder;
-import org.hificamsim.runs.output.TableFormats;
+import org.hificamsim.runs.output.TableFormat;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -48,11 +48,7 @@ class PlainRunTest {
     Detection detection = new Detection(catalogue.detection("camsim-range"), 0.3);
     RunPlan plan = new RunPlan(scenario, detection, policy, STEPS, 0, 1);
     try (RunFolder output =
-        new RunFolder(
-            new OutputFolder(folder),
-            detection,
-            Detail.STEPS,
-            TableFormats.named(TableFormats.CSV))) {
+        new RunFolder(new OutputFolder(folder), detection, Detail.STEPS, TableFormat.CSV)) {
       var results = new RunExecutor(catalogue).execute(plan, run -> List.of(output.listener(run)));
       output.finish(plan, results);
       output.commit();

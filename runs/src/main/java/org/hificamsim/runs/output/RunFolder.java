@@ -22,7 +22,7 @@ public final class RunFolder implements Closeable {
   private static final List<String> NOT_ALWAYS =
       Stream.concat(
               Stream.of(RunTables.STEPS, RunTables.ZOOMS, RunTables.TARGETS)
-                  .flatMap(table -> TableFormats.files(table).stream()),
+                  .flatMap(table -> TableFormat.NAMES.stream().map(table::file)),
               Stream.of(
                   ResultFolder.HEATMAP,
                   ResultFolder.MANIFEST,

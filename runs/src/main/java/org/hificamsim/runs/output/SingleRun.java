@@ -34,9 +34,8 @@ public final class SingleRun implements StepListener, Closeable {
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
-    TableFormat csv = TableFormats.named(TableFormats.CSV);
     files = new OutputFolder(path);
-    folder = new RunFolder(files, detection, detail, csv);
+    folder = new RunFolder(files, detection, detail, TableFormat.CSV);
     rows = folder.listener(run);
   }
 

@@ -18,7 +18,7 @@ public record StepRow(int run, long step, double score) {
    * @throws InputException when it is missing or a row is no such row
    */
   public static Path each(Path folder, Consumer<StepRow> taker) throws IOException {
-    TableFormat format = TableFormats.of(folder, RunTables.STEPS);
+    TableFormat format = TableFormat.of(folder, RunTables.STEPS);
     Path file = new ResultFolder(folder).file(RunTables.STEPS.file(format.name()));
     int[] line = {1};
     format.each(file, row -> taker.accept(of(file, ++line[0], row)));

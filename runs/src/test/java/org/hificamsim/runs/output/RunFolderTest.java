@@ -83,7 +83,7 @@ class RunFolderTest {
     Path out = folder.resolve(name);
     try (OutputFolder files = new OutputFolder(out);
         RunFolder output =
-            new RunFolder(files, plan.detection(), detail, TableFormats.named("csv"))) {
+            new RunFolder(files, plan.detection(), detail, TableFormat.named("csv"))) {
       List<RunResult> results =
           new RunExecutor(Catalogue.load()).execute(plan, run -> List.of(output.listener(run)));
       Instant started = Instant.now().minusSeconds(90);

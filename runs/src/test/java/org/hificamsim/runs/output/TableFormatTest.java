@@ -16,20 +16,20 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-class TableFormatsTest {
+class TableFormatTest {
   @TempDir Path folder;
 
   @Test
   void anUnknownFormatIsRefusedWithThoseThereAre() {
     assertRefused(
-        "--format is 'arrow', expected one of csv, parquet", () -> TableFormats.named("arrow"));
+        "--format is 'arrow', expected one of csv, parquet", () -> TableFormat.named("arrow"));
   }
 
   @Test
   void aFormatWhoseModuleIsMissingSaysWhatToDo() throws IOException {
     assertRefused(
         "format 'parquet' is not on the class path, expected its jars in CLASSPATH, or csv",
-        () -> TableFormats.named("parquet"));
+        () -> TableFormat.named("parquet"));
     Path file = Files.createFile(folder.resolve("steps.parquet"));
     assertRefused(
         file
