@@ -7,7 +7,7 @@ import me.tongfei.progressbar.DelegatingProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
-import org.hificamsim.profiling.measure.MeasureProgress;
+import org.hificamsim.profiling.measure.Measurer.MeasureProgress;
 import org.hificamsim.runs.compare.RunProgress;
 
 /**

@@ -1,9 +1,15 @@
 package org.hificamsim.reproduction;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.reproduction.Table81.Cell;
 import org.hificamsim.runs.Estimate;
 
 /**
@@ -69,4 +75,53 @@ public record Judgement(
       Verdict verdict,
       String reason,
       FitRole role) {}
+
+  /**
+   * How far the nine cells of a detection model are from the published ones, under our defaults or
+   * with one thing read otherwise.
+   *
+   * @param reading empty for our defaults
+   * @param hifi whether these are the cells of the hi-fi model, else CamSim's
+   * @param mean of the distances
+   * @param within how many cells are at most 0.05 away
+   */
+  public record Distance(
+      Optional<Reading> reading, boolean hifi, double mean, long within, int steps, int seeds) {
+    /** Our defaults first, then each other reading: the hi-fi column, then CamSim's. */
+    static List<Distance> of(List<Cell> cells, int steps, int seeds) {
+      List<Distance> all = new ArrayList<>();
+      List<Optional<Reading>> readings = new ArrayList<>(List.of(Optional.empty()));
+      Arrays.stream(Reading.values()).map(Optional::of).forEach(readings::add);
+      for (Optional<Reading> reading : readings) {
+        for (boolean hifi : new boolean[] {true, false}) {
+          double[] column =
+              cells.stream()
+                  .filter(cell -> cell.published().hifi() == hifi)
+                  .mapToDouble(cell -> Math.abs(cell.of(reading) - cell.published().proportion()))
+                  .toArray();
+          long within = Arrays.stream(column).filter(Verdict::isNear).count();
+          all.add(new Distance(reading, hifi, StatUtils.mean(column), within, steps, seeds));
+        }
+      }
+      return all;
+    }
+
+    /** The name in files. */
+    public String label() {
+      return reading.map(Reading::label).orElse("default");
+    }
+  }
+
+  /** Whether the defaults were chosen for something, or have to stand up to it. */
+  public enum FitRole {
+    /** The hi-fi column of Table 8.1, and what it says by itself: agreeing shows consistency. */
+    FITTED,
+    /** Everything else, which no default was chosen for. */
+    HELD_OUT;
+
+    /** The name in files. */
+    public String label() {
+      return name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+  }
 }

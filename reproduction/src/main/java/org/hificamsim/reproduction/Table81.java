@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.Texts;
+import org.hificamsim.reproduction.Judgement.FitRole;
 import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import org.hificamsim.profiling.lab.Laboratory.Shot;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;

@@ -20,6 +20,7 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.dataset.TableLayout;
+import org.hificamsim.profiling.measure.Measurer.MeasureSettings;
 
 /**
  * What an unfinished measurement has already found: a hidden file in the data set's folder, one

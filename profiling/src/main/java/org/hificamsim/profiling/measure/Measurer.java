@@ -19,6 +19,7 @@ import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.FeatureDetector;
 import org.hificamsim.profiling.detector.Memory;
 import org.hificamsim.profiling.detector.Photograph;
+import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.detector.Templates;
 import org.hificamsim.profiling.opencv.OpenCv;
 
@@ -194,5 +195,35 @@ public final class Measurer {
     int places = Math.min(PLACES, of.size());
     return IntStream.range(0, places)
         .mapToObj(i -> new Subject(object, of.get(i * of.size() / places).patch()));
+  }
+
+  /** Receives the progress of a measurement; may be called from any thread. */
+  @FunctionalInterface
+  public interface MeasureProgress {
+    /** Called after each photo. */
+    void advance();
+
+    /** Called first, with the number of photos that an earlier call has measured. */
+    default void resume(long photos) {}
+  }
+
+  /**
+   * How photos are measured.
+   *
+   * @param detectors as they are asked for, in the order of the columns
+   * @param test which matches count
+   * @param pip which pixels are the object's
+   * @param falseAlarms the share of the photos without the object that may be taken for it, [0, 1)
+   */
+  public record MeasureSettings(
+      List<String> detectors, RatioTest test, PipReading pip, double falseAlarms) {
+    public MeasureSettings {
+      detectors = List.copyOf(detectors);
+    }
+
+    /** The columns that are filled photo by photo. */
+    List<String> columns() {
+      return detectors.stream().map(Detectors::column).toList();
+    }
   }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
+import org.hificamsim.profiling.report.ModelScores.DetectionAccuracy;
 
 /** What the report says of the data set's own numbers: what to take, and how to read the tables. */
 final class Advice {

@@ -22,6 +22,7 @@ import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.fit.ScatterFit;
 import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.measure.Measurement;
+import org.hificamsim.profiling.report.ModelScores.DetectionAccuracy;
 
 /** The tables of the data set's own numbers. */
 final class OwnTables {

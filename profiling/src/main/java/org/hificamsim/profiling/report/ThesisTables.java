@@ -16,6 +16,7 @@ import org.hificamsim.profiling.fit.Coefficient;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
+import org.hificamsim.profiling.report.Claims.Claim;
 
 /** The thesis's tables: yours, and in brackets what is published. */
 final class ThesisTables {

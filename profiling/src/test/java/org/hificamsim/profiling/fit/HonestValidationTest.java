@@ -15,6 +15,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.profiling.fit.DetectorFit.ObjectScatter;
 import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
 import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;

@@ -16,6 +16,7 @@ import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.RatioTest;
+import org.hificamsim.profiling.measure.Measurer.MeasureSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

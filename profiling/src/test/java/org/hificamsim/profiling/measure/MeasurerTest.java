@@ -23,6 +23,8 @@ import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.dataset.Photos;
 import org.hificamsim.profiling.detector.RatioTest;
+import org.hificamsim.profiling.measure.Measurer.MeasureProgress;
+import org.hificamsim.profiling.measure.Measurer.MeasureSettings;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

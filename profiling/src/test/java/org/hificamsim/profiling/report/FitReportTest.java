@@ -38,6 +38,8 @@ import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.PipReading;
+import org.hificamsim.profiling.report.Claims.Claim;
+import org.hificamsim.profiling.report.ModelScores.DetectionAccuracy;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
