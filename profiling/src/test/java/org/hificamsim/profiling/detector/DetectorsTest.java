@@ -13,6 +13,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;
 import org.opencv.core.Mat;
@@ -78,12 +79,14 @@ class DetectorsTest {
     }
   }
 
-  @Test
-  void unknownDetectorIsRefusedWithTheNamesThatThereAre() {
+  @ParameterizedTest
+  @ValueSource(strings = {"brisk", "haar:nix", "orb-nix"})
+  void unknownDetectorIsRefusedWithTheNamesThatThereAre(String name) {
+    String message =
+        assertThrows(InputException.class, () -> FeatureDetector.of(name)).getMessage();
     assertTrue(
-        assertThrows(InputException.class, () -> Detectors.column("brisk"))
-            .getMessage()
-            .contains("'brisk', expected some of orb, sift, surf"));
+        message.startsWith("--detectors has '" + name + "', expected some of orb, sift, surf"),
+        message);
   }
 
   /** Random grey blocks. */
