@@ -306,33 +306,15 @@ final class PlaceCommand implements Callable<Integer> {
 
   private void tell(SitePlan plan, Path folder) {
     Demand all = plan.demand();
-    CoverPlan found = plan.plan();
-    screen.say(
-        "%s, %d of them kept, price %.2f: %.2f %% of the demand is met",
-        Texts.counted(plan.cameras().size(), "camera"),
-        plan.problem().kept().size(),
-        plan.price(),
-        100 * plan.share());
-    screen.say("  %s%s", plan.problem().reading().words(), plan.gain());
-    if (plan.problem().goal().isAll()) {
-      screen.say("  no plan costs less than %.2f: gap %.2f %%", found.bound(), 100 * found.gap());
-      screen.say("  all candidates together meet %.2f %%", 100 * plan.bound());
-    } else {
-      screen.say("  no plan of these candidates meets more than %.2f %%", 100 * plan.bound());
-      screen.say("  gap %.2f %%", 100 * (1 - plan.unrefined().orElse(plan.share()) / plan.bound()));
-    }
-    if (found.isProven()) {
-      screen.say("  proven: no plan of these candidates is better");
-    }
+    List<String> facts = plan.facts();
+    screen.say("%s", facts.get(0));
+    facts.stream().skip(1).forEach(fact -> screen.say("  %s", fact));
     screen.say(
         "  %d candidates, %d samples, cells of %.2f m, %.1f s",
         plan.problem().candidates().all().size(),
         all.samples().size(),
         all.cells().width(),
-        found.seconds());
-    screen.say(
-        "  the site's own cameras (%d) meet %.2f %%",
-        all.site().cameras().size(), 100 * plan.today());
+        plan.plan().seconds());
     for (Demand.Watched zone : all.zones()) {
       screen.say(
           "  zone %s: %.2f %% by %s, k = %d",

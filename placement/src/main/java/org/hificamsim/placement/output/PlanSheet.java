@@ -13,6 +13,7 @@ import java.util.Base64;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
@@ -22,7 +23,6 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.world.World;
 import org.hificamsim.hifi.density.DensityDetections;
-import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.SampleSight;
@@ -66,7 +66,7 @@ final class PlanSheet {
             List.of("seen by no camera", "by fewer than asked for", "as asked for"));
     this.levels = levels(catalogue, floor);
     this.curve = curve();
-    this.listings = List.of(zones(), cameras(), failures(), spots());
+    this.listings = List.of(zones(), cameras(), spots());
   }
 
   private Paintable picture(
@@ -131,30 +131,6 @@ final class PlanSheet {
     return "Camera plan of " + demand.site().name();
   }
 
-  private List<String> facts() {
-    CoverPlan found = plan.plan();
-    String bound =
-        plan.problem().goal().isAll()
-            ? Texts.format("No plan of the candidates costs less than %.2f", found.bound())
-            : Texts.format("No plan of the candidates meets more than %.2f %%", 100 * plan.bound());
-    return List.of(
-        Texts.format(
-            "%s, %d of them kept; price of the new ones %.2f",
-            Texts.counted(plan.cameras().size(), "camera"),
-            plan.problem().kept().size(),
-            plan.price()),
-        Texts.format(
-            "%.2f %% of the demand is met, %s", 100 * plan.share(), reading() + plan.gain()),
-        bound + (found.isProven() ? ", and one is proven to reach this" : ""),
-        Texts.format(
-            "The site's own cameras (%d) meet %.2f %%",
-            demand.site().cameras().size(), 100 * plan.today()));
-  }
-
-  private String reading() {
-    return plan.problem().reading().words();
-  }
-
   private Figure curve() {
     List<SitePlan.Reached> points = plan.curve();
     double[] cameras = points.stream().mapToDouble(SitePlan.Reached::cameras).toArray();
@@ -201,6 +177,8 @@ final class PlanSheet {
     List<List<String>> rows = new ArrayList<>();
     for (int i = 0; i < plan.cameras().size(); i++) {
       CameraSpec camera = plan.cameras().get(i);
+      boolean kept = i < plan.problem().kept().size();
+      int[] left = plan.countsWithout(i);
       rows.add(
           List.of(
               camera.name(),
@@ -210,43 +188,40 @@ final class PlanSheet {
               Texts.format("%.1f", camera.heading()),
               Texts.format("%.1f", camera.tilt()),
               camera.optics().map(OpticsSpec::name).orElse("own"),
-              i < plan.problem().kept().size()
-                  ? "stays"
-                  : Texts.format("%.2f", plan.prices().get(i)),
-              Integer.toString(plan.covered()[i].length)));
+              kept ? "stays" : Texts.format("%.2f", plan.prices().get(i)),
+              Integer.toString(plan.covered()[i].length),
+              percent(plan.share(left)),
+              blind(left)));
     }
     return new Listing(
-        "Cameras",
-        List.of("camera", "x, m", "y, m", "z, m", "heading", "tilt", "lens", "price", "cells"),
+        "Cameras, and what if one fails",
+        List.of(
+            "camera",
+            "x, m",
+            "y, m",
+            "z, m",
+            "heading",
+            "tilt",
+            "lens",
+            "price",
+            "cells",
+            "met without it",
+            "most goes blind in"),
         rows);
+  }
+
+  /** The zone of which most is unseen that was not before. */
+  private String blind(int[] left) {
+    ToDoubleFunction<Demand.Watched> lost = zone -> unseen(zone, left) - unseen(zone, counts);
+    Demand.Watched worst =
+        demand.zones().stream().max(Comparator.comparingDouble(lost)).orElseThrow();
+    double share = lost.applyAsDouble(worst);
+    return share > 0 ? worst.name() + ", " + percent(share) + " of it" : "";
   }
 
   private String height(CameraSpec camera) {
     double z = camera.z().orElse(demand.site().mountHeight().orElse(Double.NaN));
     return Double.isNaN(z) ? "" : Texts.format("%.1f", z);
-  }
-
-  private Listing failures() {
-    List<List<String>> rows = new ArrayList<>();
-    for (int i = 0; i < plan.cameras().size(); i++) {
-      int[] left = plan.countsWithout(i);
-      Demand.Watched worst =
-          demand.zones().stream()
-              .max(Comparator.comparingDouble(zone -> unseen(zone, left) - unseen(zone, counts)))
-              .orElseThrow();
-      double lost = plan.share() - plan.share(left);
-      double blind = unseen(worst, left) - unseen(worst, counts);
-      rows.add(
-          List.of(
-              plan.cameras().get(i).name(),
-              percent(plan.share(left)),
-              percent(lost),
-              blind > 0 ? worst.name() + ", " + percent(blind) + " of it" : "none"));
-    }
-    return new Listing(
-        "What if a camera fails",
-        List.of("camera", "still met", "lost", "most goes blind in"),
-        rows);
   }
 
   private Listing spots() {
@@ -297,7 +272,7 @@ final class PlanSheet {
   private List<Paintable> pages() {
     A4Pages pages = new A4Pages(title());
     pages.heading(title());
-    pages.text(facts());
+    pages.text(plan.facts());
     pages.picture(floor, 0.62);
     if (levels.isPresent()) {
       pages.heading("Levels reached");
@@ -319,7 +294,7 @@ final class PlanSheet {
     data.put("title", title()).put("command", command).put("version", version);
     data.put("floor", image(floor)).put("curve", image(curve));
     data.put("levels", levels.isPresent() ? image(levels.get()) : null);
-    facts().forEach(data.putArray("facts")::add);
+    plan.facts().forEach(data.putArray("facts")::add);
     ArrayNode tables = data.putArray("tables");
     for (Listing listing : listings) {
       ObjectNode table = tables.addObject().put("title", listing.title);

@@ -65,10 +65,40 @@ public record SitePlan(
     return share(counts());
   }
 
-  /** What refinement gained, in words; nothing where there was none. */
-  public String gain() {
-    String words = "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points";
-    return unrefined.map(one -> Texts.format(words, 100 * one, 100 * (share() - one))).orElse("");
+  /** How good it is, in lines for people: what is met first. */
+  public List<String> facts() {
+    String refined =
+        "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points";
+    List<String> facts = new ArrayList<>();
+    facts.add(
+        Texts.format(
+            "%s, %d of them kept, price %.2f: %.2f %% of the demand is met",
+            Texts.counted(cameras.size(), "camera"),
+            problem.kept().size(),
+            price(),
+            100 * share()));
+    facts.add(
+        problem.reading().words()
+            + unrefined
+                .map(one -> Texts.format(refined, 100 * one, 100 * (share() - one)))
+                .orElse(""));
+    if (problem.goal().isAll()) {
+      facts.add(
+          Texts.format(
+              "no plan costs less than %.2f: gap %.2f %%", plan.bound(), 100 * plan.gap()));
+      facts.add(Texts.format("all candidates together meet %.2f %%", 100 * bound));
+    } else {
+      facts.add(Texts.format("no plan of these candidates meets more than %.2f %%", 100 * bound));
+      facts.add(Texts.format("gap %.2f %%", 100 * (1 - unrefined.orElse(share()) / bound)));
+    }
+    if (plan.isProven()) {
+      facts.add("proven: no plan of these candidates is better");
+    }
+    facts.add(
+        Texts.format(
+            "the site's own cameras (%d) meet %.2f %%",
+            demand().site().cameras().size(), 100 * today));
+    return facts;
   }
 
   /** What all new cameras cost. */

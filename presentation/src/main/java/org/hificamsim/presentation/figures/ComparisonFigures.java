@@ -10,7 +10,6 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
-import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Yardstick;
@@ -26,16 +25,14 @@ public final class ComparisonFigures {
    * Writes all pictures.
    *
    * @param cases every case with the optima
-   * @param width in print; without it, as wide as their panels need on a screen
    * @param threads that share the work, 1 or more
    */
-  public static void write(
-      OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width, int threads)
+  public static void write(OutputFolder folder, List<CaseResult> cases, int threads)
       throws IOException {
     Map<String, Supplier<Figure>> figures = figures(cases);
     List<FigureFile.Drawn> drawn =
         Parallel.map(
-            List.copyOf(figures.values()), threads, figure -> FigureFile.draw(figure.get(), width));
+            List.copyOf(figures.values()), threads, figure -> FigureFile.draw(figure.get()));
     int next = 0;
     for (String name : figures.keySet()) {
       drawn.get(next++).write(folder, name);

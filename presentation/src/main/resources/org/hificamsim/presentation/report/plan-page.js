@@ -5,7 +5,7 @@ import { rowsOf, sortable } from './table.js';
 /** The page; `data` is what PlanSheet wrote. */
 export async function planPage(root, data) {
   root.append(el('header', {}, el('h1', {}, data.title)));
-  const [met, ...facts] = [data.facts[1], data.facts[0], ...data.facts.slice(2)];
+  const [met, ...facts] = data.facts;
   root.append(el('section', {class: 'card'}, el('p', {}, el('b', {}, met)), ...facts.map(fact => el('p', {}, fact)),
     el('p', {class: 'note'}, el('a', {href: 'plan.pdf'}, 'PDF'), ' ', el('a', {href: 'plan.svg'}, 'floor plan as SVG'))));
   root.append(card('Floor plan', el('a', {href: 'plan.svg'}, picture(data.floor, 'The floor plan to scale with the cameras, what they look at, and the cells by how they are seen'))));

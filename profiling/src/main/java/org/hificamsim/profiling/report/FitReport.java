@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.file.Io;
@@ -152,7 +151,7 @@ public final class FitReport {
   }
 
   private void picture(String name, Figure figure, String caption) throws IOException {
-    FigureFile.Drawn drawn = FigureFile.draw(figure, Optional.empty());
+    FigureFile.Drawn drawn = FigureFile.draw(figure);
     drawn.write(folder, name);
     page.figure(drawn.files().get(0), caption);
   }
