@@ -268,7 +268,7 @@ class HeatMapTest {
         "report RUN --png FILE --heatmap hot | --heatmap is 'hot', expected one of mean-k,"
             + " covered,",
         "report RUN --png FILE --heatmap visits --step 3 | --heatmap shows all steps",
-        "report RUN --heatmap visits | --heatmap needs --png, --svg or --pdf",
+        "report RUN --gif FILE --heatmap visits | --heatmap needs --png, --svg or --pdf",
         "run SCENARIO --out FILE --cells 20 | --cells needs --heatmap",
         "run SCENARIO --out FILE --heatmap --cells 0 | --cells is 0, expected a whole number from 1"
             + " to 200",

@@ -204,6 +204,7 @@ class OutputSafetyTest {
         "compare SCENARIO --steps 3 --repeat 1 --shard 1/2 --out DIR | runs.jsonl",
         "report RUN --out DIR/mine.html | mine.html",
         "report RUN --png DIR/mine.png | mine.png",
+        "report RUN --gif DIR/mine.gif --out DIR/b.html | mine.gif",
         "camsim SCENARIO -t 3 -o DIR/o.csv --coverage-out DIR | summary.json",
         "camsim SCENARIO --for-camsim DIR/mine.xml | mine.xml"
       })

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** {@code report --png}, {@code --svg} and {@code --pdf}. */
+/** {@code report --png}, {@code --svg} and {@code --gif}. */
 class PicturesTest {
   @TempDir static Path run;
 
@@ -41,15 +41,16 @@ class PicturesTest {
 
   @Test
   void theSameStepGivesTheSameBytes() throws IOException {
-    List<String> formats = List.of("png", "svg", "pdf");
+    List<String> formats = List.of("png", "svg", "pdf", "gif");
     for (int i = 0; i < 2; i++) {
       List<Object> words = new ArrayList<>(List.of("report", run));
       for (String format : formats) {
         words.addAll(List.of("--" + format, folder.resolve(i + "." + format)));
       }
-      words.addAll(List.of("--step", 30, "--width", 300));
+      words.addAll(List.of("--step", 30, "--every", 20, "--width", 300));
       Cli report = Cli.run(words.toArray());
       assertEquals(0, report.exit(), report.err());
+      assertTrue(report.out().contains("4 pictures, one for 20 steps"), report.out());
     }
     for (String format : formats) {
       assertArrayEquals(
@@ -97,7 +98,10 @@ class PicturesTest {
         "--png FILE --step -1 | --step is -1, expected a step from 0 to 59",
         "--png FILE --step x | 'x'",
         "--png FILE --run 2 | --run is 2, expected one of the 2 repeats recorded",
+        "--gif FILE --from 30 --to 20 | --to is 20, expected a step from 30 on",
+        "--gif FILE --every 0 | --every is 0, expected a multiple of 1, above 0",
         "--png FILE --width 5 | --width is 5, expected a whole number from 200 to 8000",
+        "--gif FILE --per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
       })
   void wrongNumbersAreReportedInOneLine(String options, String expected) {
     Path file = folder.resolve("picture");

@@ -136,9 +136,13 @@ class ReportCommandTest {
 
   @ParameterizedTest
   @CsvSource({
-    "--run, '--png, --svg or --pdf', ",
-    "--step, '--png, --svg or --pdf', ",
-    "--width, --png, --svg"
+    "--run, '--png, --svg, --pdf or --gif', ",
+    "--step, '--png, --svg or --pdf', --gif",
+    "--from, --gif, --png",
+    "--to, --gif, --svg",
+    "--every, --gif, --png",
+    "--per-second, --gif, ",
+    "--width, --png or --gif, --svg"
   })
   void refusesWordsAboutPicturesThatNobodyAsksFor(String option, String needed, String given) {
     List<Object> words = new ArrayList<>(List.of("report", record(), option, 5));

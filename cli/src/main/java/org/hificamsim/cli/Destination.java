@@ -27,7 +27,14 @@ final class Destination {
   /** The options that say where to write. What all others name is read. */
   static final Set<String> OUTPUTS =
       Set.of(
-          "--out", "--png", "--svg", "--output", "--summaryfile", "--coverage-out", "--for-camsim");
+          "--out",
+          "--png",
+          "--svg",
+          "--gif",
+          "--output",
+          "--summaryfile",
+          "--coverage-out",
+          "--for-camsim");
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;

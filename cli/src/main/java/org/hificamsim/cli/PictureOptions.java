@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.presentation.picture.Animation;
 import org.hificamsim.presentation.picture.FrameScores;
 import org.hificamsim.presentation.picture.HeatPicture;
 import org.hificamsim.presentation.picture.Look;
@@ -27,8 +28,11 @@ import picocli.CommandLine.ParseResult;
 /** The options of {@code report} that ask for pictures: for papers, without a browser. */
 final class PictureOptions {
   private static final int PNG_WIDTH = 1600;
+  private static final int GIF_WIDTH = 640;
   private static final int MIN_WIDTH = 200;
   private static final int MAX_WIDTH = 8000;
+  private static final int MAX_GIF_WIDTH = 2000;
+  private static final int MAX_PER_SECOND = 50;
 
   @Option(names = "--png", paramLabel = "FILE")
   private Path png;
@@ -39,11 +43,26 @@ final class PictureOptions {
   @Option(names = "--pdf", paramLabel = "FILE")
   private Path pdf;
 
+  @Option(names = "--gif", paramLabel = "FILE")
+  private Path gif;
+
   @Option(names = "--run", paramLabel = "N")
   private int repeat;
 
   @Option(names = "--step", paramLabel = "N")
   private Long step;
+
+  @Option(names = "--from", paramLabel = "N")
+  private long from;
+
+  @Option(names = "--to", paramLabel = "N")
+  private Long to;
+
+  @Option(names = "--every", paramLabel = "N")
+  private Integer every;
+
+  @Option(names = "--per-second", paramLabel = "N")
+  private int perSecond;
 
   @Option(names = "--density", paramLabel = "CAMERA")
   private Optional<String> density;
@@ -64,6 +83,10 @@ final class PictureOptions {
 
   /** Whether any picture is asked for. */
   boolean asked() {
+    return still() || gif != null;
+  }
+
+  private boolean still() {
     return png != null || svg != null || pdf != null;
   }
 
@@ -73,12 +96,13 @@ final class PictureOptions {
    * @param words the command line
    */
   void check(ParseResult words) {
-    String[] about = {"--step", "--heatmap", "--tracks", "--run", "--density", "--floorplan"};
-    require(words, asked(), "--png, --svg or --pdf", about);
+    require(words, still(), "--png, --svg or --pdf", "--step", "--heatmap", "--tracks");
     if (heat.isPresent() && words.hasMatchedOption("--step")) {
       throw new InputException("--heatmap shows all steps, expected no --step with it");
     }
-    require(words, png != null, "--png", "--width");
+    require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
+    require(words, asked(), "--png, --svg, --pdf or --gif", "--run", "--density", "--floorplan");
+    require(words, png != null || gif != null, "--png or --gif", "--width");
   }
 
   private static void require(ParseResult words, boolean asked, String by, String... about) {
@@ -91,8 +115,8 @@ final class PictureOptions {
 
   /** Checks that what is asked for may be written. */
   void claim(Destination destination) throws IOException {
-    String[] options = {"--png", "--svg", "--pdf"};
-    Path[] files = {png, svg, pdf};
+    String[] options = {"--png", "--svg", "--pdf", "--gif"};
+    Path[] files = {png, svg, pdf, gif};
     for (int i = 0; i < files.length; i++) {
       if (files[i] != null) {
         destination.file(options[i], files[i]);
@@ -102,11 +126,13 @@ final class PictureOptions {
 
   /** Draws what is asked for, telling each file on {@code out}. */
   void write(Path folder, Destination destination, PrintWriter out) throws IOException {
+    Numbers.inRange("--per-second", perSecond, 1, MAX_PER_SECOND);
     if (width != null) {
-      Numbers.inRange("--width", width, MIN_WIDTH, MAX_WIDTH);
+      Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
     }
     RunFrames run = frames(folder);
     Paintable still = still(folder, run);
+    Animation animation = animation(run);
     if (png != null) {
       int pixels = width == null ? PNG_WIDTH : width;
       destination.file("--png", png).write(stream -> FigureFile.png(stream, still, pixels));
@@ -114,6 +140,15 @@ final class PictureOptions {
     }
     write("svg", svg, still, destination, out);
     write("pdf", pdf, still, destination, out);
+    if (gif != null) {
+      int pixels = width == null ? GIF_WIDTH : width;
+      destination.file("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
+      out.printf(
+          "%s (%s pictures, one for %s)%n",
+          gif,
+          animation.pictures(),
+          animation.stepsApart() == 1 ? "each step" : animation.stepsApart() + " steps");
+    }
   }
 
   private static void write(
@@ -174,5 +209,21 @@ final class PictureOptions {
             () ->
                 InputException.of(
                     "--density is '%s', expected a camera with pixels and a lens", name));
+  }
+
+  private Animation animation(RunFrames run) {
+    int first = run.at("--from", from);
+    int last = run.at("--to", to == null ? run.last() : to);
+    if (last < first) {
+      throw new InputException("--to is %s, expected a step from %s on".formatted(to, from));
+    }
+    if (every == null) {
+      return Animation.of(run, first, last);
+    }
+    long recorded = run.stepsApart();
+    if (every < 1 || every % recorded != 0) {
+      throw InputException.of("--every is %s, expected a multiple of %s, above 0", every, recorded);
+    }
+    return new Animation(run, first, last, (int) (every / recorded));
   }
 }

@@ -163,7 +163,7 @@ final class FieldScript {
   private static <T> T in(java.util.function.Function<Context, T> task) {
     try (Context context = Context.enter()) {
       context.setLanguageVersion(Context.VERSION_ES6);
-      context.setInterpretedMode(true); // compiling takes longer than a picture gains
+      context.setInterpretedMode(true); // compiling takes longer than even an animation gains
       return task.apply(context);
     }
   }

@@ -1,2 +1,2 @@
-/** Pictures of recorded runs, painted without a browser or a display. */
+/** Pictures and animations of recorded runs, painted without a browser or a display. */
 package org.hificamsim.presentation.picture;

@@ -142,6 +142,60 @@ class StepPictureTest {
   }
 
   @Test
+  void anAnimationShowsWhatThePicturesShowAndGoesOnForEver() throws IOException {
+    Animation animation = new Animation(run, 100, 130, 7);
+    assertEquals(6, animation.pictures()); // 100, 107, ..., 128, 130
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    animation.write(out, 400, 20);
+    ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+    try (ImageInputStream in =
+        ImageIO.createImageInputStream(new ByteArrayInputStream(out.toByteArray()))) {
+      reader.setInput(in);
+      assertEquals(6, reader.getNumImages(true));
+      BufferedImage shown = null;
+      for (int i = 0; i < 6; i++) {
+        BufferedImage wanted =
+            FigureFile.image(new StepPicture(run, Math.min(130, 100 + 7 * i)), 400);
+        if (shown == null) {
+          shown = new BufferedImage(400, wanted.getHeight(), BufferedImage.TYPE_INT_RGB);
+        }
+        Graphics2D graphics = shown.createGraphics();
+        graphics.drawImage(reader.read(i), 0, 0, null);
+        graphics.dispose();
+        assertTrue(meanGap(wanted, shown) < 2, "picture " + i);
+        assertEquals("5", node(reader, i, "GraphicControlExtension").getAttribute("delayTime"));
+      }
+      IIOMetadataNode loop = node(reader, 0, "ApplicationExtension");
+      assertEquals("NETSCAPE", loop.getAttribute("applicationID"));
+    }
+  }
+
+  private static IIOMetadataNode node(ImageReader reader, int image, String name)
+      throws IOException {
+    IIOMetadataNode root =
+        (IIOMetadataNode) reader.getImageMetadata(image).getAsTree("javax_imageio_gif_image_1.0");
+    return (IIOMetadataNode) root.getElementsByTagName(name).item(0);
+  }
+
+  /** The mean difference of the green parts, of 255. */
+  private static double meanGap(BufferedImage a, BufferedImage b) {
+    long sum = 0;
+    for (int y = 0; y < a.getHeight(); y++) {
+      for (int x = 0; x < a.getWidth(); x++) {
+        sum += Math.abs((a.getRGB(x, y) >> 8 & 255) - (b.getRGB(x, y) >> 8 & 255));
+      }
+    }
+    return (double) sum / a.getWidth() / a.getHeight();
+  }
+
+  @Test
+  void longAnimationsAreThinned() {
+    Animation animation = Animation.of(run, 0, 299);
+    assertEquals(2, animation.stepsApart());
+    assertEquals(151, animation.pictures());
+  }
+
+  @Test
   void stepsThatAreNotThereAreReportedWithThoseThatAre() {
     assertEquals(299, run.at("--step", 299));
     String told = assertThrows(InputException.class, () -> run.at("--step", 300)).getMessage();

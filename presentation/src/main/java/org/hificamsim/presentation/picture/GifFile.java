@@ -1,0 +1,165 @@
+package org.hificamsim.presentation.picture;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.IntFunction;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/**
+ * Writes an animation as GIF: one palette, and of each frame what differs from the one before. It
+ * goes on for ever. The palette has the most frequent colours of a few frames and one that shows
+ * the frame before: areas of one colour keep it exactly, the rare shades of edges are rounded.
+ */
+final class GifFile {
+  private static final String HEAD = "javax_imageio_gif_stream_1.0";
+  private static final String FORMAT = "javax_imageio_gif_image_1.0";
+  private static final int SAMPLES = 5;
+  private static final int TRANSPARENT = 255; // the index of what shows the frame before
+
+  private final IndexColorModel colors;
+  private final Map<Integer, Integer> indexes = new HashMap<>();
+  private final int delay;
+  private int[] before;
+
+  private GifFile(IndexColorModel colors, int delay) {
+    this.colors = colors;
+    this.delay = delay;
+  }
+
+  /**
+   * Writes the animation.
+   *
+   * @param count of frames, 1 or more
+   * @param frames all of the same size
+   * @param delay between two frames, hundredths of a second
+   */
+  static void write(OutputStream out, int count, IntFunction<BufferedImage> frames, int delay)
+      throws IOException {
+    List<BufferedImage> samples =
+        IntStream.range(0, SAMPLES)
+            .map(i -> i * (count - 1) / (SAMPLES - 1))
+            .distinct()
+            .mapToObj(frames)
+            .toList();
+    GifFile file = new GifFile(palette(samples), delay);
+    ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
+    try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+      writer.setOutput(stream);
+      writer.prepareWriteSequence(file.head(writer));
+      for (int i = 0; i < count; i++) {
+        file.append(writer, frames.apply(i), i == 0);
+      }
+      writer.endWriteSequence();
+    } finally {
+      writer.dispose();
+    }
+  }
+
+  private static IndexColorModel palette(List<BufferedImage> samples) {
+    Map<Integer, Integer> counts = new TreeMap<>();
+    for (BufferedImage image : samples) {
+      for (int color : pixels(image)) {
+        counts.merge(color, 1, Integer::sum);
+      }
+    }
+    int[] frequent =
+        counts.entrySet().stream()
+            .sorted(Map.Entry.comparingByValue(Comparator.reverseOrder()))
+            .mapToInt(Map.Entry::getKey)
+            .limit(TRANSPARENT)
+            .toArray();
+    int[] all = Arrays.copyOf(frequent, TRANSPARENT + 1);
+    Arrays.fill(all, frequent.length, TRANSPARENT, all[0]);
+    return new IndexColorModel(8, all.length, all, 0, false, TRANSPARENT, DataBuffer.TYPE_BYTE);
+  }
+
+  private static int[] pixels(BufferedImage image) {
+    int width = image.getWidth();
+    return image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
+  }
+
+  /** What stands before all frames: the palette. */
+  private IIOMetadata head(ImageWriter writer) throws IOException {
+    IIOMetadataNode root = new IIOMetadataNode(HEAD);
+    String about = "sizeOfGlobalColorTable=256 backgroundColorIndex=0 sortFlag=FALSE";
+    IIOMetadataNode table = add(root, "GlobalColorTable", about);
+    for (int i = 0; i < colors.getMapSize(); i++) {
+      Color color = new Color(colors.getRGB(i));
+      String parts = "index=%s red=%s green=%s blue=%s";
+      add(
+          table,
+          "ColorTableEntry",
+          parts.formatted(i, color.getRed(), color.getGreen(), color.getBlue()));
+    }
+    IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
+    metadata.mergeTree(HEAD, root);
+    return metadata;
+  }
+
+  private void append(ImageWriter writer, BufferedImage frame, boolean first) throws IOException {
+    BufferedImage indexed = difference(frame);
+    IIOMetadataNode root = new IIOMetadataNode(FORMAT);
+    String control =
+        "disposalMethod=doNotDispose userInputFlag=FALSE transparentColorFlag=TRUE"
+            + " transparentColorIndex=%s delayTime=%s";
+    add(root, "GraphicControlExtension", control.formatted(TRANSPARENT, delay));
+    if (first) { // Netscape's extension: a loop without an end
+      IIOMetadataNode extensions = add(root, "ApplicationExtensions", "");
+      add(extensions, "ApplicationExtension", "applicationID=NETSCAPE authenticationCode=2.0")
+          .setUserObject(new byte[] {1, 0, 0});
+    }
+    IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(indexed), null);
+    metadata.mergeTree(FORMAT, root);
+    writer.writeToSequence(new IIOImage(indexed, null, metadata), null);
+  }
+
+  /** Adds a node with these attributes. */
+  private static IIOMetadataNode add(IIOMetadataNode parent, String name, String attributes) {
+    IIOMetadataNode child = new IIOMetadataNode(name);
+    Pattern.compile("(\\w+)=(\\S+)")
+        .matcher(attributes)
+        .results()
+        .forEach(pair -> child.setAttribute(pair.group(1), pair.group(2)));
+    parent.appendChild(child);
+    return child;
+  }
+
+  /** The frame in the palette's colours; transparent where the frame before had the same. */
+  private BufferedImage difference(BufferedImage frame) {
+    int[] pixels = pixels(frame);
+    byte[] shown = new byte[pixels.length];
+    for (int i = 0; i < pixels.length; i++) {
+      pixels[i] = indexes.computeIfAbsent(pixels[i], this::nearest);
+      boolean same = before != null && before[i] == pixels[i];
+      shown[i] = (byte) (same ? TRANSPARENT : pixels[i]);
+    }
+    before = pixels;
+    int width = frame.getWidth();
+    int height = frame.getHeight();
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_INDEXED, colors);
+    image.getRaster().setDataElements(0, 0, width, height, shown);
+    return image;
+  }
+
+  private int nearest(int rgb) {
+    return ((byte[]) colors.getDataElements(rgb, null))[0] & 0xFF;
+  }
+}
