@@ -131,6 +131,33 @@ class DetectionHintsTest {
   }
 
   @Test
+  void aViewingAngleThatTheFocalLengthsDoNotGiveIsAWarning() throws IOException {
+    Path file = Cli.scenario("tutorial-two-cameras");
+    String warning =
+        "warning: "
+            + file
+            + ": camera 'East' sees 120 degrees (viewing_angle), but its focal length gives 15 to"
+            + " 43.1 (Eq 3.1); expected a mount_height that makes them agree, such as 4.33, or"
+            + " viewing_angle 360";
+    assertEquals(warning, first(Cli.run("validate", file)));
+    Path out = folder.resolve("out");
+    assertEquals(warning, first(Cli.run("run", file, "--steps", 5, "--out", out)));
+    assertEquals(2, Cli.run("run", file, "--steps", 5, "--out", out, "--strict").exit());
+    Cli plain =
+        Cli.run("run", file, "--steps", 5, "--out", out, "--detection", "camsim-range@0.35");
+    assertEquals("", plain.err());
+  }
+
+  @Test
+  void theHeightThatTheWarningAsksForEndsIt() throws IOException {
+    String text = Files.readString(Cli.scenario("tutorial-two-cameras"));
+    Path file = folder.resolve("lower.xml");
+    Files.writeString(file, text.replace("mount_height=\"19\"", "mount_height=\"4.33\""));
+    assertFalse(
+        Cli.run("validate", file, "--detection", "hifi:orb-power").err().contains("(Eq 3.1)"));
+  }
+
+  @Test
   void aCameraThatLooksOverAllHeadsIsAWarning() throws IOException {
     Path site = Cli.scenario("warehouse-heights");
     assertEquals("", Cli.run("validate", site).err());

@@ -12,6 +12,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.visibility.Body;
@@ -21,6 +22,8 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.OpticalDetection;
+import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.runs.Reach;
 
 /** What a detection model makes of a scenario's cameras, in words. */
@@ -29,6 +32,7 @@ final class DetectionHints {
   private static final double FEW = 0.1;
   private static final List<String> OTHERS =
       List.of("hifi:orb-lin", "hifi:orb-pinhole", "oodpcvs-2025:level=overview", "geometric");
+  private static final double TOLERANCE = 1.1;
   private static final double NO_LENS = 1e-6;
   private static final int STEPS = 100; // that are looked at
 
@@ -41,6 +45,7 @@ final class DetectionHints {
   static Stream<String> all(Scenario scenario, Detection used, Catalogue catalogue) {
     return Stream.of(
             smallReach(scenario, used, catalogue),
+            lens(scenario, used),
             extrapolation(scenario, used),
             overridden(scenario, used),
             flatRule(scenario, used),
@@ -192,6 +197,57 @@ final class DetectionHints {
                 "its threshold %s is used for '%s', whose own is %s; expected --detection"
                     + " %s@%s where that one is meant",
                 used.threshold(), used.model().name(), own, used.model().name(), own));
+  }
+
+  /** A warning where cameras cannot have both their viewing angle and their focal lengths. */
+  private static Optional<String> lens(Scenario scenario, Detection detection) {
+    return detection.model() instanceof OpticalDetection model
+        ? contradiction(scenario, model.optics())
+        : Optional.empty();
+  }
+
+  private static Optional<String> contradiction(Scenario scenario, Optics optics) {
+    List<CameraSpec> wrong =
+        scenario.cameras().stream().filter(camera -> contradicts(camera, scenario, optics)).toList();
+    return wrong.stream()
+        .findFirst()
+        .map(
+            camera ->
+                "camera '%s'%s sees %s degrees (viewing_angle), but its focal length gives %s (Eq 3.1); expected a mount_height that makes them agree%s, or viewing_angle 360"
+                    .formatted(
+                        camera.name(),
+                        wrong.size() == 1 ? "" : " (one of " + wrong.size() + ")",
+                        plain(camera.viewingAngle()),
+                        angles(World.zoomLevels(scenario, camera), optics),
+                        agreeing(camera, scenario)));
+  }
+
+  private static boolean contradicts(CameraSpec camera, Scenario scenario, Optics optics) {
+    List<ZoomLevel> levels = World.zoomLevels(scenario, camera);
+    double narrowest = degrees(optics, levels.get(0));
+    double widest = degrees(optics, levels.get(levels.size() - 1));
+    double angle = camera.viewingAngle();
+    return angle < 360 && (angle < narrowest / TOLERANCE || angle > widest * TOLERANCE);
+  }
+
+  private static String angles(List<ZoomLevel> levels, Optics optics) {
+    String narrowest = plain(degrees(optics, levels.get(0)));
+    String widest = plain(degrees(optics, levels.get(levels.size() - 1)));
+    return narrowest.equals(widest) ? narrowest : narrowest + " to " + widest;
+  }
+
+  /** The angle of view that the focal length gives at a zoom level (Eq 3.1). */
+  private static double degrees(Optics optics, ZoomLevel level) {
+    return Math.toDegrees(optics.angleOfView(optics.focalLength(level)));
+  }
+
+  /** The height at which the widest radius has the viewing angle (Eq 3.2). */
+  private static String agreeing(CameraSpec camera, Scenario scenario) {
+    List<ZoomLevel> levels = World.zoomLevels(scenario, camera);
+    double radius = levels.get(levels.size() - 1).radius();
+    double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
+    boolean known = camera.viewingAngle() < 180 && radius > 0 && Double.isFinite(height);
+    return known ? ", such as " + plain(height) : "";
   }
 
   /**
