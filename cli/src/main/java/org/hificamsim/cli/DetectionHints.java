@@ -208,7 +208,9 @@ final class DetectionHints {
 
   private static Optional<String> contradiction(Scenario scenario, Optics optics) {
     List<CameraSpec> wrong =
-        scenario.cameras().stream().filter(camera -> contradicts(camera, scenario, optics)).toList();
+        scenario.cameras().stream()
+            .filter(camera -> contradicts(camera, scenario, optics))
+            .toList();
     return wrong.stream()
         .findFirst()
         .map(
