@@ -10,8 +10,14 @@ import java.util.Arrays;
  * <p>Without any target everything is 0.
  */
 public final class ExpectedCoverage {
-  private final PoissonBinomial covering = new PoissonBinomial();
-  private final PairsByTarget pairs = new PairsByTarget();
+  private int[] who = {};
+  private double[] chances = {};
+  private int[] targetOf = new int[16]; // of each pair of a camera and a target
+  private double[] chanceOf = new double[16];
+  private double[] sorted = new double[16]; // the chances, by target
+  private int[] ends = {}; // of each target's
+  private double[] exactly = {}; // the chance that as many cameras cover the target under way
+  private double[] atLeast = {};
   private double[] allAtLeast = {};
   private double[] once = {};
   private double[] more = {};
@@ -25,22 +31,25 @@ public final class ExpectedCoverage {
 
   /** Measures the network as it is. */
   void measure(DetectionChances observed) {
-    pairs.collect(observed);
     begin(observed);
+    collect(observed);
     for (int target = 0; target < observed.targets(); target++) {
       if (observed.present(target)) {
-        mostCameras = Math.min(mostCameras, pairs.count(target));
-        pairs.cover(target, Math.max(mostCameras, 2), covering);
-        add(target, pairs.mean(target));
+        add(target);
       }
     }
   }
 
   private void begin(DetectionChances observed) {
     if (once.length < observed.targets() || allAtLeast.length <= observed.cameras()) {
+      who = new int[observed.targets()];
+      chances = new double[observed.targets()];
+      ends = new int[observed.targets() + 1];
       once = new double[observed.targets()];
       more = new double[observed.targets()];
       allAtLeast = new double[observed.cameras() + 1];
+      exactly = new double[observed.cameras() + 3];
+      atLeast = new double[observed.cameras() + 4];
     }
     mostCameras = observed.cameras();
     Arrays.fill(allAtLeast, 1);
@@ -52,18 +61,78 @@ public final class ExpectedCoverage {
     leastOnce = Double.POSITIVE_INFINITY;
   }
 
-  private void add(int target, double mean) {
-    for (int k = 1; k <= mostCameras; k++) {
-      allAtLeast[k] *= covering.atLeast(k);
+  private void collect(DetectionChances observed) {
+    int count = 0;
+    for (int camera = 0; camera < observed.cameras(); camera++) {
+      int some = observed.chances(camera, who, chances);
+      if (count + some > targetOf.length) {
+        targetOf = Arrays.copyOf(targetOf, 2 * (count + some));
+        chanceOf = Arrays.copyOf(chanceOf, 2 * (count + some));
+        sorted = new double[2 * (count + some)];
+      }
+      System.arraycopy(who, 0, targetOf, count, some);
+      System.arraycopy(chances, 0, chanceOf, count, some);
+      count += some;
     }
-    once[target] = covering.atLeast(1);
-    more[target] = covering.atLeast(2);
+    sort(count);
+  }
+
+  /** A counting sort; a target's entry in {@code ends} rises from its first pair to its end. */
+  private void sort(int count) {
+    Arrays.fill(ends, 0);
+    for (int i = 0; i < count; i++) {
+      ends[targetOf[i] + 1]++;
+    }
+    for (int target = 1; target < ends.length; target++) {
+      ends[target] += ends[target - 1];
+    }
+    for (int i = 0; i < count; i++) {
+      sorted[ends[targetOf[i]]++] = chanceOf[i];
+    }
+  }
+
+  private void add(int target) {
+    int from = target == 0 ? 0 : ends[target - 1];
+    mostCameras = Math.min(mostCameras, ends[target] - from);
+    double mean = cover(from, ends[target], Math.max(mostCameras, 2));
+    for (int k = 1; k <= mostCameras; k++) {
+      allAtLeast[k] *= atLeast[k];
+    }
+    once[target] = atLeast[1];
+    more[target] = atLeast[2];
     targets++;
     uncovered += 1 - once[target];
     coveredMore += more[target];
     sum += mean;
     leastMean = Math.min(leastMean, mean);
     leastOnce = Math.min(leastOnce, once[target]);
+  }
+
+  /**
+   * How many cameras cover a target, by the chances from one index up to another.
+   *
+   * @param counted exactly; the last count is of as many or more, and gains from the one before
+   * @return the expected number
+   */
+  private double cover(int from, int to, int counted) {
+    int most = Math.min(counted, to - from);
+    Arrays.fill(exactly, 0, counted + 1, 0);
+    exactly[0] = 1;
+    double mean = 0;
+    for (int i = from; i < to; i++) {
+      double chance = sorted[i];
+      mean += chance;
+      exactly[most] += exactly[most - 1] * chance;
+      for (int k = most - 1; k > 0; k--) {
+        exactly[k] = exactly[k] * (1 - chance) + exactly[k - 1] * chance;
+      }
+      exactly[0] *= 1 - chance;
+    }
+    atLeast[counted + 1] = 0;
+    for (int k = counted; k >= 0; k--) {
+      atLeast[k] = Math.min(1, atLeast[k + 1] + exactly[k]);
+    }
+    return mean;
   }
 
   /** The expected k_min: the sum over k of the chance that each target is covered k times. */

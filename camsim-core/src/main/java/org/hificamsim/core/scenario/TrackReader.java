@@ -4,36 +4,26 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.DoubleStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 
-/** Reads what {@link TrackWriter} writes: tracks, in the order of the file. */
+/** Reads what {@link TrackWriter} writes: targets on their tracks, each while it is there, in the order
+ * of the file. */
 final class TrackReader {
   /** Samples of one file; they take 24 bytes each. */
   static final int MAX_SAMPLES = 20_000_000;
 
   private static final String START = "a number of seconds from 0, later than before";
 
-  /**
-   * A target while it is there.
-   *
-   * @param place where the file begins it
-   * @param extent width and height, where the file gives them
-   */
-  record Tracked(Place place, double features, double size, Optional<Extent> extent, Track track) {}
-
   private final TextLines lines;
   private final double stepTime;
-  private final List<Tracked> tracks = new ArrayList<>();
+  private final List<TargetSpec> tracks = new ArrayList<>();
   private final Map<Double, Double> lastTimes = new HashMap<>();
   private DoubleStream.Builder samples = DoubleStream.builder(); // time, x and y of each
   private Place begun;
-  private double features;
-  private double size;
-  private Optional<Extent> extent = Optional.empty();
+  private TargetSpec target;
   private double interval;
   private double last; // time of the last sample; NaN before the first
   private double anchor;
@@ -53,7 +43,7 @@ final class TrackReader {
    *
    * @throws InputException when something is wrong
    */
-  List<Tracked> tracks() {
+  List<TargetSpec> tracks() {
     header();
     while (lines.nextFields()) {
       if (lines.text(0).equals("target")) {
@@ -94,17 +84,18 @@ final class TrackReader {
     begun = lines.place(0);
     samples = DoubleStream.builder();
     last = Double.NaN;
-    features = lines.number(1, "target");
+    target =
+        new TargetSpec(lines.number(1, "target"), 0, 0)
+            .with(TargetSpec.ORIGIN, TargetSpec.Origin.TRACK)
+            .with(TargetSpec.MOVE, TargetSpec.TRACKS);
     if (word(2).equals("width")) {
       double width = number(3, "width", Range.POSITIVE_LENGTH);
       requireWord(4, "height");
-      extent = Optional.of(new Extent(width, number(5, "height", Range.POSITIVE_LENGTH)));
-      size = extent.get().size();
+      target = target.withExtent(new Extent(width, number(5, "height", Range.POSITIVE_LENGTH)));
       requireFields(6);
     } else {
       requireWord(2, "size");
-      extent = Optional.empty();
-      size = number(3, "size", Range.POSITIVE_LENGTH);
+      target = target.withSize(number(3, "size", Range.POSITIVE_LENGTH));
       requireFields(4);
     }
   }
@@ -140,7 +131,7 @@ final class TrackReader {
   }
 
   private boolean isLater(double time) {
-    double before = Double.isNaN(last) ? lastTimes.getOrDefault(features, -1.0) : last;
+    double before = Double.isNaN(last) ? lastTimes.getOrDefault(target.features(), -1.0) : last;
     return time >= 0 && time <= 1e9 && time > before;
   }
 
@@ -157,8 +148,22 @@ final class TrackReader {
     if (Double.isNaN(last)) {
       throw begun.error("a target without a sample, expected lines of time, x and y");
     }
-    lastTimes.put(features, last);
+    lastTimes.put(target.features(), last);
     Track track = new Track(samples.build().toArray(), stepTime);
-    tracks.add(new Tracked(begun, features, size, extent, track));
+    requireNear(track);
+    tracks.add(
+        target
+            .along(track)
+            .with(TargetSpec.HEADING, track.heading())
+            .with(TargetSpec.SPEED, track.meanSpeed()));
+  }
+
+  private void requireNear(Track track) {
+    long end = Math.max(track.firstStep(), track.lastStep());
+    if (end >= Integer.MAX_VALUE) {
+      throw begun.error(
+          "the target stays until step %s of %s s, expected one below %s: a longer step",
+          end, stepTime, Integer.MAX_VALUE);
+    }
   }
 }

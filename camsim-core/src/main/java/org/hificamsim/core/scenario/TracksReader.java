@@ -2,10 +2,9 @@ package org.hificamsim.core.scenario;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.TextLines;
 
 /**
@@ -36,14 +35,21 @@ final class TracksReader {
     attributes.warnOfUnknown();
     try (TextLines lines =
         attributes.has(FILE) ? open(element, attributes, path) : element.lines()) {
-      List<TrackReader.Tracked> tracks = new TrackReader(lines, scenario.stepTime()).tracks();
-      tracks.forEach(TracksReader::requireNear);
-      warn(element, tracks, track -> !isMet(track), "no step meets: they are shorter than a step");
-      warn(element, tracks, track -> !track.staysIn(scenario.field()), "lead outside the field");
-      List<ScenarioEvent> events = new ArrayList<>();
-      tracks.stream().filter(one -> isMet(one.track())).forEach(one -> addEvents(one, events));
-      return events;
+      List<TargetSpec> targets = new TrackReader(lines, scenario.stepTime()).tracks();
+      warn(element, targets, track -> !isMet(track), "no step meets: they are shorter than a step");
+      warn(element, targets, track -> !track.staysIn(scenario.field()), "lead outside the field");
+      return targets.stream().flatMap(TracksReader::events).toList();
     }
+  }
+
+  /** A target goes at the beginning of the step after its last; at that step it may come again. */
+  private static Stream<ScenarioEvent> events(TargetSpec target) {
+    Track track = target.track().orElseThrow();
+    return isMet(track)
+        ? Stream.of(
+            new ScenarioEvent.AddTarget((int) track.firstStep(), target),
+            track.removal(target.features()))
+        : Stream.of();
   }
 
   private static TextLines open(XmlElement element, Attributes<Track> attributes, Path path) {
@@ -58,8 +64,8 @@ final class TracksReader {
   }
 
   private static void warn(
-      XmlElement element, List<TrackReader.Tracked> tracks, Predicate<Track> odd, String what) {
-    long count = tracks.stream().map(TrackReader.Tracked::track).filter(odd).count();
+      XmlElement element, List<TargetSpec> targets, Predicate<Track> odd, String what) {
+    long count = targets.stream().filter(one -> odd.test(one.track().orElseThrow())).count();
     if (count > 0) {
       element.warn(count + " of the tracks " + what);
     }
@@ -67,33 +73,5 @@ final class TracksReader {
 
   private static boolean isMet(Track track) {
     return track.lastStep() >= track.firstStep();
-  }
-
-  private static void requireNear(TrackReader.Tracked one) {
-    long last = Math.max(one.track().firstStep(), one.track().lastStep());
-    if (last >= Integer.MAX_VALUE) {
-      throw one.place()
-          .error(
-              "the target stays until step %s of %s s, expected one below %s: a longer step",
-              last, one.track().stepTime(), Integer.MAX_VALUE);
-    }
-  }
-
-  /** A target goes at the beginning of the step after its last; at that step it may come again. */
-  private static void addEvents(TrackReader.Tracked one, List<ScenarioEvent> events) {
-    events.add(new ScenarioEvent.AddTarget((int) one.track().firstStep(), target(one)));
-    events.add(one.track().removal(one.features()));
-  }
-
-  private static TargetSpec target(TrackReader.Tracked one) {
-    Track track = one.track();
-    TargetSpec target =
-        new TargetSpec(one.features(), track.x(0), track.y(0))
-            .with(TargetSpec.ORIGIN, TargetSpec.Origin.TRACK)
-            .with(TargetSpec.HEADING, track.heading())
-            .with(TargetSpec.SPEED, track.meanSpeed())
-            .with(TargetSpec.MOVE, TargetSpec.TRACKS)
-            .with(TargetSpec.TRACK, Optional.of(track));
-    return one.extent().map(target::withExtent).orElseGet(() -> target.withSize(one.size()));
   }
 }
