@@ -17,7 +17,6 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
@@ -59,8 +58,6 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
-  @Mixin private ThreadsOption threads;
-
   @Option(names = "--out", paramLabel = "DIR")
   private Optional<Path> out;
 
@@ -101,13 +98,11 @@ final class RunCommand implements Callable<Integer> {
     ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (OutputFolder files = screen.folder(folder);
-        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables);
-        Workers workers = Workers.of(threads.count())) {
+        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables)) {
       List<RunResult> results =
           execute(
               plan,
               catalogue,
-              workers,
               run ->
                   Stream.of(
                       output.listener(run),
@@ -191,13 +186,12 @@ final class RunCommand implements Callable<Integer> {
   private List<RunResult> execute(
       RunPlan plan,
       Catalogue catalogue,
-      Workers workers,
       IntFunction<Stream<StepListener>> recorders)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
       StepListener counter = (network, coverage) -> progress.advance();
-      return new RunExecutor(catalogue, workers)
+      return new RunExecutor(catalogue)
           .execute(
               plan,
               run ->

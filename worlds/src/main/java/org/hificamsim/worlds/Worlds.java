@@ -1,5 +1,9 @@
 package org.hificamsim.worlds;
 
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.stream.IntStream;
+
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -8,7 +12,7 @@ import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.worlds.WorldSettings.AutoReset;
@@ -24,7 +28,7 @@ import org.hificamsim.worlds.WorldSettings.AutoReset;
 public final class Worlds implements AutoCloseable {
   private final WorldSettings settings;
   private final OneWorld[] worlds;
-  private final Workers workers;
+  private final ExecutorService pool;
   private final Block block;
   private final ByteBuffer memory;
   private final IntBuffer actions;
@@ -42,9 +46,9 @@ public final class Worlds implements AutoCloseable {
   private final float[][] state; // of each worker
   private final float[][] observed; // the same
   private final SeenPairs[] pairs; // the same
-  private final Workers.Share stepping = shared(this::step);
-  private final Workers.Share resetting = shared(this::reset);
-  private final Workers.Share telling = shared(this::writeState);
+  private final Work stepping = this::step; // made once, so that no step allocates
+  private final Work resetting = this::reset;
+  private final Work telling = this::writeState;
   private long seed;
   private boolean restarted;
 
@@ -55,16 +59,24 @@ public final class Worlds implements AutoCloseable {
     void on(int i, int worker);
   }
 
-  /**
-   * Each worker's share of some work: the worlds of its own. Made once, so that no step allocates.
-   */
-  private Workers.Share shared(Work work) {
-    return worker -> {
-      int end = workers.first(worker + 1, worlds.length);
-      for (int i = workers.first(worker, worlds.length); i < end; i++) {
-        work.on(i, worker);
-      }
-    };
+  /** Does some work to all worlds, shared out among the workers. */
+  private void run(Work work) {
+    if (pairs.length == 1) {
+      share(work, 0);
+    } else {
+      Parallel.all(
+          pool,
+          IntStream.range(0, pairs.length)
+              .mapToObj(worker -> Executors.callable(() -> share(work, worker)))
+              .toList());
+    }
+  }
+
+  private void share(Work work, int worker) {
+    int end = worlds.length * (worker + 1) / pairs.length;
+    for (int i = worlds.length * worker / pairs.length; i < end; i++) {
+      work.on(i, worker);
+    }
   }
 
   private static void check(String what, int number) {
@@ -104,11 +116,12 @@ public final class Worlds implements AutoCloseable {
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
     maskOften = settings.actions() == ActionKind.STEPS || takesTime();
-    workers = Workers.of(Math.min(threads, count));
-    observed = new float[workers.count()][network.cameras() * settings.layout().size()];
-    pairs = new SeenPairs[workers.count()];
+    int workers = Math.min(threads, count);
+    pool = Executors.newFixedThreadPool(workers, Parallel.daemons("worlds"));
+    observed = new float[workers][network.cameras() * settings.layout().size()];
+    pairs = new SeenPairs[workers];
     Arrays.setAll(pairs, worker -> new SeenPairs());
-    state = new float[workers.count()][OneWorld.stateSize(network, settings.layout())];
+    state = new float[workers][OneWorld.stateSize(network, settings.layout())];
     reset(seed, true);
   }
 
@@ -158,7 +171,7 @@ public final class Worlds implements AutoCloseable {
   public void reset(long newSeed, boolean fresh) {
     seed = newSeed;
     restarted = fresh;
-    workers.run(resetting);
+    run(resetting);
   }
 
   /** Begins an episode in one world, of this seed or its next one; others stay as they are. */
@@ -185,7 +198,7 @@ public final class Worlds implements AutoCloseable {
    */
   public void step() {
     checkActions();
-    workers.run(stepping);
+    run(stepping);
   }
 
   private void step(int i, int worker) {
@@ -267,7 +280,7 @@ public final class Worlds implements AutoCloseable {
 
   /** Writes the state of every world. */
   public void state() {
-    workers.run(telling);
+    run(telling);
   }
 
   private void writeState(int i, int worker) {
@@ -279,6 +292,6 @@ public final class Worlds implements AutoCloseable {
   /** Ends the threads. */
   @Override
   public void close() {
-    workers.close();
+    pool.shutdown();
   }
 }

@@ -33,14 +33,14 @@ public final class Simulation {
   private boolean started;
   private long step;
 
-  /** A run of cameras that work each for itself, in the caller's thread alone. */
+  /** A run of cameras that work each for itself. */
   public Simulation(
       World world,
       Detection detection,
       ZoomPolicy policy,
       long seed,
       List<? extends StepListener> listeners) {
-    this(world, detection, policy, Cooperation.NONE, seed, listeners, Workers.CALLER);
+    this(world, detection, policy, Cooperation.NONE, seed, listeners);
   }
 
   /**
@@ -48,7 +48,6 @@ public final class Simulation {
    * @param seed seeds the policy's generator and the luck of detections; world and cooperation have
    *     been seeded on their own
    * @param listeners called in this order
-   * @param workers who share the work of a step; results do not depend on their number
    */
   public Simulation(
       World world,
@@ -56,14 +55,13 @@ public final class Simulation {
       ZoomPolicy policy,
       Cooperation cooperation,
       long seed,
-      List<? extends StepListener> listeners,
-      Workers workers) {
+      List<? extends StepListener> listeners) {
     this.world = world;
     this.cooperation = cooperation;
     this.order = world.scenario().order();
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
-    this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
+    this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed));
     this.network.connect(world.scenario().channel(), seed);
     this.byChance = !detection.certain();
     this.jumps = policy.jumps();

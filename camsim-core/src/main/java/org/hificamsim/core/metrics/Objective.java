@@ -52,7 +52,9 @@ public sealed interface Objective {
    *
    * @param worth the most that the first sum of {@link #worths}, or the least k, comes to
    */
-  double scoreAtMost(long worth, int targets);
+  default double scoreAtMost(long worth, int targets) {
+    return worth;
+  }
 
   /** Whether a target that no camera could detect at any view does not count. */
   default boolean ofCoverableAlone() {
@@ -159,11 +161,6 @@ public sealed interface Objective {
     @Override
     public boolean byLeast() {
       return true;
-    }
-
-    @Override
-    public double scoreAtMost(long worth, int targets) {
-      return worth;
     }
 
     @Override
@@ -344,11 +341,6 @@ public sealed interface Objective {
     @Override
     public List<long[]> worths(int cameras, int targets) {
       return List.of(LongStream.rangeClosed(0, cameras).map(n -> Math.min(n, cap)).toArray());
-    }
-
-    @Override
-    public double scoreAtMost(long worth, int targets) {
-      return worth;
     }
 
     @Override

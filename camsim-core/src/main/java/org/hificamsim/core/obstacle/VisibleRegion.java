@@ -1,5 +1,7 @@
 package org.hificamsim.core.obstacle;
 
+import java.util.Arrays;
+
 /**
  * What can be seen from one standpoint past obstacles that do not move: the same answers as {@link
  * Obstacles} gives, to the bit, from a look-up by direction. Made once for a standpoint, by a sweep
@@ -8,47 +10,93 @@ package org.hificamsim.core.obstacle;
  *
  * <p>All round is cut into equal sectors ({@link Sector}). A sector knows from the sweep up to
  * which distance nothing is met in it, from which distance on everything is hidden by something
- * solid that spans it, and what lies between: only for points between is that asked, exactly.
+ * solid that spans it, and what lies between: only for points between is that asked, exactly. The
+ * bounds are on the safe side of rounding.
  */
 public final class VisibleRegion {
-  /** Of a sector's limits: the squared distance below which nothing is touched. */
-  static final int TOUCHED = 0;
-
-  /** The squared distance above which everything is hidden. */
-  static final int HIDDEN = 1;
-
-  /** How many limits a sector has. */
-  static final int LIMITS = 2;
+  private static final int MIN_SECTORS = 16;
+  private static final int MAX_SECTORS = 128;
 
   private final double atX;
   private final double atY;
   private final Pieces pieces;
   private final Obstacles obstacles;
-  private final double sectorsPerMeasure;
-  private final int lastSector;
-  private final float[] limits;
+  private final int sectors;
+
+  /** By sector: the squared distance below which nothing is touched. */
+  final float[] touched;
+
+  /** By sector: the squared distance above which everything is hidden. */
+  final float[] hidden;
 
   /** By sector: where what is met in it begins; one more is the end of the last. */
   private final int[] ends;
 
-  /** What is met, see {@link RegionSweep}. */
-  private final int[] met;
+  /**
+   * The pieces that are met, sector by sector, in each in the order of obstacles; of an obstacle
+   * that the standpoint is inside or on the border of, {@code ~} its first one.
+   */
+  int[] met = new int[256];
 
-  private VisibleRegion(Obstacles obstacles, double x, double y, RegionSweep sweep) {
+  private VisibleRegion(Obstacles obstacles, double x, double y) {
     this.obstacles = obstacles;
     this.pieces = obstacles.pieces();
     this.atX = x;
     this.atY = y;
-    this.limits = sweep.limits();
-    this.ends = sweep.ends();
-    this.met = sweep.met();
-    this.lastSector = limits.length / LIMITS - 1;
-    this.sectorsPerMeasure = (lastSector + 1) / Sector.ROUND;
+    int wanted = Integer.highestOneBit(Math.max(1, pieces.count())) * 8;
+    sectors = pieces.count() == 0 ? 1 : Math.max(MIN_SECTORS, Math.min(MAX_SECTORS, wanted));
+    touched = new float[sectors];
+    hidden = new float[sectors];
+    ends = new int[sectors + 1];
+    sweep();
   }
 
   /** The region seen from a point. */
   public static VisibleRegion of(Obstacles obstacles, double x, double y) {
-    return new VisibleRegion(obstacles, x, y, new RegionSweep(obstacles, x, y));
+    return new VisibleRegion(obstacles, x, y);
+  }
+
+  private void sweep() {
+    boolean[] inside = new boolean[obstacles.all().size()];
+    for (int i = 0; i < inside.length; i++) {
+      inside[i] = obstacles.all().get(i).contains(atX, atY);
+    }
+    PieceSight sight = new PieceSight(pieces, atX, atY, sectors);
+    float[] nears = new float[pieces.count()];
+    for (int sector = 0; sector < sectors; sector++) {
+      sweep(sector, sight, inside, nears);
+    }
+    met = Arrays.copyOf(met, ends[sectors]);
+  }
+
+  /** Notes what is met in a sector, but for what is hidden. */
+  private void sweep(int sector, PieceSight sight, boolean[] inside, float[] nears) {
+    int first = ends[sector];
+    met = met.length < first + nears.length ? Arrays.copyOf(met, 2 * (first + nears.length)) : met;
+    touched[sector] = Float.POSITIVE_INFINITY;
+    hidden[sector] = Float.POSITIVE_INFINITY;
+    int end = first;
+    sight.enter(sector);
+    for (int piece = 0; piece < nears.length; piece++) {
+      int obstacle = pieces.obstacle[piece];
+      boolean at = inside[obstacle];
+      if (at ? piece == pieces.first[obstacle] : sight.meets(piece)) {
+        float near = at ? -1 : Math.nextDown((float) sight.near());
+        nears[end - first] = near;
+        met[end++] = at ? ~piece : piece;
+        touched[sector] = Math.min(touched[sector], near);
+        if (pieces.hides(piece) && (at || sight.spans())) {
+          float far = at ? -1 : Math.nextUp((float) sight.far());
+          hidden[sector] = Math.min(hidden[sector], far);
+        }
+      }
+    }
+    int kept = first;
+    for (int i = first; i < end; i++) {
+      met[kept] = met[i];
+      kept += nears[i - first] > hidden[sector] ? 0 : 1;
+    }
+    ends[sector + 1] = kept;
   }
 
   /** Whether the region is seen from this very point. */
@@ -72,12 +120,12 @@ public final class VisibleRegion {
   public double transmittance(double x, double y, double z, double low, double high) {
     double dx = x - atX;
     double dy = y - atY;
-    int sector = sector(dx, dy);
+    int sector = (int) (Sector.measure(dx, dy) * (sectors / Sector.ROUND)) & sectors - 1;
     double square = dx * dx + dy * dy;
-    if (square < limits[LIMITS * sector + TOUCHED]) {
+    if (square < touched[sector]) {
       return 1;
     }
-    return square > limits[LIMITS * sector + HIDDEN] ? 0 : product(sector, x, y, z, low, high);
+    return square > hidden[sector] ? 0 : product(sector, x, y, z, low, high);
   }
 
   /** An obstacle that is not full is asked as a whole: a line may come down inside of it. */
@@ -85,22 +133,17 @@ public final class VisibleRegion {
     double product = 1;
     int tested = -1;
     for (int i = ends[sector]; i < ends[sector + 1] && product > 0; i++) {
-      int obstacle = pieces.obstacle[RegionSweep.piece(met[i])];
+      int obstacle = pieces.obstacle[met[i] < 0 ? ~met[i] : met[i]];
       if (obstacle != tested) {
         boolean full = pieces.full[obstacle];
-        boolean touched =
+        boolean touches =
             full
-                ? RegionSweep.atStandpoint(met[i]) || pieces.touches(met[i], atX, atY, x, y)
+                ? met[i] < 0 || pieces.touches(met[i], atX, atY, x, y)
                 : obstacles.all().get(obstacle).touches(atX, atY, z, x, y, low, high);
-        product *= touched ? pieces.transmittance[obstacle] : 1;
-        tested = touched || !full ? obstacle : tested;
+        product *= touches ? pieces.transmittance[obstacle] : 1;
+        tested = touches || !full ? obstacle : tested;
       }
     }
     return product;
-  }
-
-  /** The sector of a direction; the first where there is none. */
-  private int sector(double dx, double dy) {
-    return (int) (Sector.measure(dx, dy) * sectorsPerMeasure) & lastSector;
   }
 }

@@ -31,8 +31,17 @@ public final class Parallel {
       tasks.add(() -> failed.get() ? null : result(work, item, failed));
     }
     try {
+      return all(pool, tasks);
+    } finally {
+      pool.shutdownNow();
+    }
+  }
+
+  /** The results of some tasks, when all are done; the first failure, by task, is thrown then. */
+  public static <R> List<R> all(ExecutorService pool, List<? extends Callable<R>> tasks) {
+    try {
       List<R> results = new ArrayList<>();
-      for (Future<R> future : pool.invokeAll(tasks)) { // when all are done
+      for (Future<R> future : pool.invokeAll(tasks)) {
         results.add(future.get());
       }
       return results;
@@ -41,8 +50,6 @@ public final class Parallel {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new UncheckedIOException(new InterruptedIOException("interrupted"));
-    } finally {
-      pool.shutdownNow();
     }
   }
 

@@ -207,7 +207,7 @@ class ObservedNetworkTest {
   void detectionsAreMarkedForEachView(String rule, double side) {
     World world = crowd().world();
     Visibility visibility = Visibility.of(certain(rule));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, side);
     assertEquals(side < 20, network.grid().cells() > 1);
     begin(world, network);
     long[] masks = new long[5];
@@ -261,26 +261,6 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void workIsDividedAmongTheWorkersWithoutGapOrOverlap() {
-    TestScenario scenario = new TestScenario();
-    for (int camera = 0; camera < 5; camera++) {
-      scenario.camera(camera, 0);
-    }
-    int[] done = new int[5];
-    try (Workers workers = Workers.of(3)) {
-      new ObservedNetwork(scenario.world(), Visibility.of(certain("threshold")), workers)
-          .divide(
-              done,
-              (network, work, from, to) -> {
-                for (int camera = from; camera < to; camera++) {
-                  work[camera] += network.cameras();
-                }
-              });
-    }
-    assertArrayEquals(new int[] {5, 5, 5, 5, 5}, done);
-  }
-
-  @Test
   void aTargetHasItsSize() {
     World world =
         new TestScenario()
@@ -295,7 +275,7 @@ class ObservedNetworkTest {
   }
 
   private static ObservedNetwork network(World world, Detection detection) {
-    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection));
     begin(world, network);
     return network;
   }

@@ -59,7 +59,7 @@ class SightGridTest {
 
   private static int cells(TestScenario scenario, DetectionModel model) {
     World world = scenario.world();
-    return new ObservedNetwork(world, Visibility.of(Detection.of(model)), Workers.CALLER)
+    return new ObservedNetwork(world, Visibility.of(Detection.of(model)))
         .grid()
         .cells();
   }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -68,8 +69,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
-    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
+    Sight once = new ObservedNetwork(world, Visibility.of(detection));
+    Sight full = new ObservedNetwork(world, inFull(detection));
     assertSame(world, once, full);
   }
 
@@ -80,8 +81,8 @@ class SightTest {
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
     assertLooksAsItDetects(
-        world, new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER));
-    assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection), Workers.CALLER));
+        world, new ObservedNetwork(world, Visibility.of(detection)));
+    assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection)));
   }
 
   /** One camera is off, one is at another level, and one target stands on a border. */
@@ -100,12 +101,12 @@ class SightTest {
     world.switchCamera(3, false);
     Sight sight =
         new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+            world, Visibility.of(Detection.of(new GeometricDetection())));
     sight.locate();
     int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
     int[] counts = new int[targets];
-    sight.look(0, 5, detected, counts, new long[targets + 1]);
+    sight.look(detected, counts, new long[targets]);
     SeenPairs found = new SeenPairs();
     sight.findSeen(found);
     int at = 0;
@@ -139,7 +140,7 @@ class SightTest {
     Detection detection = Detection.of(new GeometricDetection());
     Sight sight =
         new ObservedNetwork(
-            world, inFull ? inFull(detection) : Visibility.of(detection), Workers.CALLER);
+            world, inFull ? inFull(detection) : Visibility.of(detection));
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
@@ -169,11 +170,11 @@ class SightTest {
     World world = scenario.zooms(5).world();
     Sight sight =
         new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+            world, Visibility.of(Detection.of(new GeometricDetection())));
     int[] counts = new int[places.length];
     int[] detected = new int[1];
     sight.locate();
-    sight.look(0, 1, detected, counts, new long[places.length + 1]);
+    sight.look(detected, counts, new long[places.length]);
     assertEquals(3, detected[0]);
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
   }
@@ -193,8 +194,8 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
-    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
+    Sight once = new ObservedNetwork(world, Visibility.of(detection));
+    Sight full = new ObservedNetwork(world, inFull(detection));
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -228,7 +229,14 @@ class SightTest {
     }
   }
 
-  private static void assertLooksAsItDetects(World world, Sight sight) {
+  private static int detections(ObservedNetwork sight, World world, int target) {
+    return (int)
+        IntStream.range(0, world.cameras().count())
+            .filter(camera -> sight.detects(camera, world.cameras().view(camera), target))
+            .count();
+  }
+
+  private static void assertLooksAsItDetects(World world, ObservedNetwork sight) {
     sight.locate();
     int targets = world.targets().count();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
@@ -237,15 +245,15 @@ class SightTest {
       sight.detections(camera, masks, 1);
       for (int view = 0; view < views; view++) {
         world.cameras().turnTo(camera, view);
-        int[] counts = new int[targets];
-        int[] detected = new int[CAMERAS];
-        sight.look(camera, camera + 1, detected, counts, new long[targets + 1]);
+        sight.observe();
+        int detected = 0;
         for (int target = 0; target < targets; target++) {
           int expected = sight.detects(camera, view, target) ? 1 : 0;
-          assertEquals(expected, counts[target]);
+          detected += expected;
           assertEquals(expected, masks[view] >>> target & 1);
+          assertEquals(detections(sight, world, target), sight.coverage(target));
         }
-        assertEquals(Arrays.stream(counts).sum(), detected[camera]);
+        assertEquals(detected, sight.detected(camera));
       }
     }
   }
@@ -256,7 +264,7 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight sight = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    Sight sight = new ObservedNetwork(world, Visibility.of(detection));
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int view = 0; view < 3; view++) {
         assertTrue(sight.dominates(camera, view, view));
@@ -275,7 +283,7 @@ class SightTest {
     World world = randomWorld(new SplittableRandom(1));
     Sight sight =
         new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+            world, Visibility.of(Detection.of(new GeometricDetection())));
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -286,7 +294,7 @@ class SightTest {
     World world = randomWorld(new SplittableRandom(1));
     Sight sight =
         new ObservedNetwork(
-            world, Visibility.of(Detection.of(new CamSimVisibilityDetection())), Workers.CALLER);
+            world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

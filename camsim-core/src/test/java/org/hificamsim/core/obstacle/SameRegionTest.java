@@ -23,12 +23,11 @@ class SameRegionTest {
       RandomPlace place = new RandomPlace(seed);
       Obstacles obstacles = place.obstacles(10, false);
       Point at = place.point();
-      RegionSweep sweep = new RegionSweep(obstacles, at.x(), at.y());
-      counts[0] += sweep.met().length;
-      float[] limits = sweep.limits();
-      for (int i = 0; i < limits.length; i += VisibleRegion.LIMITS) {
-        float near = limits[i + VisibleRegion.TOUCHED];
-        float far = limits[i + VisibleRegion.HIDDEN];
+      VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y());
+      counts[0] += region.met.length;
+      for (int i = 0; i < region.touched.length; i++) {
+        float near = region.touched[i];
+        float far = region.hidden[i];
         counts[1] += far < Float.POSITIVE_INFINITY ? 1 : 0;
         sums[0] += near < Float.POSITIVE_INFINITY ? near : 0;
         sums[1] += far < Float.POSITIVE_INFINITY ? far : 0;

@@ -133,18 +133,6 @@ class DefaultsTest {
   }
 
   @Test
-  void workIsDoneInOnePart() {
-    List<String> parts = new ArrayList<>();
-    VIEW.divide(
-        parts,
-        (network, work, from, to) -> {
-          assertSame(VIEW, network);
-          work.add(from + " to " + to);
-        });
-    assertEquals(List.of("0 to 5"), parts);
-  }
-
-  @Test
   void aNetworkWithAnOraclesKnowledgeIsItsOwnOracle() {
     assertSame(VIEW, VIEW.oracle());
   }

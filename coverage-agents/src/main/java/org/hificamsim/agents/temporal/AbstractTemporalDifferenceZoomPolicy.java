@@ -6,7 +6,6 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.choice.Utility;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -26,9 +25,6 @@ import org.hificamsim.core.registry.Options;
 public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
   private static final double LARGE = 1e6;
-
-  private static final CameraTask<AbstractTemporalDifferenceZoomPolicy> MEASURING =
-      (network, policy, from, to) -> policy.measure(network, from, to);
 
   private final StateReading states;
   private final RewardReading rewards;
@@ -126,13 +122,7 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   /** What a count does not tell is measured at once: targets move on before the next decision. */
   @Override
   public final void learn(NetworkView network) {
-    if (!utility.counts()) {
-      network.divide(this, MEASURING);
-    }
-  }
-
-  private void measure(NetworkView network, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
+    for (int camera = 0; !utility.counts() && camera < utilities.length; camera++) {
       utilities[camera] = utility.of(network, camera);
     }
   }

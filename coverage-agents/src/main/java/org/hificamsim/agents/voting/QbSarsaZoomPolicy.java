@@ -6,7 +6,6 @@ import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
 import org.hificamsim.core.channel.MessageBits;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -35,15 +34,14 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     NO
   }
 
-  private final CameraTask<int[]> electing = this::elect;
   private final int neighbours;
   private final OwnVote ownVote;
   private final MajorityVote.Draw ties;
   private final int timeout;
   private NearestCameras nearest;
   private ViewTranslation translation;
-  private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
-  private long[] messages = {}; // of a thread, as the votes
+  private MajorityVote vote;
+  private long messages;
   private final Inquiries.Voter voter =
       new Inquiries.Voter() {
         @Override
@@ -88,7 +86,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
   @Override
   public long messages() {
-    return inquiries == null ? Arrays.stream(messages).sum() : inquiries.messages();
+    return inquiries == null ? messages : inquiries.messages();
   }
 
   @Override
@@ -100,10 +98,9 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
     elected = new int[network.cameras()];
-    messages = new long[network.cameras()];
-    votes = new MajorityVote[network.cameras()];
-    int views = IntStream.range(0, votes.length).map(network::views).max().orElse(0);
-    Arrays.setAll(votes, share -> new MajorityVote(ties, views));
+    messages = 0;
+    int views = IntStream.range(0, elected.length).map(network::views).max().orElse(0);
+    vote = new MajorityVote(ties, views);
     nearest = new NearestCameras(network, neighbours);
     translation = new ViewTranslation(network);
     int address = MessageBits.address(network.cameras());
@@ -123,7 +120,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     if (inquiries != null) {
       inquiries.run(camera -> percept(network, camera));
     }
-    network.divide(elected, electing);
+    elect(network);
   }
 
   @Override
@@ -132,16 +129,16 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   }
 
   /** In blocks, for speed alone: {@link #fetch}. */
-  private void elect(NetworkView network, int[] elected, int from, int to) {
-    for (int first = from; first < to; first += ActionValues.BLOCK) {
-      int end = Math.min(to, first + ActionValues.BLOCK);
+  private void elect(NetworkView network) {
+    for (int first = 0; first < elected.length; first += ActionValues.BLOCK) {
+      int end = Math.min(elected.length, first + ActionValues.BLOCK);
       if (inquiries == null && q().exceedsCache()) {
         fetch(network, first, end);
       }
       for (int camera = first; camera < end; camera++) {
         if (!network.moving(camera)) {
-          elected[camera] = elect(network, camera, votes[from]);
-          messages[from] += 2L * nearest.count(camera);
+          elected[camera] = elect(network, camera);
+          messages += 2L * nearest.count(camera);
         }
       }
     }
@@ -163,7 +160,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     fetched = sum;
   }
 
-  private int elect(NetworkView network, int camera, MajorityVote vote) {
+  private int elect(NetworkView network, int camera) {
     int state = state(network, camera, camera, network.view(camera));
     int own = q().best(camera, state);
     vote.open();
