@@ -45,7 +45,8 @@ class BigNetworkTest {
       })
   void aBigNetworkRuns(String policy) throws IOException {
     Path out = folder.resolve("out");
-    Cli run = Cli.run("run", scenario, "--policy", policy, "--steps", STEPS, "--record", "--out", out);
+    Cli run =
+        Cli.run("run", scenario, "--policy", policy, "--steps", STEPS, "--record", "--out", out);
     assertEquals(0, run.exit(), run.err());
     assertEquals(STEPS, Files.readAllLines(out.resolve("steps.csv")).size() - 1);
     assertEquals(CAMERAS * STEPS, Files.readAllLines(out.resolve("zooms.csv")).size() - 1);

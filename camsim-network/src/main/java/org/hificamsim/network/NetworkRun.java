@@ -86,8 +86,7 @@ public final class NetworkRun {
   /** The loop over the steps; who is to watch them has been named before. */
   public Simulation simulation() {
     if (simulation == null) {
-      simulation =
-          new Simulation(world, detection, policy, network, seed, listeners);
+      simulation = new Simulation(world, detection, policy, network, seed, listeners);
     }
     return simulation;
   }

@@ -110,7 +110,6 @@ class ObservationTest {
   }
 
   private static Simulation simulation(World world, DetectionModel model, Network network) {
-    return new Simulation(
-        world, Detection.of(model), new WidestPolicy(), network, 0, List.of());
+    return new Simulation(world, Detection.of(model), new WidestPolicy(), network, 0, List.of());
   }
 }

@@ -184,9 +184,7 @@ final class RunCommand implements Callable<Integer> {
    * @param recorders of a run; null where one was not asked for
    */
   private List<RunResult> execute(
-      RunPlan plan,
-      Catalogue catalogue,
-      IntFunction<Stream<StepListener>> recorders)
+      RunPlan plan, Catalogue catalogue, IntFunction<Stream<StepListener>> recorders)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {

@@ -75,20 +75,17 @@ class AllocationTest {
     assertNothing("qb-sarsa", "hifi:orb-lin", bigger, 500); // fetches what neighbours answer
   }
 
-  private static void assertNothing(
-      String policy, String detection, Scenario scenario, int steps) {
+  private static void assertNothing(String policy, String detection, Scenario scenario, int steps) {
     assertEquals(0, bytes(policy, detection, scenario, steps), "in " + steps + " steps");
   }
 
-  private static long bytes(
-      String policyName, String detection, Scenario scenario, int steps) {
+  private static long bytes(String policyName, String detection, Scenario scenario, int steps) {
     DetectionModel model = CATALOGUE.detection(detection);
     ZoomPolicy policy = CATALOGUE.policies().create(policyName);
     World world = new World(scenario, CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
     Simulation simulation =
-        new Simulation(
-            world, Detection.of(model), policy, Cooperation.NONE, 0, List.of(coverage));
+        new Simulation(world, Detection.of(model), policy, Cooperation.NONE, 0, List.of(coverage));
     simulation.run(steps);
     long bytes = AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> simulation.run(steps)));
     assertTrue(coverage.detections() > 0);

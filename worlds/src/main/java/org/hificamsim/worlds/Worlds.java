@@ -1,15 +1,14 @@
 package org.hificamsim.worlds;
 
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.stream.IntStream;
-
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.parallel.Parallel;

@@ -190,8 +190,7 @@ final class Run {
         (network, coverage) ->
             files.filter(open -> !ended).ifPresent(open -> open.stepped(network, coverage));
     simulation =
-        new Simulation(
-                world, settings.seen(), policy, live, seed(), List.of(listener))
+        new Simulation(world, settings.seen(), policy, live, seed(), List.of(listener))
             .continuingAt(step);
   }
 

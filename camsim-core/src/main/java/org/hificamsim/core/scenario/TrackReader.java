@@ -9,8 +9,10 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 
-/** Reads what {@link TrackWriter} writes: targets on their tracks, each while it is there, in the order
- * of the file. */
+/**
+ * Reads what {@link TrackWriter} writes: targets on their tracks, each while it is there, in the
+ * order of the file.
+ */
 final class TrackReader {
   /** Samples of one file; they take 24 bytes each. */
   static final int MAX_SAMPLES = 20_000_000;

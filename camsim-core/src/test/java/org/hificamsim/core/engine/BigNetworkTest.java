@@ -1,6 +1,5 @@
 package org.hificamsim.core.engine;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -66,8 +65,7 @@ class BigNetworkTest {
   }
 
   private static ObservedNetwork inOneList(World world, Visibility visibility) {
-    ObservedNetwork network =
-        new ObservedNetwork(world, visibility, Double.POSITIVE_INFINITY);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Double.POSITIVE_INFINITY);
     assertEquals(1, network.grid().cells());
     return network;
   }

@@ -59,9 +59,7 @@ class SightByChanceTest {
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
     Sight table = new ObservedNetwork(world, visibility);
-    Sight full =
-        new ObservedNetwork(
-            world, Visibility.of(detection(rule, waves, true), seed));
+    Sight full = new ObservedNetwork(world, Visibility.of(detection(rule, waves, true), seed));
     int detected = 0;
     for (int step = 0; step < 5; step++) {
       table.beginStep(step);
@@ -137,8 +135,7 @@ class SightByChanceTest {
       scenario.target(0, target);
     }
     World world = scenario.world();
-    Sight sight =
-        new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1));
+    Sight sight = new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1));
     int steps = 250_000;
     double chiSquare = 0;
     for (int target = 0; target < 8; target++) {

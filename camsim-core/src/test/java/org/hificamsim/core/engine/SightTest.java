@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import net.jqwik.api.EdgeCasesMode;
@@ -80,8 +79,7 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(
-        world, new ObservedNetwork(world, Visibility.of(detection)));
+    assertLooksAsItDetects(world, new ObservedNetwork(world, Visibility.of(detection)));
     assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection)));
   }
 
@@ -99,9 +97,7 @@ class SightTest {
     World world = scenario.target(3, 0).world();
     world.cameras().turnTo(1, 0);
     world.switchCamera(3, false);
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())));
     sight.locate();
     int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
@@ -138,9 +134,7 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight =
-        new ObservedNetwork(
-            world, inFull ? inFull(detection) : Visibility.of(detection));
+    Sight sight = new ObservedNetwork(world, inFull ? inFull(detection) : Visibility.of(detection));
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
@@ -168,9 +162,7 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())));
     int[] counts = new int[places.length];
     int[] detected = new int[1];
     sight.locate();
@@ -281,9 +273,7 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())));
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -293,8 +283,7 @@ class SightTest {
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
     Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
+        new ObservedNetwork(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

@@ -140,8 +140,7 @@ class ViewsTest {
   void aViewThatDominatesDetectsAllThatTheOtherDoes(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
-    ObservedNetwork network =
-        new ObservedNetwork(world, Visibility.of(detection(random), seed));
+    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection(random), seed));
     network.beginStep(0);
     network.locate();
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -165,8 +164,7 @@ class ViewsTest {
             .target(4, -1)
             .target(-4, 0)
             .world();
-    ObservedNetwork network =
-        new ObservedNetwork(world, Visibility.of(geometric()));
+    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(geometric()));
     network.beginStep(0);
     network.locate();
     assertEquals(1, network.view(0), "ahead at first");

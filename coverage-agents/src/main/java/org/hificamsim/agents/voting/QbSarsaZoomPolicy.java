@@ -1,6 +1,5 @@
 package org.hificamsim.agents.voting;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.ActionValues;
