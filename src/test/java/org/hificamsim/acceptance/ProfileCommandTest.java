@@ -256,6 +256,7 @@ class ProfileCommandTest {
         "profile measure DIR | camera.json: no such file",
         "profile measure DIR --detectors yolo | --detectors has 'yolo'",
         "profile measure DIR --detectors haar:nix | --detectors has 'haar:nix'",
+        "profile measure DIR --detectors onnx:nix.onnx | nix.onnx: no such file",
         "profile measure DIR --ratio 0 | --ratio is 0.0",
         "profile fit DIR | camera.json: no such file",
         "profile fit DIR --name a/b | --name is 'a/b'",

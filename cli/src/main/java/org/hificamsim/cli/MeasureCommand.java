@@ -9,7 +9,7 @@ import java.util.concurrent.Callable;
 import org.hificamsim.core.Place;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
-import org.hificamsim.profiling.detector.FeatureDetector;
+import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.Measurer;
@@ -85,9 +85,15 @@ final class MeasureCommand implements Callable<Integer> {
   private MeasureSettings settings() {
     Numbers.within("--ratio", ratio, Double.MIN_NORMAL, 1);
     Numbers.within("--false-alarms", falseAlarms, 0, 0.5);
-    List<String> names =
-        detectors.stream().map(one -> one.strip().toLowerCase(Locale.ROOT)).distinct().toList();
-    names.forEach(FeatureDetector::of);
+    List<String> names = detectors.stream().map(MeasureCommand::name).distinct().toList();
+    names.forEach(Detectors::column);
     return new MeasureSettings(names, new RatioTest(metric, ratio), pip, falseAlarms);
+  }
+
+  /** A detector's name in small letters; a file behind a colon keeps its own. */
+  private static String name(String text) {
+    String[] parts = text.strip().split(":", 2);
+    parts[0] = parts[0].toLowerCase(Locale.ROOT);
+    return String.join(":", parts);
   }
 }

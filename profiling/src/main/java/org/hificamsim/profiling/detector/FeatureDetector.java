@@ -6,9 +6,7 @@ import boofcv.factory.feature.detdesc.FactoryDetectDescribe;
 import boofcv.struct.feature.TupleDesc_F64;
 import boofcv.struct.image.GrayU8;
 import georegression.struct.point.Point2D_F64;
-import java.util.List;
 import java.util.function.Supplier;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.CvType;
@@ -44,34 +42,13 @@ public enum FeatureDetector {
     this.maker = maker;
   }
 
-  /**
-   * The detector of a column, as in {@code orb} or {@code orb-located}.
-   *
-   * @throws InputException when there is none
-   */
-  public static FeatureDetector of(String column) {
-    String word = column.substring(0, column.length() - MatchReading.of(column).suffix().length());
-    return Spelling.find(FeatureDetector.class, word)
-        .orElseThrow(
-            () ->
-                InputException.of(
-                    "--detectors has '%s', expected some of orb, sift, surf, each also with"
-                        + " -located or -ransac",
-                    column));
-  }
-
-  /** Those of some columns, each once. */
-  public static List<FeatureDetector> all(List<String> columns) {
-    return columns.stream().map(FeatureDetector::of).distinct().toList();
-  }
-
   /** Its name in files and options. */
   public String word() {
     return Spelling.of(this);
   }
 
   /** What it takes for each pixel of a photo. */
-  public Memory need() {
+  Memory need() {
     return need;
   }
 

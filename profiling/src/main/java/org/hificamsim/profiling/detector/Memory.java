@@ -29,7 +29,7 @@ public record Memory(double nativeBytes, double heapBytes) {
   }
 
   /** What both need who work one after the other. */
-  public Memory max(Memory other) {
+  Memory max(Memory other) {
     return new Memory(
         Math.max(nativeBytes, other.nativeBytes), Math.max(heapBytes, other.heapBytes));
   }

@@ -5,8 +5,10 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Supplier;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
@@ -30,7 +32,7 @@ public final class Photograph implements AutoCloseable {
 
   private final Path file;
   private final Mats mats = new Mats();
-  private Mat grey; // once it is asked for
+  private final Map<Integer, Mat> decoded = new LinkedHashMap<>();
 
   public Photograph(Path file) {
     this.file = file;
@@ -42,14 +44,25 @@ public final class Photograph implements AutoCloseable {
    * @throws InputException with the file's name, when it is no whole picture
    */
   public Mat grey() {
-    if (grey == null) {
-      checkWhole();
-      grey = mats.own(Imgcodecs.imread(file.toString(), Imgcodecs.IMREAD_GRAYSCALE));
-      if (grey.empty()) {
-        throw new InputException(file + ": cannot be decoded, expected a PNG or JPEG");
-      }
+    return decoded.computeIfAbsent(Imgcodecs.IMREAD_GRAYSCALE, this::decode);
+  }
+
+  /**
+   * In 8-bit blue, green and red.
+   *
+   * @throws InputException with the file's name, when it is no whole picture
+   */
+  public Mat colour() {
+    return decoded.computeIfAbsent(Imgcodecs.IMREAD_COLOR, this::decode);
+  }
+
+  private Mat decode(int mode) {
+    checkWhole();
+    Mat picture = mats.own(Imgcodecs.imread(file.toString(), mode));
+    if (picture.empty()) {
+      throw new InputException(file + ": cannot be decoded, expected a PNG or JPEG");
     }
-    return grey;
+    return picture;
   }
 
   /**

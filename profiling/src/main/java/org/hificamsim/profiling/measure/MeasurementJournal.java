@@ -36,7 +36,7 @@ final class MeasurementJournal implements Closeable {
 
   MeasurementJournal(Dataset dataset, MeasureSettings settings) throws IOException {
     file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
-    columns = MeasurementsFile.layout(settings.pip(), settings.detectors());
+    columns = MeasurementsFile.layout(settings.pip(), settings.columns());
     read();
     new OutputFile(file).write(columns.csv(List.copyOf(done.values())));
     out = Files.newBufferedWriter(file, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);

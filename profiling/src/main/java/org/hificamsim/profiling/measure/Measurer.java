@@ -13,9 +13,10 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.detector.ConfidenceSource;
+import org.hificamsim.profiling.detector.ConfidenceSource.Subject;
+import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.FeatureDetector;
-import org.hificamsim.profiling.detector.FeatureSource;
-import org.hificamsim.profiling.detector.FeatureSource.Subject;
 import org.hificamsim.profiling.detector.Memory;
 import org.hificamsim.profiling.detector.Photograph;
 import org.hificamsim.profiling.detector.RatioTest;
@@ -33,7 +34,7 @@ public final class Measurer {
   private final MeasureSettings settings;
 
   /** Each thread has its own. */
-  private ThreadLocal<List<FeatureSource>> detectors;
+  private ThreadLocal<List<ConfidenceSource>> detectors;
 
   public Measurer(Dataset dataset, MeasureSettings settings) {
     this.dataset = dataset;
@@ -58,13 +59,14 @@ public final class Measurer {
    */
   public Outcome measure(int wanted, MeasureProgress watcher) {
     OpenCv.load();
-    List<FeatureDetector> features = FeatureDetector.all(settings.detectors());
-    Memory need = features.stream().map(FeatureDetector::need).reduce(Memory::max).orElseThrow();
+    Memory need = Detectors.memoryNeed(settings.detectors());
     int threads = Memory.free().threads(wanted, dataset.largestPicture(), need);
+    List<FeatureDetector> features = Detectors.features(settings.detectors());
     try (Templates templates = new Templates(dataset.templates(), features, threads)) {
       detectors =
           ThreadLocal.withInitial(
-              () -> FeatureSource.all(settings.detectors(), settings.test(), templates));
+              () -> Detectors.sources(settings.detectors(), settings.test(), templates));
+      detectors.get(); // a file that is no detector's is refused at once
       return measure(templates, threads, watcher);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -106,9 +108,9 @@ public final class Measurer {
 
   private Measurement measured(LabelledPhoto photo) {
     List<Subject> subject = List.of(new Subject(photo.object(), photo.patch()));
-    Map<String, Double> found = confidences(photo.file(), subject).get(0);
+    Map<String, Double> found = confidences(photo.file(), subject, true).get(0);
     Map<String, Double> confidences = new LinkedHashMap<>();
-    settings.detectors().forEach(column -> confidences.put(column, found.get(column)));
+    settings.columns().forEach(column -> confidences.put(column, found.get(column)));
     return new Measurement(
         photo.image(),
         photo.object(),
@@ -122,15 +124,16 @@ public final class Measurer {
   /**
    * Looks at a photo with one detector after the other.
    *
+   * @param shown whether the photo has the subjects
    * @return the confidences of each subject, by column
    */
-  private List<Map<String, Double>> confidences(Path file, List<Subject> subjects) {
+  private List<Map<String, Double>> confidences(Path file, List<Subject> subjects, boolean shown) {
     List<Map<String, Double>> all =
         subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
     try (Photograph photo = new Photograph(file)) {
-      for (FeatureSource detector : detectors.get()) {
+      for (ConfidenceSource detector : detectors.get()) {
         List<Map<String, Double>> found =
-            photo.lookedAt(detector.name(), () -> detector.confidences(photo, subjects));
+            photo.lookedAt(detector.name(), () -> detector.confidences(photo, subjects, shown));
         for (int i = 0; i < all.size(); i++) {
           all.get(i).putAll(found.get(i));
         }
@@ -177,7 +180,7 @@ public final class Measurer {
             dataset.negatives(),
             threads,
             photo -> {
-              List<Map<String, Double>> seen = confidences(photo, subjects);
+              List<Map<String, Double>> seen = confidences(photo, subjects, false);
               watcher.advance();
               return seen;
             })
@@ -216,6 +219,11 @@ public final class Measurer {
       List<String> detectors, RatioTest test, PipReading pip, double falseAlarms) {
     public MeasureSettings {
       detectors = List.copyOf(detectors);
+    }
+
+    /** The columns that are filled photo by photo. */
+    List<String> columns() {
+      return detectors.stream().map(Detectors::column).toList();
     }
   }
 }

@@ -75,7 +75,7 @@ class MatchReadingTest {
     assertEquals(MatchReading.RANSAC, MatchReading.of("surf-ransac"));
     assertEquals(
         List.of(FeatureDetector.ORB, FeatureDetector.SURF),
-        FeatureDetector.all(List.of("orb-located", "surf", "orb")));
+        Detectors.features(List.of("orb-located", "surf", "orb")));
   }
 
   private double confidence(MatchReading reading, Patch patch) {
