@@ -1,6 +1,8 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Iterator;
 import java.util.List;
+import java.util.Optional;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 import org.hificamsim.profiling.measure.Measurement;
@@ -16,19 +18,24 @@ import org.hificamsim.profiling.measure.Measurement;
  */
 public record CrossValidation(
     List<FittedFeature> fits, double[] folds, double[] predicted, double r2) {
-  /** What the fits say of the groups that they have not seen. */
-  static CrossValidation of(Groups groups, List<FittedFeature> fits, List<Measurement> photos) {
-    double[] observed = Measurement.responses(photos);
-    double[] predicted = new double[observed.length];
-    double[] folds = new double[groups.count()];
-    for (int group = 0; group < folds.length; group++) {
-      int[] held = groups.rows().get(group);
-      for (int row : held) {
-        predicted[row] = fits.get(group).response(photos.get(row));
-      }
-      folds[group] = FitScores.of(Groups.at(held, observed), Groups.at(held, predicted)).r2();
+  /**
+   * What fits say of the groups that they have not seen; nothing where leaving one out leaves none.
+   *
+   * @param fits gives the fit of {@link Groups#withoutEach} for each group
+   */
+  static Optional<CrossValidation> of(
+      Groups groups, Iterator<FittedFeature> fits, List<Measurement> photos) {
+    List<FittedFeature> unseen =
+        groups.withoutEach(photos).stream().map(any -> fits.next()).toList();
+    if (unseen.isEmpty()) {
+      return Optional.empty();
     }
-    return new CrossValidation(fits, folds, predicted, FitScores.of(observed, predicted).r2());
+    double[] observed = Measurement.responses(photos);
+    double[] predicted = groups.each((group, row) -> unseen.get(group).response(photos.get(row)));
+    double[] folds =
+        groups.scores(observed, predicted).stream().mapToDouble(FitScores::r2).toArray();
+    return Optional.of(
+        new CrossValidation(unseen, folds, predicted, FitScores.of(observed, predicted).r2()));
   }
 
   /** The mean of the folds' R2. */

@@ -43,48 +43,31 @@ public final class Fitting {
     return features.with(models(features, objects, threads));
   }
 
-  /** One g that has to be fitted. */
-  private record Job(String detector, String on, double[] x, List<double[]> unseenX) {}
-
+  /** On measured PIP, and on what each f says. */
   private Map<String, Map<String, DetectorFit>> models(
       FitResult result, Groups objects, int threads) {
-    List<Job> jobs =
-        result.detectors().stream().flatMap(detector -> jobs(result, detector).stream()).toList();
-    List<DetectorFit> fits =
-        Parallel.map(
-            jobs,
-            threads,
-            job ->
-                DetectorFit.of(
-                    settings,
-                    objects,
-                    result.unseen(),
-                    job.x(),
-                    job.unseenX(),
-                    result.confidences(job.detector())));
+    List<String> names = new ArrayList<>(List.of(FitResult.GROUND_TRUTH));
+    result.features().forEach(f -> names.add(f.name()));
     Map<String, Map<String, DetectorFit>> models = new LinkedHashMap<>();
-    for (int i = 0; i < jobs.size(); i++) {
-      models
-          .computeIfAbsent(jobs.get(i).detector(), any -> new LinkedHashMap<>())
-          .put(jobs.get(i).on(), fits.get(i));
+    for (String detector : result.detectors()) {
+      List<DetectorFit> fits =
+          Parallel.map(names, threads, on -> model(result, objects, detector, on));
+      Map<String, DetectorFit> byName = new LinkedHashMap<>();
+      for (int i = 0; i < fits.size(); i++) {
+        byName.put(names.get(i), fits.get(i));
+      }
+      models.put(detector, byName);
     }
     return models;
   }
 
-  /** On measured PIP, and on what each f says. */
-  private static List<Job> jobs(FitResult result, String detector) {
-    List<Job> jobs = new ArrayList<>();
-    double[] measured = result.measuredPip();
-    jobs.add(
-        new Job(
-            detector,
-            FitResult.GROUND_TRUTH,
-            measured,
-            Collections.nCopies(result.unseen().count(), measured)));
-    for (FeatureResult f : result.features()) {
-      List<double[]> unseen = f.unseen().fits().stream().map(result::predictedPip).toList();
-      jobs.add(new Job(detector, f.name(), result.predictedPip(f.name()), unseen));
-    }
-    return jobs;
+  private DetectorFit model(FitResult result, Groups objects, String detector, String on) {
+    double[] x = result.predictor(on);
+    List<double[]> unseenX =
+        on.equals(FitResult.GROUND_TRUTH)
+            ? Collections.nCopies(result.unseen().count(), x)
+            : result.feature(on).unseen().fits().stream().map(result::predictedPip).toList();
+    return DetectorFit.of(
+        settings, objects, result.unseen(), x, unseenX, result.confidences(detector));
   }
 }

@@ -64,6 +64,34 @@ public record Groups(String unit, List<int[]> rows) {
     return IntStream.range(0, left.length).filter(i -> !left[i]).toArray();
   }
 
+  /** Some things without those of each group; none where leaving a group out leaves nothing. */
+  <T> List<List<T>> withoutEach(List<T> all) {
+    return IntStream.range(0, count() > 1 ? count() : 0)
+        .mapToObj(group -> at(others(group), all))
+        .toList();
+  }
+
+  /** A value of a row, and of the group that it is in. */
+  interface RowValue {
+    double of(int group, int row);
+  }
+
+  /** A value for each row. */
+  double[] each(RowValue value) {
+    double[] all = new double[size()];
+    for (int group = 0; group < count(); group++) {
+      for (int row : rows.get(group)) {
+        all[row] = value.of(group, row);
+      }
+    }
+    return all;
+  }
+
+  /** How well each group is predicted. */
+  List<FitScores> scores(double[] observed, double[] predicted) {
+    return rows.stream().map(of -> FitScores.of(at(of, observed), at(of, predicted))).toList();
+  }
+
   /** Some elements of an array. */
   static double[] at(int[] rows, double[] values) {
     return IntStream.of(rows).mapToDouble(row -> values[row]).toArray();

@@ -12,6 +12,7 @@ import org.apache.commons.math3.optim.nonlinear.scalar.GoalType;
 import org.apache.commons.math3.optim.univariate.BrentOptimizer;
 import org.apache.commons.math3.optim.univariate.SearchInterval;
 import org.apache.commons.math3.optim.univariate.UnivariateObjectiveFunction;
+import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.core.detection.DetectionRule.Chance;
 import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.hifi.Residuals;
@@ -42,14 +43,10 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
    * confidence, by maximum likelihood.
    */
   static List<ScatterFit> both(ShapeFit g, double[] y, Groups groups) {
-    double[] gained = new double[y.length];
-    double[] errors = new double[y.length];
-    forEachRow(
-        groups,
-        (group, row) -> {
-          gained[row] = Math.max(0, g.predicted()[row] - g.fits().get(group).confidence(0));
-          errors[row] = y[row] - g.predicted()[row];
-        });
+    double[] gained =
+        groups.each(
+            (group, row) -> Math.max(0, g.predicted()[row] - g.fits().get(group).confidence(0)));
+    double[] errors = MathArrays.ebeSubtract(y, g.predicted());
     Map<String, Method> kinds = new LinkedHashMap<>();
     kinds.put("constant", (any, e) -> Residuals.of(rms(e)));
     kinds.put("growing", ScatterFit::mostLikely);
@@ -69,29 +66,16 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
 
   private static Reliability calibration(
       ShapeFit g, double[] y, Groups groups, List<Residuals> unseen) {
-    double[] chances = new double[y.length];
-    double[] detected = new double[y.length];
-    forEachRow(
-        groups,
-        (group, row) -> {
-          Scatter scatter = unseen.get(group).about(g.fits().get(group));
-          double threshold = scatter.threshold(Chance.DEFAULT_ALPHA);
-          chances[row] = scatter.chance(g.predicted()[row], threshold);
-          detected[row] = y[row] >= threshold ? 1 : 0;
-        });
-    return new Reliability(chances, detected);
-  }
-
-  private interface RowTask {
-    void run(int group, int row);
-  }
-
-  private static void forEachRow(Groups groups, RowTask task) {
-    for (int group = 0; group < groups.count(); group++) {
-      for (int row : groups.rows().get(group)) {
-        task.run(group, row);
-      }
-    }
+    List<Scatter> scatters =
+        IntStream.range(0, groups.count())
+            .mapToObj(group -> unseen.get(group).about(g.fits().get(group)))
+            .toList();
+    double[] thresholds =
+        scatters.stream().mapToDouble(one -> one.threshold(Chance.DEFAULT_ALPHA)).toArray();
+    return new Reliability(
+        groups.each(
+            (group, row) -> scatters.get(group).chance(g.predicted()[row], thresholds[group])),
+        groups.each((group, row) -> y[row] >= thresholds[group] ? 1 : 0));
   }
 
   /**

@@ -1,8 +1,8 @@
 package org.hificamsim.profiling.fit;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hificamsim.hifi.detector.DetectorModel;
 
 /**
@@ -32,21 +32,17 @@ public record ShapeFit(
    */
   public static ShapeFit of(
       DetectorShape shape, double[] x, List<double[]> unseenX, double[] y, Groups groups) {
-    double[] predicted = new double[y.length];
-    double[] errors = new double[groups.count()];
-    List<DetectorModel> fits = new ArrayList<>();
     DetectorModel g = shape.fit(x, y);
-    for (int group = 0; group < errors.length; group++) {
-      int[] others = groups.others(group);
-      double[] seen = unseenX.get(group);
-      DetectorModel without = shape.fit(Groups.at(others, seen), Groups.at(others, y));
-      fits.add(without);
-      int[] held = groups.rows().get(group);
-      for (int row : held) {
-        predicted[row] = without.confidence(seen[row]);
-      }
-      errors[group] = FitScores.of(Groups.at(held, y), Groups.at(held, predicted)).mse();
-    }
+    List<DetectorModel> fits =
+        IntStream.range(0, groups.count())
+            .mapToObj(
+                group -> {
+                  int[] others = groups.others(group);
+                  return shape.fit(Groups.at(others, unseenX.get(group)), Groups.at(others, y));
+                })
+            .toList();
+    double[] predicted =
+        groups.each((group, row) -> fits.get(group).confidence(unseenX.get(group)[row]));
     double[] fitted = Arrays.stream(x).map(g::confidence).toArray();
     return new ShapeFit(
         shape.name(),
@@ -55,6 +51,6 @@ public record ShapeFit(
         fits,
         predicted,
         FitScores.of(y, predicted),
-        errors);
+        groups.scores(y, predicted).stream().mapToDouble(FitScores::mse).toArray());
   }
 }
