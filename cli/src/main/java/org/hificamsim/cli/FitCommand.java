@@ -23,9 +23,8 @@ import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.measure.AlarmThreshold;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
-import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.report.FitFolder;
+import org.hificamsim.profiling.report.FitReport;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
@@ -87,7 +86,7 @@ final class FitCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     FitSettings settings = settings();
     int count = threads.count();
-    Destination.claim(spec, folder, List.of(FitFolder.REPORT));
+    Destination.claim(spec, folder, List.of(FitReport.REPORT));
     PhotoCamera camera = PhotoCamera.of(folder);
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
@@ -97,13 +96,13 @@ final class FitCommand implements Callable<Integer> {
 
   private int write(FitResult result) throws IOException {
     PipReading pip = confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE;
-    return FitFolder.write(folder, result, pip, ResultFolder.name(folder), name);
+    return FitReport.write(folder, result, pip, ResultFolder.name(folder), name);
   }
 
   private List<Measurement> measurements(PhotoCamera camera) {
     return confidences == null
         ? MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME))
-        : OwnConfidences.read(confidences, camera);
+        : MeasurementsFile.own(confidences, camera);
   }
 
   private void print(FitResult result, int models) {

@@ -1,12 +1,21 @@
 package org.hificamsim.profiling.dataset;
 
+import com.drew.imaging.ImageMetadataReader;
+import com.drew.imaging.ImageProcessingException;
+import com.drew.metadata.Directory;
+import com.drew.metadata.exif.ExifIFD0Directory;
+import com.drew.metadata.exif.ExifSubIFDDirectory;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Iterator;
+import java.util.List;
+import java.util.Objects;
+import java.util.OptionalDouble;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -16,6 +25,10 @@ record ImageHeader(int width, int height) {
   private static final byte[] PNG_END = {'I', 'E', 'N', 'D'};
   private static final byte[] JPEG_END = {(byte) 0xFF, (byte) 0xD9};
   private static final int TAIL = 64;
+  private static final double MILLIMETRE = 1e-3;
+
+  /** The orientation in EXIF from which on width and height change places. */
+  private static final int TURNED = 5;
 
   /**
    * Reads the header, and checks that the file has its end.
@@ -36,7 +49,7 @@ record ImageHeader(int width, int height) {
         reader.setInput(in, true, true);
         checkEnd(file, reader.getFormatName());
         ImageHeader stored = new ImageHeader(reader.getWidth(0), reader.getHeight(0));
-        return Exif.isUpright(file) ? stored.turned() : stored;
+        return isTurned(file) ? stored.turned() : stored;
       } finally {
         reader.dispose();
       }
@@ -50,6 +63,31 @@ record ImageHeader(int width, int height) {
       return (long) header.width * header.height;
     } catch (IOException e) {
       throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The focal length in metres, perhaps infinite; empty where the photo says nothing above 0. */
+  static OptionalDouble focalLength(Path photo) {
+    return directories(photo, ExifSubIFDDirectory.class).stream()
+        .map(directory -> directory.getDoubleObject(ExifSubIFDDirectory.TAG_FOCAL_LENGTH))
+        .filter(Objects::nonNull)
+        .mapToDouble(millimetres -> millimetres * MILLIMETRE)
+        .filter(metres -> metres > 0)
+        .findFirst();
+  }
+
+  /** Whether the photo is shown turned by a quarter, as OpenCV does when it reads one. */
+  private static boolean isTurned(Path photo) {
+    return directories(photo, ExifIFD0Directory.class).stream()
+        .map(directory -> directory.getInteger(ExifIFD0Directory.TAG_ORIENTATION))
+        .anyMatch(turn -> turn != null && turn >= TURNED && turn <= 8);
+  }
+
+  private static <D extends Directory> Collection<D> directories(Path photo, Class<D> kind) {
+    try {
+      return ImageMetadataReader.readMetadata(photo.toFile()).getDirectoriesOfType(kind);
+    } catch (ImageProcessingException | IOException e) {
+      return List.of();
     }
   }
 

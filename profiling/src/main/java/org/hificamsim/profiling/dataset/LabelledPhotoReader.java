@@ -124,7 +124,7 @@ final class LabelledPhotoReader {
       return length(column, MAX);
     }
     double metres =
-        Exif.focalLength(image)
+        ImageHeader.focalLength(image)
             .orElseThrow(() -> row.invalid(column, "metres, or a photo whose EXIF has it"));
     if (metres <= MAX) {
       return metres;

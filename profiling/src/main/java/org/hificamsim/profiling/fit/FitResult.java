@@ -34,6 +34,9 @@ public record FitResult(
   /** On CamSim's standard confidence. */
   public static final String CAMSIM = "camsim-standard";
 
+  private static final double SLOPE = 0.95;
+  private static final double LOSS = 0.15;
+
   /** The same with every g. */
   FitResult with(Map<String, Map<String, DetectorFit>> everyModel) {
     return new FitResult(camera, measurements, detectors, features, unseen, thresholds, everyModel);
@@ -58,9 +61,24 @@ public record FitResult(
   public double[] predictor(String on) {
     return switch (on) {
       case GROUND_TRUTH -> measuredPip();
-      case CAMSIM -> CamSimConfidence.of(measurements);
+      case CAMSIM -> camSimConfidence();
       default -> predictedPip(on);
     };
+  }
+
+  /**
+   * CamSim's standard confidence {@code 0.95 (1 - r / rMax) - 0.15} (Eq 6.2) for the laboratory's
+   * zooms. CamSim's zoom is a radius, which falls as the focal length grows; as thesis 6.2 says,
+   * its values are computed with the focal lengths as radii and dealt out in reverse order.
+   */
+  private double[] camSimConfidence() {
+    List<Double> zooms =
+        measurements.stream().map(Measurement::focalLength).distinct().sorted().toList();
+    int last = zooms.size() - 1;
+    return measurements.stream()
+        .mapToDouble(m -> zooms.get(last - zooms.indexOf(m.focalLength())) / zooms.get(last))
+        .map(share -> SLOPE * (1 - share) - LOSS)
+        .toArray();
   }
 
   /** The photos of each object, by its name. */

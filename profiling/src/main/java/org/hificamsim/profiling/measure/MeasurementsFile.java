@@ -13,6 +13,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.dataset.TableLayout;
 
 /**
@@ -28,6 +29,8 @@ public final class MeasurementsFile {
   /** Columns of older tables that are no detector's, and are ignored. */
   private static final Set<String> CONDITIONS =
       Set.of("distinctiveness", "aperture", "distortion", "light");
+
+  private static final List<String> OWN = List.of("image", "q", "d", "z", "confidence");
 
   private static final double MAX = 1e5;
 
@@ -61,13 +64,10 @@ public final class MeasurementsFile {
   public static List<Measurement> read(Path file) {
     String pip = PipReading.of(file).column();
     List<String> required = Stream.concat(PHYSICAL.stream(), Stream.of(pip)).toList();
-    CsvRows table = CsvReader.open(file, "a table of measurements").all(required);
+    CsvRows table = rows(file, "a table of measurements", required);
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
       throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
-    }
-    if (table.rows().isEmpty()) {
-      throw new InputException(file + ":2:1: no rows, expected one for each photo");
     }
     return table.rows().stream().map(row -> measurement(row, pip, detectors)).toList();
   }
@@ -91,6 +91,44 @@ public final class MeasurementsFile {
         metres(row, "focal_length_m"),
         share(row, pip),
         confidences);
+  }
+
+  /**
+   * Reads confidences of any detector, which a user has measured: a table {@code
+   * image,q,d,z,confidence[,object][,pip]}. Without PIP, the pinhole camera's is taken. The
+   * detector is named like the file without its ending.
+   *
+   * @param camera that took the photos
+   * @throws InputException with its place, when a cell is missing or out of range
+   */
+  public static List<Measurement> own(Path file, PhotoCamera camera) {
+    CsvRows table = rows(file, "a table of confidences", OWN);
+    String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    String detector = stem.replaceAll("[^A-Za-z0-9_]+", "-");
+    return table.rows().stream().map(row -> own(row, detector, camera)).toList();
+  }
+
+  private static Measurement own(CsvRow row, String detector, PhotoCamera camera) {
+    double size = metres(row, "q");
+    double distance = metres(row, "d");
+    double focalLength = metres(row, "z");
+    double pinhole = Math.min(1, camera.pinholePip(size, distance, focalLength));
+    return new Measurement(
+        row.text("image"),
+        row.has("object") ? row.text("object") : "object",
+        size,
+        distance,
+        focalLength,
+        row.has("pip") ? share(row, "pip") : Math.max(pinhole, Double.MIN_NORMAL),
+        Map.of(detector, confidence(row, "confidence")));
+  }
+
+  private static CsvRows rows(Path file, String what, List<String> columns) {
+    CsvRows table = CsvReader.open(file, what).all(columns);
+    if (table.rows().isEmpty()) {
+      throw new InputException(file + ":2:1: no rows, expected one for each photo");
+    }
+    return table;
   }
 
   static double metres(CsvRow row, String column) {

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.report;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -11,6 +12,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.measure.PipReading;
 
 /**
@@ -19,6 +21,9 @@ import org.hificamsim.profiling.measure.PipReading;
  * there. Your numbers come first; the thesis's tables, with both, follow.
  */
 public final class FitReport {
+  /** The page. */
+  public static final String REPORT = "report.html";
+
   private static final Map<String, String> DETECTOR_FIGURES =
       Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
 
@@ -52,13 +57,22 @@ public final class FitReport {
   }
 
   /**
-   * Writes the report on a data set of this name into a folder.
+   * Writes everything that a fit leaves in the folder of its data set, all files or none; a model
+   * that is refused loses the file of an earlier fit.
    *
-   * @param pip how its PIP was counted
+   * @param pip how PIP was counted
+   * @param name of the data set
+   * @param prefix of the models' names, before a colon
+   * @return how many models were written
    */
-  public static void write(FitResult result, PipReading pip, String name, OutputFolder folder)
+  public static int write(Path folder, FitResult result, PipReading pip, String name, String prefix)
       throws IOException {
-    new FitReport(result, pip, folder, "Detection models fitted to " + name).write();
+    try (OutputFolder files = new OutputFolder(folder)) {
+      int models = FittedModel.writeAll(result, files, prefix);
+      new FitReport(result, pip, files, "Detection models fitted to " + name).write();
+      files.commit(FittedModel.all(result).stream().map(FittedModel::file).toList());
+      return models;
+    }
   }
 
   private void write() throws IOException {
@@ -76,7 +90,7 @@ public final class FitReport {
       }
     }
     claims.write(folder);
-    folder.write(FitFolder.REPORT, page.text());
+    folder.write(REPORT, page.text());
   }
 
   private void add(String text, Map<String, Part> parts) throws IOException {

@@ -26,7 +26,6 @@ import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.profiling.dataset.PhotoCamera;
-import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -65,7 +64,7 @@ class FitReportTest {
   }
 
   private static int write(FitResult result, String title, Path folder) throws IOException {
-    return FitFolder.write(folder, result, PipReading.SILHOUETTE, title, "mine");
+    return FitReport.write(folder, result, PipReading.SILHOUETTE, title, "mine");
   }
 
   @Test
@@ -277,7 +276,7 @@ class FitReportTest {
 
   @Test
   void camSimsConfidenceGrowsWithTheFocalLengthInReversedOrder() {
-    double[] values = CamSimConfidence.of(result.measurements());
+    double[] values = result.predictor(FitResult.CAMSIM);
     for (int i = 0; i < values.length; i++) {
       double z = result.measurements().get(i).focalLength();
       // Four zooms: 10, 24, 50 and 85 mm; 85 mm gets what the radius 10 of 85 gives.

@@ -14,7 +14,7 @@ import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class OwnConfidencesTest {
+class MeasurementsFileTest {
   private static final PhotoCamera CAMERA = new PhotoCamera(0.02, 0.01, 200, 100);
 
   @TempDir Path folder;
@@ -52,6 +52,6 @@ class OwnConfidencesTest {
   private List<Measurement> read(String table) throws IOException {
     Path file = folder.resolve("my yolo.csv");
     Files.writeString(file, table);
-    return OwnConfidences.read(file, CAMERA);
+    return MeasurementsFile.own(file, CAMERA);
   }
 }
