@@ -196,18 +196,6 @@ class CompareStatisticsTest {
     }
   }
 
-  @Test
-  void aFolderFromBeforeTheOptimumHadAColumnStillMakesAPage() throws IOException {
-    Path old = folder.resolve("old");
-    run(old, 2, "zoom-out", "--steps", 20);
-    Path results = old.resolve("results.csv");
-    List<String> lines = Files.readAllLines(results);
-    Files.write(
-        results, lines.stream().map(line -> line.substring(0, line.lastIndexOf(','))).toList());
-    Cli report = Cli.run("report", old);
-    assertEquals(0, report.exit(), report.err());
-  }
-
   private static boolean sarsaHifi(Map<String, String> row) {
     return row.get("policy").equals("sarsa") && row.get("detection").equals("hifi:orb-lin");
   }

@@ -93,7 +93,7 @@ public final class Reference {
   }
 
   private static String meaning(Column<?> column) {
-    return column.meaning() + (column.isLater() ? "; missing in folders of version 0.1.0" : "");
+    return column.meaning();
   }
 
   private static String metrics() {

@@ -3,11 +3,9 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.dataset.PhotoCamera;
@@ -44,14 +42,6 @@ final class FitCommand implements Callable<Integer> {
   private static final double PARSIMONY = 0.001; // what a node of a formula costs
   private static final int WIDTH = 16; // of the models' names, at least
 
-  /** What {@code --g} takes. */
-  static final class Shapes implements Iterable<String> {
-    @Override
-    public Iterator<String> iterator() {
-      return Stream.concat(Stream.of(BEST), DetectorShape.names().stream()).iterator();
-    }
-  }
-
   @Parameters(paramLabel = "DIR", description = "The folder of a measured data set.")
   private Path folder;
 
@@ -73,7 +63,7 @@ final class FitCommand implements Callable<Integer> {
   @Option(names = "--restarts", paramLabel = "N")
   private int restarts;
 
-  @Option(names = "--g", paramLabel = "SHAPE", completionCandidates = Shapes.class)
+  @Option(names = "--g", paramLabel = "SHAPE")
   private String shape;
 
   @Mixin private ThreadsOption threads;

@@ -62,15 +62,10 @@ public final class ReproductionFiles {
           .with(reading(Reading.EXPLORE_ANY))
           .with(reading(Reading.SCRIPT_AT_ORIGIN))
           .with(reading(Reading.EQ_62))
-          .later()
           .texts("role", ROLE, cell -> cell.role().label())
-          .later()
           .with(reading(Reading.ONE_HOP_GREEDY))
-          .later()
           .with(reading(Reading.SIGN_REWARD))
-          .later()
-          .with(reading(Reading.LITERAL_REWARD))
-          .later();
+          .with(reading(Reading.LITERAL_REWARD));
 
   /** A row per reading and detection model. */
   public static final Table<Distance> READINGS =
@@ -111,8 +106,7 @@ public final class ReproductionFiles {
           .ints("checks_held", "", "how many of them are above 0", Judged::held)
           .texts("verdict", "as above", one -> one.verdict().label())
           .texts("why", "the reason for it", Judged::reason)
-          .texts("role", ROLE, one -> one.role().label())
-          .later();
+          .texts("role", ROLE, one -> one.role().label());
 
   private ReproductionFiles() {}
 

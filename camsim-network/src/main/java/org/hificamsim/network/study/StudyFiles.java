@@ -56,14 +56,12 @@ public final class StudyFiles {
               "of `tradeoff` alone, as all that follows: `homogeneous`, `heterogeneous` or"
                   + " `bandit`",
               plan -> Spelling.of(plan.kind()))
-          .later()
           .texts(
               "network",
               "schedule and policy of all cameras or of each, `A0-P2`: Active, Passive,"
                   + " HistActive or HistPassive with 0 Broadcast, 1 Smooth, 2 Step, 3 Fix; of"
                   + " bandits name and alpha, `UCB1@0.5`",
               StudyPlan::label)
-          .later()
           .columns();
 
   private static final List<String> IN_RESULTS =
@@ -206,7 +204,6 @@ public final class StudyFiles {
   private static Stream<Column<StudyRun>> metric(Metric metric) {
     return Table.<StudyRun>of("")
         .plain(metric, (row, one) -> row.result.value(one))
-        .later()
         .columns()
         .stream();
   }

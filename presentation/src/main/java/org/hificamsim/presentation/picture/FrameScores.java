@@ -19,11 +19,11 @@ import org.hificamsim.runs.output.StepRow;
  * @param mean of a step, over all repeats
  */
 public record FrameScores(Objective objective, Map<Long, Double> byStep, double mean) {
-  /** Those in a run's folder; none by k_min, and none of versions before 0.2. */
+  /** Those in a run's folder; none by k_min. */
   public static Optional<FrameScores> read(Path folder, RecordedRun run) throws IOException {
     JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
     Objective objective = Objective.parse(summary.path("objective").asText("kmin"));
-    if (!summary.has("score_words") || !objective.hasOwnFigure()) {
+    if (!objective.hasOwnFigure()) {
       return Optional.empty();
     }
     int steps = summary.path("steps").asInt();

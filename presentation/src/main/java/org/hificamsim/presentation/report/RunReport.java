@@ -76,7 +76,7 @@ final class RunReport {
     return PackedHeat.of(HeatTable.read(folder, replay.setup().field()), 0, steps);
   }
 
-  /** Of the recorded frames, by run; of none in a folder of an earlier version. */
+  /** Of the recorded frames, by run. */
   private Collection<List<Double>> scores() throws IOException {
     Map<Integer, List<Double>> scores = new LinkedHashMap<>();
     Set<String> recorded = new HashSet<>();
@@ -84,15 +84,13 @@ final class RunReport {
       RecordedRun run = replay.recording(folder, i);
       run.frames().forEach(frame -> recorded.add(run.run() + "," + frame.step()));
     }
-    if (summary.has("score_words")) {
-      StepRow.each(
-          folder,
-          row -> {
-            if (recorded.contains(row.run() + "," + row.step())) {
-              scores.computeIfAbsent(row.run(), any -> new ArrayList<>()).add(row.score());
-            }
-          });
-    }
+    StepRow.each(
+        folder,
+        row -> {
+          if (recorded.contains(row.run() + "," + row.step())) {
+            scores.computeIfAbsent(row.run(), any -> new ArrayList<>()).add(row.score());
+          }
+        });
     return scores.values();
   }
 

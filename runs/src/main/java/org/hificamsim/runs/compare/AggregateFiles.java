@@ -86,8 +86,7 @@ public final class AggregateFiles {
           .ints("scenarios", "", "how many have a value", row -> row.of.scores().scenarios())
           .ints("runs", "", "how many have a value", row -> row.of.scores().runs())
           .estimates("value", "", "share", "of `metric`", Statistic::value)
-          .texts("metric", MEASURE, row -> row.of.metric().label())
-          .later();
+          .texts("metric", MEASURE, row -> row.of.metric().label());
 
   /** A row per detection, policy and tau. */
   public static final Table<Point> PROFILE =

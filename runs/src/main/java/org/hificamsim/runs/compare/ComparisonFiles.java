@@ -96,14 +96,11 @@ public final class ComparisonFiles {
               "that of `score`",
               "the optimum's score, which the proportion is of; empty where it is no yardstick",
               run -> run.run.optimum())
-          .later()
           .texts(
               "objective",
               "what a step is scored by ([objectives](objectives.md))",
               run -> run.plan().objective().text())
-          .later()
-          .plain(Metric.SCORE, Run::value)
-          .later();
+          .plain(Metric.SCORE, Run::value);
 
   /** A row per scenario, detection, yardstick and seed. */
   public static final Table<Measure> YARDSTICKS =
@@ -165,8 +162,7 @@ public final class ComparisonFiles {
               "score",
               "that of the [objective](objectives.md)",
               "what the objective makes of the step, the mean over the seeds; k_min by default",
-              row -> row.of.meanScore()[row.step])
-          .later();
+              row -> row.of.meanScore()[row.step]);
 
   /** A part of the run of a case, of {@link FinishedRun#levels equal parts}. */
   record CasePart(CaseResult of, int part) {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
 
@@ -14,48 +15,28 @@ import org.hificamsim.runs.ScoredRun;
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Yardstick {
   /** The exact optimum of each step. */
-  OPTIMAL(
-      "optimal",
-      "the optimum",
-      "of the optimum",
-      false,
-      ScoredRun::optimum,
-      Metric.PROPORTION_OF_OPTIMAL),
+  OPTIMAL("the optimum", "of the optimum", ScoredRun::optimum, Metric.PROPORTION_OF_OPTIMAL),
   /** What no configuration of a step exceeds; perhaps none reaches it. */
   BOUND(
-      "bound",
       "a bound on the optimum",
       "of the optimum, at least",
-      true,
       ScoredRun::bound,
       Metric.PROPORTION_OF_BOUND),
   /** The best configuration that never changes. */
   BEST_FIXED(
-      "best-fixed",
       "the best fixed configuration",
       "over best-fixed",
-      false,
       ScoredRun::bestFixed,
       Metric.VALUE_OF_LEARNING);
 
-  private final String policy;
   private final String noun;
   private final String title;
-  private final boolean atMost;
   private final ToDoubleFunction<ScoredRun> score;
   private final Metric share;
 
-  Yardstick(
-      String policy,
-      String noun,
-      String title,
-      boolean atMost,
-      ToDoubleFunction<ScoredRun> score,
-      Metric share) {
-    this.policy = policy;
+  Yardstick(String noun, String title, ToDoubleFunction<ScoredRun> score, Metric share) {
     this.noun = noun;
     this.title = title;
-    this.atMost = atMost;
     this.score = score;
     this.share = share;
   }
@@ -67,7 +48,7 @@ public enum Yardstick {
 
   /** Whether a policy is one of them, and none that a network could choose. */
   static boolean isOne(String policy) {
-    return Arrays.stream(values()).anyMatch(one -> one.policy.equals(policy));
+    return Arrays.stream(values()).anyMatch(one -> one.policy().equals(policy));
   }
 
   /** The metric by which the policies of some cases are compared. */
@@ -82,7 +63,7 @@ public enum Yardstick {
 
   /** Its name: that of the policy which is run. */
   public String policy() {
-    return policy;
+    return Spelling.of(this);
   }
 
   /** What it is, within a sentence. */
@@ -97,7 +78,7 @@ public enum Yardstick {
 
   /** Whether it is a bound on what is possible, and not what a configuration reached. */
   public boolean isBound() {
-    return atMost;
+    return this == BOUND;
   }
 
   /** What it came to with a run; NaN where it was not run. */

@@ -11,11 +11,9 @@ import org.hificamsim.core.file.Rows;
  * @param kind what the cells are
  * @param unit what numbers count or are measured in; empty where there is none
  * @param meaning what it says
- * @param isLater whether files of earlier versions lack it
  * @param cell writes the cell of a row
  */
-public record Column<R>(
-    String name, Kind kind, String unit, String meaning, boolean isLater, Cell<R> cell) {
+public record Column<R>(String name, Kind kind, String unit, String meaning, Cell<R> cell) {
   /** What the cells are. */
   public enum Kind {
     /** Whole numbers of 32 bits. */
@@ -35,14 +33,8 @@ public record Column<R>(
     void add(R row, Rows to);
   }
 
-  /** The same column, which files of earlier versions lack. */
-  Column<R> later() {
-    return new Column<>(name, kind, unit, meaning, true, cell);
-  }
-
   /** The same column of a table whose rows have a part that this one is about. */
   <S> Column<S> of(Function<S, R> part) {
-    return new Column<>(
-        name, kind, unit, meaning, isLater, (row, to) -> cell.add(part.apply(row), to));
+    return new Column<>(name, kind, unit, meaning, (row, to) -> cell.add(part.apply(row), to));
   }
 }

@@ -148,13 +148,11 @@ public final class RunTables {
 
   /** With what the objective makes of a step, the last column. */
   private static Table<StepCursor> scored(Table<StepCursor> table) {
-    return table
-        .doubles(
-            "score",
-            "that of the [objective](objectives.md)",
-            "what the objective makes of the step; k_min by default",
-            at -> at.coverage.score())
-        .later();
+    return table.doubles(
+        "score",
+        "that of the [objective](objectives.md)",
+        "what the objective makes of the step; k_min by default",
+        at -> at.coverage.score());
   }
 
   /** The table of steps where detections are so. */

@@ -3,7 +3,6 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -42,7 +41,7 @@ public record Table<R>(String file, List<Column<R>> columns) {
   }
 
   private Table<R> with(String name, Kind kind, String unit, String meaning, Column.Cell<R> cell) {
-    return with(List.of(new Column<>(name, kind, unit, meaning, false, cell)));
+    return with(List.of(new Column<>(name, kind, unit, meaning, cell)));
   }
 
   /** The same table with a column of texts. */
@@ -105,13 +104,6 @@ public record Table<R>(String file, List<Column<R>> columns) {
         .doubles(
             ends + "low", unit, "the lower end of its 95% interval", row -> value.apply(row).low())
         .doubles(ends + "high", unit, "the upper end", row -> value.apply(row).high());
-  }
-
-  /** The same table, whose last column files of earlier versions lack. */
-  public Table<R> later() {
-    List<Column<R>> all = new ArrayList<>(columns);
-    all.add(all.remove(all.size() - 1).later());
-    return new Table<>(file, all);
   }
 
   /** The same table with further columns, which are about a part of a row. */
@@ -178,6 +170,6 @@ public record Table<R>(String file, List<Column<R>> columns) {
   }
 
   private List<String> required() {
-    return columns.stream().filter(column -> !column.isLater()).map(Column::name).toList();
+    return columns.stream().map(Column::name).toList();
   }
 }

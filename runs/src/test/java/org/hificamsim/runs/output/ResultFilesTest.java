@@ -30,9 +30,7 @@ class ResultFilesTest {
           .doubles("size", "m", "a length", Item::size)
           .plain("plain", "m", "the same", Item::size)
           .texts("name", "a text", Item::name)
-          .estimates("mean", "", "m", "a mean", Item::mean)
-          .ints("later", "", "not always", item -> 1)
-          .later();
+          .estimates("mean", "", "m", "a mean", Item::mean);
 
   @TempDir Path folder;
 
@@ -50,18 +48,14 @@ class ResultFilesTest {
     Estimate one = new Estimate(1, 2, 3);
     Estimate two = new Estimate(4, 5, 6);
     assertEquals(
-        "id,big,size,plain,name,mean,low,high,later\n"
-            + "1,1099511627776,2.5,2.5,a,%s,%s,%s,1\n".formatted(one.mean(), one.low(), one.high())
-            + "2,2199023255552,3.0,3,'=b,%s,%s,%s,1\n".formatted(two.mean(), two.low(), two.high()),
+        "id,big,size,plain,name,mean,low,high\n"
+            + "1,1099511627776,2.5,2.5,a,%s,%s,%s\n".formatted(one.mean(), one.low(), one.high())
+            + "2,2199023255552,3.0,3,'=b,%s,%s,%s\n".formatted(two.mean(), two.low(), two.high()),
         Files.readString(file));
     assertTrue(items.isIn(folder));
     assertFalse(Table.of("others.csv").isIn(folder));
     List<String> names = new ArrayList<>();
     items.read(folder, row -> names.add(row.text("name")));
-    assertEquals(2, names.size());
-    Files.writeString(file, Files.readString(file).replace(",later", "").replace(",1\n", "\n"));
-    names.clear();
-    items.read(folder, row -> names.add(row.text("name"))); // files of earlier versions
     assertEquals(2, names.size());
     Files.writeString(file, Files.readString(file).replace("size", "length"));
     assertThrows(InputException.class, () -> items.read(folder));
