@@ -14,8 +14,7 @@ import org.hificamsim.agents.optimal.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalExpectedZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;
-import org.hificamsim.agents.temporal.QLearningZoomPolicy;
-import org.hificamsim.agents.temporal.SarsaZoomPolicy;
+import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.agents.voting.QbSarsaZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
@@ -80,11 +79,11 @@ public final class CoveragePolicies {
         .register(
             "sarsa",
             "on-policy temporal-difference learning of each camera on its own",
-            SarsaZoomPolicy::new)
+            TemporalDifferenceZoomPolicy::sarsa)
         .register(
             "q-learning",
             "off-policy temporal-difference learning of each camera on its own",
-            QLearningZoomPolicy::new)
+            TemporalDifferenceZoomPolicy::qLearning)
         .register(
             "qb-sarsa",
             "SARSA that follows the majority vote of the nearest cameras",

@@ -24,11 +24,11 @@ final class Association {
   }
 
   /** A report with the numbers of tracks for its targets. */
-  SightingReport name(SightingReport report, long sent, long now) {
+  SightingReport name(SightingReport report, long now) {
     int[] numbers = new int[report.count()];
     Arrays.fill(numbers, SightingReport.UNNAMED);
     if (report.count() > 0 && tracks.count() > 0) {
-      double[][] costs = costs(report, sent, now);
+      double[][] costs = costs(report, now);
       int[] matches = new HungarianAlgorithm(costs).execute();
       for (int i = 0; i < numbers.length; i++) {
         boolean fits = matches[i] >= 0 && costs[i][matches[i]] < TOO_FAR;
@@ -46,14 +46,14 @@ final class Association {
   }
 
   /** By sighting and track: how far it is from where it should be, in reaches, 1 at most. */
-  private double[][] costs(SightingReport report, long sent, long now) {
+  private double[][] costs(SightingReport report, long now) {
     double[][] costs = new double[report.count()][tracks.count()];
     for (int i = 0; i < costs.length; i++) {
       for (int j = 0; j < costs[i].length; j++) {
         int track = tracks.at(j);
-        double dx = report.x(i) - tracks.x(track, now - sent);
-        double dy = report.y(i) - tracks.y(track, now - sent);
-        costs[i][j] = Math.min(TOO_FAR, Math.hypot(dx, dy) / reach(track, sent));
+        double dx = report.x(i) - tracks.x(track, now - report.step());
+        double dy = report.y(i) - tracks.y(track, now - report.step());
+        costs[i][j] = Math.min(TOO_FAR, Math.hypot(dx, dy) / reach(track, report.step()));
       }
     }
     return costs;

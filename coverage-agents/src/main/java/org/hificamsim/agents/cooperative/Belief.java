@@ -1,6 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
@@ -14,7 +15,6 @@ import org.hificamsim.core.policy.NetworkView;
 final class Belief {
   private static final double UNKNOWN_SIZE = 1; // metres
   private static final double MAX_SPREAD = 0.8;
-  private static final int FIRST_REPORTS = 16;
 
   private final Site site;
   private final TargetTracks tracks;
@@ -23,9 +23,7 @@ final class Belief {
   private final LearnedValues values;
   private final Association association; // null where reports name targets
   private final double[] chances; // room for those of a camera
-  private SightingReport[] arrived = new SightingReport[FIRST_REPORTS];
-  private long[] sentAt = new long[FIRST_REPORTS]; // step
-  private int reports;
+  private final List<SightingReport> arrived = new ArrayList<>();
 
   Belief(Parameters parameters, Worth worth, Site site, NetworkView network) {
     this.site = site;
@@ -42,45 +40,33 @@ final class Belief {
   /** A step begins: targets have gone on. */
   void begin() {
     tracks.step();
-    reports = 0;
+    arrived.clear();
   }
 
-  /**
-   * Takes in what a camera says.
-   *
-   * @param sent the step in which it said it
-   */
-  void receive(NetworkView network, SightingReport arrival, long sent) {
-    SightingReport report =
-        association == null ? arrival : association.name(arrival, sent, network.step());
+  /** Takes in what a camera says. */
+  void receive(NetworkView network, SightingReport arrival) {
+    long now = network.step();
+    SightingReport report = association == null ? arrival : association.name(arrival, now);
     for (int i = 0; i < report.count(); i++) {
       double size = report.size(i) > 0 ? report.size(i) : UNKNOWN_SIZE;
-      if (tracks.see(report.target(i), sent, network.step(), report.x(i), report.y(i), size)) {
+      if (tracks.see(report.target(i), report.step(), now, report.x(i), report.y(i), size)) {
         map.sight(report.x(i), report.y(i));
       }
     }
     if (report.view() >= 0) {
-      note(report, sent);
+      arrived.add(report);
     }
-  }
-
-  private void note(SightingReport report, long sent) {
-    if (reports == arrived.length) {
-      arrived = Arrays.copyOf(arrived, 2 * reports);
-      sentAt = Arrays.copyOf(sentAt, 2 * reports);
-    }
-    arrived[reports] = report;
-    sentAt[reports++] = sent;
   }
 
   /** All reports of the step are in: what they should have seen and did not is elsewhere. */
   void end(NetworkView network) {
     long now = network.step();
-    for (int i = 0; i < reports; i++) {
-      int camera = arrived[i].camera();
-      int[] looked = site.cells().cells(camera, arrived[i].view());
-      map.look(looked, site.cells().chances(camera, arrived[i].view()), learned, camera);
-      compare(network, arrived[i], sentAt[i]);
+    for (int i = 0; i < arrived.size(); i++) {
+      SightingReport report = arrived.get(i);
+      int camera = report.camera();
+      int[] looked = site.cells().cells(camera, report.view());
+      map.look(looked, site.cells().chances(camera, report.view()), learned, camera);
+      compare(network, report);
     }
     double known = 0;
     for (int i = 0; i < tracks.count(); i++) {
@@ -94,8 +80,8 @@ final class Belief {
    * Compares what a camera said in a step with what it should have seen; where targets were then
    * follows from how they move.
    */
-  private void compare(NetworkView network, SightingReport report, long step) {
-    long ago = network.step() - step;
+  private void compare(NetworkView network, SightingReport report) {
+    long ago = network.step() - report.step();
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.at(i);
       double x = tracks.x(track, ago);
@@ -103,7 +89,7 @@ final class Belief {
       int camera = report.camera();
       if (site.chances(network, camera, x, y, tracks.size(track), chances)) {
         double chance = chances[report.view()];
-        miss(track, chance * learned.share(camera, x, y), step);
+        miss(track, chance * learned.share(camera, x, y), report.step());
         boolean seen = report.has(track);
         learned.see(camera, x, y, chance * tracks.weight(track), seen);
         if (values.learns()) {
@@ -117,8 +103,8 @@ final class Belief {
 
   private int seenBy(int track) {
     int cameras = 0;
-    for (int i = 0; i < reports; i++) {
-      cameras += arrived[i].has(track) ? 1 : 0;
+    for (int i = 0; i < arrived.size(); i++) {
+      cameras += arrived.get(i).has(track) ? 1 : 0;
     }
     return cameras;
   }

@@ -1,6 +1,6 @@
 package org.hificamsim.agents.cooperative;
 
-import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
 /** Which cells of a grid each camera sees in each of its views, and how likely it detects there. */
@@ -11,13 +11,6 @@ final class CellSight {
   private final Grid grid;
   private int[][][] cells; // by camera and view
   private float[][][] chances;
-
-  // Room for one camera.
-  private double[] now = {};
-  private double[] sums = {};
-  private int[] counts = {};
-  private int[][] found = {};
-  private float[][] foundChances = {};
 
   CellSight(Grid grid, int cameras) {
     this.grid = grid;
@@ -33,16 +26,18 @@ final class CellSight {
   }
 
   private void find(NetworkView network, Site site, double size, int camera) {
-    boolean[] free = site.free();
     int views = network.views(camera);
-    makeRoom(views);
-    Arrays.fill(counts, 0, views, 0);
-    for (int cell = 0; cell < free.length; cell++) {
-      if (free[cell] && sum(network, site, size, camera, cell)) {
-        for (int view = 0; view < views; view++) {
-          if (sums[view] > 0) {
-            foundChances[view][counts[view]] = (float) sums[view];
-            found[view][counts[view]++] = cell;
+    double[][] means = new double[views][grid.cells()];
+    double[] now = new double[views];
+    for (int cell = 0; cell < grid.cells(); cell++) {
+      for (double right : SAMPLED) {
+        for (double up : SAMPLED) {
+          double x = grid.x(cell, right);
+          double y = grid.y(cell, up);
+          if (site.free()[cell] && site.chances(network, camera, x, y, size, now)) {
+            for (int view = 0; view < views; view++) {
+              means[view][cell] += SHARE * now[view];
+            }
           }
         }
       }
@@ -50,38 +45,14 @@ final class CellSight {
     cells[camera] = new int[views][];
     chances[camera] = new float[views][];
     for (int view = 0; view < views; view++) {
-      cells[camera][view] = Arrays.copyOf(found[view], counts[view]);
-      chances[camera][view] = Arrays.copyOf(foundChances[view], counts[view]);
-    }
-  }
-
-  private void makeRoom(int views) {
-    if (found.length < views) {
-      now = new double[views];
-      sums = new double[views];
-      counts = new int[views];
-      found = new int[views][grid.cells()];
-      foundChances = new float[views][grid.cells()];
-    }
-  }
-
-  /** The mean chances over a cell. */
-  private boolean sum(NetworkView network, Site site, double size, int camera, int cell) {
-    boolean any = false;
-    Arrays.fill(sums, 0);
-    for (double right : SAMPLED) {
-      for (double up : SAMPLED) {
-        double x = grid.x(cell, right);
-        double y = grid.y(cell, up);
-        if (site.chances(network, camera, x, y, size, now)) {
-          any = true;
-          for (int view = 0; view < network.views(camera); view++) {
-            sums[view] += SHARE * now[view];
-          }
-        }
+      double[] mean = means[view];
+      int[] seen = IntStream.range(0, mean.length).filter(cell -> mean[cell] > 0).toArray();
+      cells[camera][view] = seen;
+      chances[camera][view] = new float[seen.length];
+      for (int i = 0; i < seen.length; i++) {
+        chances[camera][view][i] = (float) mean[seen[i]];
       }
     }
-    return any;
   }
 
   /** The cells that a camera sees something of in a view. */

@@ -11,14 +11,12 @@ import org.hificamsim.core.policy.NetworkView;
  * perfect channel one mind serves all cameras.
  */
 final class Mind {
-  private record Letter(long sent, SightingReport report) {}
-
-  private static final Comparator<Letter> ORDER =
-      Comparator.comparingLong(Letter::sent).thenComparingInt(letter -> letter.report.camera());
+  private static final Comparator<SightingReport> ORDER =
+      Comparator.comparingLong(SightingReport::step).thenComparingInt(SightingReport::camera);
 
   private final Belief belief;
   private final Plan plan;
-  private final List<Letter> inbox = new ArrayList<>();
+  private final List<SightingReport> inbox = new ArrayList<>();
   private final int[] heard; // the last choice of each camera that was received
   private final long[] heardAt; // the step in which it was made
 
@@ -31,8 +29,8 @@ final class Mind {
   }
 
   /** A report has arrived. */
-  void receive(SightingReport report, long sent) {
-    inbox.add(new Letter(sent, report));
+  void receive(SightingReport report) {
+    inbox.add(report);
   }
 
   /**
@@ -49,24 +47,19 @@ final class Mind {
     }
   }
 
-  /** Comes to a belief from what has arrived, in the order in which it was sent. */
-  void believe(NetworkView network) {
+  /** Puts what has arrived over a channel in the order in which it was sent. */
+  void sort() {
     inbox.sort(ORDER);
+  }
+
+  /** Comes to a belief from what has arrived. */
+  void believe(NetworkView network) {
     belief.begin();
-    for (Letter letter : inbox) {
-      belief.receive(network, letter.report, letter.sent);
+    for (int i = 0; i < inbox.size(); i++) {
+      belief.receive(network, inbox.get(i));
     }
     belief.end(network);
     inbox.clear();
-  }
-
-  /** The same from the reports of all cameras in this step. */
-  void believe(NetworkView network, SightingReport[] reports) {
-    belief.begin();
-    for (SightingReport report : reports) {
-      belief.receive(network, report, network.step());
-    }
-    belief.end(network);
   }
 
   /** Begins a plan in which all go on to what they last chose, as far as is known. */

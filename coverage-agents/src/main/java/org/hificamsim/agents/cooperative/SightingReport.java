@@ -15,6 +15,7 @@ final class SightingReport {
   private final boolean named;
   private int camera;
   private int view;
+  private long step;
   private int count;
   private int[] targets = {};
   private double[] x = {};
@@ -32,6 +33,7 @@ final class SightingReport {
   void begin(NetworkView network, int newCamera) {
     camera = newCamera;
     view = network.online(camera) ? network.seeing(camera) : -1;
+    step = network.step();
     count = 0;
   }
 
@@ -61,6 +63,7 @@ final class SightingReport {
     SightingReport copy = new SightingReport(named);
     copy.camera = camera;
     copy.view = view;
+    copy.step = step;
     copy.count = count;
     copy.targets = Arrays.copyOf(numbers, count);
     copy.x = Arrays.copyOf(x, count);
@@ -91,6 +94,11 @@ final class SightingReport {
   /** The view that it looks through; -1 for none. */
   int view() {
     return view;
+  }
+
+  /** The step in which it sees all this. */
+  long step() {
+    return step;
   }
 
   /** Whether it sees a target. */

@@ -75,7 +75,10 @@ final class Team {
     if (each()) {
       send(network, seen);
     } else if (minds.length == 1) {
-      minds[0].believe(network, seen);
+      for (SightingReport report : seen) {
+        minds[0].receive(report);
+      }
+      minds[0].believe(network);
       minds[0].plan(network);
     }
   }
@@ -84,17 +87,18 @@ final class Team {
     for (int camera = 0; camera < seen.length; camera++) {
       if (network.online(camera)) {
         SightingReport report = seen[camera].copy();
-        minds[camera].receive(report, network.step());
+        minds[camera].receive(report);
         reports.broadcast(camera, report.bits(network), report);
       }
     }
     reports.deliver(
         (from, to, sent, report) -> {
           reach(from, to);
-          minds[to].receive(report, sent);
+          minds[to].receive(report);
         });
     deliverChoices(network);
     for (int camera = 0; camera < minds.length; camera++) {
+      minds[camera].sort();
       minds[camera].believe(network);
       minds[camera].plan(network);
     }

@@ -39,7 +39,6 @@ public final class ActionValues {
   private static final int FIRST_PERCEPTS = 4;
 
   private final StateReading reading;
-  private final Ties ties;
   private final TieBreak breaking;
   private final double initialValue;
   private final int percepts;
@@ -56,7 +55,6 @@ public final class ActionValues {
    */
   ActionValues(NetworkView network, StateReading reading, Ties ties, double initialValue) {
     this.reading = reading;
-    this.ties = ties;
     this.initialValue = initialValue;
     breaking = new TieBreak(ties, network);
     percepts = reading.percepts(network.targets());
@@ -99,31 +97,10 @@ public final class ActionValues {
     return (long) percepts * reading.statesPerPercept(Arrays.stream(views).max().orElse(1));
   }
 
-  /** How many actions a camera has. */
-  public int views(int camera) {
-    return views[camera];
-  }
-
-  /** Whether the camera has views enough to ever be at this one. */
-  public boolean knows(int camera, int view) {
-    return !reading.byView() || view < views[camera];
-  }
-
   /** The best action in a state. */
   public int best(int camera, int state) {
     int[] actions = best[camera];
     return state < actions.length ? actions[state] : breaking.best(camera);
-  }
-
-  /** What a camera answers to another one's state: its best action of the views that both have. */
-  public int answer(int camera, int view, int percept, int viewsOfOther) {
-    int state = state(camera, view, percept);
-    if (viewsOfOther >= views[camera]) {
-      return best(camera, state);
-    }
-    return state < best[camera].length
-        ? ties.best(values[camera], state * width(views[camera]), viewsOfOther)
-        : ties.best(viewsOfOther);
   }
 
   /** The value of an action in a state. */

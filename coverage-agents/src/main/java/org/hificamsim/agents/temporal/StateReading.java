@@ -36,11 +36,6 @@ public enum StateReading {
     return parts;
   }
 
-  /** Whether the current view is a part of the state. */
-  boolean byView() {
-    return byView;
-  }
-
   /** How many different percepts there are with this number of targets. */
   int percepts(int targets) {
     if (parts > 0) {

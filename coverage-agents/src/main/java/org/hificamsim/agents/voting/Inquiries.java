@@ -1,6 +1,7 @@
 package org.hificamsim.agents.voting;
 
 import java.util.function.IntUnaryOperator;
+import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.core.channel.Post;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -11,17 +12,8 @@ import org.hificamsim.core.policy.NetworkView;
  * asked, from its table as it then stands; also while it is on its way to a view.
  */
 final class Inquiries {
-  /** No vote: the neighbour has not answered, or abstains. */
+  /** No vote: the neighbour has not answered. */
   static final int NONE = -1;
-
-  /** Who answers. */
-  interface Voter {
-    /** The state that a camera is in. */
-    int state(int camera, int view, int percept);
-
-    /** A neighbour's vote as one of the asker's views, or {@link #NONE}. */
-    int answer(int asker, int neighbour, int view, int percept);
-  }
 
   /**
    * A query, or the answer to it.
@@ -39,7 +31,8 @@ final class Inquiries {
   private final int bitsOfQuery;
   private final int bitsOfAnswer;
   private final int timeout;
-  private final Voter voter;
+  private final ActionValues q;
+  private final ViewTranslation translation;
   private final Post<Letter> post;
   private final Answer[][] answers; // by camera and neighbour, the last of each
   private long messages;
@@ -54,13 +47,15 @@ final class Inquiries {
       int bitsOfQuery,
       int bitsOfAnswer,
       int timeout,
-      Voter voter) {
+      ActionValues q,
+      ViewTranslation translation) {
     this.network = network;
     this.nearest = nearest;
     this.bitsOfQuery = bitsOfQuery;
     this.bitsOfAnswer = bitsOfAnswer;
     this.timeout = timeout;
-    this.voter = voter;
+    this.q = q;
+    this.translation = translation;
     post = new Post<>(network, network.channel());
     answers = new Answer[network.cameras()][nearest.most()];
   }
@@ -79,7 +74,7 @@ final class Inquiries {
       if (!network.moving(camera)) {
         int view = network.view(camera);
         int percept = percepts.applyAsInt(camera);
-        int state = voter.state(camera, view, percept);
+        int state = q.state(camera, view, percept);
         Letter query = new Letter(true, network.step(), state, view, percept, NONE);
         for (int i = 0; i < nearest.count(camera); i++) {
           send(camera, nearest.neighbour(camera, i), bitsOfQuery, query);
@@ -97,7 +92,7 @@ final class Inquiries {
 
   private void receive(int from, int to, long sent, Letter letter) {
     if (letter.query) {
-      int vote = voter.answer(from, to, letter.view, letter.percept);
+      int vote = translation.answer(q, from, to, letter.state, letter.view, letter.percept);
       Letter answer = new Letter(false, letter.asked, letter.state, 0, 0, vote);
       send(to, from, bitsOfAnswer, answer);
     } else {

@@ -3,7 +3,7 @@ package org.hificamsim.agents.voting;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.ActionValues;
-import org.hificamsim.agents.temporal.SarsaZoomPolicy;
+import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -14,16 +14,14 @@ import org.hificamsim.core.registry.Options;
  *
  * <p>At each decision a camera sends its state to its neighbours; each answers with the action that
  * its own table holds best for that state. Where cameras differ in their views, state and answer
- * are translated ({@link ViewTranslation}). Where they differ in their number of levels alone, have
- * no lens and cannot turn, a neighbour picks among the levels that both have, and one that lacks
- * the level the camera is at abstains. All answers come from the tables as they stood before the
- * step's updates. Exploring starts from the vote's outcome, so it is asked for in either case; a
- * camera that is on its way to a view asks nobody.
+ * are translated ({@link ViewTranslation}). All answers come from the tables as they stood before
+ * the step's updates. Exploring starts from the vote's outcome, so it is asked for in either case;
+ * a camera that is on its way to a view asks nobody.
  *
  * <p>Over a channel that is not perfect a camera decides with the answers that it has: {@link
  * Inquiries}.
  */
-public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
+public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   private static final int MAX_NEIGHBOURS = 10_000;
   private static final int MAX_TIMEOUT = 1_000_000;
 
@@ -41,18 +39,6 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private ViewTranslation translation;
   private MajorityVote vote;
   private long messages;
-  private final Inquiries.Voter voter =
-      new Inquiries.Voter() {
-        @Override
-        public int state(int camera, int view, int percept) {
-          return q().state(camera, view, percept);
-        }
-
-        @Override
-        public int answer(int asker, int neighbour, int view, int percept) {
-          return QbSarsaZoomPolicy.this.answer(asker, neighbour, view, percept);
-        }
-      };
   private int[] elected = {};
   private Inquiries inquiries; // null over a perfect channel
   private int bitsOfBoth; // of a query and its answer
@@ -62,7 +48,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
 
   /** Reads the options of SARSA and those of the vote; thesis 7.4.5 has no k. */
   public QbSarsaZoomPolicy(Options options) {
-    super(options);
+    super("qb-sarsa", true, options);
     neighbours =
         options.integer("k", 4, 0, MAX_NEIGHBOURS, "number of nearest cameras that are asked");
     ownVote =
@@ -75,11 +61,6 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     timeout =
         options.integer(
             "timeout", 10, 0, MAX_TIMEOUT, "steps after the query in which an answer counts");
-  }
-
-  @Override
-  public String name() {
-    return "qb-sarsa";
   }
 
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
@@ -109,7 +90,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     inquiries =
         network.channel().isPerfect()
             ? null
-            : new Inquiries(network, nearest, query, answer, timeout, voter);
+            : new Inquiries(network, nearest, query, answer, timeout, q(), translation);
   }
 
   /** All vote on the values as they stand, before any camera learns. */
@@ -151,7 +132,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private void fetch(NetworkView network, int from, int to) {
     int sum = 0;
     for (int camera = from; camera < to; camera++) {
-      int state = state(network, camera, camera, network.view(camera));
+      int state = q().state(camera, network.view(camera), percept(network, camera));
       for (int i = 0; i < nearest.count(camera); i++) {
         sum += q().best(nearest.neighbour(camera, i), state);
       }
@@ -160,44 +141,25 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   }
 
   private int elect(NetworkView network, int camera) {
-    int state = state(network, camera, camera, network.view(camera));
+    int view = network.view(camera);
+    int percept = percept(network, camera);
+    int state = q().state(camera, view, percept);
     int own = q().best(camera, state);
     vote.open();
     if (ownVote == OwnVote.YES) {
       vote.vote(own);
     }
-    int view = network.view(camera);
-    int percept = percept(network, camera);
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
       int neighbour = nearest.neighbour(camera, i);
       int answer =
           inquiries != null
               ? inquiries.answer(camera, i, state)
-              : translation.isNeedless(camera, neighbour)
-                  ? q().best(neighbour, state)
-                  : answer(camera, neighbour, view, percept);
+              : translation.answer(q(), camera, neighbour, state, view, percept);
       if (answer != Inquiries.NONE) {
         vote.vote(answer);
       }
     }
     return vote.winner(own);
-  }
-
-  /** What a neighbour votes for, as one of the asker's views, or {@link Inquiries#NONE}. */
-  private int answer(int camera, int neighbour, int view, int percept) {
-    if (!translation.byNumber(camera, neighbour)) {
-      int theirs = translation.view(camera, neighbour, view);
-      int best = q().best(neighbour, q().state(neighbour, theirs, percept));
-      return translation.view(neighbour, camera, best);
-    }
-    return q().knows(neighbour, view)
-        ? q().answer(neighbour, view, percept, q().views(camera))
-        : Inquiries.NONE;
-  }
-
-  /** The state that one camera would be in, in one of its views, with the percept of another. */
-  private int state(NetworkView network, int perceives, int camera, int view) {
-    return q().state(camera, view, percept(network, perceives));
   }
 }

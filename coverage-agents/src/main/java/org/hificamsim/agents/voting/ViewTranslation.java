@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -46,10 +47,6 @@ final class ViewTranslation {
       return zooms == 1 ? 1 : zoom / (zooms - 1.0);
     }
 
-    boolean plain() {
-      return !lens && pans.size() == 1;
-    }
-
     int[] translated(Kind to) {
       int zooms = levels.size();
       return IntStream.range(0, pans.size() * zooms)
@@ -87,8 +84,7 @@ final class ViewTranslation {
   }
 
   private final int[] kinds;
-  private final boolean[] plain;
-  private final boolean oneKind; // and plain
+  private final boolean oneKind;
   private final int[][][] tables; // by kind, other kind, and view
 
   ViewTranslation(NetworkView network) {
@@ -98,25 +94,27 @@ final class ViewTranslation {
       kinds[camera] = known.computeIfAbsent(Kind.of(network, camera), kind -> known.size());
     }
     List<Kind> all = new ArrayList<>(known.keySet());
-    plain = new boolean[all.size()];
+    oneKind = all.size() == 1;
     tables = new int[all.size()][all.size()][];
-    oneKind = all.size() == 1 && all.get(0).plain();
-    for (int from = 0; from < plain.length; from++) {
-      plain[from] = all.get(from).plain();
-      for (int to = 0; to < plain.length; to++) {
+    for (int from = 0; from < tables.length; from++) {
+      for (int to = 0; to < tables.length; to++) {
         tables[from][to] = all.get(from).translated(all.get(to));
       }
     }
   }
 
-  /** Whether two cameras have the same levels alone, without a lens: states and views are alike. */
-  boolean isNeedless(int camera, int other) {
-    return oneKind || (kinds[camera] == kinds[other] && plain[kinds[camera]]);
-  }
-
-  /** Whether two cameras have levels alone, without a lens: these go by their numbers. */
-  boolean byNumber(int camera, int other) {
-    return plain[kinds[camera]] && plain[kinds[other]];
+  /**
+   * What a neighbour answers a camera that asks for a state: its own best view in the state that is
+   * nearest to it, as the asker's view that is nearest to that.
+   *
+   * @param state of the asker, as its view and percept make it
+   */
+  int answer(ActionValues q, int asker, int neighbour, int state, int view, int percept) {
+    if (oneKind || kinds[asker] == kinds[neighbour]) {
+      return q.best(neighbour, state);
+    }
+    int theirs = q.state(neighbour, view(asker, neighbour, view), percept);
+    return view(neighbour, asker, q.best(neighbour, theirs));
   }
 
   /** The other camera's view that comes nearest to a view of a camera. */

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.Utility.Reading;
-import org.hificamsim.agents.temporal.SarsaZoomPolicy;
+import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.metrics.Objective;
@@ -67,8 +67,9 @@ class UtilityTest {
   @Test
   void aLearnerIsRewardedWithItsShareAndNotWithTheCount() {
     ToyNetwork network = network("covered:k=1");
-    SarsaZoomPolicy counting = begin(network, "reward=literal,utility=count,state=none");
-    SarsaZoomPolicy sharing = begin(network, "reward=literal,state=none");
+    TemporalDifferenceZoomPolicy counting =
+        begin(network, "reward=literal,utility=count,state=none");
+    TemporalDifferenceZoomPolicy sharing = begin(network, "reward=literal,state=none");
     for (int step = 0; step < 4; step++) {
       network.step(counting);
       network.switchCamera(2, step % 2 == 0);
@@ -84,8 +85,8 @@ class UtilityTest {
     assertFalse(sharing.q().value(0, 0, 0) == 0, "three of its own, one, and three again");
   }
 
-  private static SarsaZoomPolicy begin(ToyNetwork network, String options) {
-    return network.begin(new SarsaZoomPolicy(Options.parse("sarsa", options)), 1);
+  private static TemporalDifferenceZoomPolicy begin(ToyNetwork network, String options) {
+    return network.begin(TemporalDifferenceZoomPolicy.sarsa(Options.parse("sarsa", options)), 1);
   }
 
   @Test

@@ -22,12 +22,15 @@ class AssociationTest {
   private int[] see(long step, double... places) {
     SeenPairs pairs = new SeenPairs();
     SightingReport unnamed = new SightingReport(false);
+    while (network.step() < step) {
+      network.nextStep();
+    }
     unnamed.begin(network, 0);
     for (int i = 0; i < places.length / 2; i++) {
       pairs.add(0, i % 2, places[2 * i + 1], places[2 * i]);
       unnamed.add(network, pairs, i);
     }
-    SightingReport report = association.name(unnamed, step, step);
+    SightingReport report = association.name(unnamed, step);
     int[] numbers = new int[report.count()];
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = report.target(i);

@@ -1,9 +1,7 @@
 package org.hificamsim.agents.temporal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.Proxy;
 import java.util.Arrays;
@@ -88,10 +86,6 @@ class ActionValuesTest {
       for (int detected = 0; detected < 10; detected++) {
         assertEquals(2, values.value(0, detected, 0));
         assertEquals(ties.best(LEVELS), values.best(0, detected));
-        for (int views = 1; views <= LEVELS + 1; views++) {
-          int both = Math.min(views, LEVELS);
-          assertEquals(ties.best(both), values.answer(0, 0, detected, views));
-        }
       }
     }
   }
@@ -125,28 +119,6 @@ class ActionValuesTest {
               ActionValues values = fresh.next();
               return AllocatedBytes.by(() -> values.set(0, values.state(0, 4, 50), 0, 1));
             }));
-  }
-
-  @Test
-  void answersOfTheLevelsThatBothCamerasHave() {
-    ActionValues values =
-        new ActionValues(new ToyNetwork(1, 4, 2), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
-    int state = values.state(0, 1, 1);
-    values.set(0, state, 0, 1);
-    values.set(0, state, 3, 2);
-    assertEquals(3, values.answer(0, 1, 1, 4));
-    assertEquals(0, values.answer(0, 1, 1, 3));
-    assertEquals(1, values.answer(1, 1, 1, 4));
-  }
-
-  @Test
-  void knowsTheLevelsOfItsCameraOrAllWhereLevelsDoNotCount() {
-    ToyNetwork network = new ToyNetwork(1, 4, 2);
-    ActionValues byLevel = new ActionValues(network, StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
-    assertTrue(byLevel.knows(1, 1));
-    assertFalse(byLevel.knows(1, 2));
-    assertTrue(new ActionValues(network, StateReading.COUNT, Ties.WIDEST, 0).knows(1, 3));
-    assertTrue(new ActionValues(network, StateReading.NONE, Ties.WIDEST, 0).knows(1, 3));
   }
 
   @Test

@@ -19,8 +19,7 @@ class MovingLearnersTest {
 
   @Test
   void anActionEarnsWhatItsWayCostsAndIsDiscountedByItsSteps() {
-    AbstractTemporalDifferenceZoomPolicy policy =
-        begun("sarsa:epsilon=0,alpha=1,gamma=0.5,ties=narrowest");
+    TemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,alpha=1,gamma=0.5,ties=narrowest");
     network.observe();
     ActionValues values = policy.q();
     int wide = values.state(0, 1, 1);
@@ -79,7 +78,7 @@ class MovingLearnersTest {
     assertEquals(8, policy.messages());
   }
 
-  private AbstractTemporalDifferenceZoomPolicy begun(String spec) {
-    return (AbstractTemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
+  private TemporalDifferenceZoomPolicy begun(String spec) {
+    return (TemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
   }
 }

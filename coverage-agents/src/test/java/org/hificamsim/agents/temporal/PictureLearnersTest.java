@@ -63,6 +63,6 @@ class PictureLearnersTest {
   private ActionValues values(String state) {
     ToyNetwork network = new ToyNetwork(1, 6);
     ZoomPolicy policy = network.begin(registry.create("sarsa:state=" + state), 1);
-    return ((SarsaZoomPolicy) policy).q();
+    return ((TemporalDifferenceZoomPolicy) policy).q();
   }
 }

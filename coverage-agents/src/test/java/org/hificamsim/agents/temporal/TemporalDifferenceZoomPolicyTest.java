@@ -24,7 +24,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void creditsTheActionThatLedToTheNewCount() {
     for (String name : BOTH) {
-      AbstractTemporalDifferenceZoomPolicy policy =
+      TemporalDifferenceZoomPolicy policy =
           begun(name + ":epsilon=0,alpha=0.5,gamma=0,ties=narrowest");
       start();
       network.step(policy);
@@ -39,7 +39,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void theFirstDecisionTeachesNothing() {
     for (String name : BOTH) {
-      AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":alpha=1,ties=narrowest");
+      TemporalDifferenceZoomPolicy policy = begun(name + ":alpha=1,ties=narrowest");
       network.setLevel(0, 0);
       network.observe();
       network.step(policy);
@@ -52,7 +52,7 @@ class TemporalDifferenceZoomPolicyTest {
 
   @Test
   void sarsaUpdatesWithTheActionChosenNextByHand() {
-    AbstractTemporalDifferenceZoomPolicy policy =
+    TemporalDifferenceZoomPolicy policy =
         begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
     assertEquals(1 + 0.25 * 3, values.value(0, values.state(0, 1, 0), 0), 1e-12);
@@ -60,7 +60,7 @@ class TemporalDifferenceZoomPolicyTest {
 
   @Test
   void qLearningUpdatesWithTheBestActionByHand() {
-    AbstractTemporalDifferenceZoomPolicy policy =
+    TemporalDifferenceZoomPolicy policy =
         begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
     assertEquals(1 + 0.25 * 8, values.value(0, values.state(0, 1, 0), 0), 1e-12);
@@ -69,7 +69,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void tellsTheValuesOfThePresentState() {
     for (String name : BOTH) {
-      AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
+      TemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
       start();
       network.step(policy);
       policy.q().set(0, policy.q().state(0, 0, 2), 1, 7);
@@ -85,7 +85,7 @@ class TemporalDifferenceZoomPolicyTest {
   void bothLearnTheBestLevel() {
     for (String name : BOTH) {
       start();
-      AbstractTemporalDifferenceZoomPolicy policy = begun(name);
+      TemporalDifferenceZoomPolicy policy = begun(name);
       int atBest = 0;
       for (int step = 0; step < 5_000; step++) {
         network.step(policy);
@@ -98,7 +98,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void qLearningConvergesToTheValuesOfTheDeterministicCase() {
     start();
-    AbstractTemporalDifferenceZoomPolicy policy = begun("q-learning:gamma=0.5,epsilon=0.5");
+    TemporalDifferenceZoomPolicy policy = begun("q-learning:gamma=0.5,epsilon=0.5");
     for (int step = 0; step < 20_000; step++) {
       network.step(policy);
     }
@@ -114,7 +114,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void sarsaConvergesToTheValuesOfItsOwnExploringPolicy() {
     start();
-    AbstractTemporalDifferenceZoomPolicy policy = begun("sarsa:gamma=0.5,epsilon=0.5,alpha=0.002");
+    TemporalDifferenceZoomPolicy policy = begun("sarsa:gamma=0.5,epsilon=0.5,alpha=0.002");
     for (int step = 0; step < 200_000; step++) {
       network.step(policy);
     }
@@ -130,7 +130,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void aCameraThatWasOfflineIsNotCreditedForWhatItMissed() {
     network.see(0, 1, 1);
-    AbstractTemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,gamma=0,ties=narrowest");
+    TemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,gamma=0,ties=narrowest");
     start();
     network.decide(policy);
     network.switchCamera(0, false);
@@ -156,7 +156,7 @@ class TemporalDifferenceZoomPolicyTest {
 
   @Test
   void lambdaScalesTheReward() {
-    AbstractTemporalDifferenceZoomPolicy policy =
+    TemporalDifferenceZoomPolicy policy =
         begun("sarsa:lambda=3,epsilon=0,alpha=1,gamma=0,ties=narrowest");
     start();
     network.step(policy);
@@ -173,7 +173,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   /** From the wide view to the narrow one, then explores away from it. */
-  private ActionValues forcedRound(AbstractTemporalDifferenceZoomPolicy policy) {
+  private ActionValues forcedRound(TemporalDifferenceZoomPolicy policy) {
     ActionValues values = policy.q();
     int wide = values.state(0, 1, 0);
     int narrow = values.state(0, 0, 2);
@@ -203,7 +203,7 @@ class TemporalDifferenceZoomPolicyTest {
     network.observe();
   }
 
-  private AbstractTemporalDifferenceZoomPolicy begun(String spec) {
-    return (AbstractTemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
+  private TemporalDifferenceZoomPolicy begun(String spec) {
+    return (TemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
   }
 }

@@ -10,8 +10,6 @@ import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class QbSarsaZoomPolicyTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
@@ -58,26 +56,16 @@ class QbSarsaZoomPolicyTest {
     assertEquals(0, network.view(0), "asked for a count of 1 although it detects none itself");
   }
 
-  @ParameterizedTest
-  @ValueSource(ints = {0, 1, 2})
-  void aNeighbourWithFewerLevelsAbstainsWhereItHasNoSuchState(int own) {
+  @Test
+  void levelsOfCamerasThatHaveOthersGoByTheirPlaceBetweenNarrowestAndWidest() {
     ToyNetwork network = new ToyNetwork(1, 3, 2);
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
-    prefer(policy, 0, 2, own);
-    prefer(policy, 1, 1, 1);
+    prefer(policy, 1, 1, 0);
     network.decide(policy);
-    assertEquals(own, network.view(0));
-  }
-
-  @ParameterizedTest
-  @ValueSource(ints = {0, 1})
-  void aNeighbourWithMoreLevelsPicksAmongTheAskers(int best) {
-    ToyNetwork network = new ToyNetwork(1, 2, 4);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
-    prefer(policy, 1, 1, 3);
-    policy.q().set(1, policy.q().state(1, 1, 0), best, 0.5);
+    assertEquals(0, network.view(0), "asked at its widest, and answered with the narrowest");
+    prefer(policy, 1, 0, 1);
     network.decide(policy);
-    assertEquals(best, network.view(0));
+    assertEquals(2, network.view(0), "asked at its narrowest, and answered with the widest");
   }
 
   @Test

@@ -1,8 +1,6 @@
 package org.hificamsim.agents.voting;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.stream.IntStream;
 import org.hificamsim.agents.baseline.AheadZoomPolicy;
@@ -38,13 +36,6 @@ class ViewTranslationTest {
     assertEquals("0 2 4 0 2 4 5 7 9", translated(LONG + ROUND + ZOOMS, "long", "round"));
   }
 
-  @Test
-  void onlyCamerasThatCannotTurnAndHaveNoLensGoByNumber() {
-    assertTrue(byNumber(ZOOMS, "", ""));
-    assertFalse(byNumber(ZOOMS + LONG, "", "optics='long'"));
-    assertFalse(byNumber(ZOOMS + ROUND, "optics='round'", "optics='round'"));
-  }
-
   /** In the state that is nearest to the asker's, and as the asker's view that is nearest to it. */
   @Test
   void aNeighbourAnswersWithItsOwnBestViewAsNearAsTheAskerHasOne() {
@@ -66,10 +57,6 @@ class ViewTranslationTest {
         IntStream.range(0, network.views(0))
             .mapToObj(view -> String.valueOf(translation.view(0, 1, view)))
             .toList());
-  }
-
-  private static boolean byNumber(String optics, String one, String other) {
-    return new ViewTranslation(network(optics, one, other)).byNumber(0, 1);
   }
 
   private static NetworkView network(String optics, String one, String other) {

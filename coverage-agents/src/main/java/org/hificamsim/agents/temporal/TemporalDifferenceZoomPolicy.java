@@ -22,10 +22,12 @@ import org.hificamsim.core.registry.Options;
  * steps: Q(s, a) moves towards {@code r_1 + gamma r_2 + ... + gamma^(n-1) r_n + gamma^n Q(s', a')},
  * the update of a semi-Markov decision process (Bradtke and Duff 1994).
  */
-public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
+public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
   private static final double LARGE = 1e6;
 
+  private final String name;
+  private final boolean onPolicy;
   private final StateReading states;
   private final RewardReading rewards;
   private final Utility.Reading reading;
@@ -51,8 +53,13 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   /**
    * Reads the parameters of Eqs 7.5 and 7.6, the readings that the thesis leaves open, and how to
    * explore. The defaults come closest to Table 8.1; the discount is not published.
+   *
+   * @param onPolicy whether the value of what comes next is that of the action chosen, as of SARSA,
+   *     or of the best one, as of Q-learning
    */
-  protected AbstractTemporalDifferenceZoomPolicy(Options options) {
+  protected TemporalDifferenceZoomPolicy(String name, boolean onPolicy, Options options) {
+    this.name = name;
+    this.onPolicy = onPolicy;
     states =
         options.choice(
             "state",
@@ -71,8 +78,25 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     choice = new EpsilonGreedyChoice(options);
   }
 
-  /** The value of the state that was reached (Eq 7.6), given the action chosen in it. */
-  protected abstract double nextValue(int camera, int state, int action);
+  /** SARSA, the on-policy variant (thesis 7.4.4, Eq 7.6). */
+  public static TemporalDifferenceZoomPolicy sarsa(Options options) {
+    return new TemporalDifferenceZoomPolicy("sarsa", true, options);
+  }
+
+  /** Q-learning, the off-policy variant that thesis 7.4.4 sets SARSA against. */
+  public static TemporalDifferenceZoomPolicy qLearning(Options options) {
+    return new TemporalDifferenceZoomPolicy("q-learning", false, options);
+  }
+
+  @Override
+  public final String name() {
+    return name;
+  }
+
+  /** Q(s', a') of the action chosen in the state reached, or max Q(s', a') whichever is chosen. */
+  private double nextValue(int camera, int state, int action) {
+    return q.value(camera, state, onPolicy ? action : q.best(camera, state));
+  }
 
   /** The action that an online camera takes in a state unless it explores. */
   protected int greedy(int camera, int state) {
