@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.TextLines;
 
 /**
@@ -64,13 +65,9 @@ public final class JsonStream implements Closeable {
     return new JsonStream(file, BOUNDED, new ByteArrayInputStream(text));
   }
 
-  private interface Reading<T> {
-    T read() throws IOException;
-  }
-
-  private <T> T read(Reading<T> reading) {
+  private <T> T read(Io.Source<T> reading) {
     try {
-      return reading.read();
+      return reading.get();
     } catch (JsonProcessingException e) {
       JsonLocation at = e.getLocation() == null ? parser.currentLocation() : e.getLocation();
       throw new InputException(place(at).line(problem(e)), e);

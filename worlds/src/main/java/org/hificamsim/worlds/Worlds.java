@@ -40,8 +40,6 @@ public final class Worlds implements AutoCloseable {
   private final FloatBuffer states;
   private final IntBuffer advice;
   private final int[] choices;
-  private final int[] maskedRevision;
-  private final boolean maskOften;
   private final float[][] state; // of each worker
   private final float[][] observed; // the same
   private final SeenPairs[] pairs; // the same
@@ -113,8 +111,6 @@ public final class Worlds implements AutoCloseable {
     advice = block.part(memory, "advice").asIntBuffer();
     states = block.part(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
-    maskedRevision = new int[count];
-    maskOften = settings.actions() == ActionKind.STEPS || takesTime();
     int workers = Math.min(threads, count);
     pool = Executors.newFixedThreadPool(workers, Parallel.daemons("worlds"));
     observed = new float[workers][network.cameras() * settings.layout().size()];
@@ -122,13 +118,6 @@ public final class Worlds implements AutoCloseable {
     Arrays.setAll(pairs, worker -> new SeenPairs());
     state = new float[workers][OneWorld.stateSize(network, settings.layout())];
     reset(seed, true);
-  }
-
-  private boolean takesTime() {
-    return settings
-        .scenario()
-        .everyCamera()
-        .anyMatch(camera -> camera.optics().filter(optics -> optics.takesTime()).isPresent());
   }
 
   /** The memory that all sections are in. */
@@ -217,9 +206,7 @@ public final class Worlds implements AutoCloseable {
       world.next();
     }
     observe(i, observations, worker);
-    if (maskOften || world.network().revision() != maskedRevision[i]) {
-      writeMasks(i);
-    }
+    writeMasks(i);
   }
 
   private void renew(int i, int worker) {
@@ -242,7 +229,6 @@ public final class Worlds implements AutoCloseable {
   private void writeMasks(int i) {
     byte[] of = worlds[i].masks();
     masks.put(i * of.length, of);
-    maskedRevision[i] = worlds[i].network().revision();
   }
 
   private void checkActions() {

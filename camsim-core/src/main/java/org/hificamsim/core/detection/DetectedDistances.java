@@ -1,6 +1,7 @@
 package org.hificamsim.core.detection;
 
 import java.util.Arrays;
+import java.util.function.DoublePredicate;
 
 /**
  * The distances at which a detection model detects a target of one size at one zoom level: a set of
@@ -35,7 +36,7 @@ public final class DetectedDistances {
       throw new IllegalArgumentException(
           model.name() + " depends on the bearing: its detected distances are no set of intervals");
     }
-    Probe probe =
+    DoublePredicate probe = // of a squared distance
         squared -> {
           double distance = Math.sqrt(squared);
           return distance <= zoom.radius()
@@ -44,7 +45,7 @@ public final class DetectedDistances {
     double[] ends = new double[4];
     int count = 0;
     double before = 0;
-    boolean inside = probe.detects(0);
+    boolean inside = probe.test(0);
     if (inside) {
       ends[count++] = 0;
     }
@@ -52,7 +53,7 @@ public final class DetectedDistances {
       // The last sample lies beyond any radius, where nothing is detected: it closes the set.
       double distance = i > SAMPLES ? Double.POSITIVE_INFINITY : zoom.radius() * i / SAMPLES;
       double squared = distance * distance;
-      if (probe.detects(squared) != inside) {
+      if (probe.test(squared) != inside) {
         ends = count == ends.length ? Arrays.copyOf(ends, 2 * count) : ends;
         ends[count++] = lastOrFirstDetected(probe, before, squared, inside);
         inside = !inside;
@@ -123,21 +124,17 @@ public final class DetectedDistances {
 
   /** Bisects the bit patterns of two non-negative doubles of which one is detected. */
   private static double lastOrFirstDetected(
-      Probe probe, double from, double to, boolean fromDetected) {
+      DoublePredicate probe, double from, double to, boolean fromDetected) {
     long low = Double.doubleToLongBits(from);
     long high = Double.doubleToLongBits(to);
     while (high - low > 1) {
       long middle = low + (high - low) / 2;
-      if (probe.detects(Double.longBitsToDouble(middle)) == fromDetected) {
+      if (probe.test(Double.longBitsToDouble(middle)) == fromDetected) {
         low = middle;
       } else {
         high = middle;
       }
     }
     return Double.longBitsToDouble(fromDetected ? low : high);
-  }
-
-  private interface Probe {
-    boolean detects(double squaredDistance);
   }
 }

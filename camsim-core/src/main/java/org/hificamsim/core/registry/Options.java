@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.file.Fields;
 
 /**
  * The {@code key=value,...} part of {@code name:key=value,...}.
@@ -69,15 +70,11 @@ public final class Options {
     if (text == null) {
       return defaultValue;
     }
-    try {
-      double value = Double.parseDouble(text);
-      if (Double.isFinite(value) && value >= min && value <= max) {
-        return value;
-      }
-    } catch (NumberFormatException e) {
-      // reported below
+    double value = Fields.value(text);
+    if (!(Double.isFinite(value) && value >= min && value <= max)) {
+      throw invalid(key, text, "a number " + range(min, max));
     }
-    throw invalid(key, text, "a number " + range(min, max));
+    return value;
   }
 
   /** A whole number in [{@code min}, {@code max}]. */

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 
@@ -105,7 +106,7 @@ public final class ScenarioWriter {
     tracksFile.ifPresent(
         file -> xml.element(TracksReader.ELEMENT.name(), Map.of(TracksReader.FILE.name(), file)));
     if (!tracked.isEmpty()) { // as text: what is written is all of the scenario
-      xml.lines(TracksReader.ELEMENT.name(), this::tracks);
+      xml.lines(TracksReader.ELEMENT.name(), out -> Io.run(() -> tracks(out)));
     }
   }
 

@@ -1,20 +1,12 @@
 package org.hificamsim.core.scenario;
 
-import java.io.IOException;
 import java.util.Map;
-import org.hificamsim.core.file.Io;
+import java.util.function.Consumer;
 
 /** An XML document under way, an element a line. */
 final class XmlWriter {
   private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
   private int depth;
-
-  /** What fills an element with lines of its own. */
-  @FunctionalInterface
-  interface Lines {
-    /** Writes them, each with its end. */
-    void write(Appendable out) throws IOException;
-  }
 
   /** An element with others in it. */
   void element(String name, Map<String, String> attributes, Runnable content) {
@@ -39,10 +31,10 @@ final class XmlWriter {
   }
 
   /** An element with lines, in which nothing needs to be escaped. */
-  void lines(String name, Lines lines) {
+  void lines(String name, Consumer<Appendable> lines) {
     tag(name, Map.of(), ">");
     out.append('\n');
-    Io.run(() -> lines.write(out));
+    lines.accept(out);
     out.append("  ".repeat(depth));
     end(name);
   }
