@@ -1,5 +1,6 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -221,6 +222,20 @@ class ProfileCommandTest {
         3,
         "--restarts",
         1);
+  }
+
+  @Test
+  void picturesOfMatchesLeaveTheMeasurementsAlone() throws IOException {
+    Path lab = Cli.lab(folder, "--scale 0.05 --objects 1 --focal-lengths 0.05 --distances 1,2");
+    Path table = lab.resolve("measurements.csv");
+    String image = "images/matchbox-50mm-01.0m.jpg";
+    Cli first = assertDone(Cli.run("profile", "measure", lab, "--picture", image));
+    assertTrue(first.out().contains("by OpenCV "), first.out());
+    byte[] measured = Files.readAllBytes(table);
+    Cli again =
+        assertDone(Cli.run("profile", "measure", lab, "--detectors", "orb", "--picture", image));
+    assertEquals("1 drawn: " + lab.resolve("matches") + "\n", again.out());
+    assertArrayEquals(measured, Files.readAllBytes(table));
   }
 
   @Test

@@ -2,15 +2,20 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
+import org.hificamsim.profiling.measure.MatchPictures;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.Measurer;
 import org.hificamsim.profiling.measure.Measurer.MeasureSettings;
@@ -44,6 +49,9 @@ final class MeasureCommand implements Callable<Integer> {
   @Option(names = "--false-alarms", paramLabel = "P")
   private double falseAlarms;
 
+  @Option(names = "--picture", paramLabel = "IMAGE")
+  private Set<String> pictures = new LinkedHashSet<>();
+
   @Mixin private ThreadsOption threads;
 
   @Mixin private Screen screen;
@@ -63,7 +71,23 @@ final class MeasureCommand implements Callable<Integer> {
     return 0;
   }
 
-  private void measure(Dataset dataset, MeasureSettings settings, int count) {
+  private void measure(Dataset dataset, MeasureSettings settings, int count) throws IOException {
+    for (String picture : pictures) {
+      if (dataset.samples().stream().noneMatch(sample -> sample.image().equals(picture))) {
+        throw InputException.of(
+            "--picture is '%s', expected an image of %s", picture, Dataset.TABLE);
+      }
+    }
+    if (pictures.isEmpty() || !Files.exists(folder.resolve(MeasurementsFile.NAME))) {
+      measureAll(dataset, settings, count);
+    }
+    if (!pictures.isEmpty()) {
+      int drawn = new MatchPictures(dataset, settings).draw(pictures);
+      screen.say("%s drawn: %s", drawn, folder.resolve(MatchPictures.FOLDER));
+    }
+  }
+
+  private void measureAll(Dataset dataset, MeasureSettings settings, int count) {
     int photos = dataset.samples().size();
     Measurer.Outcome outcome;
     try (Progress progress = screen.progress("", " photos", photos + dataset.negatives().size())) {

@@ -61,6 +61,11 @@ public final class Detectors {
     return names.stream().flatMap(name -> features(name).stream()).distinct().toList();
   }
 
+  /** The columns of those that find boxes. */
+  public static List<String> boxes(List<String> names) {
+    return boxSpecs(names).stream().map(BoxSpec::column).toList();
+  }
+
   /** What the one with the largest need takes for each pixel of a photo. */
   public static Memory memoryNeed(List<String> names) {
     Memory none = new Memory(0, 0);

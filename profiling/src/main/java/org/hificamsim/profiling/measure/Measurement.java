@@ -49,4 +49,11 @@ public record Measurement(
   public double confidence(String detector) {
     return confidences.get(detector);
   }
+
+  /** The same with one detector more, which stands last. */
+  public Measurement with(String detector, double confidence) {
+    Map<String, Double> more = new LinkedHashMap<>(confidences);
+    more.put(detector, confidence);
+    return new Measurement(image, object, size, distance, focalLength, pip, more);
+  }
 }

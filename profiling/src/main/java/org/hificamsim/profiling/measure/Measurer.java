@@ -99,11 +99,20 @@ public final class Measurer {
       if (!dataset.negatives().isEmpty()) {
         warnings.addAll(writeThresholds(rows, threads, watcher, folder));
       }
-      MeasurementsFile.write(folder, settings.pip(), rows);
+      MeasurementsFile.write(folder, settings.pip(), withRecall(rows));
       folder.commit(List.of());
       done.finish();
       return new Outcome(resumed, threads, warnings);
     }
+  }
+
+  private List<Measurement> withRecall(List<Measurement> rows) {
+    int[] heights = dataset.samples().stream().mapToInt(s -> s.patch().height()).toArray();
+    List<Measurement> all = rows;
+    for (String detector : Detectors.boxes(settings.detectors())) {
+      all = Recall.with(all, heights, detector);
+    }
+    return all;
   }
 
   private Measurement measured(LabelledPhoto photo) {

@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.detector;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -76,6 +77,7 @@ class MatchReadingTest {
     assertEquals(
         List.of(FeatureDetector.ORB, FeatureDetector.SURF),
         Detectors.features(List.of("orb-located", "surf", "orb")));
+    assertTrue(Detectors.boxes(List.of("orb-located", "hog")).contains("hog"));
   }
 
   private double confidence(MatchReading reading, Patch patch) {

@@ -153,6 +153,16 @@ class MeasurerTest {
   }
 
   @Test
+  void drawsMatchesAndMeasuresNothingAgain() throws IOException {
+    Files.writeString(folder.resolve(MeasurementsFile.NAME), "kept");
+    String image = dataset.samples().get(0).image();
+    assertEquals(1, new MatchPictures(dataset, ORB).draw(List.of(image)));
+    Path picture = folder.resolve("matches/orb-images_matchbox-10mm-01.0m.jpg");
+    assertTrue(Files.exists(picture), picture.toString());
+    assertEquals("kept", table());
+  }
+
+  @Test
   void countsWhatAnEarlierCallHasMeasuredOnceAndBefore() {
     List<String> told = new ArrayList<>();
     MeasureProgress watcher =

@@ -1,0 +1,43 @@
+package org.hificamsim.profiling.measure;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+class RecallTest {
+  /** Heights 1 to 100; found from 51 on, and below at every tenth. */
+  @Test
+  void isTheShareFoundAmongObjectsOfAboutThatHeight() {
+    List<Measurement> rows = new ArrayList<>();
+    int[] heights = new int[100];
+    for (int i = 0; i < 100; i++) {
+      heights[i] = 100 - i;
+      rows.add(row(heights[i] > 50 || heights[i] % 10 == 0 ? 0.4 : 0));
+    }
+    List<Measurement> more = Recall.with(rows, heights, "hog");
+    for (int i = 0; i < 100; i++) {
+      assertEquals(heights[i] > 50 ? 1 : 0.1, more.get(i).confidence("hog-recall"), 1e-12);
+      assertEquals(rows.get(i).confidence("hog"), more.get(i).confidence("hog"));
+    }
+  }
+
+  @Test
+  void objectsOfOneHeightHaveOneRecall() {
+    List<Measurement> rows = new ArrayList<>();
+    for (int i = 0; i < 20; i++) {
+      rows.add(row(i % 2));
+    }
+    int[] heights = new int[20];
+    Arrays.fill(heights, 80);
+    Recall.with(rows, heights, "hog")
+        .forEach(row -> assertEquals(0.5, row.confidence("hog-recall")));
+  }
+
+  private static Measurement row(double confidence) {
+    return new Measurement("a", "person", 1, 1, 0.05, 0.1, Map.of("hog", confidence));
+  }
+}
