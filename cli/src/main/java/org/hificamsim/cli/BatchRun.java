@@ -10,12 +10,13 @@ import java.util.function.Consumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Comparison;
 import org.hificamsim.runs.compare.ComparisonFiles;
@@ -231,22 +232,17 @@ final class BatchRun {
 
   /** Says so where a policy's claim to be the best is not proven for every step. */
   private void warnOfUnproven(CaseResult one) {
-    if (one.proof().unprovenSteps() > 0) {
-      long steps = (long) one.plan().steps() * one.plan().repeats();
-      warnOfUnproven(one.plan(), " in " + one.proof().missing(steps, one.plan().objective()));
+    RunPlan plan = one.plan();
+    List<RunResult> results = one.runs().stream().map(ScoredRun::result).toList();
+    for (String missing : RunResult.unproven(plan, results)) {
+      screen.note(
+          "warning: scenario %s, detection %s: '%s' is not proven to be the best%s%s",
+          plan.scenario().name(),
+          plan.detection().name(),
+          plan.policy(),
+          missing.startsWith("the ") ? "; " : " in ",
+          missing);
     }
-    double gap = one.runs().stream().mapToDouble(run -> run.result().expectedGap()).max().orElse(0);
-    if (gap > 0) {
-      warnOfUnproven(
-          one.plan(),
-          Texts.format("; the least expected k of a step might be up to %.3g higher", gap));
-    }
-  }
-
-  private void warnOfUnproven(RunPlan plan, String what) {
-    screen.note(
-        "warning: scenario %s, detection %s: '%s' is not proven to be the best%s",
-        plan.scenario().name(), plan.detection().name(), plan.policy(), what);
   }
 
   private Progress progress(long runs) {

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -18,6 +19,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.FloorPictures;
@@ -208,5 +211,40 @@ final class RunCommand implements Callable<Integer> {
         Setup.of(world(plan, catalogue), plan.detection(), plan.policy(), plan.seed(), floor),
         plan.detection(),
         plan.repeats());
+  }
+
+  /**
+   * The mean score over all repeats in a few parts of the run, of equally many steps (some may have
+   * one more than others).
+   */
+  private static final class ScoreOverTime implements StepListener {
+    private static final int MAX_PARTS = 40;
+
+    private final int steps;
+    private final double[] sums;
+    private final long[] counts;
+
+    /**
+     * @param steps of every repeat, 1 or more
+     */
+    ScoreOverTime(int steps) {
+      this.steps = steps;
+      this.sums = new double[Math.min(steps, MAX_PARTS)];
+      this.counts = new long[sums.length];
+    }
+
+    @Override
+    public void stepped(NetworkView network, StepCoverage coverage) {
+      int part = (int) (network.step() * sums.length / steps);
+      sums[part] += coverage.score();
+      counts[part]++;
+    }
+
+    /** The mean of each part; 0 where nothing ran. */
+    double[] means() {
+      double[] means = new double[sums.length];
+      Arrays.setAll(means, part -> sums[part] / Math.max(1, counts[part]));
+      return means;
+    }
   }
 }

@@ -12,7 +12,6 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoreText;
@@ -57,24 +56,12 @@ final class RunSummary {
                     + plan.seed(plan.repeats() - 1)));
     table.sources(plan);
     table.figures(plan);
-    table.unproven(plan);
+    RunResult.unproven(plan, results).forEach(missing -> table.line("not proven", missing));
     table.uncovered(plan);
     String course = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
     table.line(course + " over time", bars(overTime, terminal()));
     table.line("files", folder.toString());
     out.flush();
-  }
-
-  /** Says so where the policy's claim to be the best is not proven for every step. */
-  private void unproven(RunPlan plan) {
-    Proof proof = RunResult.proofOf(results);
-    if (proof.unprovenSteps() > 0) {
-      line("not proven", proof.missing((long) plan.steps() * plan.repeats(), plan.objective()));
-    }
-    double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
-    if (gap > 0) {
-      line("not proven", format("the least expected k of a step might be up to %.3g higher", gap));
-    }
   }
 
   /** Says how far targets are detected where the score says nothing. */
@@ -118,10 +105,6 @@ final class RunSummary {
     double[] figures = results.stream().mapToDouble(run -> run.value(metric)).toArray();
     String text = metric.shown(figures).text(format);
     line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
-  }
-
-  private static String format(String format, double value) {
-    return Texts.format(format, value);
   }
 
   private void line(String label, String text) {

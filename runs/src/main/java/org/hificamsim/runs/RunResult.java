@@ -1,10 +1,12 @@
 package org.hificamsim.runs;
 
 import java.io.Serializable;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.hificamsim.core.Texts;
 
 /**
  * What one repeat measured.
@@ -57,16 +59,26 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
    * What the least expected coverage of a step might have been higher at most, in the mean; 0 where
    * that is proven to be the best, or where the policy does not claim it.
    */
-  public double expectedGap() {
+  private double expectedGap() {
     double more = value(Metric.LEAST_EXPECTED_K_BOUND) - value(Metric.LEAST_EXPECTED_K);
     return more > 0 ? more : 0;
   }
 
-  /** What is proven of several repeats together; of nothing where the policy claims nothing. */
-  public static Proof proofOf(List<RunResult> results) {
-    return results.stream()
-        .flatMap(result -> result.proof().stream())
-        .reduce(Proof.OF_NOTHING, Proof::plus);
+  /** What of a policy's claim to be the best is not proven of the repeats of a plan, in words. */
+  public static List<String> unproven(RunPlan plan, List<RunResult> results) {
+    List<String> missing = new ArrayList<>();
+    Proof proof =
+        results.stream()
+            .flatMap(result -> result.proof().stream())
+            .reduce(Proof.OF_NOTHING, Proof::plus);
+    if (proof.unprovenSteps() > 0) {
+      missing.add(proof.missing(plan.work(), plan.objective()));
+    }
+    double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
+    if (gap > 0) {
+      missing.add(Texts.format("the least expected k of a step might be up to %.3g higher", gap));
+    }
+    return missing;
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */

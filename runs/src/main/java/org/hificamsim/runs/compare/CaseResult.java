@@ -3,9 +3,7 @@ package org.hificamsim.runs.compare;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
 
 /**
@@ -30,11 +28,6 @@ public record CaseResult(
   /** Whether this is the exact optimum that the others are measured by. */
   public boolean isOptimum() {
     return plan.policy().equals(Yardstick.OPTIMAL.policy());
-  }
-
-  /** What is proven of all runs together. */
-  public Proof proof() {
-    return RunResult.proofOf(runs.stream().map(ScoredRun::result).toList());
   }
 
   /** A metric's value of every run, NaN where there is none. */

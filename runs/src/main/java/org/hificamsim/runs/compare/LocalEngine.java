@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
@@ -37,18 +38,16 @@ public final class LocalEngine implements RunEngine {
   @Override
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
     try {
-      Parallel.map(tasks, threads, task -> run(plans, task, finished));
+      Parallel.map(
+          tasks,
+          threads,
+          task -> {
+            FinishedRun run = FinishedRun.of(executor, plans.get(task.plan()), task.repeat());
+            Io.run(() -> finished.take(task, run));
+            return task;
+          });
     } catch (UncheckedIOException e) {
       throw e.getCause();
-    }
-  }
-
-  private RunTask run(List<RunPlan> plans, RunTask task, Finished finished) {
-    try {
-      finished.take(task, FinishedRun.of(executor, plans.get(task.plan()), task.repeat()));
-      return task;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 }

@@ -24,8 +24,8 @@ class UserCodeTest {
 
   @Test
   void aJarDiffersWithAnyOfItsFiles() throws IOException {
-    assertNotEquals(UserCode.digest(jar("org/example/weights.txt")), UserCode.digest(jar("a.txt")));
-    assertEquals(UserCode.digest(jar("a.txt")), UserCode.digest(jar("a.txt")));
+    assertNotEquals(RunKey.digest(jar("org/example/weights.txt")), RunKey.digest(jar("a.txt")));
+    assertEquals(RunKey.digest(jar("a.txt")), RunKey.digest(jar("a.txt")));
   }
 
   private Path jar(String resource) throws IOException {
@@ -38,25 +38,25 @@ class UserCodeTest {
 
   @Test
   void differsWithAClassAndWithWhatLiesBesideIt() throws IOException {
-    String before = UserCode.digest(folder);
+    String before = RunKey.digest(folder);
     write("org/example/Fog.class", "mist");
-    assertNotEquals(before, UserCode.digest(folder));
+    assertNotEquals(before, RunKey.digest(folder));
     write("org/example/Fog.class", "fog");
-    assertEquals(before, UserCode.digest(folder));
+    assertEquals(before, RunKey.digest(folder));
     write("org/example/weights.txt", "1 2 4");
-    assertNotEquals(before, UserCode.digest(folder));
+    assertNotEquals(before, RunKey.digest(folder));
     write("org/example/weights.txt", "1 2 3");
     write("tables/far/haze.csv", "0.5");
-    assertNotEquals(before, UserCode.digest(folder), "a resource in a package of its own");
+    assertNotEquals(before, RunKey.digest(folder), "a resource in a package of its own");
   }
 
   @Test
   void doesNotDifferWithResultsInTheSameFolder() throws IOException {
-    String before = UserCode.digest(folder);
+    String before = RunKey.digest(folder);
     write("out/compare/.hificamsim.sha256", "");
     write("out/compare/steps.csv", "1");
     write(".notes", "to do");
-    assertEquals(before, UserCode.digest(folder));
+    assertEquals(before, RunKey.digest(folder));
   }
 
   private void write(String file, String content) throws IOException {
