@@ -1,5 +1,6 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,16 +8,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Generated scenarios, and runs of them. */
+/** Generated scenarios, and runs of them on several threads. */
 class BigNetworkTest {
   private static final int STEPS = 20;
   private static final int CAMERAS = 600; // more than the caches are taken to hold
+  private static final List<String> FILES =
+      List.of("steps.csv", "zooms.csv", "targets.csv", "summary.json");
 
   @TempDir Path folder;
   private Path scenario;
@@ -43,13 +47,19 @@ class BigNetworkTest {
         "qb-sarsa:k=30,own-vote=no",
         "optimal"
       })
-  void aBigNetworkRuns(String policy) throws IOException {
-    Path out = folder.resolve("out");
-    Cli run =
-        Cli.run("run", scenario, "--policy", policy, "--steps", STEPS, "--record", "--out", out);
-    assertEquals(0, run.exit(), run.err());
-    assertEquals(STEPS, Files.readAllLines(out.resolve("steps.csv")).size() - 1);
-    assertEquals(CAMERAS * STEPS, Files.readAllLines(out.resolve("zooms.csv")).size() - 1);
+  void anyNumberOfThreadsWritesTheSameBytes(String policy) throws IOException {
+    Path one = run(policy, 1);
+    assertEquals(STEPS, Files.readAllLines(one.resolve("steps.csv")).size() - 1);
+    assertEquals(CAMERAS * STEPS, Files.readAllLines(one.resolve("zooms.csv")).size() - 1);
+    for (int threads : new int[] {2, 5}) {
+      Path several = run(policy, threads);
+      for (String file : FILES) {
+        assertArrayEquals(
+            Files.readAllBytes(one.resolve(file)),
+            Files.readAllBytes(several.resolve(file)),
+            policy + ", " + threads + " threads: " + file);
+      }
+    }
   }
 
   @Test
@@ -75,6 +85,7 @@ class BigNetworkTest {
     refused("--targets is 0", "generate", folder.resolve("x.xml"), "--targets", 0);
     refused("--area is NaN", "generate", folder.resolve("x.xml"), "--area", "NaN");
     refused("is a folder", "generate", folder);
+    refused("--threads is -1", "run", scenario, "--threads", -1);
   }
 
   private void refused(String expected, Object... words) {
@@ -82,5 +93,24 @@ class BigNetworkTest {
     assertEquals(2, run.exit());
     assertTrue(run.err().startsWith("error: ") && run.err().contains(expected), run.err());
     assertEquals(1, run.err().lines().count(), run.err());
+  }
+
+  private Path run(String policy, int threads) {
+    Path out = folder.resolve("out-" + threads);
+    Cli run =
+        Cli.run(
+            "run",
+            scenario,
+            "--policy",
+            policy,
+            "--steps",
+            STEPS,
+            "--threads",
+            threads,
+            "--record",
+            "--out",
+            out);
+    assertEquals(0, run.exit(), run.err());
+    return out;
   }
 }

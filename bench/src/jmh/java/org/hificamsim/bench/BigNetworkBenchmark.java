@@ -6,6 +6,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.generate.RandomField;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -18,11 +19,12 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Microseconds per step of random fields at the cluster scenario's density with 0.6 targets per
- * camera: {@code -p cameras=...}.
+ * camera: {@code -p cameras=...}, {@code -p threads=...}.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -40,12 +42,17 @@ public class BigNetworkBenchmark {
   @Param({"hifi:orb-lin"})
   private String detection;
 
+  @Param({"1"})
+  private int threads;
+
+  private Workers workers;
   private Simulation simulation;
 
   /** Makes the scenario and starts the run. */
   @Setup
   public void start() {
     Catalogue catalogue = Catalogue.load();
+    workers = Workers.of(threads);
     simulation =
         new Simulation(
             new World(RandomField.ofCameras(cameras, 1).scenario(), catalogue.movements(), 0),
@@ -53,7 +60,14 @@ public class BigNetworkBenchmark {
             catalogue.policies().create(policy),
             Cooperation.NONE,
             0,
-            List.of());
+            List.of(),
+            workers);
+  }
+
+  /** Ends the threads. */
+  @TearDown
+  public void end() {
+    workers.close();
   }
 
   /** One step. */

@@ -6,6 +6,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
@@ -86,7 +87,8 @@ public final class NetworkRun {
   /** The loop over the steps; who is to watch them has been named before. */
   public Simulation simulation() {
     if (simulation == null) {
-      simulation = new Simulation(world, detection, policy, network, seed, listeners);
+      simulation =
+          new Simulation(world, detection, policy, network, seed, listeners, Workers.CALLER);
     }
     return simulation;
   }

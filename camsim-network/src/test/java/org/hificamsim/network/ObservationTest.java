@@ -12,6 +12,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.WidestPolicy;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
 import org.hificamsim.core.world.World;
@@ -110,6 +111,7 @@ class ObservationTest {
   }
 
   private static Simulation simulation(World world, DetectionModel model, Network network) {
-    return new Simulation(world, Detection.of(model), new WidestPolicy(), network, 0, List.of());
+    return new Simulation(
+        world, Detection.of(model), new WidestPolicy(), network, 0, List.of(), Workers.CALLER);
   }
 }

@@ -18,6 +18,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
@@ -61,6 +62,8 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
+  @Mixin private ThreadsOption threads;
+
   @Option(names = "--out", paramLabel = "DIR")
   private Optional<Path> out;
 
@@ -101,11 +104,13 @@ final class RunCommand implements Callable<Integer> {
     ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (OutputFolder files = screen.folder(folder);
-        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables)) {
+        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables);
+        Workers workers = Workers.of(threads.count())) {
       List<RunResult> results =
           execute(
               plan,
               catalogue,
+              workers,
               run ->
                   Stream.of(
                       output.listener(run),
@@ -187,12 +192,15 @@ final class RunCommand implements Callable<Integer> {
    * @param recorders of a run; null where one was not asked for
    */
   private List<RunResult> execute(
-      RunPlan plan, Catalogue catalogue, IntFunction<Stream<StepListener>> recorders)
+      RunPlan plan,
+      Catalogue catalogue,
+      Workers workers,
+      IntFunction<Stream<StepListener>> recorders)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
       StepListener counter = (network, coverage) -> progress.advance();
-      return new RunExecutor(catalogue)
+      return new RunExecutor(catalogue, workers)
           .execute(
               plan,
               run ->

@@ -12,6 +12,7 @@ import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
@@ -20,10 +21,17 @@ import org.hificamsim.runs.cells.ZoneRecorder;
 /** Runs a plan, one repeat after the other. */
 public final class RunExecutor {
   private final Catalogue catalogue;
+  private final Workers workers;
 
-  /** Finds what plans name in a catalogue. */
+  /** Runs in the caller's thread alone. */
   public RunExecutor(Catalogue catalogue) {
+    this(catalogue, Workers.CALLER);
+  }
+
+  /** Runs one repeat at a time, with these workers sharing its steps. */
+  public RunExecutor(Catalogue catalogue, Workers workers) {
     this.catalogue = catalogue;
+    this.workers = workers;
   }
 
   /**
@@ -113,6 +121,6 @@ public final class RunExecutor {
         plan.network().isEmpty()
             ? Cooperation.NONE
             : catalogue.networks().create(plan.network()).begin(world, plan.detection(), seed);
-    return new Simulation(world, plan.detection(), policy, cooperation, seed, listeners);
+    return new Simulation(world, plan.detection(), policy, cooperation, seed, listeners, workers);
   }
 }

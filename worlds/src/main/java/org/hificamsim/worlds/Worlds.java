@@ -5,13 +5,10 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.function.IntFunction;
-import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.worlds.WorldSettings.AutoReset;
@@ -27,7 +24,7 @@ import org.hificamsim.worlds.WorldSettings.AutoReset;
 public final class Worlds implements AutoCloseable {
   private final WorldSettings settings;
   private final OneWorld[] worlds;
-  private final ExecutorService pool;
+  private final Workers workers;
   private final Block block;
   private final ByteBuffer memory;
   private final IntBuffer actions;
@@ -43,9 +40,9 @@ public final class Worlds implements AutoCloseable {
   private final float[][] state; // of each worker
   private final float[][] observed; // the same
   private final SeenPairs[] pairs; // the same
-  private final Work stepping = this::step; // made once, so that no step allocates
-  private final Work resetting = this::reset;
-  private final Work telling = this::writeState;
+  private final Workers.Share stepping = shared(this::step);
+  private final Workers.Share resetting = shared(this::reset);
+  private final Workers.Share telling = shared(this::writeState);
   private long seed;
   private boolean restarted;
 
@@ -56,24 +53,16 @@ public final class Worlds implements AutoCloseable {
     void on(int i, int worker);
   }
 
-  /** Does some work to all worlds, shared out among the workers. */
-  private void run(Work work) {
-    if (pairs.length == 1) {
-      share(work, 0);
-    } else {
-      Parallel.all(
-          pool,
-          IntStream.range(0, pairs.length)
-              .mapToObj(worker -> Executors.callable(() -> share(work, worker)))
-              .toList());
-    }
-  }
-
-  private void share(Work work, int worker) {
-    int end = worlds.length * (worker + 1) / pairs.length;
-    for (int i = worlds.length * worker / pairs.length; i < end; i++) {
-      work.on(i, worker);
-    }
+  /**
+   * Each worker's share of some work: the worlds of its own. Made once, so that no step allocates.
+   */
+  private Workers.Share shared(Work work) {
+    return worker -> {
+      int end = workers.first(worker + 1, worlds.length);
+      for (int i = workers.first(worker, worlds.length); i < end; i++) {
+        work.on(i, worker);
+      }
+    };
   }
 
   private static void check(String what, int number) {
@@ -111,12 +100,11 @@ public final class Worlds implements AutoCloseable {
     advice = block.part(memory, "advice").asIntBuffer();
     states = block.part(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
-    int workers = Math.min(threads, count);
-    pool = Executors.newFixedThreadPool(workers, Parallel.daemons("worlds"));
-    observed = new float[workers][network.cameras() * settings.layout().size()];
-    pairs = new SeenPairs[workers];
+    workers = Workers.of(Math.min(threads, count));
+    observed = new float[workers.count()][network.cameras() * settings.layout().size()];
+    pairs = new SeenPairs[workers.count()];
     Arrays.setAll(pairs, worker -> new SeenPairs());
-    state = new float[workers][OneWorld.stateSize(network, settings.layout())];
+    state = new float[workers.count()][OneWorld.stateSize(network, settings.layout())];
     reset(seed, true);
   }
 
@@ -159,7 +147,7 @@ public final class Worlds implements AutoCloseable {
   public void reset(long newSeed, boolean fresh) {
     seed = newSeed;
     restarted = fresh;
-    run(resetting);
+    workers.run(resetting);
   }
 
   /** Begins an episode in one world, of this seed or its next one; others stay as they are. */
@@ -186,7 +174,7 @@ public final class Worlds implements AutoCloseable {
    */
   public void step() {
     checkActions();
-    run(stepping);
+    workers.run(stepping);
   }
 
   private void step(int i, int worker) {
@@ -265,7 +253,7 @@ public final class Worlds implements AutoCloseable {
 
   /** Writes the state of every world. */
   public void state() {
-    run(telling);
+    workers.run(telling);
   }
 
   private void writeState(int i, int worker) {
@@ -277,6 +265,6 @@ public final class Worlds implements AutoCloseable {
   /** Ends the threads. */
   @Override
   public void close() {
-    pool.shutdown();
+    workers.close();
   }
 }

@@ -9,6 +9,7 @@ import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Field;
@@ -190,7 +191,8 @@ final class Run {
         (network, coverage) ->
             files.filter(open -> !ended).ifPresent(open -> open.stepped(network, coverage));
     simulation =
-        new Simulation(world, settings.seen(), policy, live, seed(), List.of(listener))
+        new Simulation(
+                world, settings.seen(), policy, live, seed(), List.of(listener), Workers.CALLER)
             .continuingAt(step);
   }
 

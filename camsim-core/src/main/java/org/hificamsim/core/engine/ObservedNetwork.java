@@ -5,6 +5,7 @@ import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
@@ -15,12 +16,17 @@ final class ObservedNetwork extends Sight {
   private final int[] coverage;
   private final boolean phantoms;
   private final Objective objective;
-  private final long[] found; // by a camera
+  private final Workers workers;
+  private final long[][] found; // of each worker
+  private final int[][] counts; // of each worker, in the order of the grid
+  private final Workers.Share looking = this::look;
+  private final Workers.Share adding = this::addUp;
+  private final Division division = new Division();
   private Channel channel = Channel.PERFECT;
   private long[] masks = {};
 
-  ObservedNetwork(World world, Visibility visibility) {
-    this(world, visibility, Double.NaN);
+  ObservedNetwork(World world, Visibility visibility, Workers workers) {
+    this(world, visibility, workers, Double.NaN);
   }
 
   /** Has messages go over the channel of the scenario. */
@@ -31,13 +37,15 @@ final class ObservedNetwork extends Sight {
   /**
    * @param side of the cells that cameras look into, metres; NaN where it is to be chosen
    */
-  ObservedNetwork(World world, Visibility visibility, double side) {
+  ObservedNetwork(World world, Visibility visibility, Workers workers, double side) {
     super(world, visibility, side);
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.objective = scenario.objective();
-    this.found = new long[coverage.length];
+    this.workers = workers;
+    this.found = new long[workers.count()][coverage.length];
+    this.counts = new int[workers.count()][coverage.length];
   }
 
   /** Every online camera looks at the targets, or has done so. */
@@ -60,8 +68,27 @@ final class ObservedNetwork extends Sight {
 
   /** Every online camera looks at the targets, each at its current view. */
   void observe() {
+    workers.run(looking);
     Arrays.fill(coverage, 0);
-    look(detected, coverage, found);
+    workers.run(adding);
+  }
+
+  private void look(int worker) {
+    Arrays.fill(counts[worker], 0);
+    int first = workers.first(worker, detected.length);
+    int end = workers.first(worker + 1, detected.length);
+    look(first, end, detected, counts[worker], found[worker]);
+  }
+
+  /** Adds up what all workers counted, each worker for some of the targets. */
+  private void addUp(int worker) {
+    int first = workers.first(worker, grid().count());
+    int end = workers.first(worker + 1, grid().count());
+    for (int[] count : counts) {
+      for (int i = first; i < end; i++) {
+        coverage[grid().point(i)] += count[i];
+      }
+    }
   }
 
   @Override
@@ -223,6 +250,31 @@ final class ObservedNetwork extends Sight {
       for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
         coverable[i % words * Long.SIZE + Long.numberOfTrailingZeros(bits)] = true;
       }
+    }
+  }
+
+  @Override
+  public <T> void divide(T work, CameraTask<T> task) {
+    division.run(work, task);
+  }
+
+  /** A policy's task, divided among the workers. */
+  private final class Division implements Workers.Share {
+    private Object work;
+    private CameraTask<Object> task;
+
+    @SuppressWarnings("unchecked") // both are of one type, see divide
+    <T> void run(T newWork, CameraTask<T> newTask) {
+      work = newWork;
+      task = (CameraTask<Object>) newTask;
+      workers.run(this);
+    }
+
+    @Override
+    public void run(int worker) {
+      int all = cameras.count();
+      task.run(
+          ObservedNetwork.this, work, workers.first(worker, all), workers.first(worker + 1, all));
     }
   }
 }

@@ -299,21 +299,21 @@ abstract class Sight implements OracleView {
   }
 
   /**
-   * Looks with all cameras, each through the view that it sees through.
+   * Looks with some cameras, each through the view that it sees through.
    *
    * @param detected receives how many targets each of the cameras detects
-   * @param counts by target; one is added for each camera that detects it
+   * @param counts by index in the grid; one is added for each camera that detects the target
    * @param room for what a camera detects: an entry for each target
    */
-  void look(int[] detected, int[] counts, long[] room) {
-    for (int camera = 0; camera < detected.length; camera++) {
+  void look(int first, int end, int[] detected, int[] counts, long[] room) {
+    for (int camera = first; camera < end; camera++) {
       int view = cameras.online(camera) ? cameras.seeing(camera) : Cameras.NO_VIEW;
       if (view == Cameras.NO_VIEW) {
         detected[camera] = 0;
       } else {
         detected[camera] = find(camera, view, room);
         for (int k = 0; k < detected[camera]; k++) {
-          counts[grid.point((int) room[k])]++;
+          counts[(int) room[k]]++;
         }
       }
     }

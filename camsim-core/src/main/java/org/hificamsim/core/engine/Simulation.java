@@ -33,14 +33,14 @@ public final class Simulation {
   private boolean started;
   private long step;
 
-  /** A run of cameras that work each for itself. */
+  /** A run of cameras that work each for itself, in the caller's thread alone. */
   public Simulation(
       World world,
       Detection detection,
       ZoomPolicy policy,
       long seed,
       List<? extends StepListener> listeners) {
-    this(world, detection, policy, Cooperation.NONE, seed, listeners);
+    this(world, detection, policy, Cooperation.NONE, seed, listeners, Workers.CALLER);
   }
 
   /**
@@ -48,6 +48,7 @@ public final class Simulation {
    * @param seed seeds the policy's generator and the luck of detections; world and cooperation have
    *     been seeded on their own
    * @param listeners called in this order
+   * @param workers who share the work of a step; results do not depend on their number
    */
   public Simulation(
       World world,
@@ -55,13 +56,14 @@ public final class Simulation {
       ZoomPolicy policy,
       Cooperation cooperation,
       long seed,
-      List<? extends StepListener> listeners) {
+      List<? extends StepListener> listeners,
+      Workers workers) {
     this.world = world;
     this.cooperation = cooperation;
     this.order = world.scenario().order();
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
-    this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed));
+    this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
     this.network.connect(world.scenario().channel(), seed);
     this.byChance = !detection.certain();
     this.jumps = policy.jumps();

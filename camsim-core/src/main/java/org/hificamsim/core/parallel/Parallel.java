@@ -31,17 +31,8 @@ public final class Parallel {
       tasks.add(() -> failed.get() ? null : result(work, item, failed));
     }
     try {
-      return all(pool, tasks);
-    } finally {
-      pool.shutdownNow();
-    }
-  }
-
-  /** The results of some tasks, when all are done; the first failure, by task, is thrown then. */
-  public static <R> List<R> all(ExecutorService pool, List<? extends Callable<R>> tasks) {
-    try {
       List<R> results = new ArrayList<>();
-      for (Future<R> future : pool.invokeAll(tasks)) {
+      for (Future<R> future : pool.invokeAll(tasks)) { // when all are done
         results.add(future.get());
       }
       return results;
@@ -50,6 +41,8 @@ public final class Parallel {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new UncheckedIOException(new InterruptedIOException("interrupted"));
+    } finally {
+      pool.shutdownNow();
     }
   }
 

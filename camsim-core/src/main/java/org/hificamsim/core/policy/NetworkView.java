@@ -258,4 +258,14 @@ public interface NetworkView extends CoveredTargets, Stations {
 
   /** The same network with what no camera knows, for upper bounds and records; see there. */
   OracleView oracle();
+
+  /**
+   * Does a task for all cameras, in parts side by side where the run has several threads.
+   *
+   * <p>The task must come to the same result however the cameras are divided: what it writes of one
+   * camera it must not read of another. All is done on return.
+   */
+  default <T> void divide(T work, CameraTask<T> task) {
+    task.run(this, work, 0, cameras());
+  }
 }

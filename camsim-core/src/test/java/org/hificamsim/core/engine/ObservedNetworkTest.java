@@ -1,5 +1,6 @@
 package org.hificamsim.core.engine;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -206,7 +207,7 @@ class ObservedNetworkTest {
   void detectionsAreMarkedForEachView(String rule, double side) {
     World world = crowd().world();
     Visibility visibility = Visibility.of(certain(rule));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, side);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
     assertEquals(side < 20, network.grid().cells() > 1);
     begin(world, network);
     long[] masks = new long[5];
@@ -260,6 +261,26 @@ class ObservedNetworkTest {
   }
 
   @Test
+  void workIsDividedAmongTheWorkersWithoutGapOrOverlap() {
+    TestScenario scenario = new TestScenario();
+    for (int camera = 0; camera < 5; camera++) {
+      scenario.camera(camera, 0);
+    }
+    int[] done = new int[5];
+    try (Workers workers = Workers.of(3)) {
+      new ObservedNetwork(scenario.world(), Visibility.of(certain("threshold")), workers)
+          .divide(
+              done,
+              (network, work, from, to) -> {
+                for (int camera = from; camera < to; camera++) {
+                  work[camera] += network.cameras();
+                }
+              });
+    }
+    assertArrayEquals(new int[] {5, 5, 5, 5, 5}, done);
+  }
+
+  @Test
   void aTargetHasItsSize() {
     World world =
         new TestScenario()
@@ -274,7 +295,7 @@ class ObservedNetworkTest {
   }
 
   private static ObservedNetwork network(World world, Detection detection) {
-    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection));
+    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
     begin(world, network);
     return network;
   }

@@ -30,7 +30,7 @@ class SeenTargetsTest {
   void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
     World world = world();
     Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, side);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
     network.beginStep(0);
     network.locate();
     SeenPairs pairs = new SeenPairs();

@@ -58,8 +58,10 @@ class SightByChanceTest {
     String rule = List.of("chance", "chance:memory=3", "probability").get(which);
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
-    Sight table = new ObservedNetwork(world, visibility);
-    Sight full = new ObservedNetwork(world, Visibility.of(detection(rule, waves, true), seed));
+    Sight table = new ObservedNetwork(world, visibility, Workers.CALLER);
+    Sight full =
+        new ObservedNetwork(
+            world, Visibility.of(detection(rule, waves, true), seed), Workers.CALLER);
     int detected = 0;
     for (int step = 0; step < 5; step++) {
       table.beginStep(step);
@@ -94,23 +96,25 @@ class SightByChanceTest {
   }
 
   @Property(tries = 40, edgeCases = EdgeCasesMode.NONE)
-  void aGridSeesTheSameAndExpectsTheSame(@ForAll long seed) {
+  void aGridAndThreadsSeeTheSameAndExpectTheSame(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection("chance:phantoms=on", 0, false), seed);
-    ObservedNetwork plain = new ObservedNetwork(world, visibility);
-    ObservedNetwork binned = new ObservedNetwork(world, visibility, 1.5);
-    for (ObservedNetwork network : List.of(plain, binned)) {
-      network.beginStep(4);
-      network.locate();
-      network.observe(Cooperation.NONE);
-    }
-    for (int camera = 0; camera < plain.cameras(); camera++) {
-      assertEquals(plain.detected(camera), binned.detected(camera));
-      assertEquals(chances(plain, camera), chances(binned, camera));
-    }
-    for (int target = 0; target < plain.targets(); target++) {
-      assertEquals(plain.coverage(target), binned.coverage(target));
+    ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
+    try (Workers workers = Workers.of(3)) {
+      ObservedNetwork binned = new ObservedNetwork(world, visibility, workers, 1.5);
+      for (ObservedNetwork network : List.of(plain, binned)) {
+        network.beginStep(4);
+        network.locate();
+        network.observe(Cooperation.NONE);
+      }
+      for (int camera = 0; camera < plain.cameras(); camera++) {
+        assertEquals(plain.detected(camera), binned.detected(camera));
+        assertEquals(chances(plain, camera), chances(binned, camera));
+      }
+      for (int target = 0; target < plain.targets(); target++) {
+        assertEquals(plain.coverage(target), binned.coverage(target));
+      }
     }
   }
 
@@ -135,7 +139,8 @@ class SightByChanceTest {
       scenario.target(0, target);
     }
     World world = scenario.world();
-    Sight sight = new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1));
+    Sight sight =
+        new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1), Workers.CALLER);
     int steps = 250_000;
     double chiSquare = 0;
     for (int target = 0; target < 8; target++) {

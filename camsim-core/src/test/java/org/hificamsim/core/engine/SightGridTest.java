@@ -59,7 +59,9 @@ class SightGridTest {
 
   private static int cells(TestScenario scenario, DetectionModel model) {
     World world = scenario.world();
-    return new ObservedNetwork(world, Visibility.of(Detection.of(model))).grid().cells();
+    return new ObservedNetwork(world, Visibility.of(Detection.of(model)), Workers.CALLER)
+        .grid()
+        .cells();
   }
 
   /** Every other camera detects up to 4 m, the others up to 6 m. */

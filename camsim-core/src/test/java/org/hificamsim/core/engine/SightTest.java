@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -68,8 +68,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = new ObservedNetwork(world, Visibility.of(detection));
-    Sight full = new ObservedNetwork(world, inFull(detection));
+    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
     assertSame(world, once, full);
   }
 
@@ -79,8 +79,9 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(world, new ObservedNetwork(world, Visibility.of(detection)));
-    assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection)));
+    assertLooksAsItDetects(
+        world, new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER));
+    assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection), Workers.CALLER));
   }
 
   /** One camera is off, one is at another level, and one target stands on a border. */
@@ -97,12 +98,14 @@ class SightTest {
     World world = scenario.target(3, 0).world();
     world.cameras().turnTo(1, 0);
     world.switchCamera(3, false);
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     sight.locate();
     int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
     int[] counts = new int[targets];
-    sight.look(detected, counts, new long[targets]);
+    sight.look(0, 5, detected, counts, new long[targets + 1]);
     SeenPairs found = new SeenPairs();
     sight.findSeen(found);
     int at = 0;
@@ -134,7 +137,9 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight = new ObservedNetwork(world, inFull ? inFull(detection) : Visibility.of(detection));
+    Sight sight =
+        new ObservedNetwork(
+            world, inFull ? inFull(detection) : Visibility.of(detection), Workers.CALLER);
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
@@ -162,11 +167,13 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     int[] counts = new int[places.length];
     int[] detected = new int[1];
     sight.locate();
-    sight.look(detected, counts, new long[places.length]);
+    sight.look(0, 1, detected, counts, new long[places.length + 1]);
     assertEquals(3, detected[0]);
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
   }
@@ -186,8 +193,8 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = new ObservedNetwork(world, Visibility.of(detection));
-    Sight full = new ObservedNetwork(world, inFull(detection));
+    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -221,14 +228,7 @@ class SightTest {
     }
   }
 
-  private static int detections(ObservedNetwork sight, World world, int target) {
-    return (int)
-        IntStream.range(0, world.cameras().count())
-            .filter(camera -> sight.detects(camera, world.cameras().view(camera), target))
-            .count();
-  }
-
-  private static void assertLooksAsItDetects(World world, ObservedNetwork sight) {
+  private static void assertLooksAsItDetects(World world, Sight sight) {
     sight.locate();
     int targets = world.targets().count();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
@@ -237,15 +237,15 @@ class SightTest {
       sight.detections(camera, masks, 1);
       for (int view = 0; view < views; view++) {
         world.cameras().turnTo(camera, view);
-        sight.observe();
-        int detected = 0;
+        int[] counts = new int[targets];
+        int[] detected = new int[CAMERAS];
+        sight.look(camera, camera + 1, detected, counts, new long[targets + 1]);
         for (int target = 0; target < targets; target++) {
           int expected = sight.detects(camera, view, target) ? 1 : 0;
-          detected += expected;
+          assertEquals(expected, counts[target]);
           assertEquals(expected, masks[view] >>> target & 1);
-          assertEquals(detections(sight, world, target), sight.coverage(target));
         }
-        assertEquals(detected, sight.detected(camera));
+        assertEquals(Arrays.stream(counts).sum(), detected[camera]);
       }
     }
   }
@@ -256,7 +256,7 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight sight = new ObservedNetwork(world, Visibility.of(detection));
+    Sight sight = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int view = 0; view < 3; view++) {
         assertTrue(sight.dominates(camera, view, view));
@@ -273,7 +273,9 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = new ObservedNetwork(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight =
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -283,7 +285,8 @@ class SightTest {
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
     Sight sight =
-        new ObservedNetwork(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
+        new ObservedNetwork(
+            world, Visibility.of(Detection.of(new CamSimVisibilityDetection())), Workers.CALLER);
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

@@ -435,7 +435,7 @@ class SimulationTest {
           }
         };
     World world = leaving(StepOrder.CAMSIM).world();
-    new Simulation(world, ALL_IN_REACH, policy, cooperation, 0, List.of()).run(1);
+    new Simulation(world, ALL_IN_REACH, policy, cooperation, 0, List.of(), Workers.CALLER).run(1);
     assertEquals(List.of("begin", "prepare", "decide 0 0", "cooperate", "learn 0 1"), policy.log);
   }
 }

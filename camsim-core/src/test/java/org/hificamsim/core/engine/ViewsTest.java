@@ -56,7 +56,7 @@ class ViewsTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection(random), seed);
-    ObservedNetwork network = new ObservedNetwork(world, visibility);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER);
     int words = (world.targets().count() + 63) / 64;
     for (int step = 0; step < 3; step++) {
       world.fireEvents(step);
@@ -114,25 +114,27 @@ class ViewsTest {
   }
 
   @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
-  void aGridSeesTheSame(@ForAll long seed) {
+  void aGridAndThreadsSeeTheSame(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection(random), seed);
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       world.cameras().jumpTo(camera, random.nextInt(world.cameras().views(camera)));
     }
-    ObservedNetwork plain = new ObservedNetwork(world, visibility);
-    ObservedNetwork binned = new ObservedNetwork(world, visibility, 1.5);
-    for (ObservedNetwork network : List.of(plain, binned)) {
-      network.beginStep(2);
-      network.locate();
-      network.observe(Cooperation.NONE);
-    }
-    for (int camera = 0; camera < plain.cameras(); camera++) {
-      assertEquals(plain.detected(camera), binned.detected(camera));
-    }
-    for (int target = 0; target < plain.targets(); target++) {
-      assertEquals(plain.coverage(target), binned.coverage(target));
+    ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
+    try (Workers workers = Workers.of(3)) {
+      ObservedNetwork binned = new ObservedNetwork(world, visibility, workers, 1.5);
+      for (ObservedNetwork network : List.of(plain, binned)) {
+        network.beginStep(2);
+        network.locate();
+        network.observe(Cooperation.NONE);
+      }
+      for (int camera = 0; camera < plain.cameras(); camera++) {
+        assertEquals(plain.detected(camera), binned.detected(camera));
+      }
+      for (int target = 0; target < plain.targets(); target++) {
+        assertEquals(plain.coverage(target), binned.coverage(target));
+      }
     }
   }
 
@@ -140,7 +142,8 @@ class ViewsTest {
   void aViewThatDominatesDetectsAllThatTheOtherDoes(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
-    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection(random), seed));
+    ObservedNetwork network =
+        new ObservedNetwork(world, Visibility.of(detection(random), seed), Workers.CALLER);
     network.beginStep(0);
     network.locate();
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -164,7 +167,8 @@ class ViewsTest {
             .target(4, -1)
             .target(-4, 0)
             .world();
-    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(geometric()));
+    ObservedNetwork network =
+        new ObservedNetwork(world, Visibility.of(geometric()), Workers.CALLER);
     network.beginStep(0);
     network.locate();
     assertEquals(1, network.view(0), "ahead at first");

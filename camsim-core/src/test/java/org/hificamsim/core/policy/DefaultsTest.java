@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -129,6 +130,18 @@ class DefaultsTest {
                 new Class<?>[] {AimingZoomPolicy.class},
                 InvocationHandler::invokeDefault);
     assertTrue(aiming.jumps());
+  }
+
+  @Test
+  void workIsDoneInOnePart() {
+    List<String> parts = new ArrayList<>();
+    VIEW.divide(
+        parts,
+        (network, work, from, to) -> {
+          assertSame(VIEW, network);
+          work.add(from + " to " + to);
+        });
+    assertEquals(List.of("0 to 5"), parts);
   }
 
   @Test

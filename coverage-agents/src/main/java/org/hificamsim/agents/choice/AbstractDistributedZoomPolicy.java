@@ -2,15 +2,19 @@ package org.hificamsim.agents.choice;
 
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * A policy without a centre: each online camera chooses its own next view.
+ * A policy without a centre: each online camera chooses its own next view. The run's threads share
+ * the cameras.
  *
  * <p>Where moves take time, a camera chooses when it has arrived, and not on its way (ADR 28).
  */
 public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
+  private final CameraTask<int[]> choosing = this::chooseAll;
+
   /**
    * One generator for each camera, so that no camera's draws depend on which others are online or
    * on the order in which they decide.
@@ -35,7 +39,7 @@ public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
 
   @Override
   public void decide(NetworkView network, int[] views) {
-    chooseAll(network, views, 0, views.length);
+    network.divide(views, choosing);
   }
 
   /**

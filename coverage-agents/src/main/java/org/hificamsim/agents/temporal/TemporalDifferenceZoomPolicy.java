@@ -6,6 +6,7 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.choice.Utility;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -25,6 +26,9 @@ import org.hificamsim.core.registry.Options;
 public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
   private static final double LARGE = 1e6;
+
+  private static final CameraTask<TemporalDifferenceZoomPolicy> MEASURING =
+      (network, policy, from, to) -> policy.measure(network, from, to);
 
   private final String name;
   private final boolean onPolicy;
@@ -146,7 +150,13 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   /** What a count does not tell is measured at once: targets move on before the next decision. */
   @Override
   public final void learn(NetworkView network) {
-    for (int camera = 0; !utility.counts() && camera < utilities.length; camera++) {
+    if (!utility.counts()) {
+      network.divide(this, MEASURING);
+    }
+  }
+
+  private void measure(NetworkView network, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       utilities[camera] = utility.of(network, camera);
     }
   }

@@ -1,10 +1,12 @@
 package org.hificamsim.agents.voting;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.core.channel.MessageBits;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -31,14 +33,15 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     NO
   }
 
+  private final CameraTask<int[]> electing = this::elect;
   private final int neighbours;
   private final OwnVote ownVote;
   private final MajorityVote.Draw ties;
   private final int timeout;
   private NearestCameras nearest;
   private ViewTranslation translation;
-  private MajorityVote vote;
-  private long messages;
+  private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
+  private long[] messages = {}; // of a thread, as the votes
   private int[] elected = {};
   private Inquiries inquiries; // null over a perfect channel
   private int bitsOfBoth; // of a query and its answer
@@ -66,7 +69,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
   @Override
   public long messages() {
-    return inquiries == null ? messages : inquiries.messages();
+    return inquiries == null ? Arrays.stream(messages).sum() : inquiries.messages();
   }
 
   @Override
@@ -78,9 +81,10 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
     elected = new int[network.cameras()];
-    messages = 0;
+    messages = new long[network.cameras()];
+    votes = new MajorityVote[network.cameras()];
     int views = IntStream.range(0, elected.length).map(network::views).max().orElse(0);
-    vote = new MajorityVote(ties, views);
+    Arrays.setAll(votes, share -> new MajorityVote(ties, views));
     nearest = new NearestCameras(network, neighbours);
     translation = new ViewTranslation(network);
     int address = MessageBits.address(network.cameras());
@@ -100,7 +104,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     if (inquiries != null) {
       inquiries.run(camera -> percept(network, camera));
     }
-    elect(network);
+    network.divide(elected, electing);
   }
 
   @Override
@@ -109,16 +113,16 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   }
 
   /** In blocks, for speed alone: {@link #fetch}. */
-  private void elect(NetworkView network) {
-    for (int first = 0; first < elected.length; first += ActionValues.BLOCK) {
-      int end = Math.min(elected.length, first + ActionValues.BLOCK);
+  private void elect(NetworkView network, int[] elected, int from, int to) {
+    for (int first = from; first < to; first += ActionValues.BLOCK) {
+      int end = Math.min(to, first + ActionValues.BLOCK);
       if (inquiries == null && q().exceedsCache()) {
         fetch(network, first, end);
       }
       for (int camera = first; camera < end; camera++) {
         if (!network.moving(camera)) {
-          elected[camera] = elect(network, camera);
-          messages += 2L * nearest.count(camera);
+          elected[camera] = elect(network, camera, votes[from]);
+          messages[from] += 2L * nearest.count(camera);
         }
       }
     }
@@ -140,7 +144,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     fetched = sum;
   }
 
-  private int elect(NetworkView network, int camera) {
+  private int elect(NetworkView network, int camera, MajorityVote vote) {
     int view = network.view(camera);
     int percept = percept(network, camera);
     int state = q().state(camera, view, percept);
