@@ -196,6 +196,19 @@ class CompareStatisticsTest {
     }
   }
 
+  @Test
+  void picturesForPrintAreAsWideAsAskedFor() throws IOException {
+    Path print = folder.resolve("print");
+    run(print, 2, "zoom-out,sarsa", "--steps", 30, "--figure-width", "88mm");
+    for (String name : List.of("proportion", "profile", "coverage", "k_min-lattice-random")) {
+      String svg = Files.readString(print.resolve(name + ".svg"));
+      assertTrue(svg.contains("width=\"88mm\""), name);
+    }
+    Cli wrong = run(print, 2, "zoom-out", "--figure-width", "3in");
+    assertEquals(2, wrong.exit());
+    assertTrue(wrong.err().contains("--figure-width is '3in', expected "), wrong.err());
+  }
+
   private static boolean sarsaHifi(Map<String, String> row) {
     return row.get("policy").equals("sarsa") && row.get("detection").equals("hifi:orb-lin");
   }

@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
+import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
@@ -51,6 +52,9 @@ final class CompareCommand implements Callable<Integer> {
   @Option(names = "--latex")
   private boolean latex;
 
+  @Option(names = "--figure-width", paramLabel = "MMmm")
+  private Optional<String> figureWidth;
+
   @Spec private CommandSpec command;
 
   @Mixin private ScenarioOptions scenarioOptions;
@@ -67,6 +71,7 @@ final class CompareCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
     List<RunPlan> plans = plans(catalogue);
+    Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
     ReferencePolicies references = ReferencePolicies.parse("--yardsticks", yardsticks);
     if (batch.computesHere()) {
       new OptimumTime(catalogue, batch.threads()).tell(plans, references, screen.err());
@@ -80,7 +85,7 @@ final class CompareCommand implements Callable<Integer> {
           List<CaseResult> asked = results.subList(0, plans.size());
           ComparisonFiles.write(folder, asked, results);
           Choice.write(folder, asked);
-          ComparisonFigures.write(folder, results, batch.threads());
+          ComparisonFigures.write(folder, results, width, batch.threads());
           AggregateFiles.write(folder, asked, batch.threads());
           if (latex) {
             SummaryTables.writeLatex(folder, asked, results);

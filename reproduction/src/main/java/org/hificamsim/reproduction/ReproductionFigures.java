@@ -20,7 +20,6 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.CoverageFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
-import org.hificamsim.presentation.figures.OverTime;
 import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
@@ -112,12 +111,12 @@ public final class ReproductionFigures {
   private Figure overTime(TimeFigure figure) {
     List<CaseResult> all = new ArrayList<>();
     figure.scenarios.forEach(number -> all.addAll(hifi(number, figure.policies)));
-    PolicyColors colors = OverTime.colors(all);
-    double most = OverTime.ceiling(all);
+    PolicyColors colors = PolicyColors.of(all);
+    double most = KMinPanel.most(all);
     List<XYChart> panels = new ArrayList<>();
     for (int number : figure.scenarios) {
       List<CaseResult> group = hifi(number, figure.policies);
-      KMinPanel panel = OverTime.panel(title(number), group, colors::of, most);
+      KMinPanel panel = KMinPanel.of(title(number), group, colors::of, most);
       if (number == 4 && !Double.isNaN(figure.published)) {
         panel.level(figure.published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
       }
@@ -134,7 +133,7 @@ public final class ReproductionFigures {
     int width = panels.size() == 1 ? WIDTH + WIDTH / 3 : WIDTH;
     return new Figure(
         "Figure " + figure.number + ": " + figure.title,
-        HIFI + ". " + OverTime.note(all),
+        HIFI + ". " + KMinPanel.note(all),
         legend,
         panels,
         panels.size(),
@@ -158,7 +157,7 @@ public final class ReproductionFigures {
   private Figure figure81() {
     List<XYChart> panels = new ArrayList<>();
     for (int number = 1; number <= Layout.SCENARIOS.size(); number++) {
-      double most = OverTime.ceiling(both(number, PublishedCell.POLICIES));
+      double most = KMinPanel.most(both(number, PublishedCell.POLICIES));
       for (String policy : PublishedCell.POLICIES) {
         panels.add(models(number, policy, most));
       }
@@ -166,7 +165,7 @@ public final class ReproductionFigures {
     return new Figure(
         "Figure 8.1: k_min under the two detection models",
         "By scenario (rows) and policy (columns); x: time (steps), y: k_min (cameras). "
-            + OverTime.note(both(1, PublishedCell.POLICIES)),
+            + KMinPanel.note(both(1, PublishedCell.POLICIES)),
         List.of(
             new LegendEntry(CAMSIM, MODELS.get(CAMSIM), LegendEntry.Mark.LINE),
             new LegendEntry(HIFI, MODELS.get(HIFI), LegendEntry.Mark.LINE)),
@@ -177,7 +176,7 @@ public final class ReproductionFigures {
   }
 
   private XYChart models(int number, String policy, double most) {
-    return OverTime.panel(
+    return KMinPanel.of(
             number + ", " + policy,
             both(number, List.of(policy)),
             one -> MODELS.get(one.plan().detection().name()),

@@ -9,13 +9,11 @@ final class Chosen {
   private final int[] counts;
   private double worth;
   private double price;
-  private int missing; // times that samples are still to be seen
 
   Chosen(CoverInstance instance) {
     this.instance = instance;
     this.chosen = new boolean[instance.candidates()];
     this.counts = new int[instance.samples()];
-    this.missing = Arrays.stream(instance.needs()).sum();
   }
 
   /** Chooses these and no others. */
@@ -62,7 +60,6 @@ final class Chosen {
   void add(int candidate) {
     worth += gain(candidate);
     price += instance.prices()[candidate];
-    missing -= missingOf(candidate);
     chosen[candidate] = true;
     for (int sample : instance.columns()[candidate]) {
       counts[sample]++;
@@ -76,7 +73,6 @@ final class Chosen {
     }
     worth -= gain(candidate);
     price -= instance.prices()[candidate];
-    missing += missingOf(candidate);
   }
 
   boolean has(int candidate) {
@@ -104,9 +100,5 @@ final class Chosen {
 
   double price() {
     return price;
-  }
-
-  boolean isWhole() {
-    return missing == 0;
   }
 }

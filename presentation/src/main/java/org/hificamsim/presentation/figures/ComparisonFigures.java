@@ -10,6 +10,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Yardstick;
@@ -25,14 +26,16 @@ public final class ComparisonFigures {
    * Writes all pictures.
    *
    * @param cases every case with the optima
+   * @param width in print; without it, as wide as their panels need on a screen
    * @param threads that share the work, 1 or more
    */
-  public static void write(OutputFolder folder, List<CaseResult> cases, int threads)
+  public static void write(
+      OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width, int threads)
       throws IOException {
     Map<String, Supplier<Figure>> figures = figures(cases);
     List<FigureFile.Drawn> drawn =
         Parallel.map(
-            List.copyOf(figures.values()), threads, figure -> FigureFile.draw(figure.get()));
+            List.copyOf(figures.values()), threads, figure -> FigureFile.draw(figure.get(), width));
     int next = 0;
     for (String name : figures.keySet()) {
       drawn.get(next++).write(folder, name);
@@ -46,7 +49,7 @@ public final class ComparisonFigures {
             (name, group) ->
                 figures.put(
                     course(group) + "-" + name,
-                    () -> OverTime.figure(course(group) + " over time, " + name, group)));
+                    () -> KMinPanel.figure(course(group) + " over time, " + name, group)));
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     yardstick.ifPresent(by -> figures.put("proportion", () -> ProportionFigure.of(cases, by)));
     figures.put("coverage", () -> coverage(cases));

@@ -1,17 +1,24 @@
 package org.hificamsim.presentation.figures;
 
 import java.awt.Color;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.FinishedRun;
+import org.knowm.xchart.XYChart;
 
 /**
  * A panel of k_min or another score over time, as chapters 7 and 8 show it: the mean over the runs
@@ -19,6 +26,8 @@ import org.hificamsim.runs.compare.FinishedRun;
  */
 public final class KMinPanel extends XyPanel {
   private static final int RAW_POINTS = 250;
+  private static final int WIDTH = 470;
+  private static final int HEIGHT = 300;
 
   private final int steps;
 
@@ -29,6 +38,40 @@ public final class KMinPanel extends XyPanel {
     x(0, steps).y(0, most);
   }
 
+  /** The figure of one scenario. */
+  public static Figure figure(String title, List<CaseResult> cases) {
+    PolicyColors colors = PolicyColors.of(cases);
+    double most = most(cases);
+    Map<String, List<CaseResult>> detections = Cases.byDetection(cases);
+    List<XYChart> panels = new ArrayList<>();
+    detections.forEach((name, group) -> panels.add(of(name, group, colors::of, most)));
+    return new Figure(
+        title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
+  }
+
+  /** A panel of cases, each in its colour. */
+  public static KMinPanel of(
+      String title, List<CaseResult> cases, Function<CaseResult, Color> color, double most) {
+    RunPlan plan = cases.get(0).plan();
+    KMinPanel panel = new KMinPanel(title, plan.objective(), plan.steps(), most);
+    cases.forEach(one -> panel.band(one, color.apply(one)));
+    cases.forEach(one -> panel.raw(one.meanScore(), color.apply(one)));
+    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanScore(), color.apply(one)));
+    return panel;
+  }
+
+  /** Where a y axis ends that holds all cases. */
+  public static double most(List<CaseResult> cases) {
+    return ceiling(cases.stream().map(CaseResult::meanScore).toList());
+  }
+
+  /** What the note of a figure says of such panels. */
+  public static String note(List<CaseResult> cases) {
+    int runs = cases.get(0).runs().size();
+    return note(cases.get(0).plan().steps())
+        + (runs > 1 ? " (" + runs + " seeds); bands: 95% intervals of that mean." : ".");
+  }
+
   private static String label(Objective objective) {
     if (!objective.hasOwnFigure()) {
       return "k_min (cameras)";
@@ -36,12 +79,7 @@ public final class KMinPanel extends XyPanel {
     return objective.isShare() ? "share of " + objective.words() : objective.words();
   }
 
-  /**
-   * What the note of a figure says of such panels.
-   *
-   * @param steps of the longest run
-   */
-  public static String note(int steps) {
+  static String note(int steps) {
     if (!Lowess.smooths(steps)) {
       return "Mean over the runs";
     }

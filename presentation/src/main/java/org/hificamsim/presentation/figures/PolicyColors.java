@@ -48,6 +48,11 @@ public final class PolicyColors {
     return color != null && free.remove(color) ? color : null;
   }
 
+  /** The colours of the cases' policies. */
+  public static PolicyColors of(List<CaseResult> cases) {
+    return new PolicyColors(cases.stream().map(one -> one.plan().policy()).toList());
+  }
+
   /** The same colours, for some of the policies. */
   public PolicyColors(PolicyColors all, List<String> policies) {
     policies.forEach(policy -> colors.put(policy, all.of(policy)));

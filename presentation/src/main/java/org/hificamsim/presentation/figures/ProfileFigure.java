@@ -25,7 +25,7 @@ final class ProfileFigure {
   /** The figure of all scenarios together, a panel per detection. */
   static Figure of(List<CaseResult> cases, Yardstick yardstick) {
     List<CaseResult> shown = cases.stream().filter(one -> !one.isOptimum()).toList();
-    PolicyColors colors = OverTime.colors(shown);
+    PolicyColors colors = PolicyColors.of(shown);
     List<XYChart> panels = new ArrayList<>();
     Cases.byDetection(shown)
         .forEach((name, group) -> panels.add(panel(name, group, colors, yardstick)));

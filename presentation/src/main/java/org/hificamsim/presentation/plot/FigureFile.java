@@ -10,8 +10,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -21,9 +23,9 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.SVGGraphics2D;
-import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
+import org.w3c.dom.Element;
 
 /** Writes pictures: PNG for screens, SVG and PDF for papers. Needs no display. */
 public final class FigureFile {
@@ -75,20 +77,32 @@ public final class FigureFile {
 
   /** Writes {@code name.png}, {@code name.svg} and {@code name.pdf}. */
   public static void write(OutputFolder folder, String name, Figure figure) throws IOException {
-    draw(figure).write(folder, name);
+    draw(figure, Optional.empty()).write(folder, name);
   }
 
-  /** Draws a figure in all formats. */
-  public static Drawn draw(Figure figure) {
-    return new Drawn(
-        FORMATS.stream()
-            .map(
-                format -> {
-                  ByteArrayOutputStream out = new ByteArrayOutputStream();
-                  Io.run(() -> write(out, format, figure));
-                  return out.toByteArray();
-                })
-            .toList());
+  /** Draws at a width in print; without it, for the screen. */
+  public static Drawn draw(Figure figure, Optional<PrintWidth> width) {
+    Figure laid = width.map(print -> print.of(figure)).orElse(figure);
+    SVGGraphics2D graphics = painted(laid);
+    Element root = graphics.getRoot();
+    width.ifPresent(
+        print -> {
+          root.setAttribute("viewBox", "0 0 " + laid.width() + " " + laid.height());
+          root.setAttribute("width", print.millimetres() + "mm");
+          root.setAttribute("height", print.printed(laid.height(), laid) + "mm");
+        });
+    try {
+      ByteArrayOutputStream png = new ByteArrayOutputStream();
+      png(png, laid, width.map(PrintWidth::pixels).orElse(SCALE * laid.width()));
+      ByteArrayOutputStream svg = new ByteArrayOutputStream();
+      stream(graphics, root, svg);
+      ByteArrayOutputStream pdf = new ByteArrayOutputStream();
+      PdfFile.write(
+          pdf, List.of(laid), width.map(PrintWidth::points).orElse((double) laid.width()));
+      return new Drawn(List.of(png.toByteArray(), svg.toByteArray(), pdf.toByteArray()));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** Writes a PNG image, {@link #SCALE} pixels to a point. */
@@ -126,7 +140,7 @@ public final class FigureFile {
     switch (format) {
       case "png" -> png(out, picture);
       case "svg" -> svg(out, picture);
-      case "pdf" -> pages(out, List.of(picture));
+      case "pdf" -> PdfFile.write(out, List.of(picture), picture.width());
       default -> throw new IllegalArgumentException(format);
     }
   }
@@ -159,18 +173,28 @@ public final class FigureFile {
     }
   }
 
-  /** Writes a PDF document of these pages. */
+  /** Writes a PDF document of these pages, which are as wide as they say. */
   public static void pages(OutputStream out, List<? extends Paintable> pages) throws IOException {
-    PdfFile.write(out, pages);
+    PdfFile.write(out, pages, pages.get(0).width());
   }
 
   /** Writes an SVG document. */
   public static void svg(OutputStream out, Paintable picture) throws IOException {
+    SVGGraphics2D graphics = painted(picture);
+    stream(graphics, graphics.getRoot(), out);
+  }
+
+  private static SVGGraphics2D painted(Paintable picture) {
     SVGGraphics2D graphics = new SVGGraphics2D(new SvgContext(document()), false);
     graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
     paint(picture, graphics);
+    return graphics;
+  }
+
+  private static void stream(SVGGraphics2D graphics, Element root, OutputStream out)
+      throws IOException {
     StringWriter text = new StringWriter();
-    graphics.stream(graphics.getRoot(), text, true, false);
+    graphics.stream(root, text, true, false);
     out.write(DOCTYPE.matcher(text.toString()).replaceFirst("").getBytes(StandardCharsets.UTF_8));
   }
 

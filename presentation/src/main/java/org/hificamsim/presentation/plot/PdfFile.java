@@ -8,29 +8,36 @@ import org.apache.pdfbox.pdmodel.PDDocument;
 import org.apache.pdfbox.pdmodel.PDPage;
 import org.apache.pdfbox.pdmodel.PDPageContentStream;
 import org.apache.pdfbox.pdmodel.common.PDRectangle;
+import org.apache.pdfbox.util.Matrix;
 
 /** Pictures as a PDF document, a page each. Letters are outlines, so that it needs no fonts. */
 final class PdfFile {
   private PdfFile() {}
 
-  /** Writes the document. */
-  static void write(OutputStream out, List<? extends Paintable> pictures) throws IOException {
+  /**
+   * Writes the document.
+   *
+   * @param width of pages, points; the height follows
+   */
+  static void write(OutputStream out, List<? extends Paintable> pictures, double width)
+      throws IOException {
     try (PDDocument document = new PDDocument()) {
       document.setDocumentId(0L); // the same bytes each time
       for (Paintable picture : pictures) {
-        add(document, picture);
+        add(document, picture, (float) (width / picture.width()));
       }
       document.save(out);
     }
   }
 
-  private static void add(PDDocument document, Paintable picture) throws IOException {
+  private static void add(PDDocument document, Paintable picture, float scale) throws IOException {
     PdfBoxGraphics2D graphics = new PdfBoxGraphics2D(document, picture.width(), picture.height());
     FigureFile.paint(picture, graphics);
     graphics.dispose();
-    PDPage page = new PDPage(new PDRectangle(picture.width(), picture.height()));
+    PDPage page = new PDPage(new PDRectangle(scale * picture.width(), scale * picture.height()));
     document.addPage(page);
     try (PDPageContentStream content = new PDPageContentStream(document, page)) {
+      content.transform(Matrix.getScaleInstance(scale, scale));
       content.drawForm(graphics.getXFormObject());
     }
   }

@@ -42,20 +42,10 @@ public final class LiveRun {
   private boolean heat;
   private boolean paused;
 
-  /** Without suggestions. */
-  public LiveRun(
-      Catalogue catalogue,
-      Scenario scenario,
-      LiveChoice choice,
-      long seed,
-      List<Setup.Floor> floor) {
-    this(catalogue, scenario, choice, seed, floor, Optional.empty());
-  }
-
   /**
    * @param choice of the first simulation; its detection may be a model file
    * @param floor pictures under the field
-   * @param planner suggests cameras
+   * @param planner suggests cameras; empty for no suggestions
    * @throws InputException when the choice is wrong or does not suit the scenario
    */
   public LiveRun(

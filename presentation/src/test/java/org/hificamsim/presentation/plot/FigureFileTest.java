@@ -2,6 +2,7 @@ package org.hificamsim.presentation.plot;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -9,7 +10,10 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -17,9 +21,13 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.apache.pdfbox.Loader;
 import org.apache.pdfbox.pdmodel.PDDocument;
 import org.apache.pdfbox.rendering.PDFRenderer;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
+import org.w3c.dom.Element;
 
 class FigureFileTest {
   private static Figure figure() {
@@ -116,7 +124,8 @@ class FigureFileTest {
     double[] noise = new Random(seed).doubles(500).toArray();
     XyPanel panel =
         new XyPanel("noise", "x", "y").x(0, 500).y(0, 1).straight(Curve.of(noise), Palette.BLUE);
-    return FigureFile.draw(new Figure("Noise " + seed, "", List.of(), List.of(panel), 1, 300, 200));
+    return FigureFile.draw(
+        new Figure("Noise " + seed, "", List.of(), List.of(panel), 1, 300, 200), Optional.empty());
   }
 
   @Test
@@ -144,6 +153,45 @@ class FigureFileTest {
     FigureFile.write(out, "svg", two);
     String svg = out.toString(StandardCharsets.UTF_8);
     two.noteLines().forEach(line -> assertTrue(svg.contains(line), line));
+  }
+
+  @Test
+  void inPrintTextIsReadableAtAnyWidthAndPanelsGoBelowEachOther(@TempDir Path folder)
+      throws Exception {
+    for (int millimetres : new int[] {88, 180}) {
+      try (OutputFolder out = new OutputFolder(folder)) {
+        FigureFile.draw(figure(), Optional.of(new PrintWidth(millimetres))).write(out, "a");
+        out.commit(List.of());
+      }
+      Element root =
+          DocumentBuilderFactory.newInstance()
+              .newDocumentBuilder()
+              .parse(folder.resolve("a.svg").toFile())
+              .getDocumentElement();
+      String[] box = root.getAttribute("viewBox").split(" ");
+      double width = Double.parseDouble(box[2]);
+      assertEquals(millimetres + "mm", root.getAttribute("width"));
+      double height = Double.parseDouble(root.getAttribute("height").replace("mm", ""));
+      assertEquals(millimetres / width, height / Double.parseDouble(box[3]), 1e-9);
+      double points = millimetres / 25.4 * 72 / width;
+      assertEquals(8, points * Fonts.TEXT.getSize(), 0.15);
+      assertEquals(7, points * Fonts.TICKS.getSize(), 0.3);
+      BufferedImage image = ImageIO.read(folder.resolve("a.png").toFile());
+      assertEquals(Math.round(millimetres / 25.4 * 300), image.getWidth());
+      assertEquals(millimetres > 100, image.getWidth() > image.getHeight());
+      BufferedImage page = page(Files.readAllBytes(folder.resolve("a.pdf")), 254);
+      assertEquals(10 * millimetres, page.getWidth(), 1);
+      assertEquals(10 * height, page.getHeight(), 1);
+    }
+  }
+
+  @Test
+  void aWidthThatIsNoneIsReported() {
+    for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
+      InputException wrong = assertThrows(InputException.class, () -> PrintWidth.parse(width));
+      assertTrue(wrong.getMessage().startsWith("--figure-width is '" + width + "', expected "));
+    }
+    assertEquals(88, PrintWidth.parse("88mm").millimetres());
   }
 
   private static byte[] png() throws IOException {

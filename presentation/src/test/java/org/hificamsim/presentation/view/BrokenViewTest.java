@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
@@ -48,7 +49,7 @@ class BrokenViewTest {
     LiveChoice choice = new LiveChoice("geometric", null, "exhausting");
     session =
         new LiveSession(
-            new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0, List.of()));
+            new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0, List.of(), Optional.empty()));
     server = new ViewServer(session, "<p>the page</p>", 0, Duration.ofSeconds(1));
     address = URI.create(server.address());
   }

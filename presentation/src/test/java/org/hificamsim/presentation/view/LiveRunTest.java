@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -41,7 +42,7 @@ class LiveRunTest {
   @TempDir private Path folder;
 
   private LiveRun live(String scenario, long seed) {
-    return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed, List.of());
+    return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed, List.of(), Optional.empty());
   }
 
   @ParameterizedTest
@@ -223,7 +224,7 @@ class LiveRunTest {
     Path file = folder.resolve("edited.xml");
     assertDoesNotThrow(() -> Files.writeString(file, ScenarioWriter.write(live.scenario())));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
-    LiveRun other = new LiveRun(catalogue, read, CHOICE, 7, List.of());
+    LiveRun other = new LiveRun(catalogue, read, CHOICE, 7, List.of(), Optional.empty());
     live.restart(7, true);
     for (int step = 0; step < 60; step++) {
       assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
@@ -232,7 +233,7 @@ class LiveRunTest {
 
   @Test
   void aWallHidesTargetsFromTheNextStepOnUntilItIsRemoved() {
-    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0, List.of());
+    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0, List.of(), Optional.empty());
     int sure = detections(live, 60);
     live.restart(0, true);
     Scenario scenario = live.scenario();
@@ -369,7 +370,7 @@ class LiveRunTest {
   void aHeldCameraStaysInItsViewWhateverItsPolicyChooses() {
     Scenario hall = Scenarios.hall();
     LiveRun live =
-        new LiveRun(catalogue, hall, new LiveChoice("hifi:orb-lin", null, "random"), 0, List.of());
+        new LiveRun(catalogue, hall, new LiveChoice("hifi:orb-lin", null, "random"), 0, List.of(), Optional.empty());
     live.compare(true);
     live.hold(1, 7);
     for (int step = 0; step < 30; step++) {
@@ -391,7 +392,7 @@ class LiveRunTest {
 
   @Test
   void wallsAndOpticsAreReadBackFromWhatIsSaved() throws Exception {
-    LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of());
+    LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of(), Optional.empty());
     live.edit(now -> now.wall(25, 15, 28.5, 15));
     live.edit(now -> now.removeObstacle(1));
     live.turn(0, 45);
@@ -399,7 +400,7 @@ class LiveRunTest {
     Files.writeString(file, ScenarioWriter.write(live.scenario()));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
     assertEquals(live.scenario().with(Scenario.NAME, read.name()), read);
-    LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7, List.of());
+    LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7, List.of(), Optional.empty());
     live.restart(7, true);
     for (int step = 0; step < 30; step++) {
       assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
@@ -408,8 +409,8 @@ class LiveRunTest {
 
   @Test
   void draggingChangesWhatIsDetected() {
-    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of());
-    LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of());
+    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
+    LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
     steps(live, 10);
     steps(still, 10);
     Frame before = frame(still.step(), 0);

@@ -27,6 +27,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -58,7 +59,7 @@ class ViewServerTest {
             Scenarios.read("cluster-random"),
             new LiveChoice("hifi:orb-lin", null, "sarsa"),
             0,
-            List.of());
+            List.of(), Optional.empty());
     session = new LiveSession(run);
     server = new ViewServer(session, "<p>the page</p>", 0, GRACE);
     address = URI.create(server.address());

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.file.Io;
@@ -165,7 +166,7 @@ public final class FitReport {
   }
 
   private void picture(String name, Figure figure, String caption) throws IOException {
-    FigureFile.Drawn drawn = FigureFile.draw(figure);
+    FigureFile.Drawn drawn = FigureFile.draw(figure, Optional.empty());
     drawn.write(folder, name);
     page.figure(drawn.files().get(0), caption);
   }

@@ -162,7 +162,7 @@ class FitReportTest {
   }
 
   private static byte[] png(Figure figure) {
-    return FigureFile.draw(figure).files().get(0);
+    return FigureFile.draw(figure, Optional.empty()).files().get(0);
   }
 
   /** By hand: 3 detected, of which 2 are told; 2 not, of which 1 is. */

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 
-class OverTimeTest {
+class KMinPanelTest {
   @Test
   void theAxisHoldsEveryPointThatIsDrawn() {
     double[] peak = new double[1000];
