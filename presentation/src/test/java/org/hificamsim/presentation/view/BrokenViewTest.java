@@ -49,7 +49,13 @@ class BrokenViewTest {
     LiveChoice choice = new LiveChoice("geometric", null, "exhausting");
     session =
         new LiveSession(
-            new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0, List.of(), Optional.empty()));
+            new LiveRun(
+                catalogue,
+                Scenarios.read("cluster-random"),
+                choice,
+                0,
+                List.of(),
+                Optional.empty()));
     server = new ViewServer(session, "<p>the page</p>", 0, Duration.ofSeconds(1));
     address = URI.create(server.address());
   }

@@ -42,7 +42,8 @@ class LiveRunTest {
   @TempDir private Path folder;
 
   private LiveRun live(String scenario, long seed) {
-    return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed, List.of(), Optional.empty());
+    return new LiveRun(
+        catalogue, Scenarios.read(scenario), CHOICE, seed, List.of(), Optional.empty());
   }
 
   @ParameterizedTest
@@ -233,7 +234,9 @@ class LiveRunTest {
 
   @Test
   void aWallHidesTargetsFromTheNextStepOnUntilItIsRemoved() {
-    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0, List.of(), Optional.empty());
+    LiveRun live =
+        new LiveRun(
+            catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0, List.of(), Optional.empty());
     int sure = detections(live, 60);
     live.restart(0, true);
     Scenario scenario = live.scenario();
@@ -370,7 +373,13 @@ class LiveRunTest {
   void aHeldCameraStaysInItsViewWhateverItsPolicyChooses() {
     Scenario hall = Scenarios.hall();
     LiveRun live =
-        new LiveRun(catalogue, hall, new LiveChoice("hifi:orb-lin", null, "random"), 0, List.of(), Optional.empty());
+        new LiveRun(
+            catalogue,
+            hall,
+            new LiveChoice("hifi:orb-lin", null, "random"),
+            0,
+            List.of(),
+            Optional.empty());
     live.compare(true);
     live.hold(1, 7);
     for (int step = 0; step < 30; step++) {
@@ -392,7 +401,8 @@ class LiveRunTest {
 
   @Test
   void wallsAndOpticsAreReadBackFromWhatIsSaved() throws Exception {
-    LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of(), Optional.empty());
+    LiveRun live =
+        new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of(), Optional.empty());
     live.edit(now -> now.wall(25, 15, 28.5, 15));
     live.edit(now -> now.removeObstacle(1));
     live.turn(0, 45);
@@ -409,8 +419,12 @@ class LiveRunTest {
 
   @Test
   void draggingChangesWhatIsDetected() {
-    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
-    LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
+    LiveRun live =
+        new LiveRun(
+            catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
+    LiveRun still =
+        new LiveRun(
+            catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
     steps(live, 10);
     steps(still, 10);
     Frame before = frame(still.step(), 0);

@@ -59,7 +59,8 @@ class ViewServerTest {
             Scenarios.read("cluster-random"),
             new LiveChoice("hifi:orb-lin", null, "sarsa"),
             0,
-            List.of(), Optional.empty());
+            List.of(),
+            Optional.empty());
     session = new LiveSession(run);
     server = new ViewServer(session, "<p>the page</p>", 0, GRACE);
     address = URI.create(server.address());
