@@ -8,6 +8,7 @@ import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.runs.RunPlan;
 
@@ -22,7 +23,8 @@ public final class AuctionRun {
    */
   public static NetworkRun of(Scenario scenario, ScheduleKind schedule, int comm) {
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
+    NetworkSettings settings =
+        NetworkSettings.CAMSIM.withStrategies(List.of(new Strategy(schedule, comm)));
     Scenario read = scenario.with(Scenario.ZOOMS, List.of()).with(Scenario.ORDER, StepOrder.CAMSIM);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     RunPlan plan =

@@ -106,21 +106,6 @@ public record NetworkSettings(
     return with(strategies, schedule, comm, bandit, banditParameters, newQuirks);
   }
 
-  /**
-   * The same settings with one schedule and policy for all cameras of the file.
-   *
-   * @param number of the policy, 0 to 3
-   */
-  public NetworkSettings withAll(ScheduleKind newSchedule, int number) {
-    return with(
-        List.of(),
-        Optional.of(newSchedule),
-        Comm.of(number, Optional.empty()),
-        bandit,
-        banditParameters,
-        quirks);
-  }
-
   /** The same settings with these strategies, one for all cameras of the file or one for each. */
   public NetworkSettings withStrategies(List<Strategy> newStrategies) {
     return with(

@@ -50,7 +50,7 @@ class RoleReaderTest {
 
   @Test
   void theSettingsCountForAllCamerasOfTheFile() {
-    NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_ACTIVE, 3);
+    NetworkSettings all = NetworkSettings.CAMSIM.withStrategies(Strategy.list("HA3"));
     CameraRole role = read(new RoleReader(all, false), SMOOTH, false);
     assertEquals(ScheduleKind.HISTORICAL_ACTIVE, role.schedule());
     assertTrue(role.comm().isFix());
@@ -58,7 +58,7 @@ class RoleReaderTest {
 
   @Test
   void anAddedCameraHasTheScheduleOfTheLastOneInTheFileAndItsOwnPolicy() {
-    NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_PASSIVE, 3);
+    NetworkSettings all = NetworkSettings.CAMSIM.withStrategies(Strategy.list("HP3"));
     RoleReader reader = new RoleReader(all, false);
     read(reader, NOTHING, false);
     CameraRole role = read(reader, spec("Nobody", 2, null, null), true);

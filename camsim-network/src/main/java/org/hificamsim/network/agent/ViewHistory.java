@@ -1,6 +1,7 @@
 package org.hificamsim.network.agent;
 
 import java.util.Arrays;
+import java.util.stream.Stream;
 import org.hificamsim.core.world.Targets;
 
 /**
@@ -9,45 +10,45 @@ import org.hificamsim.core.world.Targets;
  * <p>A direction needs only the first two positions of a stay: no others are kept.
  */
 final class ViewHistory {
+  /** A target's stay in view. */
+  private static final class Stay {
+    private boolean seen;
+    private int points;
+    private double firstX;
+    private double firstY;
+    private double secondX;
+    private double secondY;
+    private int lastCategory;
+  }
+
   private final Targets targets;
   private final HistoricalParameters parameters;
-  private final boolean[] seen;
-  private final int[] points;
-  private final double[] firstX;
-  private final double[] firstY;
-  private final double[] secondX;
-  private final double[] secondY;
-  private final int[] lastCategory;
+  private final Stay[] stays; // by target
   private final long[] sums;
   private final long[] counts;
 
   ViewHistory(Targets targets, HistoricalParameters parameters) {
     this.targets = targets;
     this.parameters = parameters;
-    int count = targets.count();
-    seen = new boolean[count];
-    points = new int[count];
-    firstX = new double[count];
-    firstY = new double[count];
-    secondX = new double[count];
-    secondY = new double[count];
-    lastCategory = new int[count];
+    stays = Stream.generate(Stay::new).limit(targets.count()).toArray(Stay[]::new);
     sums = new long[parameters.categories() + 1];
     counts = new long[parameters.categories() + 1];
   }
 
   /** A target's direction, from 1; 0 while it is not known. */
   int category(int target) {
-    if (points[target] == 0) {
-      return lastCategory[target];
+    return category(stays[target]);
+  }
+
+  private int category(Stay stay) {
+    if (stay.points == 0) {
+      return stay.lastCategory;
     }
-    if (points[target] < 2) {
+    if (stay.points < 2) {
       return 0;
     }
-    double degrees =
-        Math.toDegrees(
-                Math.atan2(secondX[target] - firstX[target], secondY[target] - firstY[target]))
-            + 180;
+    double direction = Math.atan2(stay.secondX - stay.firstX, stay.secondY - stay.firstY);
+    double degrees = Math.toDegrees(direction) + 180;
     double width = 360.0 / parameters.categories();
     return degrees == 360 ? 1 : (int) Math.floor(degrees / width) + 1;
   }
@@ -56,29 +57,27 @@ final class ViewHistory {
    * What a target is worth: its visibility times a coefficient; a target in view counts as seen.
    */
   double value(int target, double visibility) {
-    double value = parameters.history() ? visibility * coefficient(target) : visibility;
-    if (visibility > 0) {
-      seen[target] = true;
-    }
+    double value = parameters.history() ? visibility * coefficient(stays[target]) : visibility;
+    stays[target].seen |= visibility > 0;
     return value;
   }
 
-  private double coefficient(int target) {
-    double average = average(target);
-    if (Double.isNaN(average) || points[target] == 0) {
+  private double coefficient(Stay stay) {
+    double average = average(stay);
+    if (Double.isNaN(average) || stay.points == 0) {
       return parameters.preInstantiation();
     }
-    double left = average - points[target];
+    double left = average - stay.points;
     return left > 0 ? left : parameters.overstay();
   }
 
   /** NaN while there is none. */
-  private double average(int target) {
+  private double average(Stay stay) {
     if (!parameters.perCategory()) {
       long count = Arrays.stream(counts).sum();
       return count == 0 ? Double.NaN : (double) Arrays.stream(sums).sum() / count;
     }
-    int category = category(target);
+    int category = category(stay);
     if (category == 0) {
       return 0.000001;
     }
@@ -87,35 +86,36 @@ final class ViewHistory {
 
   /** Ends the step: stays of targets seen grow, those of the others are over. */
   void endStep() {
-    for (int target = 0; target < points.length; target++) {
-      if (seen[target]) {
-        grow(target);
-        seen[target] = false;
-      } else if (points[target] > 0) {
-        end(target);
+    for (int target = 0; target < stays.length; target++) {
+      Stay stay = stays[target];
+      if (stay.seen) {
+        grow(stay, targets.x(target), targets.y(target));
+        stay.seen = false;
+      } else if (stay.points > 0) {
+        end(stay);
       }
     }
   }
 
-  private void grow(int target) {
-    if (points[target] == 0) {
-      lastCategory[target] = 0;
-      firstX[target] = targets.x(target);
-      firstY[target] = targets.y(target);
-    } else if (points[target] == 1) {
-      secondX[target] = targets.x(target);
-      secondY[target] = targets.y(target);
+  private static void grow(Stay stay, double x, double y) {
+    if (stay.points == 0) {
+      stay.lastCategory = 0;
+      stay.firstX = x;
+      stay.firstY = y;
+    } else if (stay.points == 1) {
+      stay.secondX = x;
+      stay.secondY = y;
     }
-    points[target]++;
+    stay.points++;
   }
 
-  private void end(int target) {
-    int category = parameters.classification() ? category(target) : 0;
+  private void end(Stay stay) {
+    int category = parameters.classification() ? category(stay) : 0;
     if (category != 0 || !parameters.perCategory()) {
-      sums[category] += points[target];
+      sums[category] += stay.points;
       counts[category]++;
     }
-    points[target] = 0;
-    lastCategory[target] = category != 0 ? category : lastCategory[target];
+    stay.points = 0;
+    stay.lastCategory = category != 0 ? category : stay.lastCategory;
   }
 }

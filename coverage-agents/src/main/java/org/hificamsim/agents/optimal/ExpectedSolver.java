@@ -14,7 +14,7 @@ import org.hificamsim.agents.search.Solver;
  * and local search makes a good configuration; {@link BranchAndBound} with that bound, camera by
  * camera, then proves the best one, to {@value #TOLERANCE}.
  */
-final class ExpectedSolver implements Solver, BranchAndBound.Tree {
+final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   static final double TOLERANCE = 1e-9;
 
   private static final int ROUNDS = 60;
@@ -33,7 +33,6 @@ final class ExpectedSolver implements Solver, BranchAndBound.Tree {
   private final BranchAndBound search = new BranchAndBound();
   private int depth;
   private double weight;
-  private boolean proven;
   private double value;
   private double bound;
 
@@ -59,22 +58,12 @@ final class ExpectedSolver implements Solver, BranchAndBound.Tree {
     tuneWeights();
     proven = bound <= value + TOLERANCE || search();
     measure();
-    bound = proven ? value : bound;
+    gap = proven ? 0 : Math.max(bound, 0) - Math.max(value, 0);
   }
 
   @Override
   public int chosen(int camera) {
     return best[camera];
-  }
-
-  @Override
-  public boolean proven() {
-    return proven;
-  }
-
-  @Override
-  public double gap() {
-    return Math.max(bound, 0) - Math.max(value, 0);
   }
 
   /** What was added and taken away again leaves its rounding: all is added once more. */

@@ -1,7 +1,6 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
-import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -16,13 +15,34 @@ import org.hificamsim.core.registry.Options;
  * the widest by default.
  */
 public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
-  private final Ties ties;
+  /** What decides between configurations with the same score, camera by camera. */
+  enum Preference {
+    MOST_TARGETS_THEN_NARROWEST,
+    MOST_TARGETS_THEN_WIDEST,
+    NARROWEST,
+    WIDEST;
+
+    private boolean mostTargets() {
+      return this == MOST_TARGETS_THEN_NARROWEST || this == MOST_TARGETS_THEN_WIDEST;
+    }
+
+    private boolean widest() {
+      return this == MOST_TARGETS_THEN_WIDEST || this == WIDEST;
+    }
+  }
+
+  private final Preference preference;
   private final int nodes;
   private DetectionSets sets;
 
   /** Reads the options {@code ties} and {@code nodes}. */
   public OneHopZoomPolicy(Options options) {
-    ties = Ties.from(options);
+    preference =
+        options.choice(
+            "ties",
+            Preference.WIDEST,
+            "of equal score: widest, narrowest, most-targets-then-widest,"
+                + " most-targets-then-narrowest");
     nodes = nodes(options, DEFAULT_NODES);
   }
 
@@ -33,7 +53,7 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    sets = new DetectionSets(network, false);
+    sets = new DetectionSets(network, preference.mostTargets());
     search(sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
@@ -50,7 +70,7 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
     sets.clear(camera);
     int last = network.views(camera) - 1;
     for (int i = 0; i <= last; i++) {
-      int view = ties == Ties.WIDEST ? last - i : i;
+      int view = preference.widest() ? last - i : i;
       if (network.reaches(camera, view)) {
         sets.add(camera, view);
       }

@@ -8,7 +8,7 @@ import org.hificamsim.core.metrics.Objective;
  * no other exceeds. The gap between the two is what the configuration is not proven to be the best
  * by.
  */
-public final class BoundSolver implements Solver {
+public final class BoundSolver extends Solver {
   private static final int PASSES = 4;
   private static final int ROUNDS = 200;
 
@@ -53,6 +53,8 @@ public final class BoundSolver implements Solver {
     if (value < bound) {
       bound = objective.byLeast() ? leastBound() : sumBound();
     }
+    proven = value == bound;
+    gap = roundedUp(score(bound) - score(value));
   }
 
   /** The last k before the first that prices show to be out of reach. */
@@ -78,15 +80,8 @@ public final class BoundSolver implements Solver {
     return best.of(camera);
   }
 
-  @Override
-  public boolean proven() {
-    return value == bound;
-  }
-
-  /** Never too small: also summed over many steps, the score and its gap are a bound. */
-  @Override
-  public double gap() {
-    double gap = score(bound) - score(value);
+  /** Rounded up: also summed over many steps, the score and its gap are a bound. */
+  private static double roundedUp(double gap) {
     return gap == Math.rint(gap) ? gap : (Math.floor(gap * PARTS) + 2) / PARTS;
   }
 

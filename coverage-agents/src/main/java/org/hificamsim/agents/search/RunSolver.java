@@ -12,7 +12,7 @@ import org.hificamsim.core.metrics.Objective;
  * <p>The bound of a partial configuration lets every undecided camera have all its sets at once. A
  * set that another one of the camera includes is left out.
  */
-public final class RunSolver implements Solver, BranchAndBound.Tree {
+public final class RunSolver extends Solver implements BranchAndBound.Tree {
   private static final int STARTS = 16;
 
   private final Objective objective;
@@ -28,8 +28,6 @@ public final class RunSolver implements Solver, BranchAndBound.Tree {
   private final int[] k; // with all the sets of undecided cameras
   private int depth;
   private double bestScore = -1;
-  private boolean proven;
-  private double gap;
 
   /**
    * @param problem whose targets are those of all steps that count, step after step
@@ -193,15 +191,5 @@ public final class RunSolver implements Solver, BranchAndBound.Tree {
   @Override
   public int chosen(int camera) {
     return best.of(camera);
-  }
-
-  @Override
-  public boolean proven() {
-    return proven;
-  }
-
-  @Override
-  public double gap() {
-    return gap;
   }
 }

@@ -13,7 +13,7 @@ import org.hificamsim.core.metrics.Objective;
  * decided after {@value #MAX_TIE_NODES} nodes whether a preferred set can be had, that counts as a
  * no. Where each camera has a set that holds all its others, nothing has to be searched.
  */
-public final class StepSolver implements Solver {
+public final class StepSolver extends Solver {
   static final int MAX_TIE_NODES = 1_000;
 
   private static final int TIE_PASSES = 3;
@@ -35,8 +35,6 @@ public final class StepSolver implements Solver {
   private final Configuration best;
   private final Configuration trial;
   private final int[] counting; // k of the targets that count
-  private boolean proven;
-  private double gap;
 
   /**
    * @param problem what each call of {@link #solve} reads
@@ -234,16 +232,6 @@ public final class StepSolver implements Solver {
   @Override
   public int chosen(int camera) {
     return best.of(camera);
-  }
-
-  @Override
-  public boolean proven() {
-    return proven;
-  }
-
-  @Override
-  public double gap() {
-    return gap;
   }
 
   /** The number of search nodes that the last call visited. */

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.agents.CoveragePolicies;
-import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.agents.optimal.OneHopZoomPolicy.Preference;
 import org.hificamsim.agents.toy.GeometricNetwork;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.Spelling;
@@ -18,12 +18,12 @@ import org.junit.jupiter.params.provider.ValueSource;
 class OneHopZoomPolicyTest {
   @Test
   void reachesTheBestOfAllReachableConfigurations() {
-    for (Ties ties : Ties.values()) {
+    for (Preference preference : Preference.values()) {
       for (int world = 0; world < 400; world++) {
         compare(
             GeometricNetwork.random(
                 new GeometricNetwork.Kind(6, -5, 3, 2, false, true, 10, 16), world),
-            ties);
+            preference);
       }
     }
   }
@@ -38,11 +38,21 @@ class OneHopZoomPolicyTest {
 
   /** These names are in users' commands. */
   @ParameterizedTest
-  @ValueSource(strings = {"widest", "narrowest"})
+  @ValueSource(
+      strings = {"widest", "narrowest", "most-targets-then-widest", "most-targets-then-narrowest"})
   void itsTiesAreGivenByName(String ties) {
     assertEquals(
         "one-hop",
         CoveragePolicies.register(new Registry<>("policy")).create("one-hop:ties=" + ties).name());
+  }
+
+  @Test
+  void canBeToldToKeepDetectionsWhereNothingIsGained() {
+    ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
+    network.setLevel(0, 1);
+    Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
+    network.decide(network.begin(oneHop(preference), 1));
+    assertEquals(1, network.view(0));
   }
 
   @Test
@@ -54,12 +64,12 @@ class OneHopZoomPolicyTest {
     assertEquals(1, network.view(0));
   }
 
-  private static OneHopZoomPolicy oneHop(Ties ties) {
-    return new OneHopZoomPolicy(Options.parse("one-hop", "ties=" + Spelling.of(ties)));
+  private static OneHopZoomPolicy oneHop(Preference preference) {
+    return new OneHopZoomPolicy(Options.parse("one-hop", "ties=" + Spelling.of(preference)));
   }
 
-  private static void compare(GeometricNetwork network, Ties ties) {
-    OneHopZoomPolicy policy = network.begin(oneHop(ties), 1);
+  private static void compare(GeometricNetwork network, Preference preference) {
+    OneHopZoomPolicy policy = network.begin(oneHop(preference), 1);
     for (int step = 0; step < 4; step++) {
       int[] before = network.currentLevels();
       int[] lowest = new int[before.length];

@@ -25,7 +25,7 @@ import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
-import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.Strategy;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
@@ -203,7 +203,7 @@ public final class ChannelExperiment {
     double[] shares = new double[seeds];
     double bits = 0;
     double dropped = 0;
-    NetworkSettings settings = NetworkSettings.DEFAULT.withAll(ScheduleKind.ACTIVE, 0);
+    NetworkSettings settings = NetworkSettings.DEFAULT.withStrategies(Strategy.list("A0"));
     for (Path file : files) {
       PrintWriter nowhere =
           new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);

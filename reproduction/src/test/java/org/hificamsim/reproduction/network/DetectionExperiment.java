@@ -19,6 +19,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.presentation.plot.Figure;
@@ -104,7 +105,9 @@ public final class DetectionExperiment {
   }
 
   private StepFigures run(Path file, String detection, Setting setting, int seed) {
-    NetworkSettings settings = NetworkSettings.CAMSIM.withAll(setting.schedule(), setting.comm());
+    NetworkSettings settings =
+        NetworkSettings.CAMSIM.withStrategies(
+            List.of(new Strategy(setting.schedule(), setting.comm())));
     PrintWriter nowhere =
         new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     Scenario scenario = CamSimScenario.read(file, null, false, settings, catalogue, nowhere);
