@@ -18,6 +18,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -186,6 +187,10 @@ final class BridgeOptions {
           "policy '%s' has to see the run before it begins, expected one that learns or"
               + " decides as the run goes",
           spec);
+    }
+    if (made instanceof AimingZoomPolicy) {
+      throw InputException.of(
+          "policy '%s' turns cameras to any angle, expected one that chooses among views", spec);
     }
     return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }

@@ -21,6 +21,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
@@ -97,6 +98,7 @@ final class RunCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
+    checkRecord(catalogue, plan);
     listeners.forEach(catalogue.listeners()::create);
     HeatRecorder heat =
         heatmap ? new HeatRecorder(world(plan, catalogue), plan.detection(), most) : null;
@@ -158,6 +160,16 @@ final class RunCommand implements Callable<Integer> {
 
   private static World world(RunPlan plan, Catalogue catalogue) {
     return new World(plan.scenario(), catalogue.movements(), plan.seed());
+  }
+
+  /** A recording knows the angles that scenarios list. */
+  private void checkRecord(Catalogue catalogue, RunPlan plan) {
+    if (record && catalogue.policies().create(plan.policy()) instanceof AimingZoomPolicy) {
+      throw InputException.of(
+          "policy '%s' turns cameras to any angle, which no recording holds: expected"
+              + " another policy, or no --record",
+          plan.policy());
+    }
   }
 
   private Detail detail(RunPlan plan) {

@@ -1,6 +1,7 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -189,17 +190,33 @@ abstract class Sight implements OracleView {
 
   @Override
   public boolean detects(int camera, int view, int target) {
-    return targets.present(target) && detectsPresent(camera, view, target);
+    return targets.present(target)
+        && detects(camera, view, target, cameras.pose(camera, view), false);
   }
 
-  private boolean detectsPresent(int camera, int view, int target) {
-    Pose pose = cameras.pose(camera, view);
+  @Override
+  public boolean detectsTurned(int camera, int view, int target) {
+    if (visibility.detection().model().dependsOnBearing()) {
+      throw InputException.of(
+          "detection '%s' looks at where in the picture a target is, expected one that"
+              + " looks at its distance alone for cameras that turn freely",
+          visibility.detection().name());
+    }
+    if (!lines.flat()) {
+      throw new InputException(
+          "the scenario has heights, expected a flat one, or views alone, for cameras that turn"
+              + " freely");
+    }
+    return targets.present(target) && detects(camera, view, target, cameras.pose(camera), true);
+  }
+
+  private boolean detects(int camera, int view, int target, Pose pose, boolean anyAngle) {
     LevelSight level = level(camera, view, target);
     double x = targets.x(target);
     double y = targets.y(target);
     double squared = pose.squaredDistance(x, y);
     return level.isInReach(squared)
-        && level.isInAngle(pose, x, y)
+        && (anyAngle || level.isInAngle(pose, x, y))
         && level.detectsInView(
             pose,
             x,
@@ -351,7 +368,8 @@ abstract class Sight implements OracleView {
       double dx = grid.x(i) - x;
       double dy = grid.y(i) - y;
       if (dx * dx + dy * dy < below
-          && (whole[number] || detectsPresent(camera, view, grid.point(i)))) {
+          && (whole[number]
+              || detects(camera, view, grid.point(i), cameras.pose(camera, view), false))) {
         found[filled++] = i;
       }
     }

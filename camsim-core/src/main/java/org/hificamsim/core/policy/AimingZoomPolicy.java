@@ -1,8 +1,8 @@
 package org.hificamsim.core.policy;
 
 /**
- * A policy that turns cameras to any angle, and at once. For programs that embed the simulator:
- * recordings and the live view draw the pan angles of views.
+ * A policy that turns cameras to any angle between the outermost of their pan angles, and at once:
+ * a bound on what is possible.
  */
 public interface AimingZoomPolicy extends ZoomPolicy {
   /**

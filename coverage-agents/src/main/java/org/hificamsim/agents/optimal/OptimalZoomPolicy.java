@@ -8,6 +8,7 @@ import org.hificamsim.agents.search.Solver;
 import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -25,6 +26,12 @@ import org.hificamsim.core.registry.Options;
  * score could have been at most is a bound on the optimum, in a small part of the time.
  */
 public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
+  /** The pan angles that cameras may turn to. */
+  private enum Pan {
+    LISTED,
+    CONTINUOUS
+  }
+
   private final String name;
   private final BiFunction<Objective, CoverageProblem, Solver> solver;
   private DetectionSets sets;
@@ -49,9 +56,13 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     return new OptimalZoomPolicy("bound", BoundSolver::new);
   }
 
-  /** The policy with its option {@code nodes}. */
-  public static OptimalZoomPolicy from(Options options) {
-    return new OptimalZoomPolicy(nodes(options, DEFAULT_NODES));
+  /** The policy with its options {@code nodes} and {@code pan}. */
+  public static ProvingZoomPolicy from(Options options) {
+    int nodes = nodes(options, DEFAULT_NODES);
+    return options.choice("pan", Pan.LISTED, "angles to turn to: those listed, or any in between")
+            == Pan.LISTED
+        ? new OptimalZoomPolicy(nodes)
+        : new AimedOptimalZoomPolicy(nodes);
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -54,6 +55,10 @@ final class LiveSide {
     if (policy instanceof HindsightZoomPolicy) {
       throw InputException.of(
           "policy '%s' looks at the whole run first: it cannot be viewed live", policy.name());
+    }
+    if (policy instanceof AimingZoomPolicy) {
+      throw InputException.of(
+          "policy '%s' turns cameras to any angle: it cannot be viewed live", policySpec);
     }
     this.setup = Setup.of(world, detection, policySpec, seed, floor);
     this.snapshots = new Snapshots(setup, detection, policy);
