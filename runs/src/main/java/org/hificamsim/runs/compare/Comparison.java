@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
@@ -50,25 +50,9 @@ public final class Comparison {
   }
 
   private static List<CaseResult> score(List<CaseUnderWay> cases) {
-    Map<ReferencePolicies.Group, CaseUnderWay> optima = byGroup(cases, Yardstick.OPTIMAL);
-    Map<ReferencePolicies.Group, CaseUnderWay> bounds = byGroup(cases, Yardstick.BOUND);
-    Map<ReferencePolicies.Group, CaseUnderWay> fixed = byGroup(cases, Yardstick.BEST_FIXED);
-    return cases.stream()
-        .map(
-            one -> {
-              ReferencePolicies.Group group = ReferencePolicies.Group.of(one.plan);
-              return one.scored(optima.get(group), bounds.get(group), fixed.get(group));
-            })
-        .toList();
-  }
-
-  private static Map<ReferencePolicies.Group, CaseUnderWay> byGroup(
-      List<CaseUnderWay> cases, Yardstick yardstick) {
-    Map<ReferencePolicies.Group, CaseUnderWay> found = new LinkedHashMap<>();
-    cases.stream()
-        .filter(one -> one.plan.policy().equals(yardstick.policy()))
-        .forEach(one -> found.put(ReferencePolicies.Group.of(one.plan), one));
-    return found;
+    Map<ReferencePolicies.Group, List<CaseUnderWay>> groups =
+        cases.stream().collect(Collectors.groupingBy(CaseUnderWay::group));
+    return cases.stream().map(one -> one.scored(groups.get(one.group()))).toList();
   }
 
   /** A plan whose repeats are being run, by several threads. */
@@ -112,16 +96,20 @@ public final class Comparison {
       }
     }
 
-    /** With yardsticks; null for those that were not run. */
-    CaseResult scored(CaseUnderWay optimum, CaseUnderWay bound, CaseUnderWay fixed) {
+    ReferencePolicies.Group group() {
+      return ReferencePolicies.Group.of(plan);
+    }
+
+    /** With the yardsticks that are among the cases of its group. */
+    CaseResult scored(List<CaseUnderWay> group) {
       List<ScoredRun> runs = new ArrayList<>();
       for (int repeat = 0; repeat < results.length; repeat++) {
         runs.add(
             new ScoredRun(
                 results[repeat],
-                of(optimum, repeat, RunResult::score),
-                of(bound, repeat, RunResult::bound),
-                of(fixed, repeat, RunResult::score),
+                of(group, Yardstick.OPTIMAL, repeat, RunResult::score),
+                of(group, Yardstick.BOUND, repeat, RunResult::bound),
+                of(group, Yardstick.BEST_FIXED, repeat, RunResult::score),
                 settling[repeat]));
       }
       Arrays.setAll(sums, step -> sums[step] / runs.size());
@@ -132,8 +120,15 @@ public final class Comparison {
     }
 
     private static double of(
-        CaseUnderWay yardstick, int repeat, ToDoubleFunction<RunResult> figure) {
-      return yardstick == null ? Double.NaN : figure.applyAsDouble(yardstick.results[repeat]);
+        List<CaseUnderWay> group,
+        Yardstick yardstick,
+        int repeat,
+        ToDoubleFunction<RunResult> figure) {
+      return group.stream()
+          .filter(one -> one.plan.policy().equals(yardstick.policy()))
+          .mapToDouble(one -> figure.applyAsDouble(one.results[repeat]))
+          .findFirst()
+          .orElse(Double.NaN);
     }
   }
 }

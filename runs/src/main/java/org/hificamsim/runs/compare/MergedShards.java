@@ -38,8 +38,8 @@ public final class MergedShards implements RunEngine {
       RunPlan plan = plans.get(first.plan());
       throw InputException.of(
           "--merge lacks %s of %s runs, such as scenario %s, detection %s, policy %s, seed %s:"
-              + " expected the options of the shards, and all of these, which --shard i/n --resume"
-              + " completes",
+              + " expected all, with the options that the shards had; --shard i/n --resume computes"
+              + " what a shard lacks",
           missing.size(),
           all.size(),
           plan.scenario().name(),
