@@ -1,6 +1,5 @@
 package org.hificamsim.bench;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -111,22 +110,10 @@ public class VisibleRegionBenchmark {
   @OperationsPerInvocation(CAMERAS * DISCS)
   public int hiddenByTargets() {
     int hidden = 0;
-    double[] discX = Arrays.copyOf(x, DISCS);
-    double[] discY = Arrays.copyOf(y, DISCS);
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int disc = 0; disc < DISCS; disc++) {
         hidden +=
-            TargetOcclusion.hidden(
-                    cameraX[camera],
-                    cameraY[camera],
-                    Double.NaN,
-                    disc,
-                    discX,
-                    discY,
-                    radius,
-                    radius,
-                    0,
-                    0)
+            TargetOcclusion.hidden(cameraX[camera], cameraY[camera], disc, x, y, radius, DISCS)
                 ? 1
                 : 0;
       }

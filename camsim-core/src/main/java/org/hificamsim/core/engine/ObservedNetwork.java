@@ -23,7 +23,6 @@ final class ObservedNetwork extends Sight {
   private final Workers.Share adding = this::addUp;
   private final Division division = new Division();
   private Channel channel = Channel.PERFECT;
-  private long[] masks = {};
 
   ObservedNetwork(World world, Visibility visibility, Workers workers) {
     this(world, visibility, workers, Double.NaN);
@@ -44,7 +43,7 @@ final class ObservedNetwork extends Sight {
     this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.objective = scenario.objective();
     this.workers = workers;
-    this.found = new long[workers.count()][coverage.length];
+    this.found = new long[workers.count()][coverage.length + 1];
     this.counts = new int[workers.count()][coverage.length];
   }
 
@@ -229,28 +228,6 @@ final class ObservedNetwork extends Sight {
   @Override
   public double targetSize(int target) {
     return targets.size(target);
-  }
-
-  @Override
-  public void markCoverable(boolean[] coverable) {
-    Arrays.fill(coverable, 0, coverage.length, false);
-    int words = (coverage.length + Long.SIZE - 1) / Long.SIZE;
-    for (int camera = 0; camera < detected.length; camera++) {
-      if (cameras.online(camera)) {
-        int all = cameras.views(camera) * words;
-        masks = masks.length < all ? new long[all] : masks;
-        detections(camera, masks, words);
-        mark(all, words, coverable);
-      }
-    }
-  }
-
-  private void mark(int all, int words, boolean[] coverable) {
-    for (int i = 0; i < all; i++) {
-      for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
-        coverable[i % words * Long.SIZE + Long.numberOfTrailingZeros(bits)] = true;
-      }
-    }
   }
 
   @Override

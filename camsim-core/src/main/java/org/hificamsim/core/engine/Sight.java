@@ -26,6 +26,10 @@ import org.hificamsim.core.world.World;
  * <p>What a camera sees at a zoom level is found when the level is first met, once for each size of
  * targets, and where cameras have heights, for what of them has to be seen. Where targets are many,
  * a camera looks at those in the cells of a grid that its reach touches.
+ *
+ * <p>Whether a target is near enough is a coin toss that a processor's guess of a branch loses half
+ * of the time. So the sign bit of a difference of squared distances says it, and a camera that
+ * detects all that is near enough ({@link #whole}) needs no branch.
  */
 abstract class Sight implements OracleView {
   /** Pairs of cameras and targets below which looking at all takes no longer. */
@@ -49,6 +53,7 @@ abstract class Sight implements OracleView {
   private double[] outside = {}; // by number: from this squared distance on nothing is detected
   private double[] reach = {}; // by number: beyond this distance, metres, nothing is detected
   private boolean[] whole = {}; // by number: whatever is nearer is detected
+  private boolean allWhole = true; // all levels are whole
   private int revision = -1;
   private long step;
 
@@ -137,6 +142,7 @@ abstract class Sight implements OracleView {
       whole[number] = bodies.length == 1 && level.isDisc() && level.byDistance() && open;
     }
     outside[number] = Math.nextUp(farthest);
+    allWhole &= whole[number];
   }
 
   /**
@@ -320,13 +326,15 @@ abstract class Sight implements OracleView {
    *
    * @param detected receives how many targets each of the cameras detects
    * @param counts by index in the grid; one is added for each camera that detects the target
-   * @param room for what a camera detects: an entry for each target
+   * @param room for what a camera detects: an entry for each target, and one more
    */
   void look(int first, int end, int[] detected, int[] counts, long[] room) {
     for (int camera = first; camera < end; camera++) {
       int view = cameras.online(camera) ? cameras.seeing(camera) : Cameras.NO_VIEW;
       if (view == Cameras.NO_VIEW) {
         detected[camera] = 0;
+      } else if (grid.cells() == 1 && whole[cameras.zoomNumber(camera, view)]) {
+        detected[camera] = count(camera, outside[cameras.zoomNumber(camera, view)], counts);
       } else {
         detected[camera] = find(camera, view, room);
         for (int k = 0; k < detected[camera]; k++) {
@@ -336,16 +344,38 @@ abstract class Sight implements OracleView {
     }
   }
 
+  private int count(int camera, double below, int[] counts) {
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    int seen = 0;
+    for (int i = 0; i < grid.count(); i++) {
+      double dx = grid.x(i) - x;
+      double dy = grid.y(i) - y;
+      int hit = negative(dx * dx + dy * dy - below);
+      counts[i] += hit;
+      seen += hit;
+    }
+    return seen;
+  }
+
+  /** 1 or 0, by the sign bit. */
+  private static int negative(double difference) {
+    return (int) (Double.doubleToRawLongBits(difference) >>> 63);
+  }
+
   /**
    * Finds the targets that the camera detects at a view.
    *
    * @param view {@link Cameras#NO_VIEW} sees none
    * @param found receives their indices in the grid
-   * @return how many there are
+   * @return how many there are; the next entry may be written, too
    */
   private int find(int camera, int view, long[] found) {
     if (view == Cameras.NO_VIEW) {
       return 0;
+    }
+    if (grid.cells() == 1) {
+      return find(camera, view, 0, grid.count(), found, 0);
     }
     double far = reach(camera, view);
     int left = grid.column(cameras.x(camera) - far);
@@ -367,13 +397,21 @@ abstract class Sight implements OracleView {
     for (int i = from; i < to; i++) {
       double dx = grid.x(i) - x;
       double dy = grid.y(i) - y;
-      if (dx * dx + dy * dy < below
-          && (whole[number]
-              || detects(camera, view, grid.point(i), cameras.pose(camera, view), false))) {
-        found[filled++] = i;
+      found[filled] = i;
+      filled += negative(dx * dx + dy * dy - below);
+    }
+    return whole[number] ? filled : keepDetected(camera, view, found, first, filled);
+  }
+
+  /** Leaves out what is near enough, but not detected. */
+  private int keepDetected(int camera, int view, long[] found, int first, int end) {
+    int kept = first;
+    for (int k = first; k < end; k++) {
+      if (detects(camera, view, grid.point((int) found[k]), cameras.pose(camera, view), false)) {
+        found[kept++] = found[k];
       }
     }
-    return filled;
+    return kept;
   }
 
   @Override
@@ -381,7 +419,7 @@ abstract class Sight implements OracleView {
     pairs.clear();
     for (int camera = 0; camera < cameras.count(); camera++) {
       if (cameras.online(camera)) {
-        long[] room = pairs.scratch(kind.length);
+        long[] room = pairs.scratch(kind.length + 1);
         int view = cameras.seeing(camera);
         addSeen(camera, view, room, find(camera, view, room), pairs);
       }
@@ -431,23 +469,48 @@ abstract class Sight implements OracleView {
     int right = grid.column(cameras.x(camera) + far);
     int top = grid.row(cameras.y(camera) + far);
     for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
-      int end = grid.end(row, right);
-      for (int i = grid.start(row, left); i < end; i++) {
-        double squared = cameras.pose(camera).squaredDistance(grid.x(i), grid.y(i));
-        if (squared <= far * far) {
-          mark(camera, grid.point(i), squared, masks, words);
-        }
+      mark(camera, views, grid.start(row, left), grid.end(row, right), masks, words);
+    }
+  }
+
+  private void mark(int camera, int views, int from, int to, long[] masks, int words) {
+    double below = farthestOutside(camera, views);
+    for (int i = from; i < to; i++) {
+      double dx = grid.x(i) - cameras.x(camera);
+      double dy = grid.y(i) - cameras.y(camera);
+      double squared = dx * dx + dy * dy;
+      if (allWhole) {
+        markNear(camera, views, grid.point(i), squared, masks, words);
+      } else if (squared < below) {
+        markDetected(camera, views, grid.point(i), squared, masks, words);
       }
     }
   }
 
+  private double farthestOutside(int camera, int views) {
+    double farthest = 0;
+    for (int view = 0; view < views && !allWhole; view++) {
+      farthest = Math.max(farthest, outside[cameras.zoomNumber(camera, view)]);
+    }
+    return farthest;
+  }
+
+  private void markNear(
+      int camera, int views, int target, double squared, long[] masks, int words) {
+    for (int view = 0; view < views; view++) {
+      long hit = negative(squared - outside[cameras.zoomNumber(camera, view)]);
+      masks[view * words + (target >> 6)] |= hit << target;
+    }
+  }
+
   /** What is in between is found once for all views, when a first one has the target in view. */
-  private void mark(int camera, int target, double squared, long[] masks, int words) {
+  private void markDetected(
+      int camera, int views, int target, double squared, long[] masks, int words) {
     double luck = visibility.luck(step, camera, target);
     double x = targets.x(target);
     double y = targets.y(target);
     double transmittance = NOT_KNOWN;
-    for (int view = 0; view < cameras.views(camera); view++) {
+    for (int view = 0; view < views; view++) {
       LevelSight level = level(camera, view, target);
       Pose pose = cameras.pose(camera, view);
       if (level.isInReach(squared) && level.isInAngle(pose, x, y)) {

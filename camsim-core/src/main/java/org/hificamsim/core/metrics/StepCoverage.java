@@ -39,8 +39,8 @@ public final class StepCoverage {
         int k = observed.coverage(target);
         present++;
         fewest = Math.min(fewest, k);
-        none += k < 1 ? 1 : 0;
-        onceAtMost += k < 2 ? 1 : 0;
+        none += isBelow(1, k);
+        onceAtMost += isBelow(2, k);
         all += k;
       }
     }
@@ -90,6 +90,11 @@ public final class StepCoverage {
   /** The coverage that was to be expected; null where nothing is left to chance. */
   public ExpectedCoverage expected() {
     return expected;
+  }
+
+  /** 1 or 0, by the sign of a difference: a branch would be guessed wrong too often. */
+  private static int isBelow(int limit, int k) {
+    return (k - limit) >>> 31;
   }
 
   /** The number of targets present. */

@@ -74,6 +74,21 @@ public final class Obstacles {
     return true;
   }
 
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Obstacles that && obstacles.equals(that.obstacles);
+  }
+
+  @Override
+  public int hashCode() {
+    return obstacles.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return obstacles.toString();
+  }
+
   /** The first solid obstacle on the ground that a place is inside or on the border of. */
   public Optional<Obstacle> containing(double x, double y) {
     return obstacles.stream().filter(o -> o.standing() && o.contains(x, y)).findFirst();

@@ -33,9 +33,41 @@ public final class TargetOcclusion {
       double[] height,
       double low,
       double high) {
+    return hidden(
+        cameraX, cameraY, cameraZ, target, x, y, radius, height, low, high, radius.length);
+  }
+
+  /**
+   * The same in a flat world.
+   *
+   * @param count of the discs, the first of the arrays
+   */
+  public static boolean hidden(
+      double cameraX,
+      double cameraY,
+      int target,
+      double[] x,
+      double[] y,
+      double[] radius,
+      int count) {
+    return hidden(cameraX, cameraY, Double.NaN, target, x, y, radius, radius, 0, 0, count);
+  }
+
+  private static boolean hidden(
+      double cameraX,
+      double cameraY,
+      double cameraZ,
+      int target,
+      double[] x,
+      double[] y,
+      double[] radius,
+      double[] height,
+      double low,
+      double high,
+      int count) {
     boolean flat = Double.isNaN(cameraZ);
     double distance = square(x[target] - cameraX, y[target] - cameraY);
-    for (int i = 0; i < x.length; i++) {
+    for (int i = 0; i < count; i++) {
       if (square(x[i] - cameraX, y[i] - cameraY) < distance && i != target && radius[i] > 0) {
         double start = flat ? 0 : Slab.start(cameraZ, low, high, 0, height[i]);
         double end = flat ? 1 : Slab.end(cameraZ, low, high, 0, height[i]);

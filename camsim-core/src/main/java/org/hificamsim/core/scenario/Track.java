@@ -16,6 +16,7 @@ public final class Track {
 
   private final double[] samples;
   private final double stepTime;
+  private StepPlaces places;
 
   /**
    * @param samples seconds from step 0, rising, x and y in metres, of each
@@ -59,6 +60,16 @@ public final class Track {
   /** The last step at which the target is there; before the first one where no step meets it. */
   public long lastStep() {
     return (long) Math.floor((time(samples() - 1) + SLACK) / stepTime);
+  }
+
+  /** Keeps where it is at each step, before anybody else knows the track. */
+  void keep(StepPlaces itsPlaces) {
+    places = itsPlaces;
+  }
+
+  /** Where it is at each step; null where that is worked out on the way. */
+  StepPlaces places() {
+    return places;
   }
 
   /**

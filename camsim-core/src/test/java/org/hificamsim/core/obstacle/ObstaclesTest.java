@@ -2,6 +2,7 @@ package org.hificamsim.core.obstacle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -59,6 +60,16 @@ class ObstaclesTest {
     Obstacles obstacles = new Obstacles(List.of(PILLAR, SOLID));
     assertEquals(Optional.empty(), obstacles.containing(-3, 2));
     assertEquals(Optional.of(SOLID), obstacles.containing(2, 4));
+  }
+
+  @Test
+  void areEqualWhereTheirObstaclesAre() {
+    Obstacles obstacles = new Obstacles(List.of(WALL, PILLAR));
+    Obstacles same = new Obstacles(List.of(new Obstacle.Wall(0, 0, 0, 4, 0.5), PILLAR));
+    assertEquals(obstacles, same);
+    assertEquals(obstacles.hashCode(), same.hashCode());
+    assertNotEquals(obstacles, new Obstacles(List.of(PILLAR, WALL)));
+    assertEquals(List.of(WALL, PILLAR).toString(), obstacles.toString());
   }
 
   @Test

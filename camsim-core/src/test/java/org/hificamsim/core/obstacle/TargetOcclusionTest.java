@@ -26,7 +26,7 @@ class TargetOcclusionTest {
 
   @Test
   void theTargetDoesNotHideItself() {
-    assertFalse(hidden(0, 0, 0, array(10), array(0), array(20)));
+    assertFalse(TargetOcclusion.hidden(0, 0, 0, array(10), array(0), array(20), 1));
   }
 
   @Test
@@ -45,11 +45,11 @@ class TargetOcclusionTest {
   }
 
   @Test
-  void pointsHideNothing() {
+  void discsBeyondTheCountAndPointsHideNothing() {
     double[] x = {10, 5};
     double[] y = {0, 0};
-    assertTrue(hidden(0, 0, 0, x, y, array(1, 1)));
-    assertFalse(hidden(0, 0, 0, x, y, array(1, 0)));
+    assertFalse(TargetOcclusion.hidden(0, 0, 0, x, y, array(1, 1), 1));
+    assertFalse(TargetOcclusion.hidden(0, 0, 0, x, y, array(1, 0), 2));
   }
 
   @Property(tries = 5000, edgeCases = EdgeCasesMode.NONE)
@@ -65,7 +65,7 @@ class TargetOcclusionTest {
         nearer && Exact.touches(disc, camera, target) && !Exact.touches(disc, camera, camera);
     assertEquals(
         expected,
-        hidden(camera.x(), camera.y(), 0, x, y, array(1, disc.radius())),
+        TargetOcclusion.hidden(camera.x(), camera.y(), 0, x, y, array(1, disc.radius()), 2),
         () -> "from " + camera + " to " + target + " past " + disc);
   }
 
@@ -84,7 +84,7 @@ class TargetOcclusionTest {
     Runnable asking =
         () -> {
           for (int i = 0; i < 10_000; i++) {
-            boolean hides = hidden(0.3, i / 1e4, i % 5, x, y, radius);
+            boolean hides = TargetOcclusion.hidden(0.3, i / 1e4, i % 5, x, y, radius, 5);
             hidden[0] += hides ? 1 : 0;
           }
         };
@@ -94,13 +94,7 @@ class TargetOcclusionTest {
 
   private static boolean hidden(double x, double y, double discX, double discY, double radius) {
     double[] radii = {1, radius};
-    return hidden(0, 0, 0, array(x, discX), array(y, discY), radii);
-  }
-
-  /** In a flat world. */
-  private static boolean hidden(
-      double cameraX, double cameraY, int target, double[] x, double[] y, double[] radius) {
-    return TargetOcclusion.hidden(cameraX, cameraY, Double.NaN, target, x, y, radius, radius, 0, 0);
+    return TargetOcclusion.hidden(0, 0, 0, array(x, discX), array(y, discY), radii, 2);
   }
 
   private static double[] array(double... values) {

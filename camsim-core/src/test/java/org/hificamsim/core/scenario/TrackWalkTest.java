@@ -1,11 +1,15 @@
 package org.hificamsim.core.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Steps along tracks. */
+/** Steps along tracks, worked out on the way or beforehand. */
 class TrackWalkTest {
   private static final double STEP = 0.5; // s
 
@@ -25,34 +29,29 @@ class TrackWalkTest {
   }
 
   @Test
-  void eachStepIsOnTheLegThatItsTimeFallsInto() {
+  void whatWasWorkedOutBeforehandIsTheSame() {
     SplittableRandom random = new SplittableRandom(1);
     for (int trial = 0; trial < 300; trial++) {
-      Track track = new Track(samples(random), STEP);
-      long first = random.nextInt(30);
-      TrackWalk walk = new TrackWalk();
-      walk.begin(track, first);
-      for (long step = first; step <= track.lastStep() + 10; step++) {
-        double[] place = place(track, step * STEP);
-        assertEquals(place[0], walk.x(), 1e-12, () -> "x of " + track);
-        assertEquals(place[1], walk.y(), 1e-12, () -> "y of " + track);
-        walk.next();
+      List<double[]> samples =
+          Stream.generate(() -> samples(random)).limit(1 + random.nextInt(5)).toList();
+      List<Track> kept = samples.stream().map(one -> new Track(one, STEP)).toList();
+      StepPlaces.keep(kept);
+      for (int i = 0; i < kept.size(); i++) {
+        assertNotNull(kept.get(i).places());
+        assertSameWay(new Track(samples.get(i), STEP), kept.get(i), random.nextInt(30));
       }
     }
   }
 
-  private static double[] place(Track track, double time) {
-    int after = 0;
-    while (after < track.samples() && track.time(after) <= time) {
-      after++;
-    }
-    int from = Math.max(0, after - 1);
-    int to = Math.min(after, track.samples() - 1);
-    double part = from == to ? 0 : (time - track.time(from)) / (track.time(to) - track.time(from));
-    return new double[] {
-      (1 - part) * track.x(from) + part * track.x(to),
-      (1 - part) * track.y(from) + part * track.y(to)
-    };
+  @Test
+  void tooManyPlacesAreWorkedOutOnTheWay() {
+    double end = (StepPlaces.MAX_PLACES - 1) * STEP;
+    Track most = new Track(new double[] {0, 0, 0, end, 8, 4}, STEP);
+    Track tooLong = new Track(new double[] {0, 0, 0, end + STEP, 8, 4}, STEP);
+    StepPlaces.keep(List.of(most));
+    StepPlaces.keep(List.of(tooLong));
+    assertNotNull(most.places());
+    assertNull(tooLong.places());
   }
 
   private static double[] samples(SplittableRandom random) {
@@ -65,5 +64,18 @@ class TrackWalkTest {
       time += random.nextDouble(0.01, 6);
     }
     return samples;
+  }
+
+  private static void assertSameWay(Track onTheWay, Track kept, long first) {
+    TrackWalk expected = new TrackWalk();
+    TrackWalk walk = new TrackWalk();
+    expected.begin(onTheWay, first);
+    walk.begin(kept, first);
+    for (long step = first; step <= kept.lastStep() + 10; step++) {
+      assertEquals(expected.x(), walk.x(), () -> "x of " + kept);
+      assertEquals(expected.y(), walk.y(), () -> "y of " + kept);
+      expected.next();
+      walk.next();
+    }
   }
 }
