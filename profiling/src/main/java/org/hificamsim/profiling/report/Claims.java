@@ -6,7 +6,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import org.apache.commons.math3.stat.StatUtils;
@@ -32,140 +31,152 @@ final class Claims {
       new TreeMap<>(Map.of("lin", "4.5.1", "sr", "4.5.2", "svr-lin", "4.5.3", "svr-rbf", "4.5.3"));
   private static final List<String> METHODS = List.of("svr-rbf", "lin", "sr");
 
-  private final FitResult result;
-  private final List<String> detectors;
+  /** How far from a published share yours may be to count as the same, as in Table 8.1. */
+  private static final double TOLERANCE = 0.05;
 
+  private static final double ROUNDING = 1e-9;
+
+  private final FitResult result;
+  private final List<Claim> all = new ArrayList<>();
+
+  /** All that concern the detectors that were measured, in the order of the text. */
   Claims(FitResult result) {
     this.result = result;
-    this.detectors =
+    List<String> detectors =
         result.detectors().stream()
             .filter(detector -> !PublishedTables.groundTruthLine(detector).isEmpty())
             .toList();
+    features();
+    detectors(detectors);
   }
 
-  /** All that concern the detectors that were measured, in the order of the text. */
-  List<Claim> all() {
-    List<Claim> all = new ArrayList<>();
-    all.add(
-        Claim.share(
-            "4.3",
-            "The skewness of -log10(PIP)",
-            -0.009,
-            Variable.skewness(
-                result.measurements().stream().mapToDouble(Measurement::response).toArray())));
-    SECTIONS.keySet().forEach(f -> all.add(feature(f)));
-    SECTIONS.keySet().forEach(f -> all.add(folds(f)));
-    all.add(
-        order(
-            "4.6",
-            "Of the three methods, which predicts PIP best",
-            METHODS,
-            f -> number(PublishedTables.feature(f), "r2_cv_mean"),
-            f -> result.feature(f).validation().mean()));
-    ofEach(all, this::groundTruth);
+  /** Chapter 4. */
+  private void features() {
+    double[] responses = Measurement.responses(result.measurements());
+    share("4.3", "The skewness of -log10(PIP)", -0.009, Variable.skewness(responses));
+    SECTIONS.forEach(
+        (f, section) ->
+            share(
+                section,
+                "What " + f + " captures of -log10(PIP), in its best fold",
+                number(PublishedTables.feature(f), "r2_best"),
+                StatUtils.max(result.feature(f).validation().folds())));
+    SECTIONS.forEach(
+        (f, section) ->
+            share(
+                section,
+                "What " + f + " captures of -log10(PIP), in the mean of its folds",
+                number(PublishedTables.feature(f), "r2_cv_mean"),
+                result.feature(f).validation().mean()));
+    order(
+        "4.6",
+        "Of the three methods, which predicts PIP best",
+        METHODS,
+        f -> number(PublishedTables.feature(f), "r2_cv_mean"),
+        f -> result.feature(f).validation().mean());
+  }
+
+  /** Chapters 5, 6 and 9. */
+  private void detectors(List<String> detectors) {
+    for (String detector : detectors) {
+      share(
+          "5.4 to 5.6",
+          "What measured PIP captures of the confidence of " + detector,
+          number(PublishedTables.groundTruthLine(detector), "r2"),
+          r2(detector, FitResult.GROUND_TRUTH));
+    }
     if (detectors.size() > 1) {
-      all.add(
-          order(
-              "5.7",
-              "Which detector's confidence PIP captures best",
-              detectors,
-              detector -> number(PublishedTables.groundTruthLine(detector), "r2"),
-              detector -> result.line(detector, FitResult.GROUND_TRUTH).r2()));
+      order(
+          "5.7",
+          "Which detector's confidence PIP captures best",
+          detectors,
+          detector -> number(PublishedTables.groundTruthLine(detector), "r2"),
+          detector -> r2(detector, FitResult.GROUND_TRUTH));
     }
-    ofEach(all, this::combination);
-    ofEach(all, this::methodsInOrder);
-    ofEach(all, this::camSim);
-    ofEach(all, this::aboveCamSim);
+    for (String detector : detectors) {
+      share(
+          "6.1, Table 6.1",
+          "What g(f_lin) captures of the confidence of " + detector,
+          number(PublishedTables.line(detector, "lin"), "r2"),
+          r2(detector, "lin"));
+    }
+    for (String detector : detectors) {
+      order(
+          "6.1, Table 6.1",
+          "Which f captures the confidence of " + detector + " best",
+          METHODS,
+          f -> number(PublishedTables.line(detector, f), "r2"),
+          f -> r2(detector, f));
+    }
+    for (String detector : detectors) {
+      share(
+          "6.2, Table 6.2",
+          "What Eq 6.2 captures of the confidence of " + detector,
+          number(PublishedTables.camSimLine(detector), "r2"),
+          r2(detector, FitResult.CAMSIM));
+    }
+    for (String detector : detectors) {
+      order(
+          "6.2",
+          "Whether g(f_lin) captures more of " + detector + " than Eq 6.2",
+          "g(f_lin) > Eq 6.2",
+          r2(detector, "lin") > r2(detector, FitResult.CAMSIM)
+              ? "g(f_lin) > Eq 6.2"
+              : "Eq 6.2 > g(f_lin)");
+    }
     if (detectors.contains("orb")) {
-      all.add(lostByPrediction());
+      double best = METHODS.stream().mapToDouble(f -> r2("orb", f)).max().orElseThrow();
+      share(
+          "9.1",
+          "What the best f captures less of the confidence of orb than measured PIP",
+          0.06,
+          r2("orb", FitResult.GROUND_TRUTH) - best);
     }
-    return all;
   }
 
-  private void ofEach(List<Claim> all, Function<String, Claim> claim) {
-    detectors.stream().map(claim).forEach(all::add);
+  /** In the order of the text. */
+  List<Claim> all() {
+    return all;
   }
 
   /** Writes them as a table. */
   void write(OutputFolder folder) throws IOException {
-    folder.write(FILE, COLUMNS.csv(all()));
+    folder.write(FILE, COLUMNS.csv(all));
   }
 
-  private Claim feature(String f) {
-    return Claim.share(
-        SECTIONS.get(f),
-        "What " + f + " captures of -log10(PIP), in its best fold",
-        number(PublishedTables.feature(f), "r2_best"),
-        StatUtils.max(result.feature(f).validation().folds()));
+  /** What a line on some predictor captures of a detector's confidence. */
+  private double r2(String detector, String on) {
+    return result.line(detector, on).r2();
   }
 
-  private Claim folds(String f) {
-    return Claim.share(
-        SECTIONS.get(f),
-        "What " + f + " captures of -log10(PIP), in the mean of its folds",
-        number(PublishedTables.feature(f), "r2_cv_mean"),
-        result.feature(f).validation().mean());
+  /** Whether a share is as published. */
+  static boolean isNear(double distance) {
+    return Math.abs(distance) <= TOLERANCE + ROUNDING;
   }
 
-  private Claim lostByPrediction() {
-    double best = METHODS.stream().mapToDouble(f -> result.line("orb", f).r2()).max().orElseThrow();
-    return Claim.share(
-        "9.1",
-        "What the best f captures less of the confidence of orb than measured PIP",
-        0.06,
-        result.line("orb", FitResult.GROUND_TRUTH).r2() - best);
+  /** That a share has a value. */
+  private void share(String source, String text, double published, double yours) {
+    all.add(
+        new Claim(
+            source,
+            text,
+            Texts.format("%.2f", published),
+            Texts.format("%.2f", yours),
+            isNear(yours - published)));
   }
 
-  private Claim groundTruth(String detector) {
-    return Claim.share(
-        "5.4 to 5.6",
-        "What measured PIP captures of the confidence of " + detector,
-        number(PublishedTables.groundTruthLine(detector), "r2"),
-        result.line(detector, FitResult.GROUND_TRUTH).r2());
-  }
-
-  private Claim combination(String detector) {
-    return Claim.share(
-        "6.1, Table 6.1",
-        "What g(f_lin) captures of the confidence of " + detector,
-        number(PublishedTables.line(detector, "lin"), "r2"),
-        result.line(detector, "lin").r2());
-  }
-
-  private Claim methodsInOrder(String detector) {
-    return order(
-        "6.1, Table 6.1",
-        "Which f captures the confidence of " + detector + " best",
-        METHODS,
-        f -> number(PublishedTables.line(detector, f), "r2"),
-        f -> result.line(detector, f).r2());
-  }
-
-  private Claim camSim(String detector) {
-    return Claim.share(
-        "6.2, Table 6.2",
-        "What Eq 6.2 captures of the confidence of " + detector,
-        number(PublishedTables.camSimLine(detector), "r2"),
-        result.line(detector, FitResult.CAMSIM).r2());
-  }
-
-  private Claim aboveCamSim(String detector) {
-    return Claim.order(
-        "6.2",
-        "Whether g(f_lin) captures more of " + detector + " than Eq 6.2",
-        "g(f_lin) > Eq 6.2",
-        result.line(detector, "lin").r2() > result.line(detector, FitResult.CAMSIM).r2()
-            ? "g(f_lin) > Eq 6.2"
-            : "Eq 6.2 > g(f_lin)");
-  }
-
-  private static Claim order(
+  /** That things stand in an order, highest first. */
+  private void order(
       String source,
       String text,
       List<String> names,
       ToDoubleFunction<String> published,
       ToDoubleFunction<String> yours) {
-    return Claim.order(source, text, inOrder(names, published), inOrder(names, yours));
+    order(source, text, inOrder(names, published), inOrder(names, yours));
+  }
+
+  private void order(String source, String text, String published, String yours) {
+    all.add(new Claim(source, text, published, yours, published.equals(yours)));
   }
 
   /** The names, highest first. */
@@ -187,32 +198,8 @@ final class Claims {
    * @param yours the same here
    */
   record Claim(String source, String text, String published, String yours, boolean reproduced) {
-    /** How far from a published share yours may be to count as the same, as in Table 8.1. */
-    static final double TOLERANCE = 0.05;
-
-    private static final double ROUNDING = 1e-9;
-
-    /** That a share has a value. */
-    static Claim share(String source, String text, double published, double yours) {
-      return new Claim(
-          source,
-          text,
-          number(published),
-          number(yours),
-          Math.abs(yours - published) <= TOLERANCE + ROUNDING);
-    }
-
-    /** That things stand in an order, each named with its number, highest first. */
-    static Claim order(String source, String text, String published, String yours) {
-      return new Claim(source, text, published, yours, published.equals(yours));
-    }
-
     String verdict() {
       return reproduced ? "reproduced" : "not reproduced";
-    }
-
-    private static String number(double value) {
-      return Texts.format("%.2f", value);
     }
   }
 }
