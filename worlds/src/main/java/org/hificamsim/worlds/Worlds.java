@@ -37,6 +37,8 @@ public final class Worlds implements AutoCloseable {
   private final FloatBuffer states;
   private final IntBuffer advice;
   private final int[] choices;
+  private final int[] maskedRevision;
+  private final boolean maskOften;
   private final float[][] state; // of each worker
   private final float[][] observed; // the same
   private final SeenPairs[] pairs; // the same
@@ -100,12 +102,21 @@ public final class Worlds implements AutoCloseable {
     advice = block.part(memory, "advice").asIntBuffer();
     states = block.part(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
+    maskedRevision = new int[count];
+    maskOften = settings.actions() == ActionKind.STEPS || takesTime();
     workers = Workers.of(Math.min(threads, count));
     observed = new float[workers.count()][network.cameras() * settings.layout().size()];
     pairs = new SeenPairs[workers.count()];
     Arrays.setAll(pairs, worker -> new SeenPairs());
     state = new float[workers.count()][OneWorld.stateSize(network, settings.layout())];
     reset(seed, true);
+  }
+
+  private boolean takesTime() {
+    return settings
+        .scenario()
+        .everyCamera()
+        .anyMatch(camera -> camera.optics().filter(optics -> optics.takesTime()).isPresent());
   }
 
   /** The memory that all sections are in. */
@@ -194,7 +205,9 @@ public final class Worlds implements AutoCloseable {
       world.next();
     }
     observe(i, observations, worker);
-    writeMasks(i);
+    if (maskOften || world.network().revision() != maskedRevision[i]) {
+      writeMasks(i);
+    }
   }
 
   private void renew(int i, int worker) {
@@ -217,6 +230,7 @@ public final class Worlds implements AutoCloseable {
   private void writeMasks(int i) {
     byte[] of = worlds[i].masks();
     masks.put(i * of.length, of);
+    maskedRevision[i] = worlds[i].network().revision();
   }
 
   private void checkActions() {
