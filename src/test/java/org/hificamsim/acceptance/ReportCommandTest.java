@@ -43,6 +43,19 @@ class ReportCommandTest {
     refuses(run, "replay.json");
   }
 
+  @Test
+  void refusesTablesWithoutScoresAndStepsWithoutARow() throws IOException {
+    Path run = record();
+    Path steps = run.resolve("steps.csv");
+    List<String> rows = Files.readAllLines(steps);
+    Files.write(steps, rows.subList(0, rows.size() - 1));
+    refuses(run, "no row for run,step 0,29");
+    Files.write(steps, rows);
+    Path summary = run.resolve("summary.json");
+    Files.writeString(summary, Files.readString(summary).replace("score_words", "words"));
+    refuses(run, "no score_words");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"replay.json", "steps.csv", "summary.json", "manifest.json"})
   void namesAFileThatIsMissing(String name) throws IOException {

@@ -100,6 +100,14 @@ class ShardCommandTest {
     assertSameFiles(merge(List.of(first, thirds.get(2))));
   }
 
+  @Test
+  void anothersFileOfThisNameIsKept() throws IOException {
+    Path out = Files.createDirectory(folder.resolve("own"));
+    Path notes = Files.writeString(out.resolve("runs.jsonl"), "my notes");
+    assertRefused("no --shard wrote it", words(out, "--shard", "2/3", "--resume"));
+    assertEquals("my notes", Files.readString(notes));
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"0/3", "4/3", "1", "1/0"})
   void wrongPartsAreRefused(String part) {

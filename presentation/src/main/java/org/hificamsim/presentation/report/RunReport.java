@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -76,21 +77,36 @@ final class RunReport {
     return PackedHeat.of(HeatTable.read(folder, replay.setup().field()), 0, steps);
   }
 
-  /** Of the recorded frames, by run. */
+  /**
+   * Of the recorded frames, by run.
+   *
+   * @throws InputException when a frame has none; tables of version 0.1 have no scores at all
+   */
   private Collection<List<Double>> scores() throws IOException {
+    if (!summary.has("score_words")) {
+      throw InputException.of(
+          "%s: no score_words, expected what 'run' writes since version 0.2",
+          folder.resolve(ResultFolder.SUMMARY));
+    }
     Map<Integer, List<Double>> scores = new LinkedHashMap<>();
     Set<String> recorded = new HashSet<>();
     for (int i = 0; i < replay.runs().size(); i++) {
       RecordedRun run = replay.recording(folder, i);
       run.frames().forEach(frame -> recorded.add(run.run() + "," + frame.step()));
     }
-    StepRow.each(
-        folder,
-        row -> {
-          if (recorded.contains(row.run() + "," + row.step())) {
-            scores.computeIfAbsent(row.run(), any -> new ArrayList<>()).add(row.score());
-          }
-        });
+    Path file =
+        StepRow.each(
+            folder,
+            row -> {
+              if (recorded.remove(row.run() + "," + row.step())) {
+                scores.computeIfAbsent(row.run(), any -> new ArrayList<>()).add(row.score());
+              }
+            });
+    if (!recorded.isEmpty()) {
+      throw InputException.of(
+          "%s: no row for run,step %s, expected one for each step that was recorded",
+          file, Collections.min(recorded));
+    }
     return scores.values();
   }
 

@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.DoubleBuffer;
 import java.nio.channels.FileChannel;
@@ -40,6 +41,7 @@ public final class Journal implements Closeable {
   public static final String NAME = ".compare.journal";
 
   private static final String RUNS = "runs.jsonl";
+  private static final byte[] BEGIN = "{\"sum\":\"".getBytes(StandardCharsets.UTF_8);
 
   private static final int MAX_LINE = 1 << 28; // bytes
   private static final int CHUNK = 1 << 16; // bytes
@@ -88,7 +90,7 @@ public final class Journal implements Closeable {
    * Opens the journal of a shard to add to.
    *
    * @param resume whether runs found there count; otherwise there may be none
-   * @throws InputException when there is one that would be replaced
+   * @throws InputException when there is one that would be replaced, or another file of its name
    */
   public static Journal ofShard(OutputFolder folder, boolean resume) throws IOException {
     Path file = folder.path().resolve(RUNS);
@@ -96,7 +98,19 @@ public final class Journal implements Closeable {
       throw InputException.of(
           "'%s' would be replaced: expected another folder, or --resume to keep its runs", file);
     }
+    if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && !begins(file)) {
+      throw InputException.of(
+          "'%s' would be replaced, and no --shard wrote it: expected another folder", file);
+    }
     return open(folder, RUNS, resume);
+  }
+
+  /** Whether a file begins as a journal does; a killed command may have left a part of a line. */
+  private static boolean begins(Path file) throws IOException {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] found = in.readNBytes(BEGIN.length);
+      return Arrays.equals(found, Arrays.copyOf(BEGIN, found.length));
+    }
   }
 
   /**
@@ -176,8 +190,8 @@ public final class Journal implements Closeable {
         .ifPresent(
             input -> {
               throw InputException.of(
-                  "'%s' has runs of another %s, expected the same to --resume or --merge; without"
-                      + " it, all runs are done again",
+                  "'%s' has runs of another %s, expected the same to --merge or --resume; without"
+                      + " --resume, all runs are done again",
                   file, input);
             });
   }
