@@ -71,6 +71,9 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
+  @Option(names = "--extra-out", paramLabel = "FILE")
+  private Optional<Path> extra;
+
   @Option(names = "--coverage-out", paramLabel = "DIR")
   private Optional<Path> coverage;
 
@@ -153,8 +156,12 @@ final class CamSimCommand implements Callable<Integer> {
             : summary;
     destination.requireNoInput("-o", steps);
     destination.requireNoInput("-f", sums.orElse(steps));
+    Optional<Path> more = extra.map(path -> named(path, one));
+    if (more.isPresent()) {
+      destination.file("--extra-out", more.get());
+    }
     Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + one));
-    return new CamSimFiles.Places(file, steps, sums, covered);
+    return new CamSimFiles.Places(file, steps, sums, more, covered, destination.force());
   }
 
   /** A file's path with something before the ending of its name. */

@@ -33,6 +33,7 @@ final class Destination {
           "--gif",
           "--output",
           "--summaryfile",
+          "--extra-out",
           "--coverage-out",
           "--for-camsim");
 

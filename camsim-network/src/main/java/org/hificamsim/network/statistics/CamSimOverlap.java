@@ -1,11 +1,27 @@
 package org.hificamsim.network.statistics;
 
+import org.hificamsim.core.scenario.Field;
+
 /**
  * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments, opening angles
- * ignored, right for some positions only; kept for its numbers.
+ * ignored, right for some positions only; kept for its numbers. {@link FieldOfView#overlap} is
+ * right.
+ *
+ * @param field whose top left corner CamSim counts from
  */
-final class CamSimOverlap {
-  private CamSimOverlap() {}
+record CamSimOverlap(Field field) {
+  /** Of two cameras, the first being earlier in the list, square metres. */
+  double of(FieldOfView first, FieldOfView second) {
+    return of(x(first), y(first), first.radius(), x(second), y(second), second.radius());
+  }
+
+  private double x(FieldOfView camera) {
+    return camera.x() - field.minX();
+  }
+
+  private double y(FieldOfView camera) {
+    return (field.minY() + camera.y()) * -1;
+  }
 
   /** In square metres, of the camera at (x1, y1) with range a and a later one with range b. */
   static double of(double x1, double y1, double a, double x2, double y2, double b) {

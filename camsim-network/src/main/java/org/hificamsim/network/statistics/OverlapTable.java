@@ -1,30 +1,46 @@
 package org.hificamsim.network.statistics;
 
 import java.util.Arrays;
-import org.hificamsim.core.scenario.Field;
+import java.util.function.ToDoubleBiFunction;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * CamSim's overlap of every pair of cameras, square metres, computed again only where a camera has
- * changed.
+ * An overlap of every pair of cameras, square metres, computed and added up again only where a
+ * camera has changed.
  */
-final class OverlapTable {
-  /** A camera as CamSim's overlap takes it: a place, counted from the top left corner. */
-  private record Disc(double x, double y, double radius) {}
-
+public final class OverlapTable {
   private final Cameras cameras;
-  private final Field field;
+  private final ToDoubleBiFunction<FieldOfView, FieldOfView> overlap;
   private final double[][] overlaps; // by camera, with each later one
-  private final Disc[] discs;
+  private final FieldOfView[] fields;
   private int looks = -1;
 
-  OverlapTable(Cameras cameras, Field field) {
+  /**
+   * @param overlap of two cameras, the first being earlier in the list
+   */
+  OverlapTable(Cameras cameras, ToDoubleBiFunction<FieldOfView, FieldOfView> overlap) {
     this.cameras = cameras;
-    this.field = field;
+    this.overlap = overlap;
     int count = cameras.count();
     overlaps = new double[count][];
     Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
-    discs = new Disc[count];
+    fields = new FieldOfView[count];
+  }
+
+  /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
+  public static OverlapTable exact(Cameras cameras) {
+    return new OverlapTable(cameras, FieldOfView::overlap);
+  }
+
+  /** The sum over all pairs of cameras that are online. */
+  public double sum() {
+    double sum = 0;
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      if (cameras.online(camera)) {
+        sum = addPairs(camera, sum);
+      }
+    }
+    return sum;
   }
 
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
@@ -45,26 +61,19 @@ final class OverlapTable {
       return;
     }
     looks = cameras.looks();
-    boolean[] changed = new boolean[discs.length];
-    for (int camera = 0; camera < discs.length; camera++) {
-      Disc now =
-          new Disc(
-              cameras.x(camera) - field.minX(),
-              (field.minY() + cameras.y(camera)) * -1,
-              cameras.range(camera));
-      changed[camera] = !now.equals(discs[camera]);
-      discs[camera] = now;
+    boolean[] changed = new boolean[fields.length];
+    for (int camera = 0; camera < fields.length; camera++) {
+      FieldOfView now = FieldOfView.of(cameras, camera);
+      changed[camera] = !now.equals(fields[camera]);
+      fields[camera] = now;
     }
-    for (int first = 0; first < discs.length; first++) {
-      for (int second = first + 1; second < discs.length; second++) {
+    for (int first = 0; first < fields.length; first++) {
+      for (int second = first + 1; second < fields.length; second++) {
         if (changed[first] || changed[second]) {
-          overlaps[first][second - first - 1] = overlap(discs[first], discs[second]);
+          overlaps[first][second - first - 1] =
+              overlap.applyAsDouble(fields[first], fields[second]);
         }
       }
     }
-  }
-
-  private static double overlap(Disc a, Disc b) {
-    return CamSimOverlap.of(a.x, a.y, a.radius, b.x, b.y, b.radius);
   }
 }

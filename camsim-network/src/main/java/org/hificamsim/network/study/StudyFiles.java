@@ -198,7 +198,8 @@ public final class StudyFiles {
         run.value(Metric.OVERLAP),
         run.value(Metric.CONFIDENCE),
         run.value(Metric.TRACKED),
-        (long) run.value(Metric.HANDOVERS));
+        (long) run.value(Metric.HANDOVERS),
+        0);
   }
 
   private static Stream<Column<StudyRun>> metric(Metric metric) {

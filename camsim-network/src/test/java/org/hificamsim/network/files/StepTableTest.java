@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class StepTableTest {
   private static final StepFigures FIGURES =
-      new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2);
+      new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2, 4);
 
   /** A disk with room for the header alone. */
   private static final class Full extends Writer {
@@ -42,10 +42,13 @@ class StepTableTest {
   }
 
   @Test
-  void aStepIsARow() throws IOException {
+  void aStepIsARowOfEachTable() throws IOException {
     Writer steps = new StringWriter();
-    try (StepTable table = new StepTable(steps)) {
-      table.add(FIGURES);
+    Writer extra = new StringWriter();
+    try (StepTable ofSteps = StepTable.camSim(steps);
+        StepTable ofExtra = StepTable.extra(extra)) {
+      ofSteps.camSim(FIGURES);
+      ofExtra.extra(FIGURES, 1.5);
     }
     assertEquals(
         lines(
@@ -53,6 +56,8 @@ class StepTableTest {
                 + "proportion",
             "3;0.5;7.0;0;1;0.25;9.0;12.5;0.75;1.0"),
         steps.toString());
+    assertEquals(
+        lines("time;cameras_seeing;overlap_area;handovers", "3;4;1.5;2"), extra.toString());
   }
 
   private static String lines(String... all) {
@@ -67,9 +72,9 @@ class StepTableTest {
         assertThrows(
             UncheckedIOException.class,
             () -> {
-              try (StepTable table = new StepTable(full)) {
+              try (StepTable table = StepTable.camSim(full)) {
                 for (int row = 0; row < rows; row++) {
-                  table.add(FIGURES);
+                  table.camSim(FIGURES);
                 }
               }
             });

@@ -10,8 +10,6 @@ import org.junit.jupiter.api.Test;
 
 /** Overlaps of pairs, added up. */
 class OverlapTableTest {
-  private static final double RANGE = 5; // of the cameras
-
   private static World row(int count) {
     TestScenario scenario = new TestScenario();
     for (int camera = 0; camera < count; camera++) {
@@ -23,28 +21,18 @@ class OverlapTableTest {
   @Test
   void eachPairThatIsOnlineCountsOnce() {
     World world = row(4);
-    OverlapTable table = new OverlapTable(world.cameras(), world.scenario().field());
-    double beside = overlap(1);
-    double apart = overlap(2);
-    assertTrue(beside > apart && apart > 0);
-    assertEquals(beside, table.addPairs(2, 0), 1e-9);
-    assertEquals(2 * beside + apart, table.addPairs(1, beside), 1e-9);
+    OverlapTable table =
+        new OverlapTable(world.cameras(), (first, second) -> 10 * first.x() + second.x());
+    assertEquals(1 + 2 + 3 + 12 + 13 + 23, table.sum());
     world.switchCamera(2, false);
-    assertEquals(apart, table.addPairs(1, 0), 1e-9);
-  }
-
-  private static double overlap(double apart) {
-    return CamSimOverlap.of(0, 0, RANGE, apart, 0, RANGE);
+    assertEquals(1 + 3 + 13, table.sum());
   }
 
   @Test
   void aTableHasRoomForEachPairOnce() {
     World world = row(1000);
     long bytes =
-        AllocatedBytes.fewest(
-            () ->
-                AllocatedBytes.by(
-                    () -> new OverlapTable(world.cameras(), world.scenario().field())));
+        AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> OverlapTable.exact(world.cameras())));
     assertTrue(bytes < 5_000_000, bytes + " bytes");
   }
 }
