@@ -6,9 +6,9 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
-import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.DoubleBuffer;
 import java.nio.channels.FileChannel;
@@ -232,7 +232,7 @@ public final class Journal implements Closeable {
     private record Entry(String key, RunResult result, byte[] kMin, byte[] scores) {}
 
     private static final int SUM = 16; // hexadecimal digits, the first of a SHA-256
-    private static final int HEAD = head("").length();
+    private static final int HEAD = head(new byte[0]).length();
     private static final ObjectMapper MAPPER =
         new ObjectMapper()
             .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
@@ -250,12 +250,13 @@ public final class Journal implements Closeable {
 
     /** The run in a line; empty where it is damaged. */
     static Optional<JournalLine> parse(byte[] line) {
-      String text = new String(line, StandardCharsets.UTF_8);
-      if (text.length() < HEAD || !text.startsWith(head(text.substring(HEAD)))) {
+      byte[] rest = Arrays.copyOfRange(line, Math.min(HEAD, line.length), line.length);
+      String head = new String(line, 0, line.length - rest.length, StandardCharsets.UTF_8);
+      if (!head.equals(head(rest))) {
         return Optional.empty();
       }
       try {
-        Entry entry = MAPPER.readValue(text, Entry.class);
+        Entry entry = MAPPER.readValue(line, Entry.class);
         int[] kMin = Arrays.stream(unpack(entry.kMin)).mapToInt(value -> (int) value).toArray();
         FinishedRun run = new FinishedRun(entry.result, kMin, unpack(entry.scores));
         return Optional.of(new JournalLine(entry.key, run));
@@ -268,22 +269,27 @@ public final class Journal implements Closeable {
     byte[] line() throws IOException {
       byte[] kMin = pack(Arrays.stream(run.kMin()).asDoubleStream().toArray());
       Entry entry = new Entry(key, run.result(), kMin, pack(run.scores()));
-      String rest = MAPPER.writeValueAsString(entry).substring(1);
-      return (head(rest) + rest + "\n").getBytes(StandardCharsets.UTF_8);
+      byte[] text = MAPPER.writeValueAsBytes(entry);
+      byte[] rest = Arrays.copyOfRange(text, 1, text.length);
+      ByteArrayOutputStream line = new ByteArrayOutputStream();
+      line.writeBytes(head(rest).getBytes(StandardCharsets.UTF_8));
+      line.writeBytes(rest);
+      line.write('\n');
+      return line.toByteArray();
     }
 
     /** What stands before the rest of a line. */
-    private static String head(String rest) {
-      String sum = Sha256.of(rest.getBytes(StandardCharsets.UTF_8)).substring(0, SUM);
+    private static String head(byte[] rest) {
+      String sum = Sha256.of(rest).substring(0, SUM);
       return "{\"sum\":\"" + sum + "\",";
     }
 
     private static byte[] pack(double[] values) throws IOException {
+      ByteBuffer plain = ByteBuffer.allocate(values.length * Double.BYTES);
+      plain.asDoubleBuffer().put(values);
       ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-      try (DataOutputStream out = new DataOutputStream(new DeflaterOutputStream(bytes))) {
-        for (double value : values) {
-          out.writeDouble(value);
-        }
+      try (OutputStream out = new DeflaterOutputStream(bytes)) {
+        out.write(plain.array());
       }
       return bytes.toByteArray();
     }
