@@ -71,6 +71,8 @@ class ReportCommandTest {
         "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,x | ,x' is no row, expected"
             + " run,step,k_min,...,score, numbers",
         "summary.json | \\{ | [[ | not JSON",
+        "summary.json | epsilon-greedy | sarsa | policy is 'sarsa', but replay.json says"
+            + " 'epsilon-greedy'",
         "replay.json | \"x\":[0-9.e-]+ | \"x\":[] | replay.json:1:",
         "replay.json | \"data\":\"....... | \"data\":\"eJx?AAA | run 0",
         "replay.json | \"frames\":30 | \"frames\":-1 | frames of run 0",
@@ -121,7 +123,6 @@ class ReportCommandTest {
   @ParameterizedTest
   @CsvSource({
     "steps.csv, '(?m)^0,7,[0-9]+', '0,7,99'",
-    "summary.json, epsilon-greedy, sarsa",
     "replay.json, '\"repeat\":1', '\"repeat\":2'"
   })
   void warnsOfFilesThatWereEdited(String name, String from, String to) throws IOException {

@@ -46,6 +46,7 @@ final class RunReport {
    */
   static Page of(Path folder) throws IOException {
     RunReport report = new RunReport(folder);
+    report.requireOneRun();
     Setup setup = report.replay.setup();
     ObjectNode data = JSON.createObjectNode();
     data.set("replay", JSON.readTree(ReplayJson.of(report.replay)));
@@ -64,6 +65,26 @@ final class RunReport {
         "run-page.js",
         "runPage",
         JSON.writeValueAsString(data));
+  }
+
+  /**
+   * The folder's record of hashes may be missing: another run's files do not pass for this one's.
+   */
+  private void requireOneRun() {
+    Setup setup = replay.setup();
+    requireSame("scenario", setup.scenario());
+    requireSame("detection", setup.detection());
+    requireSame("policy", setup.policy());
+    requireSame("seed", Long.toString(setup.seed()));
+  }
+
+  private void requireSame(String setting, String recorded) {
+    String text = summary.path(setting).asText();
+    if (!text.equals(recorded)) {
+      throw InputException.of(
+          "%s: %s is '%s', but %s says '%s', expected the files of one run",
+          folder.resolve(ResultFolder.SUMMARY), setting, text, ResultFolder.REPLAY, recorded);
+    }
   }
 
   /** Of a folder that names none, the default. */

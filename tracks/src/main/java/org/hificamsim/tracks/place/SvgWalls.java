@@ -105,8 +105,11 @@ final class SvgWalls extends PlainXml {
     } else {
       String element = "svg without viewBox";
       box[3] =
-          parsed(attributes, element, "height", text -> numbers(text.replaceFirst("px$", ""), 1))[
-              0];
+          parsed(
+              attributes,
+              element,
+              "height",
+              text -> numbers(text.strip().replaceFirst("px$", ""), 1))[0];
     }
     AffineTransform transform = new AffineTransform();
     transform.translate(frame.x(), frame.y());
