@@ -461,6 +461,10 @@ abstract class Sight implements OracleView {
   public void detections(int camera, long[] masks, int words) {
     int views = cameras.views(camera);
     Arrays.fill(masks, 0, views * words, 0);
+    if (grid.cells() == 1) {
+      mark(camera, views, 0, grid.count(), masks, words);
+      return;
+    }
     double far = 0;
     for (int view = 0; view < views; view++) {
       far = Math.max(far, reach(camera, view));
