@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
@@ -33,8 +35,8 @@ public final class Measurer {
   private final Dataset dataset;
   private final MeasureSettings settings;
 
-  /** Each thread has its own. */
-  private ThreadLocal<List<ConfidenceSource>> detectors;
+  /** Sets of detectors that no thread uses just now: there are as many as threads at the most. */
+  private final Queue<List<ConfidenceSource>> free = new ConcurrentLinkedQueue<>();
 
   public Measurer(Dataset dataset, MeasureSettings settings) {
     this.dataset = dataset;
@@ -63,10 +65,8 @@ public final class Measurer {
     int threads = Memory.free().threads(wanted, dataset.largestPicture(), need);
     List<FeatureDetector> features = Detectors.features(settings.detectors());
     try (Templates templates = new Templates(dataset.templates(), features, threads)) {
-      detectors =
-          ThreadLocal.withInitial(
-              () -> Detectors.sources(settings.detectors(), settings.test(), templates));
-      detectors.get(); // a file that is no detector's is refused at once
+      free.clear(); // those of an earlier call have its templates
+      free.add(detectors(templates)); // a file that is no detector's is refused at once
       return measure(templates, threads, watcher);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -88,7 +88,7 @@ public final class Measurer {
                   done.get(photo)
                       .orElseGet(
                           () -> {
-                            Measurement row = done.add(measured(photo));
+                            Measurement row = done.add(measured(photo, templates));
                             watcher.advance();
                             return row;
                           }));
@@ -97,7 +97,7 @@ public final class Measurer {
           .warnings(rows)
           .forEach(line -> warnings.add(dataset.folder().resolve(Dataset.TABLE) + ": " + line));
       if (!dataset.negatives().isEmpty()) {
-        warnings.addAll(writeThresholds(rows, threads, watcher, folder));
+        warnings.addAll(writeThresholds(rows, templates, threads, watcher, folder));
       }
       MeasurementsFile.write(folder, settings.pip(), withRecall(rows));
       folder.commit(List.of());
@@ -115,9 +115,13 @@ public final class Measurer {
     return all;
   }
 
-  private Measurement measured(LabelledPhoto photo) {
+  private List<ConfidenceSource> detectors(Templates templates) {
+    return Detectors.sources(settings.detectors(), settings.test(), templates);
+  }
+
+  private Measurement measured(LabelledPhoto photo, Templates templates) {
     List<Subject> subject = List.of(new Subject(photo.object(), photo.patch()));
-    Map<String, Double> found = confidences(photo.file(), subject, true).get(0);
+    Map<String, Double> found = confidences(photo.file(), subject, true, templates).get(0);
     Map<String, Double> confidences = new LinkedHashMap<>();
     settings.columns().forEach(column -> confidences.put(column, found.get(column)));
     return new Measurement(
@@ -136,28 +140,37 @@ public final class Measurer {
    * @param shown whether the photo has the subjects
    * @return the confidences of each subject, by column
    */
-  private List<Map<String, Double>> confidences(Path file, List<Subject> subjects, boolean shown) {
+  private List<Map<String, Double>> confidences(
+      Path file, List<Subject> subjects, boolean shown, Templates templates) {
     List<Map<String, Double>> all =
         subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
+    List<ConfidenceSource> kept = free.poll();
+    List<ConfidenceSource> detectors = kept == null ? detectors(templates) : kept;
     try (Photograph photo = new Photograph(file)) {
-      for (ConfidenceSource detector : detectors.get()) {
+      for (ConfidenceSource detector : detectors) {
         List<Map<String, Double>> found =
             photo.lookedAt(detector.name(), () -> detector.confidences(photo, subjects, shown));
         for (int i = 0; i < all.size(); i++) {
           all.get(i).putAll(found.get(i));
         }
       }
+    } finally {
+      free.add(detectors);
     }
     return all;
   }
 
   /** Returns a warning where too few photos without the objects say anything. */
   private List<String> writeThresholds(
-      List<Measurement> rows, int threads, MeasureProgress watcher, OutputFolder folder)
+      List<Measurement> rows,
+      Templates templates,
+      int threads,
+      MeasureProgress watcher,
+      OutputFolder folder)
       throws IOException {
     List<AlarmThreshold> thresholds = new ArrayList<>();
     double rate = settings.falseAlarms();
-    List<Map<String, Double>> without = withoutObjects(threads, watcher);
+    List<Map<String, Double>> without = withoutObjects(templates, threads, watcher);
     for (String detector : rows.get(0).confidences().keySet()) {
       List<Double> with = rows.stream().map(row -> row.confidence(detector)).toList();
       List<Double> alarms = without.stream().map(row -> row.get(detector)).toList();
@@ -182,14 +195,15 @@ public final class Measurer {
    * What the detectors make of photos without any of the objects. Each photo is asked for each
    * object, at places and in sizes that the object has in the other photos.
    */
-  private List<Map<String, Double>> withoutObjects(int threads, MeasureProgress watcher) {
+  private List<Map<String, Double>> withoutObjects(
+      Templates templates, int threads, MeasureProgress watcher) {
     List<Subject> subjects =
         dataset.templates().keySet().stream().flatMap(this::elsewhere).toList();
     return Parallel.map(
             dataset.negatives(),
             threads,
             photo -> {
-              List<Map<String, Double>> seen = confidences(photo, subjects, false);
+              List<Map<String, Double>> seen = confidences(photo, subjects, false, templates);
               watcher.advance();
               return seen;
             })
