@@ -234,15 +234,14 @@ final class BatchRun {
   private void warnOfUnproven(CaseResult one) {
     RunPlan plan = one.plan();
     List<RunResult> results = one.runs().stream().map(ScoredRun::result).toList();
-    for (String missing : RunResult.unproven(plan, results)) {
-      screen.note(
-          "warning: scenario %s, detection %s: '%s' is not proven to be the best%s%s",
-          plan.scenario().name(),
-          plan.detection().name(),
-          plan.policy(),
-          missing.startsWith("the ") ? "; " : " in ",
-          missing);
-    }
+    RunResult.unprovenSteps(plan, results).ifPresent(steps -> warnOfUnproven(plan, " in " + steps));
+    RunResult.unprovenExpectation(results).ifPresent(more -> warnOfUnproven(plan, "; " + more));
+  }
+
+  private void warnOfUnproven(RunPlan plan, String what) {
+    screen.note(
+        "warning: scenario %s, detection %s: '%s' is not proven to be the best%s",
+        plan.scenario().name(), plan.detection().name(), plan.policy(), what);
   }
 
   private Progress progress(long runs) {

@@ -24,6 +24,9 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   /** How long nothing is shown. */
   static final Duration QUIET = TERMINAL ? Duration.ofSeconds(2) : Duration.ofSeconds(10);
 
+  /** For commands that are to be quiet: longer than any runs. */
+  static final Duration NEVER = Duration.ofDays(10_000);
+
   private final String task;
   private final String unit;
   private final long total;

@@ -56,7 +56,8 @@ final class RunSummary {
                     + plan.seed(plan.repeats() - 1)));
     table.sources(plan);
     table.figures(plan);
-    RunResult.unproven(plan, results).forEach(missing -> table.line("not proven", missing));
+    RunResult.unprovenSteps(plan, results).ifPresent(steps -> table.line("not proven", steps));
+    RunResult.unprovenExpectation(results).ifPresent(more -> table.line("not proven", more));
     table.uncovered(plan);
     String course = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
     table.line(course + " over time", bars(overTime, terminal()));

@@ -3,7 +3,6 @@ package org.hificamsim.cli;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
@@ -15,8 +14,6 @@ import picocli.CommandLine.Spec;
 final class Screen {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
-
-  private static final Duration NEVER = Duration.ofDays(10_000);
 
   @Option(names = "--quiet")
   private boolean quiet;
@@ -58,7 +55,7 @@ final class Screen {
         unit,
         total,
         err(),
-        quiet ? NEVER : Progress.QUIET);
+        quiet ? Progress.NEVER : Progress.QUIET);
   }
 
   /** A folder to write into; what the command reads is kept as it is. */

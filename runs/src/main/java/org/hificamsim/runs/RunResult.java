@@ -1,7 +1,6 @@
 package org.hificamsim.runs;
 
 import java.io.Serializable;
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -64,21 +63,24 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return more > 0 ? more : 0;
   }
 
-  /** What of a policy's claim to be the best is not proven of the repeats of a plan, in words. */
-  public static List<String> unproven(RunPlan plan, List<RunResult> results) {
-    List<String> missing = new ArrayList<>();
+  /** In how many steps of a plan's repeats a policy's claim to be the best is not proven. */
+  public static Optional<String> unprovenSteps(RunPlan plan, List<RunResult> results) {
     Proof proof =
         results.stream()
             .flatMap(result -> result.proof().stream())
             .reduce(Proof.OF_NOTHING, Proof::plus);
-    if (proof.unprovenSteps() > 0) {
-      missing.add(proof.missing(plan.work(), plan.objective()));
-    }
+    return proof.unprovenSteps() > 0
+        ? Optional.of(proof.missing(plan.work(), plan.objective()))
+        : Optional.empty();
+  }
+
+  /** How much higher the least expected k might be, where the best one is not proven. */
+  public static Optional<String> unprovenExpectation(List<RunResult> results) {
     double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
-    if (gap > 0) {
-      missing.add(Texts.format("the least expected k of a step might be up to %.3g higher", gap));
-    }
-    return missing;
+    return gap > 0
+        ? Optional.of(
+            Texts.format("the least expected k of a step might be up to %.3g higher", gap))
+        : Optional.empty();
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
