@@ -108,7 +108,6 @@ class ViewCommandTest {
         "--threshold 2 | threshold is 2.0, expected a number from 0 to 1",
         "--policy grasping | unknown policy 'grasping'",
         "--policy best-fixed | cannot be viewed live",
-        "--policy optimal:pan=continuous | cannot be viewed live",
         "--policy fixed:9 | level of camera",
         "--detection nothing.json | nothing.json",
         "--seed x | 'x'",

@@ -112,10 +112,6 @@ class BridgeOptionsTest {
             "policy=best-fixed",
             "policy 'best-fixed' has to see the run before it begins, expected one that"),
         arguments(
-            "policy=optimal:pan=continuous,hfov=40",
-            "policy 'optimal:pan=continuous' turns cameras to any angle, expected one that"
-                + " chooses"),
-        arguments(
             "detektion=geometric",
             "options: unknown option 'detektion=geometric', expected one of detection, threshold"),
         arguments(

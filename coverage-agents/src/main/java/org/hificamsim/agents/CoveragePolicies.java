@@ -49,7 +49,7 @@ public final class CoveragePolicies {
         .register(
             "optimal",
             "the best score of each step (k_min by default), exactly, with global knowledge",
-            OptimalZoomPolicy::from)
+            OptimalZoomPolicy::new)
         .register(
             "bound",
             "a good configuration and a bound on the best score of each step, without a search",

@@ -1,7 +1,6 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -196,33 +195,16 @@ abstract class Sight implements OracleView {
 
   @Override
   public boolean detects(int camera, int view, int target) {
-    return targets.present(target)
-        && detects(camera, view, target, cameras.pose(camera, view), false);
+    return targets.present(target) && detects(camera, view, target, cameras.pose(camera, view));
   }
 
-  @Override
-  public boolean detectsTurned(int camera, int view, int target) {
-    if (visibility.detection().model().dependsOnBearing()) {
-      throw InputException.of(
-          "detection '%s' looks at where in the picture a target is, expected one that"
-              + " looks at its distance alone for cameras that turn freely",
-          visibility.detection().name());
-    }
-    if (!lines.flat()) {
-      throw new InputException(
-          "the scenario has heights, expected a flat one, or views alone, for cameras that turn"
-              + " freely");
-    }
-    return targets.present(target) && detects(camera, view, target, cameras.pose(camera), true);
-  }
-
-  private boolean detects(int camera, int view, int target, Pose pose, boolean anyAngle) {
+  private boolean detects(int camera, int view, int target, Pose pose) {
     LevelSight level = level(camera, view, target);
     double x = targets.x(target);
     double y = targets.y(target);
     double squared = pose.squaredDistance(x, y);
     return level.isInReach(squared)
-        && (anyAngle || level.isInAngle(pose, x, y))
+        && level.isInAngle(pose, x, y)
         && level.detectsInView(
             pose,
             x,
@@ -407,7 +389,7 @@ abstract class Sight implements OracleView {
   private int keepDetected(int camera, int view, long[] found, int first, int end) {
     int kept = first;
     for (int k = first; k < end; k++) {
-      if (detects(camera, view, grid.point((int) found[k]), cameras.pose(camera, view), false)) {
+      if (detects(camera, view, grid.point((int) found[k]), cameras.pose(camera, view))) {
         found[kept++] = found[k];
       }
     }

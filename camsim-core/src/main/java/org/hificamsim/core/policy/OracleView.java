@@ -36,17 +36,6 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
     }
   }
 
-  /**
-   * Whether the camera would detect the target where both are now at the zoom level of a view, were
-   * it turned so that its picture has the target.
-   *
-   * @throws org.hificamsim.core.InputException when the detection model looks at where in the
-   *     picture a target is
-   */
-  default boolean detectsTurned(int camera, int view, int target) {
-    return detects(camera, view, target);
-  }
-
   /** Whether no luck is drawn: each {@link #chance} is 1 or 0, as {@link #detects} says. */
   boolean certain();
 

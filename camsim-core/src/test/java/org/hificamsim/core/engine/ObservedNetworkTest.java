@@ -72,7 +72,7 @@ class ObservedNetworkTest {
   /** By a threshold, or by a chance that is certainty: the two look in different ways. */
   @ParameterizedTest
   @ValueSource(strings = {"threshold", "probability"})
-  void aCameraThatIsTurnedDetectsWhatIsInReach(String rule) {
+  void detectsTargetsInReachAndAngle(String rule) {
     World world =
         new TestScenario()
             .camera(TestScenario.camera("a", 0, 0, 0, 90, 5))
@@ -84,10 +84,8 @@ class ObservedNetworkTest {
             .world();
     ObservedNetwork network = network(world, certain(rule));
     boolean[] detected = {true, false, false, false};
-    boolean[] turned = {true, true, false, false};
     for (int target = 0; target < 4; target++) {
       assertEquals(detected[target], network.detects(0, 0, target), "target " + target);
-      assertEquals(turned[target], network.detectsTurned(0, 0, target), "target " + target);
       assertEquals(detected[target] ? 1 : 0, network.chance(0, 0, target), "target " + target);
     }
   }
@@ -130,7 +128,7 @@ class ObservedNetworkTest {
     ObservedNetwork network = network(world, new Detection(new Constant(0.7, false), threshold));
     network.observe();
     assertEquals(seen, network.detected(0));
-    assertEquals(seen == 1, network.detectsTurned(0, 0, 0));
+    assertEquals(seen == 1, network.detects(0, 0, 0));
   }
 
   @Test

@@ -103,8 +103,6 @@ class DefaultsTest {
     assertArrayEquals(expected, Arrays.copyOf(targets, count));
     assertTrue(Arrays.stream(chances, 0, count).allMatch(chance -> chance == 1));
     assertEquals(0, VIEW.chance(1, 0, 3));
-    assertTrue(VIEW.detectsTurned(1, 0, 1));
-    assertFalse(VIEW.detectsTurned(1, 0, 3));
   }
 
   @Test

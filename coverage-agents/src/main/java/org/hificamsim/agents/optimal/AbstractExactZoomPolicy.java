@@ -49,15 +49,10 @@ abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
     int online = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        int set = solver.chosen(online++);
-        views[camera] = sets.viewOf(set);
-        chose(camera, set);
+        views[camera] = sets.viewOf(solver.chosen(online++));
       }
     }
   }
-
-  /** Notes which set a camera was given. */
-  void chose(int camera, int set) {}
 
   @Override
   public final long unprovenSteps() {

@@ -8,7 +8,6 @@ import org.hificamsim.agents.search.Solver;
 import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -26,18 +25,17 @@ import org.hificamsim.core.registry.Options;
  * score could have been at most is a bound on the optimum, in a small part of the time.
  */
 public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
-  /** The pan angles that cameras may turn to. */
-  private enum Pan {
-    LISTED,
-    CONTINUOUS
-  }
-
   private final String name;
   private final BiFunction<Objective, CoverageProblem, Solver> solver;
   private DetectionSets sets;
   private int revision;
   private boolean settled;
   private boolean prepared;
+
+  /** Reads the option {@code nodes}. */
+  public OptimalZoomPolicy(Options options) {
+    this(nodes(options, DEFAULT_NODES));
+  }
 
   /**
    * @param nodes search nodes after which a step's proof is given up, 0 or more
@@ -54,15 +52,6 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   /** The policy that bounds the optimum. */
   public static OptimalZoomPolicy bound() {
     return new OptimalZoomPolicy("bound", BoundSolver::new);
-  }
-
-  /** The policy with its options {@code nodes} and {@code pan}. */
-  public static ProvingZoomPolicy from(Options options) {
-    int nodes = nodes(options, DEFAULT_NODES);
-    return options.choice("pan", Pan.LISTED, "angles to turn to: those listed, or any in between")
-            == Pan.LISTED
-        ? new OptimalZoomPolicy(nodes)
-        : new AimedOptimalZoomPolicy(nodes);
   }
 
   @Override
