@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.Utility;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -17,10 +16,6 @@ import org.hificamsim.core.registry.Options;
  * averages by the same and so changes no comparison.
  */
 abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
-  /** Of no instance, and small: a step of epsilon-greedy takes 1.1 times as long otherwise. */
-  private static final CameraTask<AbstractBanditZoomPolicy> LEARNING =
-      (network, policy, from, to) -> policy.learn(network, from, to);
-
   private Utility.Reading reading;
   private Utility utility;
   private double[][] means; // by camera and view
@@ -49,11 +44,7 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   /** Credits each online camera's current view with what it just detected. */
   @Override
   public final void learn(NetworkView network) {
-    network.divide(this, LEARNING);
-  }
-
-  private void learn(NetworkView network, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         credit(means[camera], pulls[camera], network.view(camera), utility.of(network, camera));
       }

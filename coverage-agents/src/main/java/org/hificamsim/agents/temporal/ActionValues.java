@@ -12,23 +12,15 @@ import org.hificamsim.core.policy.NetworkView;
  *
  * <p>In a small network every table has all its states from the start; in a big one, where most
  * percepts never occur, a table grows to what its camera has met. States that it lacks have the
- * initial value. Threads may work on different cameras as long as each camera's {@link #set} has
- * its table for itself.
+ * initial value.
  *
- * <p>Three things are for speed alone. The best actions stand in tables of their own, which stay in
- * the cache when the values no longer do: neighbours ask for nothing else (without them a step of
- * QB-SARSA takes 1.7 times as long, with 14 cameras and with 10,000). A bound on the values of the
- * other actions shows that most updates leave the best one as it was (without it SARSA takes 1.2
- * times as long with 14 cameras). In a big network values are fetched from memory block by block
- * (without it SARSA takes 1.6 times as long with 10,000 cameras).
+ * <p>Two things are for speed alone. The best actions have tables of their own, which stay in the
+ * processor's cache when the values no longer fit: neighbours read nothing else (without these
+ * tables a step of QB-SARSA takes 1.7 times as long, with 14 cameras and with 10,000). A bound on
+ * the values of the other actions shows that most updates do not change the best one (without it
+ * SARSA takes 1.2 times as long with 14 cameras).
  */
 public final class ActionValues {
-  /** Cameras that are fetched at a time: few enough for their values to stay in the first cache. */
-  public static final int BLOCK = 32;
-
-  /** Up to that many cameras, all values are in the cache anyway. */
-  private static final int MAX_CACHED = 500;
-
   /** Values up to which all tables together are made whole at once: 32 MiB. */
   private static final long MAX_WHOLE = 1 << 22;
 
@@ -156,17 +148,5 @@ public final class ActionValues {
     for (int state = before; state < states; state++) {
       findBest(camera, state);
     }
-  }
-
-  /** Whether the tables exceed the cache, so that reading one means to wait for memory. */
-  public boolean exceedsCache() {
-    return views.length > MAX_CACHED;
-  }
-
-  /** Reads both ends of a row, for speed alone. */
-  double read(int camera, int state) {
-    int row = state * width(views[camera]);
-    double[] table = values[camera];
-    return row < table.length ? table[row] + table[row + views[camera]] + best[camera][state] : 0;
   }
 }

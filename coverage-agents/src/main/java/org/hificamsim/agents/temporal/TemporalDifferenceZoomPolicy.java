@@ -6,7 +6,6 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.choice.Utility;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -26,9 +25,6 @@ import org.hificamsim.core.registry.Options;
 public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
   private static final double LARGE = 1e6;
-
-  private static final CameraTask<TemporalDifferenceZoomPolicy> MEASURING =
-      (network, policy, from, to) -> policy.measure(network, from, to);
 
   private final String name;
   private final boolean onPolicy;
@@ -50,9 +46,6 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   private double[] utilities;
   private double[] earned; // on the way
   private double[] discount; // of what comes next
-
-  @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
-  private double fetched;
 
   /**
    * Reads the parameters of Eqs 7.5 and 7.6, the readings that the thesis leaves open, and how to
@@ -151,13 +144,9 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   @Override
   public final void learn(NetworkView network) {
     if (!utility.counts()) {
-      network.divide(this, MEASURING);
-    }
-  }
-
-  private void measure(NetworkView network, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
-      utilities[camera] = utility.of(network, camera);
+      for (int camera = 0; camera < network.cameras(); camera++) {
+        utilities[camera] = utility.of(network, camera);
+      }
     }
   }
 
@@ -207,31 +196,6 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   @Override
   protected final void skip(int camera) {
     lastState[camera] = NONE;
-  }
-
-  /** In blocks, for speed alone. */
-  @Override
-  protected final void chooseAll(NetworkView network, int[] views, int from, int to) {
-    for (int first = from; first < to; first += ActionValues.BLOCK) {
-      int end = Math.min(to, first + ActionValues.BLOCK);
-      if (q.exceedsCache()) {
-        fetch(network, first, end);
-      }
-      super.chooseAll(network, views, first, end);
-    }
-  }
-
-  /**
-   * Reads what the decisions of some cameras are going to read, so that it comes from memory at
-   * once, where camera by camera each would wait.
-   */
-  private void fetch(NetworkView network, int from, int to) {
-    double sum = 0;
-    for (int camera = from; camera < to; camera++) {
-      int state = q.state(camera, network.view(camera), percept(network, camera));
-      sum += q.read(camera, state) + q.read(camera, Math.max(0, lastState[camera]));
-    }
-    fetched = sum;
   }
 
   /**

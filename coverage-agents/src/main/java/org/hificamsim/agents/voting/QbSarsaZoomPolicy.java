@@ -1,12 +1,9 @@
 package org.hificamsim.agents.voting;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.core.channel.MessageBits;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -33,21 +30,17 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     NO
   }
 
-  private final CameraTask<int[]> electing = this::elect;
   private final int neighbours;
   private final OwnVote ownVote;
   private final MajorityVote.Draw ties;
   private final int timeout;
   private NearestCameras nearest;
   private ViewTranslation translation;
-  private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
-  private long[] messages = {}; // of a thread, as the votes
+  private MajorityVote vote;
+  private long directMessages;
   private int[] elected = {};
   private Inquiries inquiries; // null over a perfect channel
   private int bitsOfBoth; // of a query and its answer
-
-  @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
-  private int fetched;
 
   /** Reads the options of SARSA and those of the vote; thesis 7.4.5 has no k. */
   public QbSarsaZoomPolicy(Options options) {
@@ -69,7 +62,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
   @Override
   public long messages() {
-    return inquiries == null ? Arrays.stream(messages).sum() : inquiries.messages();
+    return inquiries == null ? directMessages : inquiries.messages();
   }
 
   @Override
@@ -81,10 +74,9 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
     elected = new int[network.cameras()];
-    messages = new long[network.cameras()];
-    votes = new MajorityVote[network.cameras()];
+    directMessages = 0;
     int views = IntStream.range(0, elected.length).map(network::views).max().orElse(0);
-    Arrays.setAll(votes, share -> new MajorityVote(ties, views));
+    vote = new MajorityVote(ties, views);
     nearest = new NearestCameras(network, neighbours);
     translation = new ViewTranslation(network);
     int address = MessageBits.address(network.cameras());
@@ -104,7 +96,12 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     if (inquiries != null) {
       inquiries.run(camera -> percept(network, camera));
     }
-    network.divide(elected, electing);
+    for (int camera = 0; camera < elected.length; camera++) {
+      if (!network.moving(camera)) {
+        elected[camera] = elect(network, camera);
+        directMessages += 2L * nearest.count(camera);
+      }
+    }
   }
 
   @Override
@@ -112,39 +109,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     return elected[camera];
   }
 
-  /** In blocks, for speed alone: {@link #fetch}. */
-  private void elect(NetworkView network, int[] elected, int from, int to) {
-    for (int first = from; first < to; first += ActionValues.BLOCK) {
-      int end = Math.min(to, first + ActionValues.BLOCK);
-      if (inquiries == null && q().exceedsCache()) {
-        fetch(network, first, end);
-      }
-      for (int camera = first; camera < end; camera++) {
-        if (!network.moving(camera)) {
-          elected[camera] = elect(network, camera, votes[from]);
-          messages[from] += 2L * nearest.count(camera);
-        }
-      }
-    }
-  }
-
-  /**
-   * Reads what the neighbours of some cameras are going to answer, so that it comes from memory at
-   * once, where neighbour by neighbour each would wait (without it a step takes 1.3 times as long
-   * with 100,000 cameras).
-   */
-  private void fetch(NetworkView network, int from, int to) {
-    int sum = 0;
-    for (int camera = from; camera < to; camera++) {
-      int state = q().state(camera, network.view(camera), percept(network, camera));
-      for (int i = 0; i < nearest.count(camera); i++) {
-        sum += q().best(nearest.neighbour(camera, i), state);
-      }
-    }
-    fetched = sum;
-  }
-
-  private int elect(NetworkView network, int camera, MajorityVote vote) {
+  private int elect(NetworkView network, int camera) {
     int view = network.view(camera);
     int percept = percept(network, camera);
     int state = q().state(camera, view, percept);
