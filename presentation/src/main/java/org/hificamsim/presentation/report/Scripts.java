@@ -17,7 +17,7 @@ import org.hificamsim.presentation.plot.Palette;
  */
 public final class Scripts {
   private static final Pattern IMPORT =
-      Pattern.compile("(?m)^import (\\{[^}\\n]*\\}) from '\\./([\\w-]+\\.js)';$");
+      Pattern.compile("(?m)^import (\\{[^}]*\\}) from '\\./([\\w-]+\\.js)';$");
   private static final Pattern EXPORT =
       Pattern.compile("(?m)^export ((?:async )?(?:function|class|const) (\\w+))");
 

@@ -1,10 +1,10 @@
 // What the chosen camera does and knows: a bar of its estimate for each zoom level, or each view.
-import { el, say } from './dom.js';
-import { PoseForm } from './pose-form.js';
-import { ViewTable } from './view-table.js';
-import { viewName, viewOf } from './views.js';
-import { told } from './belief.js';
-import { decimals, metres } from './numbers.js';
+import {el, say} from './dom.js';
+import {PoseForm} from './pose-form.js';
+import {ViewTable} from './view-table.js';
+import {viewName, viewOf} from './views.js';
+import {told} from './belief.js';
+import {decimals, metres} from './numbers.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
@@ -28,8 +28,16 @@ export class AgentPanel {
     this.views = el('div');
     this.body = el('tbody');
     this.note = el('p', {class: 'note'});
-    this.element = el('section', {class: 'agent', 'aria-label': 'the chosen camera'}, this.title, this.facts, this.form?.element,
-      el('table', {}, el('thead', {}, this.head), this.body), this.views, this.note);
+    this.element = el(
+      'section',
+      {class: 'agent', 'aria-label': 'the chosen camera'},
+      this.title,
+      this.facts,
+      this.form?.element,
+      el('table', {}, el('thead', {}, this.head), this.body),
+      this.views,
+      this.note,
+    );
     if (run.setup.cameras.length) this.select(0);
   }
 
@@ -39,11 +47,19 @@ export class AgentPanel {
     const {pose} = this.run.setup.cameras[camera];
     const inRows = !pose.pans; // estimates: otherwise in the table of views
     const [estimated, counted] = [inRows && this.run.estimated, inRows && this.counted];
-    const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text));
-    this.head.replaceChildren(el('th', {scope: 'col'}, 'level'), ...heads,
-      ...(estimated ? [el('th', {scope: 'col', class: 'wide'}, estimated)] : []), ...(counted ? [el('th', {scope: 'col'}, 'times used')] : []));
+    const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
+      el('th', {scope: 'col'}, text),
+    );
+    this.head.replaceChildren(
+      el('th', {scope: 'col'}, 'level'),
+      ...heads,
+      ...(estimated ? [el('th', {scope: 'col', class: 'wide'}, estimated)] : []),
+      ...(counted ? [el('th', {scope: 'col'}, 'times used')] : []),
+    );
     const hold = inRows && this.edit?.hold;
-    this.rows = pose.levels.map((level, i) => levelRow(i, estimated, counted, hold && (() => hold(this.camera, i))));
+    this.rows = pose.levels.map((level, i) =>
+      levelRow(i, estimated, counted, hold && (() => hold(this.camera, i))),
+    );
     this.showViews(pose);
     this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
     this.pose = null;
@@ -54,8 +70,20 @@ export class AgentPanel {
   showViews(pose) {
     const hold = this.edit?.hold;
     this.table = pose.pans ? new ViewTable(pose, hold && (view => hold(this.camera, view))) : null;
-    this.free = hold ? el('button', {type: 'button', class: 'free', hidden: true, onclick: () => hold(this.camera, -1)}, 'leave its views to the policy') : null;
-    this.views.replaceChildren(...[this.table && el('h3', {}, this.run.estimated ? `views: ${this.run.estimated}` : 'views'), this.free, this.table?.element].filter(Boolean));
+    this.free = hold
+      ? el(
+          'button',
+          {type: 'button', class: 'free', hidden: true, onclick: () => hold(this.camera, -1)},
+          'leave its views to the policy',
+        )
+      : null;
+    this.views.replaceChildren(
+      ...[
+        this.table && el('h3', {}, this.run.estimated ? `views: ${this.run.estimated}` : 'views'),
+        this.free,
+        this.table?.element,
+      ].filter(Boolean),
+    );
   }
 
   show(frame) {
@@ -66,11 +94,18 @@ export class AgentPanel {
     const view = run.level[camera][frame];
     const blind = run.seen(camera, frame) < 0;
     const online = run.online[camera][frame];
-    say(this.facts, `x ${metres(pose.x)}, y ${metres(pose.y)}` +
-      (online ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets${blind ? '; on its way to its view, sees nothing' : ''}` : '; not online'));
+    say(
+      this.facts,
+      `x ${metres(pose.x)}, y ${metres(pose.y)}` +
+        (online
+          ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets${blind ? '; on its way to its view, sees nothing' : ''}`
+          : '; not online'),
+    );
     this.form?.show(camera, pose);
     if (pose !== this.pose) this.describe(pose);
-    this.rows.forEach((row, i) => row.element.classList.toggle('now', Boolean(online) && i === view % pose.levels.length));
+    this.rows.forEach((row, i) =>
+      row.element.classList.toggle('now', Boolean(online) && i === view % pose.levels.length),
+    );
     if (this.free) this.free.hidden = !this.edit.held(camera);
     if (this.table) this.showTable(frame, online ? view : -1, blind);
     else if (run.estimated) this.estimates(frame);
@@ -87,8 +122,17 @@ export class AgentPanel {
     this.pose = pose;
     pose.levels.forEach((level, i) => {
       const {viewingAngle} = viewOf(pose, i);
-      say(this.rows[i].radius, pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}°` : `${decimals(level.radius, 3)} m`);
-      say(this.rows[i].range, level.detected.map(({from, to}) => `${decimals(from)}–${decimals(to)} m`).join(', ') || 'nowhere');
+      say(
+        this.rows[i].radius,
+        pose.lenses
+          ? `${decimals((viewingAngle * 180) / Math.PI, 1)}°`
+          : `${decimals(level.radius, 3)} m`,
+      );
+      say(
+        this.rows[i].range,
+        level.detected.map(({from, to}) => `${decimals(from)}–${decimals(to)} m`).join(', ') ||
+          'nowhere',
+      );
     });
   }
 
@@ -118,8 +162,13 @@ export class AgentPanel {
   best() {
     const {run, camera, frame} = this;
     if (run.estimated !== 'gain') return '';
-    const gains = run.estimates[camera].map((list, view) => [list[frame], view]).filter(([gain]) => Number.isFinite(gain));
-    const three = gains.sort((one, other) => other[0] - one[0]).slice(0, 3).map(([gain, view]) => `${viewName(run.pose(camera, frame), view)}: ${decimals(gain, 3)}`);
+    const gains = run.estimates[camera]
+      .map((list, view) => [list[frame], view])
+      .filter(([gain]) => Number.isFinite(gain));
+    const three = gains
+      .sort((one, other) => other[0] - one[0])
+      .slice(0, 3)
+      .map(([gain, view]) => `${viewName(run.pose(camera, frame), view)}: ${decimals(gain, 3)}`);
     return three.length ? `Most: ${three.join('; ')}. ` : '';
   }
 
@@ -139,15 +188,47 @@ export class AgentPanel {
   lens() {
     const {focal_lengths: lengths = [], mount_height: height} = this.run.lens ?? {};
     const levels = this.run.setup.cameras[this.camera].pose.levels.length;
-    const focal = lengths.length === levels ? ` Focal length by level, from 0: ${lengths.map(length => decimals(1000 * length, 1)).join(', ')} mm.` : '';
+    const focal =
+      lengths.length === levels
+        ? ` Focal length by level, from 0: ${lengths.map(length => decimals(1000 * length, 1)).join(', ')} mm.`
+        : '';
     return focal + (height ? ` Mounted ${decimals(height, 3)} m over the targets.` : '');
   }
 }
 
 function levelRow(level, estimated, counted, hold) {
-  const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};
-  row.element = el('tr', {data: {level}}, el('th', {scope: 'row'}, hold ? el('button', {type: 'button', class: 'hold', 'aria-label': `hold level ${level}`, title: `hold level ${level}`, onclick: hold}, String(level)) : String(level)), row.radius, row.range,
-    estimated ? el('td', {class: 'wide'}, row.bar, row.value) : null, counted ? row.count : null);
+  const row = {
+    radius: el('td'),
+    range: el('td'),
+    bar: el('i', {class: 'bar'}),
+    value: el('span'),
+    count: el('td'),
+  };
+  row.element = el(
+    'tr',
+    {data: {level}},
+    el(
+      'th',
+      {scope: 'row'},
+      hold
+        ? el(
+            'button',
+            {
+              type: 'button',
+              class: 'hold',
+              'aria-label': `hold level ${level}`,
+              title: `hold level ${level}`,
+              onclick: hold,
+            },
+            String(level),
+          )
+        : String(level),
+    ),
+    row.radius,
+    row.range,
+    estimated ? el('td', {class: 'wide'}, row.bar, row.value) : null,
+    counted ? row.count : null,
+  );
   row.value.dataset.name = 'estimate';
   return row;
 }

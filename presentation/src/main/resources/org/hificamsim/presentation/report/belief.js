@@ -15,6 +15,8 @@ export function told(run, frame, camera) {
   if (!belief || belief.length <= from) return null;
   const cameras = run.setup.cameras.map((one, i) => i);
   const first = from + cameras.length + camera * Math.ceil(cameras.length / WORD);
-  const hearers = cameras.filter(i => Math.floor(belief[first + Math.floor(i / WORD)] / 2 ** (i % WORD)) % 2);
+  const hearers = cameras.filter(
+    i => Math.floor(belief[first + Math.floor(i / WORD)] / 2 ** (i % WORD)) % 2,
+  );
   return {messages: belief[from + camera], hearers};
 }

@@ -1,6 +1,6 @@
 // Play, step, scrub and speed: buttons, a slider and keys for one playhead.
-import { el, say } from './dom.js';
-import { SPEEDS } from './playhead.js';
+import {el, say} from './dom.js';
+import {SPEEDS} from './playhead.js';
 
 const ICONS = {
   first: 'M1 1h2v10H1zM11 1v10L4 6z',
@@ -10,7 +10,8 @@ const ICONS = {
   on: 'M3 1v10l7-5z',
   last: 'M9 1h2v10H9zM1 1v10l7-5z',
 };
-const KEYS = 'Keys: space plays and pauses, arrows step (with shift by 10), Home and End jump, + and - change the speed.';
+const KEYS =
+  'Keys: space plays and pauses, arrows step (with shift by 10), Home and End jump, + and - change the speed.';
 
 export class Controls {
   /**
@@ -21,24 +22,46 @@ export class Controls {
     this.run = run;
     this.playButton = this.button('play', 'play', () => playhead.toggle());
     this.playButton.classList.add('play');
-    this.slider = el('input', {type: 'range', min: 0, max: 0, step: 1, value: 0, 'aria-label': 'step',
-      oninput: () => { playhead.pause(); playhead.show(Number(this.slider.value)); }});
+    this.slider = el('input', {
+      type: 'range',
+      min: 0,
+      max: 0,
+      step: 1,
+      value: 0,
+      'aria-label': 'step',
+      oninput: () => {
+        playhead.pause();
+        playhead.show(Number(this.slider.value));
+      },
+    });
     this.step = el('output', {class: 'step', data: {name: 'step'}});
     this.of = el('span', {class: 'of'});
-    this.speed = el('select', {'aria-label': 'steps per second', onchange: () => this.setSpeed()},
-      ...SPEEDS.map(speed => el('option', {value: speed}, `${speed} per s`)));
-    this.element = el('section', {class: 'controls', 'aria-label': 'playing', title: KEYS},
+    this.speed = el(
+      'select',
+      {'aria-label': 'steps per second', onchange: () => this.setSpeed()},
+      ...SPEEDS.map(speed => el('option', {value: speed}, `${speed} per s`)),
+    );
+    this.element = el(
+      'section',
+      {class: 'controls', 'aria-label': 'playing', title: KEYS},
       this.button('first', 'first step', () => playhead.move(-Infinity)),
       this.button('back', 'one step back', () => playhead.move(-1)),
       this.playButton,
       this.button('on', 'one step on', () => playhead.move(1)),
       this.button('last', 'last step', () => playhead.move(Infinity)),
-      this.slider, el('span', {class: 'count'}, 'step ', this.step, this.of), this.speed);
+      this.slider,
+      el('span', {class: 'count'}, 'step ', this.step, this.of),
+      this.speed,
+    );
     playhead.subscribe(frame => this.show(frame));
   }
 
   button(icon, label, onclick) {
-    return el('button', {type: 'button', 'aria-label': label, title: label, onclick}, drawing(icon));
+    return el(
+      'button',
+      {type: 'button', 'aria-label': label, title: label, onclick},
+      drawing(icon),
+    );
   }
 
   setSpeed() {
@@ -92,8 +115,10 @@ export class Controls {
 export function onKeys(actionOf) {
   document.addEventListener('keydown', event => {
     const tag = event.target.tagName;
-    if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA') return;
-    if (tag === 'INPUT' && (event.target.type !== 'range' || event.target.dataset.keys === 'own')) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA')
+      return;
+    if (tag === 'INPUT' && (event.target.type !== 'range' || event.target.dataset.keys === 'own'))
+      return;
     if (event.key === ' ' && (tag === 'BUTTON' || tag === 'SUMMARY')) return;
     const action = actionOf(event);
     if (!action) return;
@@ -104,7 +129,9 @@ export function onKeys(actionOf) {
 
 /** An icon, drawn: fonts lack some of them. */
 function drawing(icon) {
-  const [svg, path] = ['svg', 'path'].map(tag => document.createElementNS('http://www.w3.org/2000/svg', tag));
+  const [svg, path] = ['svg', 'path'].map(tag =>
+    document.createElementNS('http://www.w3.org/2000/svg', tag),
+  );
   svg.setAttribute('viewBox', '0 0 12 12');
   svg.setAttribute('aria-hidden', 'true');
   path.setAttribute('d', ICONS[icon]);

@@ -53,7 +53,8 @@ export class Surface {
 }
 
 /** A colour of the style sheet, by the name of its property. */
-export const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+export const style = name =>
+  getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /** Calls back when the page turns dark or light. */
 export function onThemeChange(callback) {
@@ -67,7 +68,9 @@ export async function start(page) {
   try {
     await page(root, JSON.parse(document.getElementById('data').textContent));
   } catch (fault) {
-    root.append(el('p', {class: 'notice', role: 'alert'}, `This page could not be drawn: ${fault.message}`));
+    root.append(
+      el('p', {class: 'notice', role: 'alert'}, `This page could not be drawn: ${fault.message}`),
+    );
     throw fault;
   }
 }

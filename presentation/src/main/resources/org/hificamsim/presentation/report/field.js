@@ -1,11 +1,11 @@
 // The field as a page shows it: the scene on a canvas, what is said of the place under the pointer, and what can be dragged or drawn.
-import { el, onThemeChange, style, Surface } from './dom.js';
-import { host } from './host.js';
-import { HeatChoice } from './heat.js';
-import { figureSize, fit, legend, magnified, paintScene, paintTracks } from './scene.js';
-import { named, obstacleAt } from './site.js';
-import { densityAt, viewAt, viewName, viewOf, zoneAt } from './views.js';
-import { decimals, metres } from './numbers.js';
+import {el, onThemeChange, style, Surface} from './dom.js';
+import {host} from './host.js';
+import {HeatChoice} from './heat.js';
+import {figureSize, fit, legend, magnified, paintScene, paintTracks} from './scene.js';
+import {named, obstacleAt} from './site.js';
+import {densityAt, viewAt, viewName, viewOf, zoneAt} from './views.js';
+import {decimals, metres} from './numbers.js';
 
 const NEAR = 16;
 const STILL = 3; // pixels a pressed camera may be off before it moves
@@ -25,14 +25,26 @@ export class FieldView {
     this.frame = 0;
     this.selected = -1;
     this.opacity = 0.5;
-    this.surface = new Surface({class: 'field', role: 'img', tabindex: 0}, (context, width, height) => this.paint(context, width, height));
+    this.surface = new Surface(
+      {class: 'field', role: 'img', tabindex: 0},
+      (context, width, height) => this.paint(context, width, height),
+    );
     this.tip = el('div', {class: 'tip', hidden: true});
     this.closer = {times: 1, left: 0, top: 0}; // how the map is magnified
     this.layer = document.createElement('canvas'); // with the tracks up to the frame `drawn`
     this.heat = on.heat && new HeatChoice(run.setup.field, on.figures, on.heat);
-    this.floor = (run.setup.floor ?? []).map(({area, data}) => ({area, image: el('img', {src: data, onload: () => this.surface.draw()})}));
+    this.floor = (run.setup.floor ?? []).map(({area, data}) => ({
+      area,
+      image: el('img', {src: data, onload: () => this.surface.draw()}),
+    }));
     this.legend = el('div', {class: 'legend'});
-    this.element = el('div', {class: 'field-box much'}, el('div', {class: 'field-frame'}, this.surface.canvas, this.tip, this.lens()), this.options(), this.legend);
+    this.element = el(
+      'div',
+      {class: 'field-box much'},
+      el('div', {class: 'field-frame'}, this.surface.canvas, this.tip, this.lens()),
+      this.options(),
+      this.legend,
+    );
     this.readColours();
     onThemeChange(() => this.readColours());
     this.listen(this.surface.canvas);
@@ -40,25 +52,62 @@ export class FieldView {
 
   /** What can be shown or not: a heat map, tracks, zones of pixel density, and the floorplan, more or less of it. */
   options() {
-    const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
-    const box = (name, label) => el('label', {}, el('input', {type: 'checkbox', name, onchange: event => this.set(name, event.target.checked)}), ` ${label}`);
-    this.beliefs = box('believes', 'what cameras believe: where targets are that were seen (circles), where others are expected (shaded), and which cameras received messages of the selected one (arrows)');
+    const known = this.run.setup.cameras.some(({pose}) =>
+      pose.lenses?.some(({density}) => density),
+    );
+    const box = (name, label) =>
+      el(
+        'label',
+        {},
+        el('input', {
+          type: 'checkbox',
+          name,
+          onchange: event => this.set(name, event.target.checked),
+        }),
+        ` ${label}`,
+      );
+    this.beliefs = box(
+      'believes',
+      'what cameras believe: where targets are that were seen (circles), where others are expected (shaded), and which cameras received messages of the selected one (arrows)',
+    );
     this.beliefs.hidden = true;
-    const floor = () => el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.opacity,
-      oninput: event => this.set('opacity', event.target.value / 100)});
-    return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
-      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []), box('trails', 'last steps'), box('tracks', 'whole paths'),
-      known ? box('zones', 'pixel density of the selected camera (IEC 62676-4:2025, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null, this.beliefs);
+    const floor = () =>
+      el('input', {
+        type: 'range',
+        name: 'floor',
+        data: {keys: 'own'},
+        min: 0,
+        max: 100,
+        step: 5,
+        value: 100 * this.opacity,
+        oninput: event => this.set('opacity', event.target.value / 100),
+      });
+    return el(
+      'div',
+      {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
+      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []),
+      box('trails', 'last steps'),
+      box('tracks', 'whole paths'),
+      known ? box('zones', 'pixel density of the selected camera (IEC 62676-4:2025, px/m)') : null,
+      this.floor.length ? el('label', {}, 'floorplan ', floor()) : null,
+      this.beliefs,
+    );
   }
 
   /** Buttons by which to look closer. */
   lens() {
-    const button = (text, label, onclick) => el('button', {type: 'button', 'aria-label': label, title: label, onclick}, text);
+    const button = (text, label, onclick) =>
+      el('button', {type: 'button', 'aria-label': label, title: label, onclick}, text);
     const middle = times => this.magnify(times, this.surface.width / 2, this.surface.height / 2);
     this.whole = button('⤢', 'show the whole field', () => this.showWhole());
     this.whole.disabled = true;
-    return el('div', {class: 'lens', role: 'group', 'aria-label': 'look closer'},
-      button('+', 'zoom in', () => middle(ZOOM)), button('−', 'zoom out', () => middle(1 / ZOOM)), this.whole);
+    return el(
+      'div',
+      {class: 'lens', role: 'group', 'aria-label': 'look closer'},
+      button('+', 'zoom in', () => middle(ZOOM)),
+      button('−', 'zoom out', () => middle(1 / ZOOM)),
+      this.whole,
+    );
   }
 
   /** Makes the map larger about a place in pixels. */
@@ -87,8 +136,22 @@ export class FieldView {
   showArea({minX, maxX, minY, maxY}) {
     const {width, height} = this.surface;
     const map = this.fitted;
-    const times = Math.min(MOST_TIMES, Math.max(1, 0.4 * Math.min(width / Math.max(1, map.x(maxX) - map.x(minX)), height / Math.max(1, map.y(minY) - map.y(maxY)))));
-    this.look(times, width / 2 - (times * (map.x(minX) + map.x(maxX))) / 2, height / 2 - (times * (map.y(minY) + map.y(maxY))) / 2);
+    const times = Math.min(
+      MOST_TIMES,
+      Math.max(
+        1,
+        0.4 *
+          Math.min(
+            width / Math.max(1, map.x(maxX) - map.x(minX)),
+            height / Math.max(1, map.y(minY) - map.y(maxY)),
+          ),
+      ),
+    );
+    this.look(
+      times,
+      width / 2 - (times * (map.x(minX) + map.x(maxX))) / 2,
+      height / 2 - (times * (map.y(minY) + map.y(maxY))) / 2,
+    );
   }
 
   lay() {
@@ -100,10 +163,13 @@ export class FieldView {
   keyed(event) {
     const {times, left, top} = this.closer;
     const {width, height} = this.surface;
-    const by = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+    const by = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[
+      event.key
+    ];
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (by && times > 1) this.look(times, left + (by[0] * width) / 8, top + (by[1] * height) / 8);
-    else if ('+=-'.includes(event.key)) this.magnify(event.key === '-' ? 1 / ZOOM : ZOOM, width / 2, height / 2);
+    else if ('+=-'.includes(event.key))
+      this.magnify(event.key === '-' ? 1 / ZOOM : ZOOM, width / 2, height / 2);
     else if (event.key === '0') this.showWhole();
     else return;
     event.preventDefault();
@@ -157,8 +223,16 @@ export class FieldView {
 
   /** Writes the legend. */
   explain() {
-    const entry = ({label, mark}) => el('span', {}, mark && new Surface({class: 'mark', 'aria-hidden': 'true'},
-      (context, width, height) => mark(context, width / 2, height / 2, 0.4 * height)).canvas, label);
+    const entry = ({label, mark}) =>
+      el(
+        'span',
+        {},
+        mark &&
+          new Surface({class: 'mark', 'aria-hidden': 'true'}, (context, width, height) =>
+            mark(context, width / 2, height / 2, 0.4 * height),
+          ).canvas,
+        label,
+      );
     this.legend.replaceChildren(...legend(this.scene()).flat().map(entry));
   }
 
@@ -166,8 +240,20 @@ export class FieldView {
   scene() {
     const {run, frame, map, colours, selected, opacity} = this;
     const scene = {
-      run, frame, map, colours, selected, opacity, host, unit: this.surface.unit ?? 1, zoned: this.zones ? selected : -1, heat: this.heat?.shown, belief: this.believes && run.belief[frame],
-      floor: this.floor.filter(({image}) => image.complete), trails: this.trails, tracks: this.tracks && (context => this.paintTracks(context, scene)),
+      run,
+      frame,
+      map,
+      colours,
+      selected,
+      opacity,
+      host,
+      unit: this.surface.unit ?? 1,
+      zoned: this.zones ? selected : -1,
+      heat: this.heat?.shown,
+      belief: this.believes && run.belief[frame],
+      floor: this.floor.filter(({image}) => image.complete),
+      trails: this.trails,
+      tracks: this.tracks && (context => this.paintTracks(context, scene)),
     };
     return scene;
   }
@@ -181,7 +267,8 @@ export class FieldView {
     canvas.addEventListener('pointerdown', event => this.pressed(event));
     canvas.addEventListener('wheel', event => this.wheeled(event), {passive: false});
     canvas.addEventListener('keydown', event => this.keyed(event));
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, event => this.released(event.type === 'pointerup'));
+    for (const end of ['pointerup', 'pointercancel'])
+      canvas.addEventListener(end, event => this.released(event.type === 'pointerup'));
   }
 
   pressed(event) {
@@ -198,7 +285,12 @@ export class FieldView {
     if (camera < 0 && target >= 0) this.on.pick(target);
     if (camera >= 0 && this.on.drag) {
       const pose = this.run.pose(camera, this.frame);
-      this.grabbed = {camera, at: this.pointer, centre: [this.map.x(pose.x), this.map.y(pose.y)], moves: false};
+      this.grabbed = {
+        camera,
+        at: this.pointer,
+        centre: [this.map.x(pose.x), this.map.y(pose.y)],
+        moves: false,
+      };
       this.surface.canvas.setPointerCapture(event.pointerId);
     } else if (camera < 0 && this.closer.times > 1) {
       this.panned = {at: this.pointer, left: this.closer.left, top: this.closer.top};
@@ -209,7 +301,12 @@ export class FieldView {
   moved(event) {
     this.pointer = [event.offsetX, event.offsetY];
     if (this.grabbed) this.dragGrabbed(this.grabbed);
-    if (this.panned) this.look(this.closer.times, this.panned.left + this.pointer[0] - this.panned.at[0], this.panned.top + this.pointer[1] - this.panned.at[1]);
+    if (this.panned)
+      this.look(
+        this.closer.times,
+        this.panned.left + this.pointer[0] - this.panned.at[0],
+        this.panned.top + this.pointer[1] - this.panned.at[1],
+      );
     if (this.line) this.drawLine();
     this.hover();
   }
@@ -225,7 +322,8 @@ export class FieldView {
     this.grabbed = this.panned = null;
     const {line} = this;
     this.line = null;
-    if (line && done && this.map.scale * Math.hypot(line[2] - line[0], line[3] - line[1]) >= STILL) this.on.line(line);
+    if (line && done && this.map.scale * Math.hypot(line[2] - line[0], line[3] - line[1]) >= STILL)
+      this.on.line(line);
     this.surface.draw();
   }
 
@@ -244,7 +342,9 @@ export class FieldView {
     const best = {camera: -1, target: -1};
     let least = NEAR * this.surface.unit;
     run.setup.targets.forEach((target, i) => {
-      const gap = run.present[i][frame] ? Math.hypot(map.x(run.x[i][frame]) - px, map.y(run.y[i][frame]) - py) : Infinity;
+      const gap = run.present[i][frame]
+        ? Math.hypot(map.x(run.x[i][frame]) - px, map.y(run.y[i][frame]) - py)
+        : Infinity;
       if (gap < least) [least, best.target] = [gap, i];
     });
     least = NEAR * this.surface.unit;
@@ -259,7 +359,12 @@ export class FieldView {
   hover() {
     if (!this.map || !this.run.count) return;
     const {camera, target} = this.nearest();
-    const lines = target >= 0 ? this.describeTarget(target) : camera >= 0 ? this.describeCamera(camera) : this.describePlace();
+    const lines =
+      target >= 0
+        ? this.describeTarget(target)
+        : camera >= 0
+          ? this.describeCamera(camera)
+          : this.describePlace();
     this.tip.hidden = !lines;
     if (!lines) return;
     this.tip.textContent = lines.join('\n');
@@ -271,26 +376,44 @@ export class FieldView {
   describeTarget(i) {
     const {run, frame} = this;
     const k = run.coverage[i][frame];
-    return [`target ${run.setup.targets[i].name}`, `x ${metres(run.x[i][frame])}, y ${metres(run.y[i][frame])}`,
-      `covered by ${k} camera${k === 1 ? '' : 's'}`, `size ${decimals(run.setup.targets[i].size, 3)} m${run.setup.widths ? `, ${decimals(run.setup.widths[i], 3)} m wide` : ''}`];
+    return [
+      `target ${run.setup.targets[i].name}`,
+      `x ${metres(run.x[i][frame])}, y ${metres(run.y[i][frame])}`,
+      `covered by ${k} camera${k === 1 ? '' : 's'}`,
+      `size ${decimals(run.setup.targets[i].size, 3)} m${run.setup.widths ? `, ${decimals(run.setup.widths[i], 3)} m wide` : ''}`,
+    ];
   }
 
   describeCamera(i) {
     const {run, frame} = this;
     const pose = run.pose(i, frame);
     const view = run.level[i][frame];
-    return [`camera ${run.setup.cameras[i].name}`, `x ${metres(pose.x)}, y ${metres(pose.y)}`,
-      run.online[i][frame] ? describeView(pose, view) + (run.seen(i, frame) < 0 ? ', on its way to it: sees nothing' : '') : 'not online',
-      `detects ${run.detected[i][frame]} of ${run.targets[frame]} targets`];
+    return [
+      `camera ${run.setup.cameras[i].name}`,
+      `x ${metres(pose.x)}, y ${metres(pose.y)}`,
+      run.online[i][frame]
+        ? describeView(pose, view) +
+          (run.seen(i, frame) < 0 ? ', on its way to it: sees nothing' : '')
+        : 'not online',
+      `detects ${run.detected[i][frame]} of ${run.targets[frame]} targets`,
+    ];
   }
 
   /** The obstacle under the pointer, and what zones and heat map say of the place where they are shown. */
   describePlace() {
     const {surface, run} = this;
-    const obstacle = obstacleAt(surface.canvas.getContext('2d'), run.setup.obstacles ?? [], this.map, surface.unit, ...this.pointer);
+    const obstacle = obstacleAt(
+      surface.canvas.getContext('2d'),
+      run.setup.obstacles ?? [],
+      this.map,
+      surface.unit,
+      ...this.pointer,
+    );
     const lines = obstacle ? [named(obstacle)] : [];
     const online = this.zones && run.online[this.selected]?.[this.frame];
-    const density = online ? densityAt(this.view(this.selected), ...this.map.place(...this.pointer)) : NaN;
+    const density = online
+      ? densityAt(this.view(this.selected), ...this.map.place(...this.pointer))
+      : NaN;
     if (Number.isFinite(density)) lines.push(`${decimals(density, 1)} px/m: ${zoneAt(density)}`);
     if (this.heat) lines.push(...this.heat.describe(...this.map.place(...this.pointer)));
     return lines.length ? lines : null;
@@ -323,7 +446,11 @@ export class FieldView {
     const {canvas} = context;
     const {layer, run} = this;
     const lines = layer.getContext('2d');
-    if (scene.map !== this.traced?.map || scene.colours !== this.traced.colours || run.count < this.drawn) {
+    if (
+      scene.map !== this.traced?.map ||
+      scene.colours !== this.traced.colours ||
+      run.count < this.drawn
+    ) {
       [layer.width, layer.height] = [canvas.width, canvas.height];
       lines.setTransform(context.getTransform());
       this.drawn = 0;
@@ -349,9 +476,12 @@ export class FieldView {
   /** What the picture says, for those who do not see it. */
   label() {
     const row = this.run.row(this.frame);
-    this.surface.canvas.setAttribute('aria-label', `The field at step ${row.step}: ${row.targets} targets, ` +
-      `${row.covered_0} covered by no camera, ${row.covered_1} by one, ${row.covered_k} by two or more.` +
-      (this.heat?.shown ? ` Heat map: ${this.heat.summary()}.` : ''));
+    this.surface.canvas.setAttribute(
+      'aria-label',
+      `The field at step ${row.step}: ${row.targets} targets, ` +
+        `${row.covered_0} covered by no camera, ${row.covered_1} by one, ${row.covered_k} by two or more.` +
+        (this.heat?.shown ? ` Heat map: ${this.heat.summary()}.` : ''),
+    );
   }
 }
 
@@ -364,5 +494,10 @@ function besides(pointer, size, room) {
 /** A view in words. */
 function describeView(pose, view) {
   const {level, viewingAngle} = viewOf(pose, view);
-  return `${viewName(pose, view)}, ` + (pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(level.radius, 3)} m`);
+  return (
+    `${viewName(pose, view)}, ` +
+    (pose.lenses
+      ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide`
+      : `radius ${decimals(level.radius, 3)} m`)
+  );
 }

@@ -1,9 +1,9 @@
 // A heat map's figures, one at a time: the choice among them, their key, and what is said of a cell.
-import { el } from './dom.js';
-import { inflate } from './inflate.js';
-import { optional, SeriesReader } from './recording.js';
-import { scaleColour } from './palette.js';
-import { decimals, percent } from './numbers.js';
+import {el} from './dom.js';
+import {inflate} from './inflate.js';
+import {optional, SeriesReader} from './recording.js';
+import {scaleColour} from './palette.js';
+import {decimals, percent} from './numbers.js';
 
 /** The heat map that the record PackedHeat holds: each of its figures with the values of the cells. */
 export async function unpackHeat(packed) {
@@ -19,8 +19,12 @@ export class HeatChoice {
    */
   constructor(field, figures, chosen) {
     this.field = field;
-    this.select = el('select', {name: 'heat', onchange: () => chosen(this.select.value)},
-      el('option', {value: ''}, 'none'), ...figures.map(({name, label}) => el('option', {value: name}, label)));
+    this.select = el(
+      'select',
+      {name: 'heat', onchange: () => chosen(this.select.value)},
+      el('option', {value: ''}, 'none'),
+      ...figures.map(({name, label}) => el('option', {value: name}, label)),
+    );
     this.key = el('span', {class: 'heat-key', hidden: true});
   }
 
@@ -48,11 +52,18 @@ export class HeatChoice {
     if (!shown) return void this.key.replaceChildren('from the next step on');
     const {least, most, never, values} = shown;
     const colours = Array.from({length: 9}, (none, i) => `rgb(${scaleColour(i / 8).join(' ')})`);
-    const bar = el('i', {class: 'heat-bar', role: 'img', 'aria-label': `from ${least}, dark, to ${most}, light`});
+    const bar = el('i', {
+      class: 'heat-bar',
+      role: 'img',
+      'aria-label': `from ${least}, dark, to ${most}, light`,
+    });
     bar.style.background = `linear-gradient(to right, ${colours.join(', ')})`;
     const steps = `${heat.steps} step${heat.steps === 1 ? '' : 's'}${heat.first ? ` from ${heat.first} on` : ''}`;
-    this.key.replaceChildren(el('span', {}, least, bar, most), ...(values.includes(0) ? [el('span', {}, el('i', {class: 'heat-never'}), never)] : []),
-      el('span', {class: 'heat-steps'}, `${steps}: ${this.summary()}`));
+    this.key.replaceChildren(
+      el('span', {}, least, bar, most),
+      ...(values.includes(0) ? [el('span', {}, el('i', {class: 'heat-never'}), never)] : []),
+      el('span', {class: 'heat-steps'}, `${steps}: ${this.summary()}`),
+    );
   }
 
   summary() {
@@ -65,13 +76,20 @@ export class HeatChoice {
     const {minX, maxX, minY, maxY} = this.field;
     if (!this.shown || x < minX || x > maxX || y < minY || y > maxY) return [];
     const {rows, columns, figures} = this.heat;
-    const at = (place, from, to, count) => (to > from ? Math.min(count - 1, Math.floor(((place - from) / (to - from)) * count)) : 0);
+    const at = (place, from, to, count) =>
+      to > from ? Math.min(count - 1, Math.floor(((place - from) / (to - from)) * count)) : 0;
     const cell = at(y, minY, maxY, rows) * columns + at(x, minX, maxX, columns);
     const of = name => figures.find(figure => figure.name === name).values[cell];
     const share = name => percent(1 - of(name));
     return [
-      Number.isNaN(of('mean-k')) ? 'in an obstacle' : `${decimals(of('mean-k'), 2)} cameras in the mean, none in ${share('covered')} of the steps`,
-      ...(of('visits') ? [`${of('visits')} visits: ${decimals(of('visits-mean-k'), 2)} cameras in the mean, none in ${share('visits-covered')}`] : []),
+      Number.isNaN(of('mean-k'))
+        ? 'in an obstacle'
+        : `${decimals(of('mean-k'), 2)} cameras in the mean, none in ${share('covered')} of the steps`,
+      ...(of('visits')
+        ? [
+            `${of('visits')} visits: ${decimals(of('visits-mean-k'), 2)} cameras in the mean, none in ${share('visits-covered')}`,
+          ]
+        : []),
     ];
   }
 }
@@ -80,11 +98,22 @@ export class HeatChoice {
 export function zoneShares({columns, rows, figures}, {minX, maxX, minY, maxY}, zones) {
   const of = name => figures.find(figure => figure.name === name).values;
   const [covered, twice] = [of('covered'), of('covered-k')];
-  const middle = cell => [minX + ((cell % columns) + 0.5) * (maxX - minX) / columns, minY + (Math.floor(cell / columns) + 0.5) * (maxY - minY) / rows];
+  const middle = cell => [
+    minX + (((cell % columns) + 0.5) * (maxX - minX)) / columns,
+    minY + ((Math.floor(cell / columns) + 0.5) * (maxY - minY)) / rows,
+  ];
   return zones.map(zone => {
-    const cells = [...covered.keys()].filter(cell => !Number.isNaN(covered[cell]) && contains(zone, ...middle(cell), (maxX - minX) / columns));
+    const cells = [...covered.keys()].filter(
+      cell =>
+        !Number.isNaN(covered[cell]) && contains(zone, ...middle(cell), (maxX - minX) / columns),
+    );
     const mean = value => cells.reduce((sum, cell) => sum + value(cell), 0) / cells.length;
-    return {zone, covered: mean(cell => covered[cell]), twice: mean(cell => twice[cell]), never: mean(cell => covered[cell] === 0)};
+    return {
+      zone,
+      covered: mean(cell => covered[cell]),
+      twice: mean(cell => twice[cell]),
+      never: mean(cell => covered[cell] === 0),
+    };
   });
 }
 
@@ -92,12 +121,28 @@ export function zoneShares({columns, rows, figures}, {minX, maxX, minY, maxY}, z
 function contains({shape, points}, x, y, wide) {
   if (shape === 'FIELD') return true;
   const [one, other] = points;
-  if (shape === 'RECTANGLE') return (x - one.x) * (x - other.x) <= 0 && (y - one.y) * (y - other.y) <= 0;
+  if (shape === 'RECTANGLE')
+    return (x - one.x) * (x - other.x) <= 0 && (y - one.y) * (y - other.y) <= 0;
   const sides = points.map((to, i) => [points.at(i - 1), to]);
-  if (shape === 'POLYGON') return sides.filter(([from, to]) => from.y > y !== to.y > y && x < from.x + ((to.x - from.x) * (y - from.y)) / (to.y - from.y)).length % 2 === 1;
+  if (shape === 'POLYGON')
+    return (
+      sides.filter(
+        ([from, to]) =>
+          from.y > y !== to.y > y &&
+          x < from.x + ((to.x - from.x) * (y - from.y)) / (to.y - from.y),
+      ).length %
+        2 ===
+      1
+    );
   return sides.slice(1).some(([from, to]) => {
     const length = (to.x - from.x) ** 2 + (to.y - from.y) ** 2;
-    const at = Math.max(0, Math.min(1, ((x - from.x) * (to.x - from.x) + (y - from.y) * (to.y - from.y)) / (length || 1)));
+    const at = Math.max(
+      0,
+      Math.min(
+        1,
+        ((x - from.x) * (to.x - from.x) + (y - from.y) * (to.y - from.y)) / (length || 1),
+      ),
+    );
     return Math.hypot(x - from.x - at * (to.x - from.x), y - from.y - at * (to.y - from.y)) <= wide;
   });
 }
@@ -116,9 +161,18 @@ export function blindSpots({columns, rows, figures}, {minX, maxX, minY, maxY}) {
       const cell = waiting.pop();
       const [column, row] = [cell % columns, Math.floor(cell / columns)];
       spot.cells++;
-      Object.assign(spot, {minX: Math.min(spot.minX, minX + column * wide), maxX: Math.max(spot.maxX, minX + (column + 1) * wide),
-        minY: Math.min(spot.minY, minY + row * high), maxY: Math.max(spot.maxY, minY + (row + 1) * high)});
-      const next = [column > 0 && cell - 1, column < columns - 1 && cell + 1, cell - columns, cell + columns];
+      Object.assign(spot, {
+        minX: Math.min(spot.minX, minX + column * wide),
+        maxX: Math.max(spot.maxX, minX + (column + 1) * wide),
+        minY: Math.min(spot.minY, minY + row * high),
+        maxY: Math.max(spot.maxY, minY + (row + 1) * high),
+      });
+      const next = [
+        column > 0 && cell - 1,
+        column < columns - 1 && cell + 1,
+        cell - columns,
+        cell + columns,
+      ];
       for (const other of next) {
         if (other === false || !blind[other]) continue;
         blind[other] = false;

@@ -18,7 +18,11 @@ export const host = {
     const image = context.createImageData(columns, rows);
     for (let cell = 0; cell < columns * rows; cell++) {
       const colour = colourOf(cell);
-      if (colour) image.data.set([...colour, 255], 4 * ((rows - 1 - Math.floor(cell / columns)) * columns + (cell % columns)));
+      if (colour)
+        image.data.set(
+          [...colour, 255],
+          4 * ((rows - 1 - Math.floor(cell / columns)) * columns + (cell % columns)),
+        );
     }
     context.putImageData(image, 0, 0);
     return canvas;

@@ -1,5 +1,5 @@
 // A playhead over steps that are still being made: playing is the simulation's, the past can be scrubbed.
-import { Playhead } from './playhead.js';
+import {Playhead} from './playhead.js';
 
 export class LivePlayhead extends Playhead {
   /**
@@ -28,7 +28,8 @@ export class LivePlayhead extends Playhead {
 
   /** Steps on from the last frame are made; all others are known. */
   move(frames) {
-    if (frames > 0 && Number.isFinite(frames) && this.atEnd) this.send({command: 'step', steps: frames});
+    if (frames > 0 && Number.isFinite(frames) && this.atEnd)
+      this.send({command: 'step', steps: frames});
     else super.move(frames);
   }
 

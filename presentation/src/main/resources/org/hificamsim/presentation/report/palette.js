@@ -11,15 +11,39 @@ export const COVER = [
 /** The class of a target that k cameras cover. */
 export const coverClass = k => Math.min(k, COVER.length - 1);
 
-const CROSS = [[-1, -0.55], [-0.55, -1], [0, -0.45], [0.55, -1], [1, -0.55], [0.45, 0], [1, 0.55], [0.55, 1], [0, 0.45], [-0.55, 1], [-1, 0.55], [-0.45, 0]];
-const TRIANGLE = [[0, -1.15], [1.1, 0.8], [-1.1, 0.8]];
-const SQUARE = [[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]];
+const CROSS = [
+  [-1, -0.55],
+  [-0.55, -1],
+  [0, -0.45],
+  [0.55, -1],
+  [1, -0.55],
+  [0.45, 0],
+  [1, 0.55],
+  [0.55, 1],
+  [0, 0.45],
+  [-0.55, 1],
+  [-1, 0.55],
+  [-0.45, 0],
+];
+const TRIANGLE = [
+  [0, -1.15],
+  [1.1, 0.8],
+  [-1.1, 0.8],
+];
+const SQUARE = [
+  [-0.9, -0.9],
+  [0.9, -0.9],
+  [0.9, 0.9],
+  [-0.9, 0.9],
+];
 
 /** Adds the outline of a class's shape to the path: a cross, a triangle, a square or a circle. */
 export function shape(path, kind, x, y, r) {
   const corners = [CROSS, TRIANGLE, SQUARE][kind];
   if (corners) {
-    corners.forEach(([dx, dy], i) => (i ? path.lineTo(x + r * dx, y + r * dy) : path.moveTo(x + r * dx, y + r * dy)));
+    corners.forEach(([dx, dy], i) =>
+      i ? path.lineTo(x + r * dx, y + r * dy) : path.moveTo(x + r * dx, y + r * dy),
+    );
     path.closePath();
   } else {
     path.moveTo(x + r, y);
@@ -38,7 +62,13 @@ export const ZONES = [
 ];
 
 // Dark to light: viridis, which people with colour blindness read alike.
-const SCALE = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+const SCALE = [
+  [68, 1, 84],
+  [59, 82, 139],
+  [33, 145, 140],
+  [94, 201, 98],
+  [253, 231, 37],
+];
 
 /** The colour of a scale as [red, green, blue]; `share` is 0 for the least (the narrowest zoom level) and 1 for the most. */
 export function scaleColour(share) {

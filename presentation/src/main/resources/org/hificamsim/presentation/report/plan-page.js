@@ -1,25 +1,87 @@
 // The page of a plan of cameras: the floor plan, how good the plan is, and its tables.
-import { el } from './dom.js';
-import { rowsOf, sortable } from './table.js';
+import {el} from './dom.js';
+import {rowsOf, sortable} from './table.js';
 
 /** The page; `data` is what PlanSheet wrote. */
 export async function planPage(root, data) {
   root.append(el('header', {}, el('h1', {}, data.title)));
   const [met, ...facts] = data.facts;
-  root.append(el('section', {class: 'card'}, el('p', {}, el('b', {}, met)), ...facts.map(fact => el('p', {}, fact)),
-    el('p', {class: 'note'}, el('a', {href: 'plan.pdf'}, 'PDF'), ' ', el('a', {href: 'plan.svg'}, 'floor plan as SVG'))));
-  root.append(card('Floor plan', el('a', {href: 'plan.svg'}, picture(data.floor, 'The floor plan to scale with the cameras, what they look at, and the cells by how they are seen'))));
+  root.append(
+    el(
+      'section',
+      {class: 'card'},
+      el('p', {}, el('b', {}, met)),
+      ...facts.map(fact => el('p', {}, fact)),
+      el(
+        'p',
+        {class: 'note'},
+        el('a', {href: 'plan.pdf'}, 'PDF'),
+        ' ',
+        el('a', {href: 'plan.svg'}, 'floor plan as SVG'),
+      ),
+    ),
+  );
+  root.append(
+    card(
+      'Floor plan',
+      el(
+        'a',
+        {href: 'plan.svg'},
+        picture(
+          data.floor,
+          'The floor plan to scale with the cameras, what they look at, and the cells by how they are seen',
+        ),
+      ),
+    ),
+  );
   if (data.levels) {
-    root.append(card('Levels reached', el('a', {href: 'levels.svg'}, picture(data.levels, 'The floor plan with the cells by the highest level that a camera reaches there'))));
+    root.append(
+      card(
+        'Levels reached',
+        el(
+          'a',
+          {href: 'levels.svg'},
+          picture(
+            data.levels,
+            'The floor plan with the cells by the highest level that a camera reaches there',
+          ),
+        ),
+      ),
+    );
   }
   for (const table of data.tables.filter(({rows}) => rows.length)) {
     const columns = table.columns.map(name => ({name}));
-    root.append(card(table.title, el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': table.title}, sortable(table.title, columns, rowsOf(table), 'unseen'))));
+    root.append(
+      card(
+        table.title,
+        el(
+          'div',
+          {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': table.title},
+          sortable(table.title, columns, rowsOf(table), 'unseen'),
+        ),
+      ),
+    );
   }
-  root.append(card('Coverage over the number of cameras', picture(data.curve, 'The share that is met by the first cameras, and the most that any plan can meet')));
-  root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
+  root.append(
+    card(
+      'Coverage over the number of cameras',
+      picture(
+        data.curve,
+        'The share that is met by the first cameras, and the most that any plan can meet',
+      ),
+    ),
+  );
+  root.append(
+    card(
+      'Made with',
+      el('pre', {tabindex: 0}, data.command),
+      el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`),
+    ),
+  );
   root.dataset.ready = '';
 }
 
-const picture = (src, alt) => el('div', {class: 'pictures'}, el('figure', {class: 'wide'}, el('img', {src, alt})));
-const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
+const picture = (src, alt) =>
+  el('div', {class: 'pictures'}, el('figure', {class: 'wide'}, el('img', {src, alt})));
+const card = (title, ...children) =>
+  el('section', {class: 'card'}, el('h2', {}, title), ...children);

@@ -1,11 +1,11 @@
 // One run as it is looked at: the field, the numbers, what an agent knows, and all of it over time.
-import { el } from './dom.js';
-import { FieldView } from './field.js';
-import { Readout } from './readout.js';
-import { AgentPanel } from './agent.js';
-import { Timeline } from './timeline.js';
-import { WallForm } from './wall-form.js';
-import { TargetForm } from './target-form.js';
+import {el} from './dom.js';
+import {FieldView} from './field.js';
+import {Readout} from './readout.js';
+import {AgentPanel} from './agent.js';
+import {Timeline} from './timeline.js';
+import {WallForm} from './wall-form.js';
+import {TargetForm} from './target-form.js';
 
 export class Player {
   /**
@@ -20,18 +20,35 @@ export class Player {
     this.playhead = playhead;
     const {edit} = options;
     const on = {
-      select: camera => this.select(camera), drag: edit?.move, ceiling: options.ceiling, objective: run.objective,
-      pick: target => this.targets?.choose(target), heat: options.heat, figures: options.figures, line: ends => edit.wall(...ends), lining: ends => this.walls.show(ends),
+      select: camera => this.select(camera),
+      drag: edit?.move,
+      ceiling: options.ceiling,
+      objective: run.objective,
+      pick: target => this.targets?.choose(target),
+      heat: options.heat,
+      figures: options.figures,
+      line: ends => edit.wall(...ends),
+      lining: ends => this.walls.show(ends),
     };
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run, options.edit);
     this.timeline = new Timeline(playhead, on);
-    this.walls = edit && new WallForm(run.setup, {...edit, drawing: draws => this.field.drawLines(draws)});
+    this.walls =
+      edit && new WallForm(run.setup, {...edit, drawing: draws => this.field.drawLines(draws)});
     this.targets = edit && new TargetForm(run.setup, edit);
-    if (edit) this.agent.element.append(...[this.walls, this.targets].map(({element}) => element).filter(Boolean));
-    this.element = el('div', {class: 'player'}, this.field.element,
-      el('div', {class: 'side'}, this.readout.element, this.agent.element), options.middle, this.timeline.element);
+    if (edit)
+      this.agent.element.append(
+        ...[this.walls, this.targets].map(({element}) => element).filter(Boolean),
+      );
+    this.element = el(
+      'div',
+      {class: 'player'},
+      this.field.element,
+      el('div', {class: 'side'}, this.readout.element, this.agent.element),
+      options.middle,
+      this.timeline.element,
+    );
     this.timeline.load(run);
     if (run.setup.cameras.length) this.select(run.busiest());
     playhead.subscribe(frame => this.show(frame));

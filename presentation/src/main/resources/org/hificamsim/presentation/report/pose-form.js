@@ -1,11 +1,12 @@
 // Where the chosen camera stands and which way it looks, to be typed or stepped; and a camera more or less.
-import { el } from './dom.js';
-import { decimals } from './numbers.js';
+import {el} from './dom.js';
+import {decimals} from './numbers.js';
 
 const QUARTER = 90;
 
 /** A heading in degrees, from 0 to 360; radians in. */
-export const degrees = heading => tidy((((heading * 2 * QUARTER) / Math.PI) % (4 * QUARTER) + 4 * QUARTER) % (4 * QUARTER));
+export const degrees = heading =>
+  tidy(((((heading * 2 * QUARTER) / Math.PI) % (4 * QUARTER)) + 4 * QUARTER) % (4 * QUARTER));
 
 /** To a thousandth: a millimetre, for metres. */
 export const tidy = number => Math.round(number * 1000) / 1000;
@@ -17,18 +18,42 @@ export class PoseForm {
   constructor(edit) {
     this.x = field('x', 'm', () => this.move());
     this.y = field('y', 'm', () => this.move());
-    this.heading = field('heading', '°', () => this.known(this.heading) && edit.turn(this.camera, Number(this.heading.value)));
+    this.heading = field(
+      'heading',
+      '°',
+      () => this.known(this.heading) && edit.turn(this.camera, Number(this.heading.value)),
+    );
     this.edit = edit;
-    this.element = el('div', {class: 'pose', role: 'group', 'aria-label': 'the chosen camera’s place and heading'},
+    this.element = el(
+      'div',
+      {class: 'pose', role: 'group', 'aria-label': 'the chosen camera’s place and heading'},
       ...[this.x, this.y, this.heading].map(input => input.label),
-      el('button', {type: 'button', class: 'add', onclick: () => edit.add(this.camera)}, 'add a camera like it'),
-      el('button', {type: 'button', class: 'remove-camera', onclick: () => edit.removeCamera(this.camera)}, 'remove it'),
-      el('button', {type: 'button', class: 'suggest', onclick: () => edit.suggest(-1)}, 'suggest a camera'),
-      el('button', {type: 'button', class: 'suggest-place', onclick: () => edit.suggest(this.camera)}, 'suggest a better place for it'));
+      el(
+        'button',
+        {type: 'button', class: 'add', onclick: () => edit.add(this.camera)},
+        'add a camera like it',
+      ),
+      el(
+        'button',
+        {type: 'button', class: 'remove-camera', onclick: () => edit.removeCamera(this.camera)},
+        'remove it',
+      ),
+      el(
+        'button',
+        {type: 'button', class: 'suggest', onclick: () => edit.suggest(-1)},
+        'suggest a camera',
+      ),
+      el(
+        'button',
+        {type: 'button', class: 'suggest-place', onclick: () => edit.suggest(this.camera)},
+        'suggest a better place for it',
+      ),
+    );
   }
 
   move() {
-    if (this.known(this.x) && this.known(this.y)) this.edit.move(this.camera, Number(this.x.value), Number(this.y.value));
+    if (this.known(this.x) && this.known(this.y))
+      this.edit.move(this.camera, Number(this.x.value), Number(this.y.value));
   }
 
   known(input) {
@@ -37,9 +62,14 @@ export class PoseForm {
 
   /** Shows a camera's pose, but for the field that somebody is filling in. */
   show(camera, pose) {
-    const values = [[this.x, pose.x], [this.y, pose.y], [this.heading, degrees(pose.heading)]];
+    const values = [
+      [this.x, pose.x],
+      [this.y, pose.y],
+      [this.heading, degrees(pose.heading)],
+    ];
     for (const [input, value] of values) {
-      if (input !== document.activeElement || camera !== this.camera) input.value = decimals(value, 3);
+      if (input !== document.activeElement || camera !== this.camera)
+        input.value = decimals(value, 3);
     }
     this.camera = camera;
   }

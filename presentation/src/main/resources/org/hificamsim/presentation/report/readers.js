@@ -1,5 +1,5 @@
 // One page in the order of one reader or another; the browser remembers who reads.
-import { el } from './dom.js';
+import {el} from './dom.js';
 
 const KEY = 'hificamsim-reader';
 
@@ -27,8 +27,17 @@ export class Readers {
   constructor(orders) {
     this.orders = orders;
     this.element = el('div', {class: 'parts'});
-    this.select = el('select', {id: 'reader', onchange: () => this.choose(this.select.value)}, ...Object.keys(orders).map(name => el('option', {value: name}, name)));
-    this.control = el('p', {class: 'chooser'}, el('label', {for: 'reader'}, 'order for a '), this.select);
+    this.select = el(
+      'select',
+      {id: 'reader', onchange: () => this.choose(this.select.value)},
+      ...Object.keys(orders).map(name => el('option', {value: name}, name)),
+    );
+    this.control = el(
+      'p',
+      {class: 'chooser'},
+      el('label', {for: 'reader'}, 'order for a '),
+      this.select,
+    );
     this.show(remembered() in orders ? remembered() : Object.keys(orders)[0]);
   }
 

@@ -1,7 +1,7 @@
 // The numbers of the step that is shown: a row of steps.csv.
-import { el, say } from './dom.js';
-import { scoreNumber } from './names.js';
-import { decimals } from './numbers.js';
+import {el, say} from './dom.js';
+import {scoreNumber} from './names.js';
+import {decimals} from './numbers.js';
 
 const NUMBERS = [
   ['k_min', 'least cameras on a target (k_min)'],
@@ -17,9 +17,23 @@ export class Readout {
     this.run = run;
     this.values = Object.fromEntries(NUMBERS.map(([name]) => [name, el('dd', {data: {name}})]));
     this.score = el('dd', {data: {name: 'score'}});
-    const score = run.objective && !run.objective.kMin && el('div', {class: 'score', title: run.objective.text}, this.score, el('dt', {}, run.objective.title));
-    this.element = el('dl', {class: 'readout'}, score || null,
-      ...NUMBERS.map(([name, label]) => el('div', {class: name}, this.values[name], el('dt', {}, label))));
+    const score =
+      run.objective &&
+      !run.objective.kMin &&
+      el(
+        'div',
+        {class: 'score', title: run.objective.text},
+        this.score,
+        el('dt', {}, run.objective.title),
+      );
+    this.element = el(
+      'dl',
+      {class: 'readout'},
+      score || null,
+      ...NUMBERS.map(([name, label]) =>
+        el('div', {class: name}, this.values[name], el('dt', {}, label)),
+      ),
+    );
   }
 
   show(frame) {

@@ -1,6 +1,6 @@
 // Unpacks a run of replay.json: series of whole numbers, each as differences in LEB128, deflated, in Base64.
-import { inflate } from './inflate.js';
-import { Run } from './run.js';
+import {inflate} from './inflate.js';
+import {Run} from './run.js';
 
 /** Reads one series after the other. */
 export class SeriesReader {
@@ -62,15 +62,24 @@ export async function unpack(setup, packed) {
     run.coverage[i] = next(plain);
   });
   if (packed.estimated) {
-    run.estimates.forEach((views, i) => views.forEach((list, j) => {
-      views[j] = next(optional(packed.estimateScale));
-      run.counts[i][j] = next(optional(1));
-    }));
+    run.estimates.forEach((views, i) =>
+      views.forEach((list, j) => {
+        views[j] = next(optional(packed.estimateScale));
+        run.counts[i][j] = next(optional(1));
+      }),
+    );
   }
   run.seeing.forEach((list, i) => (run.seeing[i] = next(plain)));
-  run.belief = packed.beliefs ? transposed(Array.from({length: packed.beliefs}, () => next(scaled(1000)))) : [];
+  run.belief = packed.beliefs
+    ? transposed(Array.from({length: packed.beliefs}, () => next(scaled(1000))))
+    : [];
   packed.moves.forEach(move => run.move(move));
-  Object.assign(run, {every: packed.every, steps: packed.steps, seed: packed.seed, number: packed.run});
+  Object.assign(run, {
+    every: packed.every,
+    steps: packed.steps,
+    seed: packed.seed,
+    number: packed.run,
+  });
   for (run.count = 0; run.count < packed.frames; run.count++) run.measure(run.count);
   return run;
 }

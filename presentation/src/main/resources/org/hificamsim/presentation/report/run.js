@@ -1,8 +1,9 @@
 // A run as far as it is known: the set-up, and a list by frame for each quantity. It may still grow.
-import { poseAt, seenAt, viewCount } from './views.js';
+import {poseAt, seenAt, viewCount} from './views.js';
 
 /** Says which share of the steps is shown. */
-export const thinned = (run, every) => `This run has ${run.steps} steps; the page shows one in ${every}`;
+export const thinned = (run, every) =>
+  `This run has ${run.steps} steps; the page shows one in ${every}`;
 
 const lists = count => Array.from({length: count}, () => []);
 
@@ -52,7 +53,9 @@ export class Run {
     }
     frame.seeing?.forEach((view, i) => this.seeing[i].push(view));
     for (const name of ['estimates', 'counts']) {
-      this[name].forEach((views, camera) => views.forEach((list, view) => list.push(frame[name][camera]?.[view] ?? NaN)));
+      this[name].forEach((views, camera) =>
+        views.forEach((list, view) => list.push(frame[name][camera]?.[view] ?? NaN)),
+      );
     }
     if (frame.belief) this.belief[this.count] = frame.belief;
     moves.forEach(move => this.move(move));
@@ -65,7 +68,8 @@ export class Run {
     this.setup = setup;
     if (estimated === this.estimated && !estimated) return;
     this.estimated = estimated;
-    for (const all of [this.estimates, this.counts]) all.forEach(levels => levels.forEach(list => list.fill(NaN)));
+    for (const all of [this.estimates, this.counts])
+      all.forEach(levels => levels.forEach(list => list.fill(NaN)));
   }
 
   /** Shows a camera in another pose from the last frame on, until the simulation says what it is. */
@@ -73,7 +77,11 @@ export class Run {
     const poses = this.poses[camera];
     const last = poses[poses.length - 1];
     if (last.preview) poses.pop();
-    poses.push({step: this.step[this.count - 1] ?? -1, pose: {...last.pose, ...change}, preview: true});
+    poses.push({
+      step: this.step[this.count - 1] ?? -1,
+      pose: {...last.pose, ...change},
+      preview: true,
+    });
   }
 
   /** Shows a camera where it was before somebody asked for what was refused. */
@@ -87,8 +95,20 @@ export class Run {
     const half = list => list.filter((value, i) => i % 2 === rest);
     this.step = half(this.step);
     this.belief = Array.from({length: this.step.length}, (none, i) => this.belief[2 * i + rest]);
-    for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage', 'covered', 'seeing']) this[name] = this[name].map(half);
-    for (const name of ['estimates', 'counts']) this[name] = this[name].map(levels => levels.map(half));
+    for (const name of [
+      'online',
+      'level',
+      'detected',
+      'present',
+      'x',
+      'y',
+      'coverage',
+      'covered',
+      'seeing',
+    ])
+      this[name] = this[name].map(half);
+    for (const name of ['estimates', 'counts'])
+      this[name] = this[name].map(levels => levels.map(half));
     for (const name of ['kMin', 'targets', 'sum', 'score']) this[name] = half(this[name]);
     this.count = this.step.length;
     this.every *= 2;
@@ -126,7 +146,12 @@ export class Run {
     const [none, one, two, more] = this.covered.map(list => list[frame]);
     const targets = this.targets[frame];
     return {
-      step: this.step[frame], k_min: this.kMin[frame], targets, covered_0: none, covered_1: one, covered_k: two + more,
+      step: this.step[frame],
+      k_min: this.kMin[frame],
+      targets,
+      covered_0: none,
+      covered_1: one,
+      covered_k: two + more,
       mean_k: targets ? this.sum[frame] / targets : 0,
     };
   }

@@ -1,10 +1,10 @@
 // What a field looks like in one frame of a run, layer by layer: pages paint it on their canvas, pictures on Java's ScriptCanvas.
 // A new layer is a function here, its place in LAYERS and what it shows in the scene.
 // Rhino runs this file as browsers do, but knows no classes, no spread arguments, and in a for loop neither const nor destructuring in its head.
-import { COVER, coverClass, scaleColour, shape, ZONES } from './palette.js';
-import { band, border, fillDetected, inSight, poseAt, ring, seenAt, viewAt } from './views.js';
-import { decimals } from './numbers.js';
-import { PARTS, partsFrom, told } from './belief.js';
+import {COVER, coverClass, scaleColour, shape, ZONES} from './palette.js';
+import {band, border, fillDetected, inSight, poseAt, ring, seenAt, viewAt} from './views.js';
+import {decimals} from './numbers.js';
+import {PARTS, partsFrom, told} from './belief.js';
 
 const TRAIL = 40; // frames
 const TRAIL_SEGMENTS = 1500;
@@ -22,7 +22,22 @@ export const HEAT = 0.8;
 export const NEVER = COVER[0].colour;
 
 /** All layers, the lowest first. */
-export const LAYERS = [floor, grid, heat, beliefs, zones, views, shadows, obstacles, tracks, trails, messages, cameras, targets, scaleBar];
+export const LAYERS = [
+  floor,
+  grid,
+  heat,
+  beliefs,
+  zones,
+  views,
+  shadows,
+  obstacles,
+  tracks,
+  trails,
+  messages,
+  cameras,
+  targets,
+  scaleBar,
+];
 
 /** The layers of a heat map's picture: what belongs to one step is left out. */
 export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleBar];
@@ -51,11 +66,16 @@ export function paintScene(context, scene, layers = LAYERS) {
 /** Maps metres to pixels, the whole field in sight within a box, y upwards. */
 export function fit({minX, maxX, minY, maxY}, width, height, unit) {
   const [across, down] = MARGIN.map(margin => 2 * margin * unit);
-  const scale = Math.max(1e-9, Math.min((width - across) / (maxX - minX), (height - down) / (maxY - minY)));
+  const scale = Math.max(
+    1e-9,
+    Math.min((width - across) / (maxX - minX), (height - down) / (maxY - minY)),
+  );
   const left = width / 2 - (scale * (minX + maxX)) / 2;
   const top = height / 2 + (scale * (minY + maxY)) / 2;
   return {
-    scale, width, height,
+    scale,
+    width,
+    height,
     x: x => left + scale * x,
     y: y => top - scale * y,
     place: (px, py) => [(px - left) / scale, (top - py) / scale],
@@ -64,25 +84,38 @@ export function fit({minX, maxX, minY, maxY}, width, height, unit) {
 
 /** The same map, enlarged about a place in pixels, and moved by some. */
 export const magnified = ({x, y, scale, width, height, place}, times, left, top) => ({
-  scale: scale * times, width, height, times,
+  scale: scale * times,
+  width,
+  height,
+  times,
   x: metres => left + times * x(metres),
   y: metres => top + times * y(metres),
   place: (px, py) => place((px - left) / times, (py - top) / times),
 });
 
 /** How high a picture is in which the field is as wide as the picture allows. */
-export const heightFor = ({minX, maxX, minY, maxY}, width) => 2 * MARGIN[1] + (width - 2 * MARGIN[0]) * ((maxY - minY) / (maxX - minX));
+export const heightFor = ({minX, maxX, minY, maxY}, width) =>
+  2 * MARGIN[1] + (width - 2 * MARGIN[0]) * ((maxY - minY) / (maxX - minX));
 
 /** How large cameras and targets are drawn: smaller where there are many, larger where somebody looks closer. */
 export function figureSize({run, map, unit}) {
-  const room = (map.times ?? 1) * Math.sqrt((map.width * map.height) / (run.setup.cameras.length + run.most + 1));
+  const room =
+    (map.times ?? 1) *
+    Math.sqrt((map.width * map.height) / (run.setup.cameras.length + run.most + 1));
   return unit * Math.max(0.25, Math.min(1, room / (ROOM * unit)));
 }
 
 function floor(context, {map, floor, opacity}) {
   context.globalAlpha = opacity;
   floor.forEach(({area: {minX, maxX, minY, maxY}, image}) =>
-    context.drawImage(image, map.x(minX), map.y(maxY), map.scale * (maxX - minX), map.scale * (maxY - minY)));
+    context.drawImage(
+      image,
+      map.x(minX),
+      map.y(maxY),
+      map.scale * (maxX - minX),
+      map.scale * (maxY - minY),
+    ),
+  );
 }
 
 function grid(context, {map, colours, unit, run}) {
@@ -115,7 +148,11 @@ function grid(context, {map, colours, unit, run}) {
 /** How long some metres are, in the lower right corner whatever part of the field is in sight. */
 function scaleBar(context, {map, colours, unit}) {
   const metres = niceGap((60 * unit) / map.scale);
-  const [right, bottom, length] = [map.width - 12 * unit, map.height - 6 * unit, map.scale * metres];
+  const [right, bottom, length] = [
+    map.width - 12 * unit,
+    map.height - 6 * unit,
+    map.scale * metres,
+  ];
   context.fillStyle = colours.paper;
   context.globalAlpha = 0.75;
   context.fillRect(right - length - 70 * unit, bottom - 11 * unit, length + 76 * unit, 16 * unit);
@@ -123,7 +160,12 @@ function scaleBar(context, {map, colours, unit}) {
   context.strokeStyle = context.fillStyle = colours.ink;
   context.lineWidth = 1.5 * unit;
   context.beginPath();
-  [[0, -5], [0, 0], [-length, 0], [-length, -5]].forEach(([dx, dy], i) => context[i ? 'lineTo' : 'moveTo'](right + dx, bottom + dy * unit));
+  [
+    [0, -5],
+    [0, 0],
+    [-length, 0],
+    [-length, -5],
+  ].forEach(([dx, dy], i) => context[i ? 'lineTo' : 'moveTo'](right + dx, bottom + dy * unit));
   context.stroke();
   context.font = `${11 * unit}px sans-serif`;
   context.textAlign = 'right';
@@ -143,18 +185,21 @@ export function hatch(host, colour, unit) {
   const key = `${colour} ${unit}`;
   const side = Math.round(7 * unit);
   if (!hatches.has(key)) {
-    hatches.set(key, host.pattern(side, tile => {
-      tile.fillStyle = tile.strokeStyle = colour;
-      tile.globalAlpha = 0.22;
-      tile.fillRect(0, 0, side, side);
-      tile.globalAlpha = 0.7;
-      tile.beginPath();
-      [-side, 0, side].forEach(from => {
-        tile.moveTo(from, side);
-        tile.lineTo(from + side, 0);
-      });
-      tile.stroke();
-    }));
+    hatches.set(
+      key,
+      host.pattern(side, tile => {
+        tile.fillStyle = tile.strokeStyle = colour;
+        tile.globalAlpha = 0.22;
+        tile.fillRect(0, 0, side, side);
+        tile.globalAlpha = 0.7;
+        tile.beginPath();
+        [-side, 0, side].forEach(from => {
+          tile.moveTo(from, side);
+          tile.lineTo(from + side, 0);
+        });
+        tile.stroke();
+      }),
+    );
   }
   return hatches.get(key);
 }
@@ -163,20 +208,37 @@ export function hatch(host, colour, unit) {
 function heat(context, {heat, map, run, unit, host}) {
   if (!heat) return;
   const {columns, rows, values, end, logarithmic, classes} = heat;
-  const share = value => (logarithmic ? (end > 1 ? Math.log(value) / Math.log(end) : 1) : value / end);
+  const share = value =>
+    logarithmic ? (end > 1 ? Math.log(value) / Math.log(end) : 1) : value / end;
   const {minX, maxX, minY, maxY} = run.setup.field;
-  const [left, bottom, width, height] = [map.x(minX), map.y(minY), map.scale * (maxX - minX), map.scale * (maxY - minY)];
+  const [left, bottom, width, height] = [
+    map.x(minX),
+    map.y(minY),
+    map.scale * (maxX - minX),
+    map.scale * (maxY - minY),
+  ];
   context.beginPath();
   for (let cell = 0; cell < values.length; cell++) {
     if (classes || values[cell] !== 0) continue;
     let row = Math.floor(cell / columns);
-    context.rect(left + ((cell - row * columns) * width) / columns, bottom - ((1 + row) * height) / rows, width / columns, height / rows);
+    context.rect(
+      left + ((cell - row * columns) * width) / columns,
+      bottom - ((1 + row) * height) / rows,
+      width / columns,
+      height / rows,
+    );
   }
   context.fillStyle = hatch(host, NEVER, unit);
   context.fill();
   context.globalAlpha = classes ? 0.4 : HEAT;
   context.imageSmoothingEnabled = false;
-  heat.image ??= host.cells(columns, rows, cell => (classes ? classes[values[cell]] ?? null : values[cell] > 0 ? scaleColour(share(values[cell])) : null));
+  heat.image ??= host.cells(columns, rows, cell =>
+    classes
+      ? (classes[values[cell]] ?? null)
+      : values[cell] > 0
+        ? scaleColour(share(values[cell]))
+        : null,
+  );
   context.drawImage(heat.image, left, bottom - height, width, height);
 }
 
@@ -184,7 +246,10 @@ function heat(context, {heat, map, run, unit, host}) {
 function beliefs(context, {belief, run, map, colours, unit}) {
   if (!belief) return;
   const {minX, maxX, minY, maxY} = run.setup.field;
-  const [width, height] = [(map.scale * (maxX - minX)) / PARTS, (map.scale * (maxY - minY)) / PARTS];
+  const [width, height] = [
+    (map.scale * (maxX - minX)) / PARTS,
+    (map.scale * (maxY - minY)) / PARTS,
+  ];
   const first = partsFrom(run);
   const end = first + PARTS * PARTS;
   let most = 1e-9;
@@ -197,7 +262,11 @@ function beliefs(context, {belief, run, map, colours, unit}) {
   }
   context.lineWidth = 1.5 * unit;
   for (let i = 0; i < first; i += 4) {
-    let [px, py, radius] = [map.x(belief[i]), map.y(belief[i + 1]), 7 * unit + map.scale * belief[i + 3]];
+    let [px, py, radius] = [
+      map.x(belief[i]),
+      map.y(belief[i + 1]),
+      7 * unit + map.scale * belief[i + 3],
+    ];
     if (!(belief[i + 2] > 0)) continue;
     context.globalAlpha = 0.25 + 0.75 * belief[i + 2];
     context.beginPath();
@@ -257,7 +326,10 @@ function zones(context, {zoned, run, frame, map, colours, unit}) {
   context.font = `${11 * unit}px sans-serif`;
   context.textAlign = 'center';
   ZONES.forEach(({name, least}, i) => {
-    const [x, y] = [map.x(view.x + reaches[i] * Math.sin(view.heading)), map.y(view.y + reaches[i] * Math.cos(view.heading))];
+    const [x, y] = [
+      map.x(view.x + reaches[i] * Math.sin(view.heading)),
+      map.y(view.y + reaches[i] * Math.cos(view.heading)),
+    ];
     context.strokeText(`${name} ${least}`, x, y);
     context.fillText(`${name} ${least}`, x, y);
   });
@@ -286,19 +358,28 @@ function views(context, scene) {
 
 const dashes = (pattern, unit) => pattern.map(length => length * unit);
 
-const onlineCameras = ({run, frame}) => run.setup.cameras.map((camera, i) => i).filter(i => run.online[i][frame]);
+const onlineCameras = ({run, frame}) =>
+  run.setup.cameras.map((camera, i) => i).filter(i => run.online[i][frame]);
 
 /** Where some camera would detect, and walls hide it from all. */
 function shadows(context, scene) {
   const {run, frame, map, colours, unit, host} = scene;
-  const seeing = onlineCameras(scene).filter(i => seenAt(run, i, frame) >= 0).map(i => viewAt(run, i, frame));
+  const seeing = onlineCameras(scene)
+    .filter(i => seenAt(run, i, frame) >= 0)
+    .map(i => viewAt(run, i, frame));
   const cut = seeing.filter(({visible}) => visible);
   if (scene.heat || !cut.length) return;
-  host.through(context, mask => {
-    cut.forEach(view => inSight(mask, map, {...view, visible: undefined}, () => fillDetected(mask, map, view)));
-    mask.globalCompositeOperation = 'destination-out';
-    seeing.forEach(view => inSight(mask, map, view, () => fillDetected(mask, map, view)));
-  }, hatch(host, colours.shadow, unit));
+  host.through(
+    context,
+    mask => {
+      cut.forEach(view =>
+        inSight(mask, map, {...view, visible: undefined}, () => fillDetected(mask, map, view)),
+      );
+      mask.globalCompositeOperation = 'destination-out';
+      seeing.forEach(view => inSight(mask, map, view, () => fillDetected(mask, map, view)));
+    },
+    hatch(host, colours.shadow, unit),
+  );
 }
 
 /** Walls, polygons and pillars; what lets light through is paler and dashed. */
@@ -321,7 +402,11 @@ export function outline(path, {kind, x1, y1, x2, y2, x, y, radius, points}, map)
     path.moveTo(map.x(x + radius), map.y(y));
     path.arc(map.x(x), map.y(y), map.scale * radius, 0, 2 * Math.PI);
   } else {
-    ring(path, map, points.flatMap(point => [point.x, point.y]));
+    ring(
+      path,
+      map,
+      points.flatMap(point => [point.x, point.y]),
+    );
   }
 }
 
@@ -380,7 +465,10 @@ function trails(context, scene) {
   for (let i = 0; i < run.setup.targets.length; i++) {
     let [present, x, y] = [run.present[i], run.x[i], run.y[i]];
     for (let f = first; f <= frame; f++) {
-      let line = present[f] && present[f - 1] && cut(map, [map.x(x[f - 1]), map.y(y[f - 1])], [map.x(x[f]), map.y(y[f])]);
+      let line =
+        present[f] &&
+        present[f - 1] &&
+        cut(map, [map.x(x[f - 1]), map.y(y[f - 1])], [map.x(x[f]), map.y(y[f])]);
       if (!line) continue;
       let cover = COVER[coverClass(run.coverage[i][f])];
       context.globalAlpha = 0.15 + (0.75 * (f - first + 1)) / (frame - first + 1);
@@ -397,13 +485,20 @@ function trails(context, scene) {
 /** The part of a line that is in sight or near by (Liang and Barsky 1984), nothing if none is: painting a line takes as long as it is. */
 function cut({width, height}, a, b) {
   let [from, to] = [0, 1];
-  [[0, width], [1, height]].forEach(([axis, size]) => {
+  [
+    [0, width],
+    [1, height],
+  ].forEach(([axis, size]) => {
     const rise = b[axis] - a[axis];
-    const ends = [-size, 2 * size].map(edge => (rise ? (edge - a[axis]) / rise : edge < a[axis] ? -Infinity : Infinity));
+    const ends = [-size, 2 * size].map(edge =>
+      rise ? (edge - a[axis]) / rise : edge < a[axis] ? -Infinity : Infinity,
+    );
     from = Math.max(from, Math.min(ends[0], ends[1]));
     to = Math.min(to, Math.max(ends[0], ends[1]));
   });
-  return from < to ? [from, to].map(share => [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])]) : null;
+  return from < to
+    ? [from, to].map(share => [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])])
+    : null;
 }
 
 /** A square with a short line along its view; hollow and crossed out while it is not online. */
@@ -450,7 +545,10 @@ function names(context, scene) {
   run.setup.cameras.forEach(({name}, i) => {
     const {heading} = viewAt(run, i, frame);
     const pose = poseAt(run, i, frame);
-    const [x, y] = [map.x(pose.x) - away * Math.sin(heading), map.y(pose.y) + away * Math.cos(heading) + 4 * unit];
+    const [x, y] = [
+      map.x(pose.x) - away * Math.sin(heading),
+      map.y(pose.y) + away * Math.cos(heading) + 4 * unit,
+    ];
     context.strokeText(name, x, y);
     context.fillText(name, x, y);
   });
@@ -495,11 +593,13 @@ export function legend({run: {setup}, colours, zoned, host, unit}) {
     context.arc(x, y, r, 0, 2 * Math.PI);
     context.stroke();
   };
-  const filled = (style, alpha = 1) => (context, x, y, r) => {
-    context.fillStyle = style;
-    context.globalAlpha = alpha;
-    context.fillRect(x - r, y - r, 2 * r, 2 * r);
-  };
+  const filled =
+    (style, alpha = 1) =>
+    (context, x, y, r) => {
+      context.fillStyle = style;
+      context.globalAlpha = alpha;
+      context.fillRect(x - r, y - r, 2 * r, 2 * r);
+    };
   const obstacle = transmittance => (context, x, y, r) => {
     context.beginPath();
     context.rect(x - r, y - r, 2 * r, 2 * r);
@@ -515,16 +615,41 @@ export function legend({run: {setup}, colours, zoned, host, unit}) {
     },
   }));
   const kinds = new Set((setup.obstacles ?? []).map(({transmittance}) => transmittance));
-  const through = Array.from(kinds).filter(part => part > 0).sort((a, b) => a - b).slice(0, 3);
+  const through = Array.from(kinds)
+    .filter(part => part > 0)
+    .sort((a, b) => a - b)
+    .slice(0, 3);
   const site = [
-    ...(kinds.has(0) ? [{label: 'obstacle', mark: obstacle(0)}, {label: 'hidden from all by obstacles', mark: filled(hatch(host, colours.shadow, unit))}] : []),
-    ...through.map(part => ({label: `lets ${decimals(100 * part, 1)} % through`, mark: obstacle(part)})),
+    ...(kinds.has(0)
+      ? [
+          {label: 'obstacle', mark: obstacle(0)},
+          {label: 'hidden from all by obstacles', mark: filled(hatch(host, colours.shadow, unit))},
+        ]
+      : []),
+    ...through.map(part => ({
+      label: `lets ${decimals(100 * part, 1)} % through`,
+      mark: obstacle(part),
+    })),
     ...(setup.slow ? [{label: 'moves, sees nothing', mark: ringed(colours.range, BLIND)}] : []),
   ];
-  const dense = zoned < 0 ? [] : [{label: `${setup.cameras[zoned].name}, pixels per metre:`},
-    ...ZONES.map(({name, least, colour}) => ({label: `${name} ${least}`, mark: filled(colour)}))];
+  const dense =
+    zoned < 0
+      ? []
+      : [
+          {label: `${setup.cameras[zoned].name}, pixels per metre:`},
+          ...ZONES.map(({name, least, colour}) => ({
+            label: `${name} ${least}`,
+            mark: filled(colour),
+          })),
+        ];
   return [
-    [{label: 'covered by'}, ...covers, {label: 'field of view', mark: ringed(colours.range, VIEW)}, {label: 'detection range', mark: filled(colours.range, 0.35)}],
-    site, dense,
+    [
+      {label: 'covered by'},
+      ...covers,
+      {label: 'field of view', mark: ringed(colours.range, VIEW)},
+      {label: 'detection range', mark: filled(colours.range, 0.35)},
+    ],
+    site,
+    dense,
   ].filter(group => group.length);
 }

@@ -17,4 +17,5 @@ export function movingMean(values, half) {
 }
 
 /** The moving mean over a hundredth of all entries; of few entries, the entries. */
-export const smoothed = values => (values.length > SHOWN_RAW ? movingMean(values, Math.ceil(values.length / PARTS / 2)) : values);
+export const smoothed = values =>
+  values.length > SHOWN_RAW ? movingMean(values, Math.ceil(values.length / PARTS / 2)) : values;

@@ -1,5 +1,5 @@
 // Tables that a click, or Enter, on a column's head sorts; again for the other way round.
-import { el } from './dom.js';
+import {el} from './dom.js';
 
 const AS_WORDS = new Intl.Collator('en', {numeric: true});
 
@@ -19,14 +19,29 @@ function order(a, b) {
  */
 export function sortable(caption, columns, rows, captioned) {
   const body = el('tbody');
-  const heads = columns.map((column, i) => el('th', {scope: 'col', 'aria-sort': 'none', class: rows.some(row => isNumber(row[column.name] ?? '')) ? 'number' : null},
-    el('button', {type: 'button', title: column.title, onclick: () => sort(i)}, column.label || column.name)));
+  const heads = columns.map((column, i) =>
+    el(
+      'th',
+      {
+        scope: 'col',
+        'aria-sort': 'none',
+        class: rows.some(row => isNumber(row[column.name] ?? '')) ? 'number' : null,
+      },
+      el(
+        'button',
+        {type: 'button', title: column.title, onclick: () => sort(i)},
+        column.label || column.name,
+      ),
+    ),
+  );
   const lines = rows.map(row => ({row, element: line(columns, row)}));
   body.append(...lines.map(({element}) => element));
 
   function sort(i) {
     const up = heads[i].getAttribute('aria-sort') !== 'ascending';
-    heads.forEach((head, j) => head.setAttribute('aria-sort', j === i ? (up ? 'ascending' : 'descending') : 'none'));
+    heads.forEach((head, j) =>
+      head.setAttribute('aria-sort', j === i ? (up ? 'ascending' : 'descending') : 'none'),
+    );
     const {name} = columns[i];
     const sorted = [...lines].sort((a, b) => {
       const [x, y] = [a.row[name], b.row[name]];
@@ -35,17 +50,36 @@ export function sortable(caption, columns, rows, captioned) {
     body.replaceChildren(...sorted.map(({element}) => element));
   }
 
-  return el('table', {class: 'sortable'}, el('caption', {class: captioned}, caption), el('thead', {}, el('tr', {}, ...heads)), body);
+  return el(
+    'table',
+    {class: 'sortable'},
+    el('caption', {class: captioned}, caption),
+    el('thead', {}, el('tr', {}, ...heads)),
+    body,
+  );
 }
 
 function line(columns, row) {
-  return el('tr', {}, ...columns.map(({name, show}) => {
-    const text = row[name] ?? '';
-    return el('td', {class: isNumber(text) ? 'number' : text.length > 40 ? 'long' : null, title: text, data: {column: name, text}}, show ? show(text, row) : text);
-  }));
+  return el(
+    'tr',
+    {},
+    ...columns.map(({name, show}) => {
+      const text = row[name] ?? '';
+      return el(
+        'td',
+        {
+          class: isNumber(text) ? 'number' : text.length > 40 ? 'long' : null,
+          title: text,
+          data: {column: name, text},
+        },
+        show ? show(text, row) : text,
+      );
+    }),
+  );
 }
 
 const isNumber = text => text !== '' && !Number.isNaN(Number(text));
 
 /** Rows as objects by column name. */
-export const rowsOf = table => table.rows.map(cells => Object.fromEntries(table.columns.map((name, i) => [name, cells[i]])));
+export const rowsOf = table =>
+  table.rows.map(cells => Object.fromEntries(table.columns.map((name, i) => [name, cells[i]])));

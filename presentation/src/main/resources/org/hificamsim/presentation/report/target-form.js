@@ -1,14 +1,37 @@
 // The target that was clicked or is chosen by its name, to be taken away.
-import { el } from './dom.js';
+import {el} from './dom.js';
 
 export class TargetForm {
   /**
    * @param edit `removeTarget(target)`
    */
   constructor({targets}, edit) {
-    this.list = el('select', {name: 'target', 'aria-label': 'target to remove'}, ...targets.map(({name}, i) => el('option', {value: i}, name)));
-    this.element = targets.length ? el('details', {class: 'pose walls'}, el('summary', {}, 'targets'),
-      el('p', {}, this.list, el('button', {type: 'button', class: 'remove-target', onclick: () => edit.removeTarget(Number(this.list.value))}, 'remove'))) : null;
+    this.list = el(
+      'select',
+      {name: 'target', 'aria-label': 'target to remove'},
+      ...targets.map(({name}, i) => el('option', {value: i}, name)),
+    );
+    this.element = targets.length
+      ? el(
+          'details',
+          {class: 'pose walls'},
+          el('summary', {}, 'targets'),
+          el(
+            'p',
+            {},
+            this.list,
+            el(
+              'button',
+              {
+                type: 'button',
+                class: 'remove-target',
+                onclick: () => edit.removeTarget(Number(this.list.value)),
+              },
+              'remove',
+            ),
+          ),
+        )
+      : null;
   }
 
   choose(target) {

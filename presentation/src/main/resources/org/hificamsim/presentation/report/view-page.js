@@ -1,16 +1,16 @@
 // The live page: one or two simulations of the same targets, stepped by the command that serves it.
-import { el, say } from './dom.js';
-import { Run, thinned } from './run.js';
-import { Controls, onKeys } from './controls.js';
-import { Player } from './player.js';
-import { LivePlayhead } from './live-playhead.js';
-import { ChoiceForm } from './choice.js';
-import { degrees, tidy } from './pose-form.js';
-import { located } from './site.js';
-import { unpackHeat } from './heat.js';
-import { viewName } from './views.js';
-import { scoreText } from './names.js';
-import { decimals } from './numbers.js';
+import {el, say} from './dom.js';
+import {Run, thinned} from './run.js';
+import {Controls, onKeys} from './controls.js';
+import {Player} from './player.js';
+import {LivePlayhead} from './live-playhead.js';
+import {ChoiceForm} from './choice.js';
+import {degrees, tidy} from './pose-form.js';
+import {located} from './site.js';
+import {unpackHeat} from './heat.js';
+import {viewName} from './views.js';
+import {scoreText} from './names.js';
+import {decimals} from './numbers.js';
 
 const MAX_FRAMES = 8000;
 const RECENT = 100;
@@ -38,7 +38,11 @@ class LiveView {
     this.forms = [];
     this.seed = el('input', {type: 'number', id: 'seed', value: 0, step: 1, min: 0});
     this.keep = el('input', {type: 'checkbox', id: 'keep', checked: true});
-    this.twice = el('button', {type: 'button', id: 'compare', onclick: () => this.send({command: 'compare', on: this.runs.length < 2})});
+    this.twice = el('button', {
+      type: 'button',
+      id: 'compare',
+      onclick: () => this.send({command: 'compare', on: this.runs.length < 2}),
+    });
     this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
     this.thinned = el('p', {class: 'notice', hidden: true});
     this.warning = el('p', {class: 'notice warning', role: 'alert', hidden: true});
@@ -48,7 +52,13 @@ class LiveView {
     this.figure = ''; // of the heat map
     this.held = []; // cameras whose views are chosen by hand
     this.place = el('div', {class: 'live-view'});
-    root.append(this.header(), el('div', {class: 'messages'}, this.fault, this.warning, this.thinned), this.shares, this.said, this.place);
+    root.append(
+      this.header(),
+      el('div', {class: 'messages'}, this.fault, this.warning, this.thinned),
+      this.shares,
+      this.said,
+      this.place,
+    );
     this.playhead = new LivePlayhead(command => this.send(command));
     this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
     this.controls.listen();
@@ -57,24 +67,56 @@ class LiveView {
   }
 
   header() {
-    return el('header', {class: 'live'}, el('h1', {}, this.data.scenario, el('small', {}, 'live')),
-      el('p', {class: 'badges'}, this.twice,
-        ...['undo', 'redo'].map(command => el('button', {type: 'button', id: command, onclick: () => this.send({command})}, command)),
+    return el(
+      'header',
+      {class: 'live'},
+      el('h1', {}, this.data.scenario, el('small', {}, 'live')),
+      el(
+        'p',
+        {class: 'badges'},
+        this.twice,
+        ...['undo', 'redo'].map(command =>
+          el('button', {type: 'button', id: command, onclick: () => this.send({command})}, command),
+        ),
         el('button', {type: 'button', id: 'restart', onclick: () => this.restart()}, 'restart'),
-        el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep changes'),
-        el('a', {href: 'scenario.xml', id: 'save', class: 'button', download: `${this.data.scenario}-edited.xml`}, 'save scenario')),
-      el('p', {class: 'note'}, 'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten times as far). ' +
-        'After a new model, policy, camera or wall the targets go on, and learning begins again.'));
+        el('label', {}, 'with seed ', this.seed),
+        el('label', {}, this.keep, ' keep changes'),
+        el(
+          'a',
+          {
+            href: 'scenario.xml',
+            id: 'save',
+            class: 'button',
+            download: `${this.data.scenario}-edited.xml`,
+          },
+          'save scenario',
+        ),
+      ),
+      el(
+        'p',
+        {class: 'note'},
+        'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten times as far). ' +
+          'After a new model, policy, camera or wall the targets go on, and learning begins again.',
+      ),
+    );
   }
 
   restart() {
-    this.send({command: 'restart', seed: Math.round(Number(this.seed.value)) || 0, keepCameras: this.keep.checked});
+    this.send({
+      command: 'restart',
+      seed: Math.round(Number(this.seed.value)) || 0,
+      keepCameras: this.keep.checked,
+    });
   }
 
   /** Has a command done; what is wrong with it is shown on the page. */
   async send(command) {
     try {
-      const answer = await fetch('command', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(command)});
+      const answer = await fetch('command', {
+        method: 'POST',
+        headers: {'Content-Type': 'application/json'},
+        body: JSON.stringify(command),
+      });
       this.tell(answer.ok ? '' : (await answer.text()).trim());
       return answer.ok;
     } catch {
@@ -102,7 +144,9 @@ class LiveView {
   setup({fresh, sides}) {
     if (fresh) {
       this.chooseAdded(sides[0].setup);
-      this.runs = sides.map(({setup, estimated, objective}) => new Run(setup, estimated, objective));
+      this.runs = sides.map(
+        ({setup, estimated, objective}) => new Run(setup, estimated, objective),
+      );
       this.playhead.count = 0;
       this.playhead.frame = 0;
     } else {
@@ -123,24 +167,53 @@ class LiveView {
     this.playhead.subscribe(frame => this.controls.show(frame));
     if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
     const edit = {
-      move: (camera, x, y) => this.move(camera, x, y), turn: (camera, heading) => this.turn(camera, heading), add: camera => this.add(camera),
-      hold: (camera, view) => this.hold(camera, view), held: camera => this.held.includes(camera),
+      move: (camera, x, y) => this.move(camera, x, y),
+      turn: (camera, heading) => this.turn(camera, heading),
+      add: camera => this.add(camera),
+      hold: (camera, view) => this.hold(camera, view),
+      held: camera => this.held.includes(camera),
       suggest: camera => this.suggest(camera),
-      wall: (...ends) => this.wall(...ends), remove: obstacle => this.remove(obstacle),
-      removeCamera: camera => this.removeNamed('camera', this.runs[0].setup.cameras[camera], {command: 'removecamera', camera}),
-      removeTarget: target => this.removeNamed('target', this.runs[0].setup.targets[target], {command: 'removetarget', target}),
+      wall: (...ends) => this.wall(...ends),
+      remove: obstacle => this.remove(obstacle),
+      removeCamera: camera =>
+        this.removeNamed('camera', this.runs[0].setup.cameras[camera], {
+          command: 'removecamera',
+          camera,
+        }),
+      removeTarget: target =>
+        this.removeNamed('target', this.runs[0].setup.targets[target], {
+          command: 'removetarget',
+          target,
+        }),
     };
     const ceiling = () => Math.max(...this.runs.map(run => run.highest));
-    this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, heat: figure => this.chooseHeat(figure), figures: this.data.figures, middle: pair ? null : this.controls.element}));
+    this.players = this.runs.map(
+      run =>
+        new Player(run, this.playhead, {
+          edit,
+          ceiling,
+          heat: figure => this.chooseHeat(figure),
+          figures: this.data.figures,
+          middle: pair ? null : this.controls.element,
+        }),
+    );
     this.selectTogether();
     this.showHeat(this.figure);
-    if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
+    if (fresh)
+      this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
     this.columns.forEach((column, i) => {
       column.querySelector('.player')?.remove();
       column.append(this.players[i].element);
     });
-    if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : 'single'}, ...this.columns));
-    if (at) this.place.querySelector(`.walls ${at.name ? `[name=${at.name}]` : `.${at.className}`}`)?.focus();
+    if (fresh)
+      this.place.replaceChildren(
+        pair ? this.controls.element : '',
+        el('div', {class: pair ? 'pair' : 'single'}, ...this.columns),
+      );
+    if (at)
+      this.place
+        .querySelector(`.walls ${at.name ? `[name=${at.name}]` : `.${at.className}`}`)
+        ?.focus();
     say(this.twice, pair ? 'one model only' : 'second model next to it');
     this.refresh();
   }
@@ -153,7 +226,8 @@ class LiveView {
 
   /** Has a simulation go on under another choice; where that is refused, the form says again what it runs under. */
   async choose(side, choice) {
-    if (!(await this.send({command: 'choose', side, ...choice}))) this.forms[side]?.show(this.runs[side].setup);
+    if (!(await this.send({command: 'choose', side, ...choice})))
+      this.forms[side]?.show(this.runs[side].setup);
   }
 
   /** A camera that is chosen in one simulation is chosen in the other. */
@@ -168,7 +242,8 @@ class LiveView {
   }
 
   push(steps) {
-    for (const {sides} of steps) sides.forEach(({frame, moves, score}, i) => this.runs[i].push(frame, moves, score));
+    for (const {sides} of steps)
+      sides.forEach(({frame, moves, score}, i) => this.runs[i].push(frame, moves, score));
     if (this.runs[0].count > MAX_FRAMES) this.runs.forEach(run => run.thin());
     this.refresh();
   }
@@ -189,7 +264,8 @@ class LiveView {
   async heat(sides) {
     const {players} = this;
     const maps = await Promise.all(sides.map(unpackHeat));
-    if (players === this.players && maps.length === players.length) maps.forEach((heat, i) => players[i].field.loadHeat(heat));
+    if (players === this.players && maps.length === players.length)
+      maps.forEach((heat, i) => players[i].field.loadHeat(heat));
   }
 
   /** Shows a figure of the heat map in all simulations, which find it out as long as somebody looks. */
@@ -207,7 +283,8 @@ class LiveView {
   tellThinned(run) {
     const every = run.count > 1 ? run.step[1] - run.step[0] : 1;
     this.thinned.hidden = every === 1;
-    if (every > 1) say(this.thinned, `${thinned(run, every)} of the first ones, and all of the last.`);
+    if (every > 1)
+      say(this.thinned, `${thinned(run, every)} of the first ones, and all of the last.`);
   }
 
   state(state) {
@@ -217,7 +294,9 @@ class LiveView {
     this.heated = Boolean(state.heat);
     this.players.forEach(player => player.agent.show(this.playhead.frame));
     this.shares.hidden = !state.shares;
-    const shares = (state.shares ?? []).map(({zone, met}) => `${decimals(100 * met, 1)} % of ${zone}`);
+    const shares = (state.shares ?? []).map(
+      ({zone, met}) => `${decimals(100 * met, 1)} % of ${zone}`,
+    );
     say(this.shares, `The cameras can see ${shares.join(', ')}`);
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.tell(state.fault);
@@ -279,26 +358,37 @@ class LiveView {
     const {x, y} = this.pose(camera);
     const {minX, maxX} = this.runs[0].setup.field;
     const apart = APART * this.nudge();
-    this.send({command: 'add', like: camera, ...this.inField(x + (x + apart > maxX && x - apart >= minX ? -apart : apart), y)});
+    this.send({
+      command: 'add',
+      like: camera,
+      ...this.inField(x + (x + apart > maxX && x - apart >= minX ? -apart : apart), y),
+    });
   }
 
   /** A camera more, or this one elsewhere, where it can see the most that others cannot. */
   async suggest(camera) {
     say(this.said, 'looking for a place');
-    const before = camera < 0 ? 'a camera more' : `camera ${this.runs[0].setup.cameras[camera].name}: moved`;
+    const before =
+      camera < 0 ? 'a camera more' : `camera ${this.runs[0].setup.cameras[camera].name}: moved`;
     say(this.said, (await this.send({command: 'suggest', camera})) ? before : '');
   }
 
   /** Has a camera stay in a view, or leaves it to the policy again with -1. */
   hold(camera, view) {
     const {name, pose} = this.runs[0].setup.cameras[camera];
-    say(this.said, view < 0 ? `camera ${name}: its views are left to the policy` : `camera ${name}: held at ${viewName(pose, view)}`);
+    say(
+      this.said,
+      view < 0
+        ? `camera ${name}: its views are left to the policy`
+        : `camera ${name}: held at ${viewName(pose, view)}`,
+    );
     this.send({command: 'hold', camera, view});
   }
 
   async wall(...ends) {
     const [x1, y1, x2, y2] = ends.map(tidy);
-    if (await this.send({command: 'wall', x1, y1, x2, y2})) say(this.said, `wall from (${x1}, ${y1}) to (${x2}, ${y2}) added`);
+    if (await this.send({command: 'wall', x1, y1, x2, y2}))
+      say(this.said, `wall from (${x1}, ${y1}) to (${x2}, ${y2}) added`);
   }
 
   async remove(obstacle) {
@@ -313,7 +403,12 @@ class LiveView {
   /** Ctrl+Z takes the last change back, with shift, or Ctrl+Y, it is made again. */
   keyedBack(event) {
     const key = event.key.toLowerCase();
-    if (!(event.ctrlKey || event.metaKey) || !'zy'.includes(key) || event.target.tagName === 'INPUT') return;
+    if (
+      !(event.ctrlKey || event.metaKey) ||
+      !'zy'.includes(key) ||
+      event.target.tagName === 'INPUT'
+    )
+      return;
     event.preventDefault();
     this.send({command: key === 'y' || event.shiftKey ? 'redo' : 'undo'});
   }
@@ -324,7 +419,10 @@ class LiveView {
     this.runs.forEach(run => run.preview(camera, change));
     this.players.forEach(player => player.show(this.playhead.frame));
     const {x, y, heading} = this.pose(camera);
-    say(this.said, `camera ${this.runs[0].setup.cameras[camera].name}: x ${decimals(x, 3)} m, y ${decimals(y, 3)} m, heading ${decimals(degrees(heading), 1)} degrees`);
+    say(
+      this.said,
+      `camera ${this.runs[0].setup.cameras[camera].name}: x ${decimals(x, 3)} m, y ${decimals(y, 3)} m, heading ${decimals(degrees(heading), 1)} degrees`,
+    );
   }
 
   /** The simulations get the latest of each kind for each camera, one command at a time. */
@@ -343,5 +441,7 @@ class LiveView {
 /** The mean score of the last steps that are known. */
 function meanScore(run) {
   const last = run.score.slice(-RECENT);
-  return last.length ? `${scoreText(last.reduce((sum, score) => sum + score, 0) / last.length, run.objective)}, the mean of the last ${last.length} steps` : '';
+  return last.length
+    ? `${scoreText(last.reduce((sum, score) => sum + score, 0) / last.length, run.objective)}, the mean of the last ${last.length} steps`
+    : '';
 }

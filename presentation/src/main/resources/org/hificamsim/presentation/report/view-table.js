@@ -1,7 +1,7 @@
 // The views of a camera that can turn: a row for each zoom level, a column for each pan angle and tilt.
-import { el, say } from './dom.js';
-import { decimals } from './numbers.js';
-import { directionName, viewName } from './views.js';
+import {el, say} from './dom.js';
+import {decimals} from './numbers.js';
+import {directionName, viewName} from './views.js';
 
 export class ViewTable {
   /**
@@ -10,11 +10,43 @@ export class ViewTable {
    */
   constructor(pose, hold) {
     const {levels, pans} = pose;
-    this.cells = pans.flatMap((pan, i) => levels.map((level, zoom) => cell(i * levels.length + zoom, viewName(pose, i * levels.length + zoom), hold)));
-    const rows = levels.map((level, zoom) => el('tr', {}, el('th', {scope: 'row'}, String(zoom)), ...pans.map((pan, i) => this.cells[i * levels.length + zoom].element)));
-    this.element = el('div', {class: 'views', tabindex: 0, role: 'group', 'aria-label': 'views: zoom levels by pan angles'}, el('table', {},
-      el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'level'), ...pans.map((pan, i) => el('th', {scope: 'col'}, directionName(pose, i))))),
-      el('tbody', {}, ...rows.reverse())));
+    this.cells = pans.flatMap((pan, i) =>
+      levels.map((level, zoom) =>
+        cell(i * levels.length + zoom, viewName(pose, i * levels.length + zoom), hold),
+      ),
+    );
+    const rows = levels.map((level, zoom) =>
+      el(
+        'tr',
+        {},
+        el('th', {scope: 'row'}, String(zoom)),
+        ...pans.map((pan, i) => this.cells[i * levels.length + zoom].element),
+      ),
+    );
+    this.element = el(
+      'div',
+      {
+        class: 'views',
+        tabindex: 0,
+        role: 'group',
+        'aria-label': 'views: zoom levels by pan angles',
+      },
+      el(
+        'table',
+        {},
+        el(
+          'thead',
+          {},
+          el(
+            'tr',
+            {},
+            el('th', {scope: 'col'}, 'level'),
+            ...pans.map((pan, i) => el('th', {scope: 'col'}, directionName(pose, i))),
+          ),
+        ),
+        el('tbody', {}, ...rows.reverse()),
+      ),
+    );
   }
 
   /**

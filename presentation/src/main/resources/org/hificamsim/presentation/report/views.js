@@ -1,6 +1,6 @@
 // What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls. Rhino runs this file too: see scene.js.
-import { signed } from './numbers.js';
-import { ZONES } from './palette.js';
+import {signed} from './numbers.js';
+import {ZONES} from './palette.js';
 
 /** How many views a camera in this pose can choose. */
 export const viewCount = ({levels, pans}) => levels.length * (pans?.length || 1);
@@ -13,21 +13,32 @@ export function viewOf(pose, view) {
   const level = pose.levels[zoom];
   const detected = level.detected.reduce((most, {to}) => Math.max(most, to), 0);
   return {
-    zoom, pan, level, x: pose.x, y: pose.y, visible: pose.visible, heading: pose.heading + pan,
-    viewingAngle: lens?.viewingAngle ?? pose.viewingAngle, density: lens?.density ?? 0,
+    zoom,
+    pan,
+    level,
+    x: pose.x,
+    y: pose.y,
+    visible: pose.visible,
+    heading: pose.heading + pan,
+    viewingAngle: lens?.viewingAngle ?? pose.viewingAngle,
+    density: lens?.density ?? 0,
     ground: pose.grounds?.[view % pose.grounds.length], // of a camera with a height
     reach: lens && detected ? detected : level.radius, // a lens reaches as far as it detects
   };
 }
 
-const tiltName = radians => signed(Math.abs(radians)).replace('+', '') + (radians < 0 ? ' up' : ' down');
+const tiltName = radians =>
+  signed(Math.abs(radians)).replace('+', '') + (radians < 0 ? ' up' : ' down');
 
 /** The i-th direction of a camera in words; empty where it has one alone. */
-export const directionName = ({pans, tilts}, i) => [pans && signed(pans[i]), tilts && tiltName(tilts[i])].filter(Boolean).join(', ');
+export const directionName = ({pans, tilts}, i) =>
+  [pans && signed(pans[i]), tilts && tiltName(tilts[i])].filter(Boolean).join(', ');
 
 /** A view in words. */
 export const viewName = (pose, view) =>
-  [`level ${view % pose.levels.length}`, directionName(pose, Math.floor(view / pose.levels.length))].filter(Boolean).join(', ');
+  [`level ${view % pose.levels.length}`, directionName(pose, Math.floor(view / pose.levels.length))]
+    .filter(Boolean)
+    .join(', ');
 
 /** Where a camera of a run is in a frame. */
 export function poseAt({poses, step}, camera, frame) {
@@ -67,16 +78,17 @@ export function band(path, map, view, from, to) {
 
 /** Adds corners, x and y in turn in metres, to the path as a ring. */
 export function ring(path, map, corners) {
-  for (let i = 0; i < corners.length; i += 2) path[i ? 'lineTo' : 'moveTo'](map.x(corners[i]), map.y(corners[i + 1]));
+  for (let i = 0; i < corners.length; i += 2)
+    path[i ? 'lineTo' : 'moveTo'](map.x(corners[i]), map.y(corners[i + 1]));
   path.closePath();
 }
 
 /** The corners of what a view has of the ground, x and y in turn in metres. */
 function trapezoid({x, y, heading, ground}) {
   const [sine, cosine] = [Math.sin(heading), Math.cos(heading)];
-  return ground.map((metres, i) => (i % 2
-    ? y + metres * cosine - ground[i - 1] * sine
-    : x + metres * cosine + ground[i + 1] * sine));
+  return ground.map((metres, i) =>
+    i % 2 ? y + metres * cosine - ground[i - 1] * sine : x + metres * cosine + ground[i + 1] * sine,
+  );
 }
 
 /** Draws where nothing solid is between the camera and what is drawn, and where its picture has the ground. */
@@ -118,4 +130,5 @@ export function densityAt(view, x, y) {
 }
 
 /** What may be done at a density. */
-export const zoneAt = density => ZONES.find(({least}) => density >= least)?.name ?? 'less than overview';
+export const zoneAt = density =>
+  ZONES.find(({least}) => density >= least)?.name ?? 'less than overview';

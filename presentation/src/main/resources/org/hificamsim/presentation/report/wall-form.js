@@ -1,7 +1,7 @@
 // Walls, to be drawn with the mouse or typed, and taken away.
-import { el } from './dom.js';
-import { located } from './site.js';
-import { decimals } from './numbers.js';
+import {el} from './dom.js';
+import {located} from './site.js';
+import {decimals} from './numbers.js';
 
 const ENDS = ['x1', 'y1', 'x2', 'y2'];
 
@@ -11,14 +11,50 @@ export class WallForm {
    */
   constructor({obstacles = []}, edit) {
     this.edit = edit;
-    this.inputs = ENDS.map(name => el('input', {type: 'number', step: 'any', name, required: true}));
-    this.draw = el('button', {type: 'button', class: 'draw', 'aria-pressed': 'false', onclick: () => this.setDrawing(this.draw.getAttribute('aria-pressed') !== 'true')},
-      'draw with the mouse');
-    this.list = el('select', {name: 'obstacle', 'aria-label': 'obstacle to remove'}, ...obstacles.map((one, i) => el('option', {value: i}, located(one))));
-    const add = el('form', {onsubmit: event => this.add(event)}, ...this.inputs.map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
-      el('button', {class: 'add-wall'}, 'add a wall'));
-    const rest = obstacles.length ? el('p', {}, this.list, el('button', {type: 'button', class: 'remove', onclick: () => edit.remove(Number(this.list.value))}, 'remove')) : null;
-    this.element = el('details', {class: 'pose walls', open: obstacles.length > 0}, el('summary', {}, 'walls'), this.draw, add, rest);
+    this.inputs = ENDS.map(name =>
+      el('input', {type: 'number', step: 'any', name, required: true}),
+    );
+    this.draw = el(
+      'button',
+      {
+        type: 'button',
+        class: 'draw',
+        'aria-pressed': 'false',
+        onclick: () => this.setDrawing(this.draw.getAttribute('aria-pressed') !== 'true'),
+      },
+      'draw with the mouse',
+    );
+    this.list = el(
+      'select',
+      {name: 'obstacle', 'aria-label': 'obstacle to remove'},
+      ...obstacles.map((one, i) => el('option', {value: i}, located(one))),
+    );
+    const add = el(
+      'form',
+      {onsubmit: event => this.add(event)},
+      ...this.inputs.map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
+      el('button', {class: 'add-wall'}, 'add a wall'),
+    );
+    const rest = obstacles.length
+      ? el(
+          'p',
+          {},
+          this.list,
+          el(
+            'button',
+            {type: 'button', class: 'remove', onclick: () => edit.remove(Number(this.list.value))},
+            'remove',
+          ),
+        )
+      : null;
+    this.element = el(
+      'details',
+      {class: 'pose walls', open: obstacles.length > 0},
+      el('summary', {}, 'walls'),
+      this.draw,
+      add,
+      rest,
+    );
   }
 
   setDrawing(on) {
