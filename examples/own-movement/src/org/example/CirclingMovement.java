@@ -1,6 +1,6 @@
 package org.example;
 
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.RandomStreams;
 import org.hificamsim.core.world.Targets;

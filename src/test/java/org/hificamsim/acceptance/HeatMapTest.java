@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.scenario.Zone;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;

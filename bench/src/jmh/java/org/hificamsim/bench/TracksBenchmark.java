@@ -12,7 +12,7 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.core.scenario.TrackWriter;
+import org.hificamsim.core.scenario.file.TrackWriter;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.generate.RandomField;

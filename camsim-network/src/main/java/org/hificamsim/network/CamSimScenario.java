@@ -8,12 +8,12 @@ import java.util.function.Predicate;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Headings;
+import org.hificamsim.core.scenario.spec.StepOrder;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /** Reads a scenario file as CamSim would: its order of a step, its ranges, its movements. */
 public final class CamSimScenario {

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.hificamsim.core.scenario.VisionGraph;
+import org.hificamsim.core.scenario.spec.VisionGraph;
 
 /** The links that a scenario's vision graph gives cameras to start with (behaviour 3.6). */
 final class InitialLinks {

@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.hificamsim.core.scenario.AgentCheck;
+import org.hificamsim.core.scenario.spec.AgentCheck;
 import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;

@@ -1,9 +1,9 @@
 package org.hificamsim.network;
 
 import java.util.Optional;
-import org.hificamsim.core.scenario.AgentCheck.Fault;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.AgentCheck.Fault;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.agent.ScheduleKind;

@@ -2,10 +2,10 @@ package org.hificamsim.network;
 
 import java.util.List;
 import java.util.stream.Stream;
-import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * A scenario as CamSim itself reads it: who follows a track is an object that comes and goes by

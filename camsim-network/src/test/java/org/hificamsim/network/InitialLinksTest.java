@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.hificamsim.core.scenario.VisionGraph;
+import org.hificamsim.core.scenario.spec.VisionGraph;
 import org.junit.jupiter.api.Test;
 
 /** The links of a scenario's vision graph. */

@@ -14,7 +14,7 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.WidestPolicy;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
+import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 

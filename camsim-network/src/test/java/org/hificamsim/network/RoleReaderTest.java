@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.network.RoleReader.CameraRole;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.ScheduleKind;

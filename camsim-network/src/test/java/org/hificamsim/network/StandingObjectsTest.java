@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.junit.jupiter.api.Test;
 
 /** Scenarios that are written for CamSim: the ranges of their cameras. */

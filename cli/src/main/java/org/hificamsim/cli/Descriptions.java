@@ -4,8 +4,8 @@ import java.util.List;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /** One-line descriptions for people. */
 final class Descriptions {

@@ -12,7 +12,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
 
 /**

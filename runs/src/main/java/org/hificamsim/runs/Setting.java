@@ -10,10 +10,10 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.Property;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.declaration.Property;
+import org.hificamsim.core.scenario.spec.Headings;
+import org.hificamsim.core.scenario.spec.StepOrder;
 
 /**
  * The settings of a run, in the order of files. A setting is declared here alone: its form and

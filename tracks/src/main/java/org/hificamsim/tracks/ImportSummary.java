@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.RecordedTarget.Sample;
 
 /** What an import found: extent in time and place, speeds, gaps, and what is odd. */

@@ -5,7 +5,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.scenario.Extent;
+import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.tracks.format.TrackSample;
 
 /**

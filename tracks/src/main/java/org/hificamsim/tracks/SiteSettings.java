@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.scenario.Floorplan;
+import org.hificamsim.core.scenario.spec.Floorplan;
 
 /**
  * Settings of an imported scenario: name, field, walls, floor plan, cameras.

@@ -2,7 +2,7 @@ package org.hificamsim.tracks;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.hificamsim.core.scenario.Extent;
+import org.hificamsim.core.scenario.spec.Extent;
 
 /**
  * What becomes of the samples of a recording.

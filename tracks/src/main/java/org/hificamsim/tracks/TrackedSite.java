@@ -4,10 +4,10 @@ import java.util.regex.Matcher;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.tracks.place.DraftCameras;
 
 /** The scenario around imported tracks: field, cameras as a first draft, walls, floor plan. */

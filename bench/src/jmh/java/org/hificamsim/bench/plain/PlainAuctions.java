@@ -3,10 +3,10 @@ package org.hificamsim.bench.plain;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * CamSim's step (behaviour 7) as a loop over objects: move, observe, advertise, look, settle. It

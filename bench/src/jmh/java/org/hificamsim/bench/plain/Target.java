@@ -1,7 +1,7 @@
 package org.hificamsim.bench.plain;
 
 import java.util.Random;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /** A target that goes straight and turns about at the field's edge. */
 final class Target {

@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 
 /**
  * A camera of CamSim's that owns targets and sells them: it advertises to all others what it is

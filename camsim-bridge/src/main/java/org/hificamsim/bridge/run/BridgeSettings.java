@@ -12,8 +12,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.OpticsSpec;
-import org.hificamsim.core.scenario.Track;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.track.Track;
 import org.hificamsim.runs.output.Detail;
 
 /**

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.world.ViewSet;
 
 /**

@@ -5,7 +5,7 @@ import org.hificamsim.bridge.camsim.Aim;
 import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.ViewSet;
 

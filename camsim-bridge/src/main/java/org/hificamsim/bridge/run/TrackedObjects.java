@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.bridge.camsim.CamSim;
-import org.hificamsim.core.scenario.Track;
-import org.hificamsim.core.scenario.TrackWalk;
+import org.hificamsim.core.scenario.track.Track;
+import org.hificamsim.core.scenario.track.TrackWalk;
 
 /** CamSim's objects, where their tracks have them. */
 final class TrackedObjects {

@@ -8,7 +8,7 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.world.World;
 
 /**

@@ -8,7 +8,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.visibility.Body;
 
 /**
@@ -73,7 +73,7 @@ public interface NetworkView extends CoveredTargets, Stations {
 
   /**
    * The view through which the camera sees: the one it chose unless it is still on its way, see
-   * {@link org.hificamsim.core.scenario.Moving}; -1 while it sees nothing.
+   * {@link org.hificamsim.core.scenario.spec.Moving}; -1 while it sees nothing.
    */
   default int seeing(int camera) {
     return view(camera);

@@ -15,6 +15,27 @@ import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.declaration.Element;
+import org.hificamsim.core.scenario.declaration.Property;
+import org.hificamsim.core.scenario.declaration.Range;
+import org.hificamsim.core.scenario.declaration.Spec;
+import org.hificamsim.core.scenario.declaration.Type;
+import org.hificamsim.core.scenario.file.TracksReader;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.EventHead;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Floorplan;
+import org.hificamsim.core.scenario.spec.Foreshortening;
+import org.hificamsim.core.scenario.spec.Headings;
+import org.hificamsim.core.scenario.spec.ObstacleElements;
+import org.hificamsim.core.scenario.spec.Occlusion;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.StepOrder;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.VisionGraph;
+import org.hificamsim.core.scenario.spec.Waypoint;
+import org.hificamsim.core.scenario.spec.Zone;
 
 /** A scenario: the field and what stands in it, cameras, targets, and what happens when. */
 public final class Scenario extends Spec<Scenario> {
@@ -195,7 +216,7 @@ shows, m (ours) | the field's borders
             Waypoint.ELEMENT,
             TracksReader.ELEMENT,
             EVENTS_HOLDER,
-            EventReader.ELEMENT,
+            EventHead.ELEMENT,
             VisionGraph.ELEMENT,
             VisionGraph.NODE,
             VisionGraph.NEIGHBOUR));

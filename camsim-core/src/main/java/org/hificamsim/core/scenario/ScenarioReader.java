@@ -17,6 +17,31 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.declaration.Element;
+import org.hificamsim.core.scenario.declaration.Property;
+import org.hificamsim.core.scenario.declaration.Type;
+import org.hificamsim.core.scenario.file.Attributes;
+import org.hificamsim.core.scenario.file.CameraReader;
+import org.hificamsim.core.scenario.file.Clearing;
+import org.hificamsim.core.scenario.file.EventReader;
+import org.hificamsim.core.scenario.file.EventStory;
+import org.hificamsim.core.scenario.file.Faults;
+import org.hificamsim.core.scenario.file.OpticsReader;
+import org.hificamsim.core.scenario.file.TargetReader;
+import org.hificamsim.core.scenario.file.TracksReader;
+import org.hificamsim.core.scenario.spec.AgentCheck;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.EventHead;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.ObstacleElements;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.StepOrder;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.VisionGraph;
+import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.core.scenario.xml.XmlElement;
+import org.hificamsim.core.scenario.xml.XmlParser;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -299,7 +324,7 @@ public final class ScenarioReader {
     List<EventStory.Told> story =
         new ArrayList<>(
             faults.each(
-                all(EventReader.ELEMENT), xml -> new EventStory.Told(eventReader.event(xml), xml)));
+                all(EventHead.ELEMENT), xml -> new EventStory.Told(eventReader.event(xml), xml)));
     story.addAll(tracks(scenario));
     if (faults.none()) { // else who is missing in the story may be one of those with a fault
       new EventStory(story, cameras, targets, clearing).check(faults);

@@ -8,7 +8,24 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
+import org.hificamsim.core.scenario.declaration.Element;
+import org.hificamsim.core.scenario.declaration.Spec;
+import org.hificamsim.core.scenario.declaration.Type;
+import org.hificamsim.core.scenario.file.TrackWriter;
+import org.hificamsim.core.scenario.file.TracksReader;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.EventHead;
+import org.hificamsim.core.scenario.spec.EventKind;
+import org.hificamsim.core.scenario.spec.ObstacleElements;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.ScenarioEvent.AddTarget;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.VisionGraph;
+import org.hificamsim.core.scenario.spec.Waypoint;
+import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.core.scenario.track.Track;
+import org.hificamsim.core.scenario.xml.XmlWriter;
 
 /**
  * Writes scenarios as XML that {@link ScenarioReader} reads back as an equal scenario; comments and
@@ -114,7 +131,7 @@ public final class ScenarioWriter {
   private List<ScenarioEvent> eventsWithoutTracks() {
     Set<ScenarioEvent> removals =
         tracked.stream()
-            .map(add -> track(add).removal(add.target().features()))
+            .map(add -> TracksReader.removal(track(add), add.target().features()))
             .collect(Collectors.toSet());
     return scenario.events().stream()
         .filter(event -> !(event instanceof AddTarget add && isTracked(add)))
@@ -159,7 +176,7 @@ public final class ScenarioWriter {
             .findFirst()
             .orElseThrow();
     List<Waypoint> path = event instanceof AddTarget add ? add.target().waypoints() : List.of();
-    withWaypoints(EventReader.ELEMENT.name(), kind.written(event), path);
+    withWaypoints(EventHead.ELEMENT.name(), kind.written(event), path);
   }
 
   private void visionGraph(VisionGraph graph) {

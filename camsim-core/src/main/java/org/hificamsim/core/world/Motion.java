@@ -1,6 +1,6 @@
 package org.hificamsim.core.world;
 
-import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.spec.Moving;
 
 /**
  * Where cameras are on their way from view to view: turning and zooming begin together and take

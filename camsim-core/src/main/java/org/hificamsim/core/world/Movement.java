@@ -1,6 +1,6 @@
 package org.hificamsim.core.world;
 
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * Moves one target, step by step: an extension point, found by {@link #name} through a scenario's

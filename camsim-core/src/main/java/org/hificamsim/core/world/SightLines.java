@@ -3,9 +3,9 @@ package org.hificamsim.core.world;
 import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
-import org.hificamsim.core.scenario.Foreshortening;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Foreshortening;
+import org.hificamsim.core.scenario.spec.Occlusion;
 
 /**
  * What stands between cameras and targets: obstacles, seen from where each camera stands, and other

@@ -4,9 +4,9 @@ import java.util.Random;
 import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.TargetOcclusion;
-import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.StepOrder;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.visibility.Body;
 
 /**

@@ -5,9 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.Moving;
+import org.hificamsim.core.scenario.spec.OpticsLaw;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 
 /**
  * The views of a kind of camera: each of its zoom levels at each of its tilts at each of its pan

@@ -12,9 +12,9 @@ import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
-import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.ScenarioEvent.AddTarget;
+import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.api.Test;
 
 /** Equal arguments give equal runs, in everything that can be observed. */

@@ -11,7 +11,7 @@ import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;

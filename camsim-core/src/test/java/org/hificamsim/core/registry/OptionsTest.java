@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.List;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.spec.Headings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -7,6 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hificamsim.core.scenario.declaration.Element;
+import org.hificamsim.core.scenario.spec.EventKind;
+import org.hificamsim.core.scenario.spec.ObstacleElements;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
 
 /**
  * What people and editors read about scenario files, from what the reader declares: the schema, and

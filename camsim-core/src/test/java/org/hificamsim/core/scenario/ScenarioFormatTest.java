@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.hificamsim.core.scenario.declaration.Element;
 import org.junit.jupiter.api.Test;
 
 /** The schema is that of the declarations. */

@@ -8,6 +8,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hificamsim.core.scenario.declaration.Element;
+import org.hificamsim.core.scenario.declaration.Property;
+import org.hificamsim.core.scenario.spec.EventHead;
+import org.hificamsim.core.scenario.spec.EventKind;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
 
 /** The schema of scenario files, which lets an editor complete and check them. */
 final class ScenarioSchema {
@@ -105,7 +110,7 @@ final class ScenarioSchema {
 
   private void attributes(Element<?> element) {
     AttributeDoc.all(element).forEach(row -> attributes(row, row.isRequired()));
-    if (element == EventReader.ELEMENT) {
+    if (element == EventHead.ELEMENT) {
       ofEvents();
     }
   }

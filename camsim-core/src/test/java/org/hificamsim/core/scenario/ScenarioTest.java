@@ -6,6 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Headings;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.api.Test;
 
 /** A scenario changed in one thing is the same in all others. */

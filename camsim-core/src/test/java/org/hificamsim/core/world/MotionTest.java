@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.Moving;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
 /** Moves that take time: three pan angles, -60, 0 and 60 degrees, each with levels 0 to 2. */

@@ -6,9 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
+import org.hificamsim.core.scenario.spec.Occlusion;
+import org.hificamsim.core.scenario.spec.ScenarioEvent.ChangeCamera;
 import org.junit.jupiter.api.Test;
 
 class SightLinesTest {

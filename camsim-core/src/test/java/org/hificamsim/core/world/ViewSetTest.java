@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.OpticsLaw;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.OpticsLaw;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
 /** The views that optics make. */

@@ -2,7 +2,7 @@ package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;

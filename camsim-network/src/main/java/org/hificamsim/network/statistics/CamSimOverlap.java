@@ -1,6 +1,6 @@
 package org.hificamsim.network.statistics;
 
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /**
  * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments, opening angles

@@ -1,6 +1,6 @@
 package org.hificamsim.agents.cooperative;
 
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /** A field cut into equal square cells, numbered row by row. */
 record Grid(double minX, double minY, double side, int columns, int rows) {

@@ -1,7 +1,7 @@
 package org.hificamsim.placement.output;
 
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.SitePlan.Reached;
 import org.hificamsim.runs.output.Table;

@@ -9,10 +9,10 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.parallel.Parallel;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsLaw;
-import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsLaw;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 
 /**
  * Cameras that could be mounted, with the samples that each covers: every kind at every place in

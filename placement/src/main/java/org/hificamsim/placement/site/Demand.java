@@ -13,8 +13,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.scenario.Zone;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**

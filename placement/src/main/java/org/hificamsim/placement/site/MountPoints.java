@@ -7,9 +7,9 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.Zone;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 

@@ -12,8 +12,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.parallel.Parallel;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.placement.site.Candidates.Candidate;
 
 /**

@@ -10,10 +10,10 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.policy.OracleView;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Occlusion;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
 
 /**

@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.Frame;

@@ -2,7 +2,7 @@ package org.hificamsim.presentation.replay;
 
 import java.util.Arrays;
 import org.hificamsim.core.policy.BeliefListener;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /**
  * What a camera believes, as the numbers of a {@link Frame}: for each target x, y, weight and

@@ -22,8 +22,8 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Io;
-import org.hificamsim.core.scenario.Floorplan;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Floorplan;
 
 /** Reads the floorplan that a scenario names, and makes it small enough for a page. */
 public final class FloorPictures {

@@ -10,7 +10,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;

@@ -1,6 +1,6 @@
 package org.hificamsim.presentation.replay;
 
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /**
  * Numbers as whole multiples of a power of ten, so that they are few bytes and decimals stay exact.

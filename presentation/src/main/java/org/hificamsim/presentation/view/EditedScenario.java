@@ -12,13 +12,13 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Property;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.scenario.Waypoint;
+import org.hificamsim.core.scenario.declaration.Property;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Waypoint;
 
 /** A scenario that has been changed since it was read, with what undo and redo need. */
 final class EditedScenario {

@@ -3,8 +3,8 @@ package org.hificamsim.presentation.view;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 
 /** Says how much of a site its cameras could see, and where one would see more. */
 public interface Planner {

@@ -3,7 +3,7 @@ package org.hificamsim.presentation.picture;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Setup;
 

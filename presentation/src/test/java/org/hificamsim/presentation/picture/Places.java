@@ -2,7 +2,7 @@ package org.hificamsim.presentation.picture;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /** Where metres of a field are in a picture of one pixel a point. */
 record Places(Field field) {

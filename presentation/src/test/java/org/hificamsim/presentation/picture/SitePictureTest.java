@@ -15,7 +15,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import javax.imageio.ImageIO;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.CameraPose.Interval;

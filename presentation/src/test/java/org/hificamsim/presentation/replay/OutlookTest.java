@@ -16,7 +16,7 @@ import net.jqwik.api.Property;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 import org.junit.jupiter.api.Test;
 
 class OutlookTest {

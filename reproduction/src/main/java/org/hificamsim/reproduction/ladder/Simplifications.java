@@ -3,12 +3,12 @@ package org.hificamsim.reproduction.ladder;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Occlusion;
-import org.hificamsim.core.scenario.OpticsLaw;
-import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Occlusion;
+import org.hificamsim.core.scenario.spec.OpticsLaw;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * Simplified scenarios. Each method removes what the one above it removes, and one thing more; the

@@ -5,9 +5,9 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.scenario.Waypoint;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.hifi.optics.Optics;
 
 /** A scenario with other targets or other optics, under a name that tells what is changed. */

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.hifi.model.PublishedModels;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;

@@ -9,7 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
-import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 

@@ -8,13 +8,13 @@ import java.util.function.UnaryOperator;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.scenario.Track;
-import org.hificamsim.core.scenario.Waypoint;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.ScenarioEvent;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Waypoint;
+import org.hificamsim.core.scenario.track.Track;
 
 /**
  * How a site is drawn anew by a seed: in a mirror or not, with smaller obstacles, cameras
@@ -204,6 +204,11 @@ record SiteLayout(
               site.obstacles().stream().map(one -> moved(one, 1, this::of)).toList())
           .withCameras(this::of)
           .withTargets(this::of);
+    }
+
+    Point of(Point point) {
+      Waypoint place = of(new Waypoint(point.x(), point.y()));
+      return new Point(place.x(), place.y());
     }
 
     Waypoint of(Waypoint place) {

@@ -1,6 +1,6 @@
 package org.hificamsim.runs.cells;
 
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /**
  * A field cut into equal cells that are as square as the field allows, numbered from its lower left

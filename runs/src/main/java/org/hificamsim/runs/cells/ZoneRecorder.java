@@ -10,7 +10,7 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.Zone;
+import org.hificamsim.core.scenario.spec.Zone;
 
 /**
  * How much of a scenario's zones is seen as they ask, over the steps of a run: of the free cells,

@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 

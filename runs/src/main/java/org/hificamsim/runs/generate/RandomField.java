@@ -3,11 +3,11 @@ package org.hificamsim.runs.generate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.StepOrder;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * Cameras and targets at random places of a field, with the zoom levels of the thesis and, unless

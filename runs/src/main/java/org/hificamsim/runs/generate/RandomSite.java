@@ -9,13 +9,13 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacle.Wall;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.DraftOptics;
-import org.hificamsim.core.scenario.Extent;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.DraftOptics;
+import org.hificamsim.core.scenario.spec.Extent;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.StepOrder;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * A site made at random: cameras with lenses, three in four of which pan, people who walk from one

@@ -1,7 +1,7 @@
 package org.hificamsim.runs.output;
 
-import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 
 /** How much a run's folder says of each step. */
 public enum Detail {

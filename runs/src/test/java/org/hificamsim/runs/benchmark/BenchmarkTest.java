@@ -14,7 +14,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
@@ -60,7 +60,8 @@ class BenchmarkTest {
         task.digest(
             site.withCameras(
                 camera ->
-                    camera.with(org.hificamsim.core.scenario.CameraSpec.X, camera.x() + 1e-9))));
+                    camera.with(
+                        org.hificamsim.core.scenario.spec.CameraSpec.X, camera.x() + 1e-9))));
   }
 
   /** The engine still scores as it did when the scale was computed. */

@@ -16,7 +16,7 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.RandomStreams;
 import org.hificamsim.core.world.Targets;

@@ -5,9 +5,9 @@ import java.util.List;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.DraftOptics;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.DraftOptics;
+import org.hificamsim.core.scenario.spec.Field;
 
 /**
  * Cameras as a first draft: domes evenly along the border of the field, from its lower left corner,

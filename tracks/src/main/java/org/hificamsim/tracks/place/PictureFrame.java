@@ -8,7 +8,7 @@ import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
-import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.spec.Field;
 
 /**
  * Where a drawing or a picture lies on the ground.

@@ -1,7 +1,7 @@
 package org.hificamsim.core.world.movement;
 
-import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.RandomStreams;
 import org.hificamsim.core.world.Targets;

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -1,9 +1,0 @@
-package org.hificamsim.core.scenario;
-
-/** What hides a target besides obstacles. */
-public enum Occlusion {
-  /** Nothing. */
-  NONE,
-  /** Other targets: a disc as wide as the target, between it and the camera. */
-  TARGETS
-}

@@ -1,0 +1,50 @@
+package org.hificamsim.core.scenario.file;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.spec.Waypoint;
+import org.hificamsim.core.scenario.xml.XmlElement;
+
+/** Says where cameras and targets may stand: in no solid obstacle, nor on its border. */
+public final class Clearing {
+  private final Obstacles obstacles;
+
+  public Clearing(List<Obstacle> obstacles) {
+    this.obstacles = new Obstacles(obstacles);
+  }
+
+  /** The same for a camera: one with a height may be above or below an obstacle. */
+  void requireFree(XmlElement element, double x, double y, OptionalDouble z) {
+    require(element, x, y, obstacles.containing(x, y, z.orElse(0)).isPresent());
+  }
+
+  /** An error at the attribute {@code x} for what stands in an obstacle. */
+  void requireFree(XmlElement element, double x, double y) {
+    require(element, x, y, obstacles.containing(x, y).isPresent());
+  }
+
+  private static void require(XmlElement element, double x, double y, boolean inside) {
+    if (inside) {
+      throw element.invalid(
+          "x", "a place off all obstacles; (" + x + ", " + y + ") is in or on a solid one");
+    }
+  }
+
+  /** A warning where the way around the waypoints leads through an obstacle. */
+  void warnOfPath(XmlElement element, List<Waypoint> path) {
+    for (int i = 0; i < path.size(); i++) {
+      Waypoint from = path.get(i);
+      Waypoint to = path.get((i + 1) % path.size());
+      if (!obstacles.clear(from.x(), from.y(), to.x(), to.y())) {
+        element.warn(
+            Texts.format(
+                "the way from (%s, %s) to (%s, %s) leads through a solid obstacle",
+                from.x(), from.y(), to.x(), to.y()));
+        return;
+      }
+    }
+  }
+}

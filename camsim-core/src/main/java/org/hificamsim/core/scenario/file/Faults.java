@@ -1,0 +1,66 @@
+package org.hificamsim.core.scenario.file;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.xml.XmlElement;
+
+/**
+ * What becomes of the faults of a scenario file: the first is thrown, or each is reported and
+ * reading goes on with the next element.
+ */
+public final class Faults {
+  private final Consumer<InputException> report;
+  private boolean none = true;
+
+  private Faults(Consumer<InputException> report) {
+    this.report = report;
+  }
+
+  public static Faults thrown() {
+    return new Faults(
+        fault -> {
+          throw fault;
+        });
+  }
+
+  public static Faults reported(Consumer<InputException> report) {
+    return new Faults(report);
+  }
+
+  /** Whether there has been no fault. */
+  public boolean none() {
+    return none;
+  }
+
+  /** A part of the file; what stands in for it where it has a fault. */
+  public <T> T or(T substitute, Supplier<T> part) {
+    try {
+      return part.get();
+    } catch (InputException fault) {
+      none = false;
+      report.accept(fault);
+      return substitute;
+    }
+  }
+
+  /** Does something that may find a fault. */
+  public void check(Runnable check) {
+    or(
+        none,
+        () -> {
+          check.run();
+          return none;
+        });
+  }
+
+  /** What is made of the elements that have no fault. */
+  public <T> List<T> each(List<XmlElement> elements, Function<XmlElement, T> reader) {
+    List<T> read = new ArrayList<>();
+    elements.forEach(one -> check(() -> read.add(reader.apply(one))));
+    return read;
+  }
+}

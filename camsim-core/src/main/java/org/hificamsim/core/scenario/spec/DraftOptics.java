@@ -1,0 +1,55 @@
+package org.hificamsim.core.scenario.spec;
+
+import java.util.Collections;
+import java.util.List;
+
+/** Usual lenses, and cameras with them that a program places. */
+public final class DraftOptics {
+  /** A camera that pans, from 60 to 6 degrees. */
+  public static final OpticsSpec DOME =
+      new OpticsSpec("dome")
+          .with(OpticsSpec.PIXELS, 1920)
+          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(6.0, 11.0, 20.0, 35.0, 60.0))
+          .with(OpticsSpec.PANS, List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0))
+          .with(OpticsSpec.PAN_SPEED, 100)
+          .with(OpticsSpec.ZOOM_TIME, 3);
+
+  /** A camera that looks one way, from 105 to 33 degrees. */
+  public static final OpticsSpec BULLET =
+      new OpticsSpec("bullet")
+          .with(OpticsSpec.PIXELS, 3840)
+          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(33.0, 50.0, 74.0, 105.0))
+          .with(OpticsSpec.ZOOM_TIME, 3);
+
+  private DraftOptics() {}
+
+  /** How high a camera hangs where obstacles have heights, metres. */
+  private static final double USUAL_HEIGHT = 3;
+
+  /** Tilts off that of the widest level, degrees: one for the narrower levels, which see far. */
+  private static final List<Double> TILTS = List.of(-16.0, 0.0);
+
+  /**
+   * The same camera at a usual height, tilted so that the upper edge of its widest picture is on
+   * the ground at a distance.
+   *
+   * @param far metres, above 0
+   */
+  public static CameraSpec hung(CameraSpec camera, double far) {
+    OpticsSpec optics = camera.get(CameraSpec.OPTICS).with(OpticsSpec.TILTS, TILTS);
+    double horizon = Math.toDegrees(Math.atan2(USUAL_HEIGHT, far));
+    return camera
+        .with(CameraSpec.OPTICS, optics)
+        .with(CameraSpec.Z, USUAL_HEIGHT)
+        .with(CameraSpec.TILT, Math.rint(horizon + Collections.max(optics.verticalAngles()) / 2));
+  }
+
+  /** A camera at a place, metres, that looks at another. */
+  public static CameraSpec camera(
+      String name, OpticsSpec optics, double x, double y, double atX, double atY) {
+    return new CameraSpec(name, x, y, 0)
+        .with(CameraSpec.HEADING, Math.rint(Math.toDegrees(Math.atan2(atX - x, atY - y))))
+        .with(CameraSpec.VIEWING_ANGLE, Collections.max(optics.anglesOfView()))
+        .with(CameraSpec.OPTICS, optics);
+  }
+}

@@ -1,0 +1,65 @@
+package org.hificamsim.core.scenario.spec;
+
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * What ties the opening angle of a camera's view to how far it reaches. A law declares all that
+ * sets it apart: readers, worlds and commands ask it, and none of them knows a law by its name.
+ */
+public enum OpticsLaw {
+  /**
+   * The camera's own opening angle at every level, and the radii of the zoom list, or its range.
+   */
+  ROUND(0, false) {
+    @Override
+    public List<Double> radii(List<Double> angles, double reach) {
+      return List.of();
+    }
+  },
+  /** The sector's area is the same at every level: reach times sqrt(narrowest angle / angle). */
+  CONSTANT_AREA(180, true) {
+    @Override
+    public List<Double> radii(List<Double> angles, double reach) {
+      return angles.stream().map(angle -> reach * Math.sqrt(angles.get(0) / angle)).toList();
+    }
+  },
+  /** A lens: it reaches as far as the detection model does, or as the optics say. */
+  PINHOLE(Math.nextDown(180.0), false) {
+    @Override
+    public List<Double> radii(List<Double> angles, double reach) {
+      return Collections.nCopies(angles.size(), reach);
+    }
+  };
+
+  private final double widest;
+  private final boolean needsReach;
+
+  OpticsLaw(double widest, boolean needsReach) {
+    this.widest = widest;
+    this.needsReach = needsReach;
+  }
+
+  /** Whether each level has an angle of view of its own, as lenses have. */
+  public boolean hasAngles() {
+    return widest > 0;
+  }
+
+  /** The widest angle of view that a level may have, degrees; 0 where levels have none. */
+  public double widest() {
+    return widest;
+  }
+
+  /** Whether scenario files have to say how far such optics reach. */
+  public boolean needsReach() {
+    return needsReach;
+  }
+
+  /**
+   * How far each level reaches, metres.
+   *
+   * @param angles of view, degrees, from the narrowest
+   * @param reach of the optics, metres
+   */
+  public abstract List<Double> radii(List<Double> angles, double reach);
+}

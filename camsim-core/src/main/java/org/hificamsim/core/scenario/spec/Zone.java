@@ -1,0 +1,126 @@
+package org.hificamsim.core.scenario.spec;
+
+import java.awt.geom.Line2D;
+import java.util.List;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.declaration.Element;
+import org.hificamsim.core.scenario.declaration.Range;
+import org.hificamsim.core.scenario.declaration.Type;
+
+/**
+ * A part of the field where something is demanded of the cameras.
+ *
+ * @param points metres; two opposite corners of a rectangle, the corners of a polygon, the points
+ *     along a line; none for the field
+ * @param detection what has to see there, as {@code simulation} names one; null for the scenario's
+ * @param k how many cameras; null for as many as the scenario's objective asks for
+ * @param weight what seeing it is worth, 0 for a zone that demands nothing
+ */
+public record Zone(
+    String name, Shape shape, List<Point> points, String detection, Integer k, Double weight) {
+  /** What zones are. */
+  public enum Shape {
+    RECTANGLE(2, 2),
+    POLYGON(3, Integer.MAX_VALUE),
+    POLYLINE(2, Integer.MAX_VALUE),
+    FIELD(0, 0);
+
+    private final int least;
+    private final int most;
+
+    Shape(int least, int most) {
+      this.least = least;
+      this.most = most;
+    }
+  }
+
+  /** Half the width of the strip that a line is, metres. */
+  private static final double HALF_STRIP = 0.5;
+
+  public static final Element<Zone> ELEMENT =
+      Element.ofRecord(
+          "zone",
+          Zone.class,
+          """
+A part of the field where something is demanded of the cameras (ours): `place` plans for \
+it, and the page of `run --heatmap` says how much of it is covered.
+name: unique
+shape: `rectangle` between two opposite corners, `polygon`, `polyline`: a strip of a metre \
+along a line, or the whole `field`
+points: m, as in `0,0 4,0 4,3` | none, of the whole field
+detection: what has to see there, as `oodpcvs-2025:level=validate` | the scenario's
+k: how many cameras have to see it at once | those of the objective `covered:k`, else 1
+weight: what seeing a part of it is worth compared with as large a part of others, 0 or more
+""");
+
+  static {
+    ELEMENT.required("name", Type.text("a name that no other zone has"));
+    ELEMENT.attribute("shape", Type.choice(Shape.class), Shape.RECTANGLE);
+    ELEMENT.attribute("points", Type.PLACES, List.<Point>of()).quiet();
+    ELEMENT.optional("detection", Type.TEXT);
+    ELEMENT.optional("k", Type.whole(1, 100));
+    ELEMENT
+        .attribute("weight", Type.number(new Range("a number from 0 to 1e9", 0, 1e9)), 1.0)
+        .quiet();
+  }
+
+  /**
+   * Checks the number of points.
+   *
+   * @throws IllegalArgumentException where the shape has others
+   */
+  public Zone {
+    points = List.copyOf(points);
+    if (points.size() < shape.least || points.size() > shape.most) {
+      String number = shape.least == shape.most ? "" + shape.least : shape.least + " or more";
+      throw new IllegalArgumentException(
+          "has %s points, expected %s of a %s"
+              .formatted(points.size(), number, Spelling.of(shape)));
+    }
+    if (shape == Shape.POLYGON) {
+      new Obstacle.Polygon(points, 1); // checks it
+    }
+  }
+
+  /** The whole field, for scenarios that have no zones. */
+  public static Zone ofField() {
+    return new Zone("field", Shape.FIELD, List.of(), null, null, 1.0);
+  }
+
+  /** The same, asking for these where it does not say what. */
+  public Zone asking(String usual, Objective objective) {
+    int cameras = objective instanceof Objective.Covered covered ? covered.k() : 1;
+    String seen = detection == null ? usual : detection;
+    return new Zone(name, shape, points, seen, k == null ? cameras : k, weight);
+  }
+
+  /** Whether a point of the field is in it, or on its border. */
+  public boolean contains(double x, double y) {
+    return switch (shape) {
+      case FIELD -> true;
+      case RECTANGLE ->
+          between(x, points.get(0).x(), points.get(1).x())
+              && between(y, points.get(0).y(), points.get(1).y());
+      case POLYGON -> new Obstacle.Polygon(points, 1).contains(x, y);
+      case POLYLINE -> isOnLine(x, y);
+    };
+  }
+
+  private static boolean between(double value, double one, double other) {
+    return value >= Math.min(one, other) && value <= Math.max(one, other);
+  }
+
+  private boolean isOnLine(double x, double y) {
+    for (int i = 1; i < points.size(); i++) {
+      Point from = points.get(i - 1);
+      Point to = points.get(i);
+      if (Line2D.ptSegDist(from.x(), from.y(), to.x(), to.y(), x, y) <= HALF_STRIP) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,75 @@
+package org.hificamsim.core.scenario.xml;
+
+import java.util.Map;
+import java.util.function.Consumer;
+
+/** An XML document under way, an element a line. */
+public final class XmlWriter {
+  private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+  private int depth;
+
+  /** An element with others in it. */
+  public void element(String name, Map<String, String> attributes, Runnable content) {
+    tag(name, attributes, ">");
+    depth++;
+    content.run();
+    depth--;
+    indent();
+    end(name);
+  }
+
+  /** An element without content. */
+  public void element(String name, Map<String, String> attributes) {
+    tag(name, attributes, "/>");
+  }
+
+  /** An element with a text, in which nothing needs to be escaped. */
+  public void text(String name, String text) {
+    tag(name, Map.of(), ">");
+    out.append(text);
+    end(name);
+  }
+
+  /** An element with lines, in which nothing needs to be escaped. */
+  public void lines(String name, Consumer<Appendable> lines) {
+    tag(name, Map.of(), ">");
+    out.append('\n');
+    lines.accept(out);
+    out.append("  ".repeat(depth));
+    end(name);
+  }
+
+  /** The document, all of whose elements have ended. */
+  public String document() {
+    return out + "\n";
+  }
+
+  private void tag(String name, Map<String, String> attributes, String end) {
+    indent();
+    out.append('<').append(name);
+    attributes.forEach(
+        (key, value) ->
+            out.append(' ').append(key).append("=\"").append(escaped(value)).append('"'));
+    out.append(end);
+  }
+
+  private void indent() {
+    out.append('\n').append("  ".repeat(depth));
+  }
+
+  private void end(String name) {
+    out.append("</").append(name).append('>');
+  }
+
+  /** A value between double quotes; tabs and line ends would be read as spaces if left as is. */
+  private static String escaped(String value) {
+    return value
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;")
+        .replace("\t", "&#9;")
+        .replace("\n", "&#10;")
+        .replace("\r", "&#13;");
+  }
+}
