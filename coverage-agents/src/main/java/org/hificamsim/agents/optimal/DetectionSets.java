@@ -136,7 +136,7 @@ final class DetectionSets implements ConfigurationSets {
       place(i);
     }
     for (int i = 0; i < counts[camera]; i++) {
-      if (!problem.lastCameraHas(masks, order[i] * words)) {
+      if (!problem.lastCameraIncludes(masks, order[i] * words)) {
         viewOf[problem.sets()] = candidate(camera, order[i]);
         problem.addSet(masks, order[i] * words);
       }

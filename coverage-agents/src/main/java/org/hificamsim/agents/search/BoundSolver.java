@@ -3,41 +3,41 @@ package org.hificamsim.agents.search;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * Bounds what a {@link CoverageProblem} may score, without a search: {@link LocalSearch} makes a
- * configuration, and prices of coverage, as at the root of {@link StepSolver}'s search, show what
- * no other exceeds. The gap between the two is what the configuration is not proven to be the best
- * by.
+ * Bounds the score of a {@link CoverageProblem} without a search: {@link LocalSearch} makes a
+ * configuration, and the bounds that {@link StepSolver} uses at the root of its search show what no
+ * configuration exceeds. The gap between the two says how much better another configuration could
+ * be at most.
  */
 public final class BoundSolver extends Solver {
-  private static final int PASSES = 4;
-  private static final int ROUNDS = 200;
+  private static final int LOCAL_PASSES = 4;
+  private static final int PRICE_ROUNDS = 200;
 
-  /** Parts of a score: where it is no whole number, gaps are rounded up to the next but one. */
-  private static final double PARTS = 0x1p20;
+  /** Gaps that are not whole numbers are rounded up to multiples of one over this. */
+  private static final double GAP_FRACTIONS = 0x1p20;
 
   private final Objective objective;
   private final CoverageProblem problem;
   private final RemainingSets remaining;
   private final Stage stage;
-  private final LocalSearch local;
+  private final LocalSearch localSearch;
   private final Configuration best;
   private long value;
   private long bound;
 
   /**
-   * @param objective whose score is bounded; not the finer order that lexicographic compares by
+   * @param objective whose score is bounded; of {@code lexicographic} this is the least k of the
+   *     targets that can be covered, not its finer order
    * @param problem what each call of {@link #solve} reads
    */
   public BoundSolver(Objective objective, CoverageProblem problem) {
     this.objective = objective.ofCoverableAlone() ? Objective.kMin() : objective;
     this.problem = problem;
     remaining = new RemainingSets(problem);
-    Stage[] stages = StepSolver.stages(this.objective, problem, remaining);
-    stage = stages[0];
-    if (objective.ofCoverableAlone()) {
-      stage.countCoverableAlone();
-    }
-    local = new LocalSearch(problem, remaining, stages);
+    stage =
+        objective.ofCoverableAlone()
+            ? Stage.ofLeastCoverable(problem, remaining)
+            : Stage.stages(objective, problem, remaining)[0];
+    localSearch = new LocalSearch(problem, remaining, new Stage[] {stage});
     best = new Configuration(problem);
   }
 
@@ -48,7 +48,7 @@ public final class BoundSolver extends Solver {
     stage.reset();
     bound = stage.bound();
     stage.require(bound);
-    local.reach(1, PASSES, best);
+    localSearch.improve(1, LOCAL_PASSES, best);
     value = stage.value(best.coverage());
     if (value < bound) {
       bound = objective.byLeast() ? leastBound() : sumBound();
@@ -57,11 +57,11 @@ public final class BoundSolver extends Solver {
     gap = roundedUp(score(bound) - score(value));
   }
 
-  /** The last k before the first that prices show to be out of reach. */
+  /** Returns the greatest k before the first one that prices show to be out of reach. */
   private long leastBound() {
     for (long next = value + 1; next <= bound; next++) {
       stage.require(next);
-      if (!stage.tune(ROUNDS)) {
+      if (!stage.tunePrices(PRICE_ROUNDS)) {
         return next - 1;
       }
     }
@@ -70,22 +70,22 @@ public final class BoundSolver extends Solver {
 
   private long sumBound() {
     stage.require(value + stage.step());
-    return stage.tune(ROUNDS)
-        ? Math.min(bound, stage.inUnits(stage.tightest()) * stage.step())
+    return stage.tunePrices(PRICE_ROUNDS)
+        ? Math.min(bound, stage.inUnits(stage.lowestPriceBound()) * stage.step())
         : value;
   }
 
   @Override
   public int chosen(int camera) {
-    return best.of(camera);
+    return best.set(camera);
   }
 
-  /** Rounded up: also summed over many steps, the score and its gap are a bound. */
+  /** Rounds up, so that sums of scores and gaps over many steps are bounds, too. */
   private static double roundedUp(double gap) {
-    return gap == Math.rint(gap) ? gap : (Math.floor(gap * PARTS) + 2) / PARTS;
+    return gap == Math.rint(gap) ? gap : (Math.floor(gap * GAP_FRACTIONS) + 2) / GAP_FRACTIONS;
   }
 
-  private double score(long ofValue) {
-    return objective.scoreAtMost(stage.inUnits(ofValue), problem.targets());
+  private double score(long stageValue) {
+    return objective.scoreAtMost(stage.inUnits(stageValue), problem.targets());
   }
 }

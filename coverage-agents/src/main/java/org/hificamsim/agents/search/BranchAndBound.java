@@ -2,26 +2,24 @@ package org.hificamsim.agents.search;
 
 /**
  * Depth-first branch and bound: at each node of a {@link Tree} a decision is taken, and refused
- * when everything that follows from it has been searched.
+ * once everything that follows from it has been searched.
  */
 public final class BranchAndBound {
-  /** What is searched. It says what is worth searching, and keeps the best that it meets. */
+  /** The tree to search. It chooses and bounds decisions, and keeps the best result found. */
   public interface Tree {
-    /** No decision: nothing that is better than what has been met follows from here. */
+    /** No decision: nothing better than the best result so far follows from here. */
     int NONE = -1;
 
-    /**
-     * Looks at where the search has come to; returns the next decision to take, or {@link #NONE}.
-     */
+    /** Evaluates the current node; returns the next decision to take, or {@link #NONE}. */
     int branch();
 
     /** Takes a decision. */
     void take(int decision);
 
-    /** Takes back the last decision and all that it led to; it is not taken again. */
+    /** Undoes the last decision and everything after it; it will not be taken again. */
     void refuse(int decision);
 
-    /** Whether what has been met is enough. */
+    /** Whether the search can end, because the result is good enough. */
     default boolean isDone() {
       return false;
     }
@@ -30,12 +28,12 @@ public final class BranchAndBound {
   private long nodes;
   private long lastNode;
 
-  /** Counts nodes from 0 again. */
+  /** Sets the number of nodes back to 0. */
   public void reset() {
     nodes = 0;
   }
 
-  /** The number of decisions taken. */
+  /** The number of decisions taken since {@link #reset}. */
   public long nodes() {
     return nodes;
   }
@@ -43,8 +41,8 @@ public final class BranchAndBound {
   /**
    * Searches the tree.
    *
-   * @param maxNodes number of decisions after which the search is given up
-   * @return whether all was searched, or enough was met
+   * @param maxNodes the number of decisions after which the search is given up
+   * @return whether the search was not given up
    */
   public boolean search(Tree tree, long maxNodes) {
     lastNode = maxNodes > Long.MAX_VALUE - nodes ? Long.MAX_VALUE : nodes + maxNodes;

@@ -5,53 +5,56 @@ import java.util.Arrays;
 /** One set for each camera, and how many cameras cover each target with these sets. */
 final class Configuration {
   private final CoverageProblem problem;
-  private final int[] chosen;
+  private final int[] sets;
   private final int[] coverage;
 
   Configuration(CoverageProblem problem) {
     this.problem = problem;
-    chosen = new int[problem.maxCameras()];
+    sets = new int[problem.maxCameras()];
     coverage = new int[problem.maxTargets()];
   }
 
-  /** Every camera's most preferred set. */
+  /** Gives every camera its most preferred set. */
   void reset() {
     clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      give(camera, problem.firstSet(camera));
+      assign(camera, problem.firstSet(camera));
     }
   }
 
-  /** The same sets as another configuration. */
+  /** Copies the sets of another configuration. */
   void copy(Configuration other) {
-    System.arraycopy(other.chosen, 0, chosen, 0, problem.cameras());
+    System.arraycopy(other.sets, 0, sets, 0, problem.cameras());
     System.arraycopy(other.coverage, 0, coverage, 0, problem.targets());
   }
 
-  /** The same sets as another one where they remain, else the camera's first that remains. */
+  /**
+   * Copies the sets of another configuration; a camera whose set does not remain gets its first
+   * remaining one.
+   */
   void copy(Configuration other, RemainingSets remaining) {
     copy(other);
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      if (!remaining.has(chosen[camera])) {
+      if (!remaining.has(sets[camera])) {
         exchange(camera, remaining.first(camera));
       }
     }
   }
 
-  /** No camera has a set. */
+  /** Leaves all cameras without a set. */
   void clear() {
     Arrays.fill(coverage, 0, problem.targets(), 0);
   }
 
-  /** Gives a camera without a set one. */
-  void give(int camera, int set) {
-    chosen[camera] = set;
+  /** Gives a camera that has no set this one. */
+  void assign(int camera, int set) {
+    sets[camera] = set;
     count(set, 1);
   }
 
-  /** Leaves the camera without a set; {@link #of} still returns the one it had. */
-  void take(int camera) {
-    count(chosen[camera], -1);
+  /** Leaves the camera without a set; {@link #set} still returns the one that it had. */
+  void unassign(int camera) {
+    count(sets[camera], -1);
   }
 
   private void count(int set, int change) {
@@ -60,23 +63,23 @@ final class Configuration {
     }
   }
 
-  /** Gives the camera another set. */
+  /** Replaces the camera's set. */
   void exchange(int camera, int set) {
     for (int word = 0; word < problem.words(); word++) {
-      long before = problem.mask(chosen[camera], word);
+      long before = problem.mask(sets[camera], word);
       long after = problem.mask(set, word);
       CoverageProblem.add(coverage, word, before & ~after, -1);
       CoverageProblem.add(coverage, word, after & ~before, 1);
     }
-    chosen[camera] = set;
+    sets[camera] = set;
   }
 
   /** The set of a camera. */
-  int of(int camera) {
-    return chosen[camera];
+  int set(int camera) {
+    return sets[camera];
   }
 
-  /** How many cameras cover each target. */
+  /** The number of cameras that cover each target; not to be changed. */
   int[] coverage() {
     return coverage;
   }

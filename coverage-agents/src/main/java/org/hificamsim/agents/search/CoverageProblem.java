@@ -1,14 +1,15 @@
 package org.hificamsim.agents.search;
 
 /**
- * A coverage problem: each camera chooses one of its detection sets. How good a choice is depends
- * on how many cameras cover each target; an {@link org.hificamsim.core.metrics.Objective} says how.
+ * A coverage problem: each camera chooses one of its detection sets. An {@link
+ * org.hificamsim.core.metrics.Objective} scores a choice by how many cameras cover each target.
  *
  * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
  * preference, which decides between equally good choices; a set may equal, include or be included
- * in another one. Sets are bit masks, target t at bit {@code t % 64} of word {@code t / 64}. The
- * same object is filled again for each problem: {@link #clear}, then {@link #addCamera} and its
- * sets for each camera.
+ * in another one. Sets are bit masks, target t at bit {@code t % 64} of word {@code t / 64}.
+ *
+ * <p>An object can be used for many problems. To fill it, call {@link #clear}, and for each camera
+ * {@link #addCamera} and then {@link #addSet} for each of its sets.
  */
 public final class CoverageProblem {
   private final int[] firstSet;
@@ -20,7 +21,7 @@ public final class CoverageProblem {
   private int cameras;
   private int sets;
 
-  /** A problem without cameras, with room for these numbers of cameras, their sets, and targets. */
+  /** Creates a problem without cameras, with space for so many cameras, sets and targets. */
   public CoverageProblem(int maxCameras, int maxSets, int maxTargets) {
     firstSet = new int[maxCameras + 1];
     cameraOf = new int[maxSets];
@@ -33,7 +34,7 @@ public final class CoverageProblem {
     return (targets + Long.SIZE - 1) / Long.SIZE;
   }
 
-  /** Forgets all cameras; from now on there are {@code targets} targets. */
+  /** Removes all cameras, and sets the number of targets. */
   public void clear(int targets) {
     if (targets > maxTargets) {
       throw new IllegalArgumentException(
@@ -45,7 +46,7 @@ public final class CoverageProblem {
     sets = 0;
   }
 
-  /** Adds a camera; the sets that follow are its own. It needs at least one. */
+  /** Adds a camera, which needs at least one set; sets that are added next belong to it. */
   public void addCamera() {
     cameras++;
     firstSet[cameras] = sets;
@@ -79,7 +80,7 @@ public final class CoverageProblem {
     return sets;
   }
 
-  /** The number of the camera's most preferred set; its others follow up to the next camera's. */
+  /** The number of the camera's most preferred set; the others follow in order of preference. */
   public int firstSet(int camera) {
     return firstSet[camera];
   }
@@ -104,7 +105,7 @@ public final class CoverageProblem {
     return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
   }
 
-  /** Whether any set of any camera has the target. */
+  /** Whether any set of any camera holds the target. */
   boolean isCoverable(int target) {
     boolean coverable = false;
     for (int set = 0; set < sets; set++) {
@@ -113,39 +114,39 @@ public final class CoverageProblem {
     return coverable;
   }
 
-  /** Whether a set holds all that another one does. */
-  boolean holds(int set, int other) {
-    boolean holds = true;
+  /** Whether a set holds all targets of another one. */
+  boolean includes(int set, int other) {
+    boolean includes = true;
     for (int word = 0; word < words; word++) {
-      holds &= (mask(other, word) & ~mask(set, word)) == 0;
+      includes &= (mask(other, word) & ~mask(set, word)) == 0;
     }
-    return holds;
+    return includes;
   }
 
-  /** Whether a set of the last camera holds all of a mask: {@code source} from {@code from} on. */
-  public boolean lastCameraHas(long[] source, int from) {
-    boolean has = false;
-    for (int set = firstSet[cameras - 1]; set < sets && !has; set++) {
-      has = true;
+  /** Whether a set of the last camera includes the mask at {@code from} in {@code source}. */
+  public boolean lastCameraIncludes(long[] source, int from) {
+    boolean included = false;
+    for (int set = firstSet[cameras - 1]; set < sets && !included; set++) {
+      included = true;
       for (int word = 0; word < words; word++) {
-        has &= (source[from + word] & ~mask(set, word)) == 0;
+        included &= (source[from + word] & ~mask(set, word)) == 0;
       }
     }
-    return has;
+    return included;
   }
 
-  /** A set of the camera that holds all its others; -1 when there is none. */
-  int wholeSet(int camera) {
-    int whole = firstSet(camera); // whichever set is whole holds the one before it
-    for (int set = whole + 1; set < endSet(camera); set++) {
-      whole = holds(set, whole) ? set : whole;
+  /** Returns a set of the camera that includes all its others, or -1 when there is none. */
+  int largestSet(int camera) {
+    int largest = firstSet(camera); // if one includes all others, this loop ends with it
+    for (int set = largest + 1; set < endSet(camera); set++) {
+      largest = includes(set, largest) ? set : largest;
     }
     for (int set = firstSet(camera); set < endSet(camera); set++) {
-      if (!holds(whole, set)) {
+      if (!includes(largest, set)) {
         return -1;
       }
     }
-    return whole;
+    return largest;
   }
 
   /** Adds {@code change} to the count of each target in one word of a mask. */

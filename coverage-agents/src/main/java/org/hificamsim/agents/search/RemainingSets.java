@@ -4,64 +4,63 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * The sets that each camera may still choose, and what follows from them for targets: how many
- * cameras can cover a target at most (its <em>supply</em>: cameras with some remaining set that
- * holds it), and how many do in any case (its <em>sure</em> coverage: cameras all of whose
- * remaining sets hold it). Removals are undone in reverse order.
+ * The sets that each camera may still choose, and the range of coverage that follows for each
+ * target: from the number of cameras all of whose remaining sets hold it to the number of cameras
+ * with any remaining set that holds it. Removals can be undone, the last one first.
  */
 final class RemainingSets {
   private final CoverageProblem problem;
   private final boolean[] remains;
-  private final boolean[] included;
-  private final int[] counts;
-  private final int[] removed;
-  private final int[] choosing;
-  private final long[] any;
-  private final long[] all;
-  private final int[] supply;
-  private final int[] sure;
-  private boolean includedIsKnown;
-  private int withChoice;
-  private int removals;
+  private final boolean[] isIncluded;
+  private final int[] setCounts;
+  private final int[] removedSets;
+  private final int[] choosingCameras;
+  private final long[] unions;
+  private final long[] intersections;
+  private final int[] maxCoverage;
+  private final int[] minCoverage;
+  private boolean inclusionIsKnown;
+  private int choosingCount;
+  private int removalCount;
 
   RemainingSets(CoverageProblem problem) {
     this.problem = problem;
     remains = new boolean[problem.maxSets()];
-    included = new boolean[problem.maxSets()];
-    counts = new int[problem.maxCameras()];
-    removed = new int[problem.maxSets()];
-    choosing = new int[problem.maxCameras()];
-    any = new long[problem.maxCameras() * CoverageProblem.wordsFor(problem.maxTargets())];
-    all = new long[any.length];
-    supply = new int[problem.maxTargets()];
-    sure = new int[problem.maxTargets()];
+    isIncluded = new boolean[problem.maxSets()];
+    setCounts = new int[problem.maxCameras()];
+    removedSets = new int[problem.maxSets()];
+    choosingCameras = new int[problem.maxCameras()];
+    unions = new long[problem.maxCameras() * CoverageProblem.wordsFor(problem.maxTargets())];
+    intersections = new long[unions.length];
+    maxCoverage = new int[problem.maxTargets()];
+    minCoverage = new int[problem.maxTargets()];
   }
 
-  /** Every set of every camera remains. */
+  /** Makes every set of every camera remain. */
   void reset() {
-    includedIsKnown = false;
-    withChoice = 0;
-    removals = 0;
+    inclusionIsKnown = false;
+    choosingCount = 0;
+    removalCount = 0;
     Arrays.fill(remains, 0, problem.sets(), true);
-    Arrays.fill(supply, 0, problem.targets(), 0);
-    Arrays.fill(sure, 0, problem.targets(), 0);
+    Arrays.fill(maxCoverage, 0, problem.targets(), 0);
+    Arrays.fill(minCoverage, 0, problem.targets(), 0);
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      counts[camera] = problem.endSet(camera) - problem.firstSet(camera);
-      choosing[withChoice] = camera;
-      withChoice += counts[camera] > 1 ? 1 : 0;
+      setCounts[camera] = problem.endSet(camera) - problem.firstSet(camera);
+      choosingCameras[choosingCount] = camera;
+      choosingCount += setCounts[camera] > 1 ? 1 : 0;
       for (int word = 0; word < problem.words(); word++) {
-        join(camera, word);
-        CoverageProblem.add(supply, word, any(camera, word), 1);
-        CoverageProblem.add(sure, word, all[at(camera, word)], 1);
+        combineSets(camera, word);
+        CoverageProblem.add(maxCoverage, word, union(camera, word), 1);
+        CoverageProblem.add(minCoverage, word, intersections[index(camera, word)], 1);
       }
     }
   }
 
-  private int at(int camera, int word) {
+  private int index(int camera, int word) {
     return camera * problem.words() + word;
   }
 
-  private void join(int camera, int word) {
+  private void combineSets(int camera, int word) {
     long union = 0;
     long intersection = -1;
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
@@ -70,99 +69,127 @@ final class RemainingSets {
         intersection &= problem.mask(set, word);
       }
     }
-    any[at(camera, word)] = union;
-    all[at(camera, word)] = intersection;
+    unions[index(camera, word)] = union;
+    intersections[index(camera, word)] = intersection;
   }
 
-  /** Removes the sets of open cameras that another one includes; of equal ones the first stays. */
-  void dropIncluded() {
-    if (!includedIsKnown) {
+  /**
+   * Removes the sets of open cameras that another set of the camera includes; of equal sets the
+   * first one stays.
+   */
+  void removeIncluded() {
+    if (!inclusionIsKnown) {
       findIncluded();
     }
     for (int set = 0; set < problem.sets(); set++) {
-      if (included[set] && remains[set] && isOpen(problem.cameraOf(set))) {
+      if (isIncluded[set] && remains[set] && isOpen(problem.cameraOf(set))) {
         remove(set);
       }
     }
   }
 
   private void findIncluded() {
-    includedIsKnown = true;
+    inclusionIsKnown = true;
     for (int set = 0; set < problem.sets(); set++) {
       int camera = problem.cameraOf(set);
-      included[set] = false;
+      isIncluded[set] = false;
       for (int other = problem.firstSet(camera); other < problem.endSet(camera); other++) {
-        included[set] |=
+        isIncluded[set] |=
             other != set
-                && problem.holds(other, set)
-                && (other < set || !problem.holds(set, other));
+                && problem.includes(other, set)
+                && (other < set || !problem.includes(set, other));
       }
     }
   }
 
-  /** Removes a set that remains; false where its camera has no other. */
+  /** Removes a set that remains; returns whether its camera still has one. */
   boolean remove(int set) {
     int camera = problem.cameraOf(set);
     remains[set] = false;
-    removed[removals++] = set;
-    if (--counts[camera] == 0) {
+    removedSets[removalCount++] = set;
+    if (--setCounts[camera] == 0) {
       return false;
     }
     for (int word = 0; word < problem.words(); word++) {
-      long anyBefore = any(camera, word);
-      long allBefore = all[at(camera, word)];
-      join(camera, word);
-      CoverageProblem.add(supply, word, anyBefore & ~any(camera, word), -1);
-      CoverageProblem.add(sure, word, all[at(camera, word)] & ~allBefore, 1);
+      long unionBefore = union(camera, word);
+      long intersectionBefore = intersections[index(camera, word)];
+      combineSets(camera, word);
+      CoverageProblem.add(maxCoverage, word, unionBefore & ~union(camera, word), -1);
+      CoverageProblem.add(
+          minCoverage, word, intersections[index(camera, word)] & ~intersectionBefore, 1);
     }
     return true;
   }
 
-  /** Leaves its camera this set alone, which remains. */
+  /** Removes all other sets of the camera to which a remaining set belongs. */
   void choose(int set) {
     int camera = problem.cameraOf(set);
     for (int other = problem.firstSet(camera); other < problem.endSet(camera); other++) {
       if (other != set && remains[other]) {
         remains[other] = false;
-        removed[removals++] = other;
+        removedSets[removalCount++] = other;
       }
     }
-    counts[camera] = 1;
+    setCounts[camera] = 1;
     for (int word = 0; word < problem.words(); word++) {
       long mask = problem.mask(set, word);
-      CoverageProblem.add(supply, word, any(camera, word) & ~mask, -1);
-      CoverageProblem.add(sure, word, mask & ~all[at(camera, word)], 1);
-      any[at(camera, word)] = mask;
-      all[at(camera, word)] = mask;
+      CoverageProblem.add(maxCoverage, word, union(camera, word) & ~mask, -1);
+      CoverageProblem.add(minCoverage, word, mask & ~intersections[index(camera, word)], 1);
+      unions[index(camera, word)] = mask;
+      intersections[index(camera, word)] = mask;
     }
   }
 
-  /** The number of removals so far: what {@link #undo} goes back to. */
-  int mark() {
-    return removals;
+  /**
+   * Removes the sets of open cameras whose value is below the greatest of their camera by more than
+   * {@code surplus}.
+   *
+   * @param values by set
+   * @param greatest value of a remaining set, by camera
+   * @return whether every camera still has a set
+   */
+  boolean removeBelow(long[] values, long[] greatest, long surplus) {
+    for (int i = 0; i < choosingCount; i++) {
+      int camera = choosingCameras[i];
+      if (greatest[camera] > surplus && isOpen(camera)) {
+        for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
+          boolean below = values[set] < greatest[camera] - surplus;
+          if (below && remains[set] && !remove(set)) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
   }
 
-  /** Takes back all removals after {@code mark}. */
+  /** The number of removals so far, for {@link #undo}. */
+  int mark() {
+    return removalCount;
+  }
+
+  /** Undoes all removals since {@link #mark} returned {@code mark}. */
   void undo(int mark) {
-    while (removals > mark) {
-      restore(removed[--removals]);
+    while (removalCount > mark) {
+      restore(removedSets[--removalCount]);
     }
   }
 
   private void restore(int set) {
     int camera = problem.cameraOf(set);
     remains[set] = true;
-    if (counts[camera]++ > 0) {
+    if (setCounts[camera]++ > 0) {
       for (int word = 0; word < problem.words(); word++) {
         long mask = problem.mask(set, word);
-        CoverageProblem.add(supply, word, mask & ~any(camera, word), 1);
-        CoverageProblem.add(sure, word, all[at(camera, word)] & ~mask, -1);
-        any[at(camera, word)] |= mask;
-        all[at(camera, word)] &= mask;
+        CoverageProblem.add(maxCoverage, word, mask & ~union(camera, word), 1);
+        CoverageProblem.add(minCoverage, word, intersections[index(camera, word)] & ~mask, -1);
+        unions[index(camera, word)] |= mask;
+        intersections[index(camera, word)] &= mask;
       }
     }
   }
 
+  /** Whether the set remains. */
   boolean has(int set) {
     return remains[set];
   }
@@ -176,60 +203,60 @@ final class RemainingSets {
     return set;
   }
 
-  /** The sets that remain to the camera. */
+  /** Returns the sets that remain to the camera. */
   int[] sets(int camera) {
     return IntStream.range(problem.firstSet(camera), problem.endSet(camera))
         .filter(set -> remains[set])
         .toArray();
   }
 
-  /** Whether the camera has more than one set. */
+  /** Whether more than one set remains to the camera. */
   boolean isOpen(int camera) {
-    return counts[camera] > 1;
+    return setCounts[camera] > 1;
   }
 
   /** The number of sets that remain to the camera. */
-  int count(int camera) {
-    return counts[camera];
+  int setCount(int camera) {
+    return setCounts[camera];
   }
 
-  /** The number of cameras that had a choice at {@link #reset}. */
-  int withChoice() {
-    return withChoice;
+  /** The number of cameras that had more than one set at {@link #reset}. */
+  int choosingCameras() {
+    return choosingCount;
   }
 
-  /** The i-th camera that had a choice at {@link #reset}, in order of number. */
-  int withChoice(int i) {
-    return choosing[i];
+  /** The i-th camera that had more than one set at {@link #reset}, in order of number. */
+  int choosingCamera(int i) {
+    return choosingCameras[i];
   }
 
-  /** How many cameras can cover the target. */
-  int supply(int target) {
-    return supply[target];
+  /** The number of cameras that can cover the target. */
+  int maxCoverage(int target) {
+    return maxCoverage[target];
   }
 
-  /** By camera: the same numbers, not to be changed. */
-  int[] supply() {
-    return supply;
+  /** The number of cameras that can cover each target; not to be changed. */
+  int[] maxCoverage() {
+    return maxCoverage;
   }
 
-  /** How many cameras cover the target whatever they choose. */
-  int sure(int target) {
-    return sure[target];
+  /** The number of cameras that cover the target whatever they choose. */
+  int minCoverage(int target) {
+    return minCoverage[target];
   }
 
-  /** The targets that some remaining set of the camera holds, one word of the mask. */
-  long any(int camera, int word) {
-    return any[at(camera, word)];
+  /** The targets that any remaining set of the camera holds: one word of the mask. */
+  long union(int camera, int word) {
+    return unions[index(camera, word)];
   }
 
-  /** The targets on which the camera's remaining sets differ, one word of the mask. */
+  /** The targets that some, but not all, remaining sets of the camera hold: a word of the mask. */
   long undecided(int camera, int word) {
-    return any[at(camera, word)] & ~all[at(camera, word)];
+    return unions[index(camera, word)] & ~intersections[index(camera, word)];
   }
 
-  /** Whether the camera's remaining sets differ on the target. */
-  boolean undecidedOn(int camera, int target) {
+  /** Whether some, but not all, remaining sets of the camera hold the target. */
+  boolean isUndecided(int camera, int target) {
     return (undecided(camera, target >> 6) >>> target & 1) != 0;
   }
 }

@@ -5,15 +5,16 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * Finds the constant configuration with the best score over a run that has been seen: coordinate
- * ascent from the last sets and from {@value #STARTS} random configurations, the same in every run,
- * and {@link BranchAndBound} over the cameras from there.
+ * Finds the constant configuration with the best score over a finished run. Coordinate ascent, from
+ * every camera's last set and from {@value #STARTS} random configurations with a fixed seed, finds
+ * a good one; {@link BranchAndBound} over the cameras improves it or proves it the best.
  *
- * <p>The bound of a partial configuration lets every undecided camera have all its sets at once. A
- * set that another one of the camera includes is left out.
+ * <p>The bound of a partial configuration lets every undecided camera use all its sets at once.
+ * Sets that another set of the camera includes are left out.
  */
 public final class RunSolver extends Solver implements BranchAndBound.Tree {
   private static final int STARTS = 16;
+  private static final int UNSORTED = -1;
 
   private final Objective objective;
   private final CoverageProblem problem;
@@ -22,17 +23,26 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   private final RemainingSets remaining;
   private final Configuration trial;
   private final Configuration best;
-  private final int[][] order; // of the sets to try, by camera
-  private final double[] bounds; // by set
-  private final int[] tried; // by camera; below 0 before its order is known
-  private final int[] k; // with all the sets of undecided cameras
+
+  /** The sets to try, by camera; those of decided cameras with the greatest bound first. */
+  private final int[][] setsToTry;
+
+  /** The bound of the score with a set and the decisions before it, by set. */
+  private final double[] bounds;
+
+  /** By camera, the index into {@link #setsToTry}; {@link #UNSORTED} before these are sorted. */
+  private final int[] triedIndex;
+
+  /** The number of cameras that cover each target if undecided cameras use all their sets. */
+  private final int[] optimisticCoverage;
+
   private int depth;
   private double bestScore = -1;
 
   /**
    * @param problem whose targets are those of all steps that count, step after step
-   * @param ends for each step one more than the last of its targets
-   * @param maxNodes how many partial configurations may be looked at
+   * @param ends the number after that of the last target, by step
+   * @param maxNodes the number of partial configurations after which the proof is given up
    */
   public RunSolver(Objective objective, CoverageProblem problem, int[] ends, long maxNodes) {
     this.objective = objective;
@@ -42,45 +52,48 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
     remaining = new RemainingSets(problem);
     trial = new Configuration(problem);
     best = new Configuration(problem);
-    order = new int[problem.cameras()][];
+    setsToTry = new int[problem.cameras()][];
     bounds = new double[problem.sets()];
-    tried = new int[problem.cameras() + 1];
-    k = new int[problem.targets()];
+    triedIndex = new int[problem.cameras() + 1];
+    optimisticCoverage = new int[problem.targets()];
   }
 
   @Override
   public void solve() {
     remaining.reset();
-    remaining.dropIncluded();
+    remaining.removeIncluded();
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      order[camera] = remaining.sets(camera);
+      setsToTry[camera] = remaining.sets(camera);
     }
     climb();
-    tried[0] = -1;
-    System.arraycopy(remaining.supply(), 0, k, 0, k.length);
-    double bound = score(k);
+    triedIndex[0] = UNSORTED;
+    System.arraycopy(remaining.maxCoverage(), 0, optimisticCoverage, 0, optimisticCoverage.length);
+    double bound = score(optimisticCoverage);
     proven = new BranchAndBound().search(this, maxNodes);
     gap = proven ? 0 : bound - bestScore;
   }
 
-  /** One summit may be far below the next where it takes two cameras to gain anything. */
+  /**
+   * Starts from many configurations: where only a change of two cameras gains anything, one ascent
+   * may end far below the best.
+   */
   private void climb() {
     trial.clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      trial.give(camera, order[camera][order[camera].length - 1]);
+      trial.assign(camera, setsToTry[camera][setsToTry[camera].length - 1]);
     }
     ascend();
     SplittableRandom random = new SplittableRandom(0);
-    boolean choice = Arrays.stream(order).anyMatch(sets -> sets.length > 1);
+    boolean choice = Arrays.stream(setsToTry).anyMatch(sets -> sets.length > 1);
     for (int start = 0; choice && start < STARTS; start++) {
       for (int camera = 0; camera < problem.cameras(); camera++) {
-        trial.exchange(camera, order[camera][random.nextInt(order[camera].length)]);
+        trial.exchange(camera, setsToTry[camera][random.nextInt(setsToTry[camera].length)]);
       }
       ascend();
     }
   }
 
-  /** Changes one camera after the other to its best set, until none gets better. */
+  /** Gives one camera after the other its best set until no change improves the score. */
   private void ascend() {
     double before;
     double score = score(trial.coverage());
@@ -94,18 +107,18 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   }
 
   private double improve(int camera, double score) {
-    double most = score;
-    for (int set : order[camera]) {
-      int before = trial.of(camera);
+    double greatest = score;
+    for (int set : setsToTry[camera]) {
+      int before = trial.set(camera);
       trial.exchange(camera, set);
-      double reached = score(trial.coverage());
-      if (reached > most) {
-        most = reached;
+      double changed = score(trial.coverage());
+      if (changed > greatest) {
+        greatest = changed;
       } else {
         trial.exchange(camera, before);
       }
     }
-    return most;
+    return greatest;
   }
 
   private void keep(double score) {
@@ -115,12 +128,12 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
     }
   }
 
-  /** The sum over the steps of their scores; a step without targets adds 0. */
-  private double score(int[] k) {
+  /** The sum of all steps' scores; a step without targets adds 0. */
+  private double score(int[] coverage) {
     double sum = 0;
     int from = 0;
     for (int end : ends) {
-      sum += objective.score(k, from, end);
+      sum += objective.score(coverage, from, end);
       from = end;
     }
     return sum;
@@ -130,22 +143,23 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   public int branch() {
     if (depth == problem.cameras()) {
       for (int camera = 0; camera < depth; camera++) {
-        trial.exchange(camera, order[camera][tried[camera]]);
+        trial.exchange(camera, setsToTry[camera][triedIndex[camera]]);
       }
-      keep(score(k));
+      keep(score(optimisticCoverage));
       return NONE;
     }
-    if (tried[depth] < 0) {
+    if (triedIndex[depth] == UNSORTED) {
       sort();
     }
-    int next = tried[depth];
-    boolean promising = next < order[depth].length && bounds[order[depth][next]] > bestScore;
-    return promising ? order[depth][next] : NONE;
+    int next = triedIndex[depth];
+    boolean promising =
+        next < setsToTry[depth].length && bounds[setsToTry[depth][next]] > bestScore;
+    return promising ? setsToTry[depth][next] : NONE;
   }
 
-  /** Brings the camera's most promising sets to the front. */
+  /** Sorts the sets of the next camera by their bounds, the greatest first. */
   private void sort() {
-    int[] sets = order[depth];
+    int[] sets = setsToTry[depth];
     Arrays.sort(sets);
     for (int i = 0; i < sets.length; i++) {
       int set = sets[i];
@@ -156,40 +170,43 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
       }
       sets[at] = set;
     }
-    tried[depth] = 0;
+    triedIndex[depth] = 0;
   }
 
   private double boundWith(int set) {
-    decide(depth, set, -1);
-    double bound = score(k);
-    decide(depth, set, 1);
+    countLost(depth, set, -1);
+    double bound = score(optimisticCoverage);
+    countLost(depth, set, 1);
     return bound;
   }
 
-  /** Takes from the camera what it has at its other sets alone; or, by 1, gives it back. */
-  private void decide(int camera, int set, int change) {
+  /**
+   * Removes the targets that only other sets of the camera hold from the optimistic coverage
+   * ({@code change} -1), or adds them again (1).
+   */
+  private void countLost(int camera, int set, int change) {
     for (int word = 0; word < problem.words(); word++) {
-      long lost = remaining.any(camera, word) & ~problem.mask(set, word);
-      CoverageProblem.add(k, word, lost, change);
+      long lost = remaining.union(camera, word) & ~problem.mask(set, word);
+      CoverageProblem.add(optimisticCoverage, word, lost, change);
     }
   }
 
   @Override
   public void take(int set) {
-    decide(depth, set, -1);
+    countLost(depth, set, -1);
     depth++;
-    tried[depth] = -1;
+    triedIndex[depth] = UNSORTED;
   }
 
   @Override
   public void refuse(int set) {
     depth--;
-    decide(depth, set, 1);
-    tried[depth]++;
+    countLost(depth, set, 1);
+    triedIndex[depth]++;
   }
 
   @Override
   public int chosen(int camera) {
-    return best.of(camera);
+    return best.set(camera);
   }
 }

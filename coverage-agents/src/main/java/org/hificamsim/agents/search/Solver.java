@@ -1,9 +1,9 @@
 package org.hificamsim.agents.search;
 
 /**
- * Finds the best configuration of a problem, with proof. Where its limit of search nodes ends the
- * search, the configuration is the best one found so far. Nothing is allocated after construction,
- * and the result depends on the problem alone.
+ * Finds the best configuration of a coverage problem, and proves it. When the limit of search nodes
+ * ends the search, the configuration is the best one found so far. The result depends on the
+ * problem alone.
  */
 public abstract class Solver {
   /** No limit of search nodes: every result is proven. */
@@ -12,7 +12,7 @@ public abstract class Solver {
   /** Whether the last solution is proven to be the best. */
   protected boolean proven;
 
-  /** By how much another configuration might score higher at most; 0 where that is proven. */
+  /** The most by which another configuration could score higher; 0 if the solution is proven. */
   protected double gap;
 
   /** Solves the problem as it is filled now. */
@@ -26,7 +26,7 @@ public abstract class Solver {
     return proven;
   }
 
-  /** By how much another configuration might score higher at most; 0 where that is proven. */
+  /** The most by which another configuration could score higher; 0 if the solution is proven. */
   public final double gap() {
     return gap;
   }

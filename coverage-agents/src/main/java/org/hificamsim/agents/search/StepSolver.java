@@ -1,26 +1,32 @@
 package org.hificamsim.agents.search;
 
-import java.util.List;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * Solves {@link CoverageProblem}s exactly, by any objective: stage after stage, {@link LocalSearch}
- * makes a good configuration, a {@link Stage} bounds what any other is worth, and {@link
- * BranchAndBound} closes the gap between them; they take turns with growing effort.
+ * Solves {@link CoverageProblem}s exactly, for any objective. One {@link Stage} of the objective
+ * after the other, {@link LocalSearch} makes a good configuration, the stage bounds the value of
+ * all others, and {@link BranchAndBound} closes the gap; the three take turns with growing effort.
  *
- * <p>Of the best configurations the result is the one that gives camera 0 its most preferred set,
- * then camera 1, and so on: it does not depend on how the search went. Only where a search has not
- * decided after {@value #MAX_TIE_NODES} nodes whether a preferred set can be had, that counts as a
- * no. Where each camera has a set that holds all its others, nothing has to be searched.
+ * <p>Of all best configurations the result is the one that gives camera 0 its most preferred set,
+ * then camera 1, and so on, however the search went. One exception: a preferred set is passed over
+ * if a search of {@value #MAX_TIE_NODES} nodes does not find a best configuration with it.
+ *
+ * <p>If each camera has a set that includes all its others, nothing needs to be searched.
  */
 public final class StepSolver extends Solver {
   static final int MAX_TIE_NODES = 1_000;
 
   private static final int TIE_PASSES = 3;
-  private static final int PASSES = 4;
-  private static final int ROUNDS = 16;
-  private static final int NODES = 32;
-  private static final int GROWTH = 4;
+
+  /**
+   * Effort of the first round: passes of the localSearch search, rounds of prices, search nodes.
+   */
+  private static final int FIRST_PASSES = 4;
+
+  private static final int FIRST_PRICE_ROUNDS = 16;
+  private static final int FIRST_NODES = 32;
+
+  private static final int EFFORT_GROWTH = 4;
   private static final int MAX_HEURISTIC_EFFORT = 1 << 10;
   private static final int NONE = -1;
 
@@ -29,38 +35,29 @@ public final class StepSolver extends Solver {
   private final long maxNodes;
   private final RemainingSets remaining;
   private final Stage[] stages;
-  private final LocalSearch local;
+  private final LocalSearch localSearch;
   private final StepTree tree;
   private final BranchAndBound search = new BranchAndBound();
   private final Configuration best;
   private final Configuration trial;
-  private final int[] counting; // k of the targets that count
+  private final int[] countedCoverage;
 
   /**
    * @param problem what each call of {@link #solve} reads
-   * @param maxNodes number of search nodes after which a call gives up the proof; the search among
-   *     equally good configurations has a limit of its own
+   * @param maxNodes the number of search nodes after which a call gives up the proof; the search
+   *     among equally good configurations has a limit of its own
    */
   public StepSolver(Objective objective, CoverageProblem problem, long maxNodes) {
     this.objective = objective;
     this.problem = problem;
     this.maxNodes = maxNodes;
     remaining = new RemainingSets(problem);
-    stages = stages(objective, problem, remaining);
-    local = new LocalSearch(problem, remaining, stages);
+    stages = Stage.stages(objective, problem, remaining);
+    localSearch = new LocalSearch(problem, remaining, stages);
     tree = new StepTree(problem, remaining, stages);
     best = new Configuration(problem);
     trial = new Configuration(problem);
-    counting = new int[problem.maxTargets()];
-  }
-
-  static Stage[] stages(Objective objective, CoverageProblem problem, RemainingSets remaining) {
-    double sums = LocalSearch.MAX_NEED * (problem.maxCameras() + 2.0) * (problem.maxTargets() + 1);
-    List<long[]> worths = objective.worths(problem.maxCameras(), problem.maxTargets());
-    return worths.stream()
-        .map(table -> new TargetWorth(table, sums))
-        .map(worth -> new Stage(problem, remaining, worth, objective.byLeast()))
-        .toArray(Stage[]::new);
+    countedCoverage = new int[problem.maxTargets()];
   }
 
   @Override
@@ -68,7 +65,7 @@ public final class StepSolver extends Solver {
     search.reset();
     proven = true;
     gap = 0;
-    if (takeWholeSets()) {
+    if (takeLargestSets()) {
       for (Stage stage : stages) {
         stage.require(stage.value(best.coverage()));
       }
@@ -78,34 +75,35 @@ public final class StepSolver extends Solver {
     }
   }
 
-  /** Gives every camera a set that holds all its others; false when one has none. */
-  private boolean takeWholeSets() {
+  /** Gives every camera a set that includes all its others; returns false if one has none. */
+  private boolean takeLargestSets() {
     best.clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      int whole = problem.wholeSet(camera);
-      if (whole == NONE) {
+      int largest = problem.largestSet(camera);
+      if (largest == NONE) {
         return false;
       }
-      best.give(camera, whole);
+      best.assign(camera, largest);
     }
     return true;
   }
 
-  /** Every camera in turn has what it prefers if the whole sets of those after it allow it. */
+  /** Gives each camera in turn the set that it prefers, as far as the score stays the best. */
   private void preferBySwaps() {
     for (int camera = 0; camera < problem.cameras(); camera++) {
       int set = problem.firstSet(camera);
-      while (set != best.of(camera) && !swap(camera, set, stages.length)) {
+      while (set != best.set(camera) && !swap(camera, set, stages.length)) {
         set++;
       }
     }
   }
 
-  private boolean swap(int camera, int set, int count) {
-    int before = best.of(camera);
+  /** Exchanges a camera's set if the requirements are still met; returns whether they are. */
+  private boolean swap(int camera, int set, int stageCount) {
+    int before = best.set(camera);
     best.exchange(camera, set);
-    for (int stage = 0; stage < count; stage++) {
-      if (!stages[stage].isReached(best.coverage())) {
+    for (int stage = 0; stage < stageCount; stage++) {
+      if (!stages[stage].isReachedBy(best.coverage())) {
         best.exchange(camera, before);
         return false;
       }
@@ -116,65 +114,72 @@ public final class StepSolver extends Solver {
   private void improve() {
     best.reset();
     remaining.reset();
-    int count = 0;
-    while (proven && count < stages.length) {
-      proven = improve(++count);
+    int stageCount = 0;
+    while (proven && stageCount < stages.length) {
+      proven = improve(++stageCount);
     }
     gap = proven ? 0 : Math.max(0, bound() - score());
-    prefer(count);
+    preferBySearch(stageCount);
   }
 
-  /** Finds the best configuration by a stage; returns whether that is proven. */
-  private boolean improve(int count) {
-    Stage stage = stages[count - 1];
+  /**
+   * Improves the configuration by the last of some stages, and keeps its value of the earlier ones.
+   *
+   * @return whether its value is proven to be the best
+   */
+  private boolean improve(int stageCount) {
+    Stage stage = stages[stageCount - 1];
     stage.reset();
     long bound = stage.bound();
     long value = stage.value(best.coverage());
     if (value < bound) {
       stage.require(bound);
-      local.reach(count, PASSES, best);
+      localSearch.improve(stageCount, FIRST_PASSES, best);
       value = stage.value(best.coverage());
     }
-    boolean done = value == bound || closeGap(count, bound);
+    boolean done = value == bound || closeGap(stageCount, bound);
     stage.require(stage.value(best.coverage()));
     return done;
   }
 
-  private boolean closeGap(int count, long bound) {
-    Stage stage = stages[count - 1];
+  private boolean closeGap(int stageCount, long bound) {
+    Stage stage = stages[stageCount - 1];
     int mark = remaining.mark();
-    remaining.dropIncluded();
+    remaining.removeIncluded();
     boolean done = false;
-    for (long effort = 1; !done && (effort == 1 || search.nodes() < maxNodes); effort *= GROWTH) {
+    for (long effort = 1;
+        !done && (effort == 1 || search.nodes() < maxNodes);
+        effort *= EFFORT_GROWTH) {
       int heuristicEffort = (int) Math.min(effort, MAX_HEURISTIC_EFFORT);
       if (effort > 1) {
         stage.require(bound);
-        local.reach(count, PASSES * heuristicEffort, best);
+        localSearch.improve(stageCount, FIRST_PASSES * heuristicEffort, best);
       }
       long value = stage.value(best.coverage());
       stage.require(value + stage.step());
       done =
           value == bound
-              || !stage.tune(ROUNDS * heuristicEffort)
-              || search(count, true, Math.min(NODES * effort, maxNodes - search.nodes()), best);
+              || !stage.tunePrices(FIRST_PRICE_ROUNDS * heuristicEffort)
+              || searchBetter(
+                  stageCount, Math.min(FIRST_NODES * effort, maxNodes - search.nodes()));
     }
     remaining.undo(mark);
-    stage.priceSets();
     return done;
   }
 
-  private boolean search(int count, boolean improving, long nodes, Configuration found) {
-    tree.begin(count, improving, found);
-    boolean all = search.search(tree, nodes);
+  /** Searches for better configurations; returns whether the tree was searched to its end. */
+  private boolean searchBetter(int stageCount, long nodes) {
+    tree.beginImproving(stageCount, best);
+    boolean complete = search.search(tree, nodes);
     tree.end();
-    return all;
+    return complete;
   }
 
-  /** What no score exceeds where a stage is not proven. */
+  /** An upper bound of the score, when a stage is not proven. */
   private double bound() {
     Stage first = stages[0];
     return Math.min(
-        score(remaining.supply()),
+        score(remaining.maxCoverage()),
         objective.scoreAtMost(first.inUnits(first.bound()), problem.targets()));
   }
 
@@ -187,54 +192,61 @@ public final class StepSolver extends Solver {
     int count = 0;
     for (int target = 0; target < problem.targets(); target++) {
       if (!objective.ofCoverableAlone() || problem.isCoverable(target)) {
-        counting[count++] = coverage[target];
+        countedCoverage[count++] = coverage[target];
       }
     }
-    return objective.score(counting, 0, count);
+    return objective.score(countedCoverage, 0, count);
   }
 
-  private void prefer(int count) {
-    tree.settle(count);
-    for (int i = 0; i < remaining.withChoice(); i++) {
-      prefer(remaining.withChoice(i), count);
+  /** Gives each camera in turn the set that it prefers, if a search shows that this is possible. */
+  private void preferBySearch(int stageCount) {
+    tree.narrow(stageCount);
+    for (int i = 0; i < remaining.choosingCameras(); i++) {
+      preferBySearch(remaining.choosingCamera(i), stageCount);
     }
   }
 
-  private void prefer(int camera, int count) {
+  private void preferBySearch(int camera, int stageCount) {
     int set = remaining.first(camera);
-    while (set != best.of(camera) && !swap(camera, set, count) && !take(set, count)) {
+    while (set != best.set(camera)
+        && !swap(camera, set, stageCount)
+        && !findWith(set, stageCount)) {
       remaining.remove(set);
       set = remaining.first(camera);
     }
     remaining.choose(set);
-    tree.settle(count);
+    tree.narrow(stageCount);
   }
 
-  private boolean take(int set, int count) {
+  /** Looks for a configuration with a set that meets all requirements, and makes it the best. */
+  private boolean findWith(int set, int stageCount) {
     int mark = remaining.mark();
     remaining.choose(set);
-    boolean taken = false;
-    if (tree.settle(count)) {
+    boolean found = false;
+    if (tree.narrow(stageCount)) {
       trial.copy(best, remaining);
-      taken = local.reach(count, TIE_PASSES, trial);
-      if (!taken) {
-        search(count, false, MAX_TIE_NODES, trial);
-        taken = tree.found();
-      }
+      found = localSearch.improve(stageCount, TIE_PASSES, trial) || searchAny(stageCount, trial);
     }
     remaining.undo(mark);
-    if (taken) {
+    if (found) {
       best.copy(trial);
     }
-    return taken;
+    return found;
+  }
+
+  private boolean searchAny(int stageCount, Configuration result) {
+    tree.beginFinding(stageCount, result);
+    search.search(tree, MAX_TIE_NODES);
+    tree.end();
+    return tree.found();
   }
 
   @Override
   public int chosen(int camera) {
-    return best.of(camera);
+    return best.set(camera);
   }
 
-  /** The number of search nodes that the last call visited. */
+  /** The number of search nodes that the last call of {@link #solve} visited. */
   public long nodes() {
     return search.nodes();
   }

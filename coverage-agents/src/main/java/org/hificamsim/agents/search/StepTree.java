@@ -1,12 +1,12 @@
 package org.hificamsim.agents.search;
 
 /**
- * The configurations of a step that have what is required of some {@link Stage}s: a decision gives
- * a camera a set, and refusing it takes the set away. Before each decision the stages remove sets
- * that lead nowhere, until none does.
+ * The tree of configurations that meet the requirements of some {@link Stage}s. A decision gives a
+ * camera a set, and refusing it removes the set. Before each decision the stages remove sets that
+ * cannot lead to such a configuration, until none removes any more.
  *
- * <p>For the target that has fewest cameras to spare, the camera with the fewest sets decides, and
- * takes the set that gains most.
+ * <p>The next decision is about the target with the fewest cameras to spare: of the cameras that
+ * may cover it, the one with the fewest sets takes the set that gains most.
  */
 final class StepTree implements BranchAndBound.Tree {
   private final CoverageProblem problem;
@@ -14,11 +14,11 @@ final class StepTree implements BranchAndBound.Tree {
   private final Stage[] stages;
   private final int[] marks;
   private int depth;
-  private int count;
+  private int stageCount;
   private boolean improving;
   private boolean isDeadEnd;
   private boolean found;
-  private Configuration best;
+  private Configuration result;
 
   StepTree(CoverageProblem problem, RemainingSets remaining, Stage[] stages) {
     this.problem = problem;
@@ -28,30 +28,39 @@ final class StepTree implements BranchAndBound.Tree {
   }
 
   /**
-   * Begins a search.
+   * Begins a search for ever better configurations: each one that is found raises the requirement
+   * of the last stage.
    *
-   * @param ofStages how many stages count
-   * @param improve whether to go on when a configuration has been found, with one that is better by
-   *     the last stage
-   * @param into receives what is found
+   * @param newStageCount the number of stages whose requirements have to be met
+   * @param newResult receives each configuration found; the last one is the best
    */
-  void begin(int ofStages, boolean improve, Configuration into) {
-    count = ofStages;
-    improving = improve;
-    best = into;
+  void beginImproving(int newStageCount, Configuration newResult) {
+    begin(newStageCount, newResult);
+    improving = true;
+  }
+
+  /** Begins a search for any one configuration, as {@link #beginImproving} does for the best. */
+  void beginFinding(int newStageCount, Configuration newResult) {
+    begin(newStageCount, newResult);
+    improving = false;
+  }
+
+  private void begin(int newStageCount, Configuration newResult) {
+    stageCount = newStageCount;
+    result = newResult;
     found = false;
     isDeadEnd = false;
     depth = 0;
     marks[depth++] = remaining.mark();
-    remaining.dropIncluded();
+    remaining.removeIncluded();
   }
 
-  /** Ends the search: sets that it removed remain again. */
+  /** Ends the search and restores the sets that it removed. */
   void end() {
     remaining.undo(marks[0]);
   }
 
-  /** Whether a configuration has been found since {@link #begin}. */
+  /** Whether the last search found a configuration. */
   boolean found() {
     return found;
   }
@@ -65,28 +74,33 @@ final class StepTree implements BranchAndBound.Tree {
   public int branch() {
     while (!isDeadEnd) {
       int before = remaining.mark();
-      if (!settle(count) || !weigh()) {
+      if (!narrow(stageCount) || !narrowByGains()) {
         return NONE;
       }
-      if (isSure()) {
+      if (isMetInAnyCase()) {
         keep();
         if (!improving) {
           return NONE;
         }
       } else if (remaining.mark() == before) {
-        return mostGaining(fewestSets(scarcest()));
+        return mostGainingSet(cameraToDecide(scarcestTarget()));
       }
     }
     return NONE;
   }
 
-  /** Lets stages remove sets until none does; false where something required is out of reach. */
-  boolean settle(int ofStages) {
+  /**
+   * Lets stages remove sets until none removes any more.
+   *
+   * @param ofStages the number of stages, from the first one on
+   * @return whether all requirements are still in reach
+   */
+  boolean narrow(int ofStages) {
     int before;
     do {
       before = remaining.mark();
       for (int stage = 0; stage < ofStages; stage++) {
-        if (!stages[stage].narrow()) {
+        if (!stages[stage].narrowByRange()) {
           return false;
         }
       }
@@ -94,67 +108,74 @@ final class StepTree implements BranchAndBound.Tree {
     return true;
   }
 
-  private boolean weigh() {
-    for (int stage = 0; stage < count; stage++) {
-      if (!stages[stage].weigh()) {
+  private boolean narrowByGains() {
+    for (int stage = 0; stage < stageCount; stage++) {
+      if (!stages[stage].narrowByGains()) {
         return false;
       }
     }
     return true;
   }
 
-  private boolean isSure() {
-    boolean sure = true;
-    for (int stage = 0; stage < count; stage++) {
-      sure &= stages[stage].isSure();
+  private boolean isMetInAnyCase() {
+    boolean met = true;
+    for (int stage = 0; stage < stageCount; stage++) {
+      met &= stages[stage].isMetInAnyCase();
     }
-    return sure;
+    return met;
   }
 
   private void keep() {
-    best.clear();
+    result.clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      best.give(camera, remaining.isOpen(camera) ? mostGaining(camera) : remaining.first(camera));
+      boolean open = remaining.isOpen(camera);
+      result.assign(camera, open ? mostGainingSet(camera) : remaining.first(camera));
     }
     found = true;
     if (improving) {
-      last().require(last().value(best.coverage()) + last().step());
+      last().require(last().value(result.coverage()) + last().step());
     }
   }
 
   private Stage last() {
-    return stages[count - 1];
+    return stages[stageCount - 1];
   }
 
-  /** The open target that has fewest cameras to spare; none where it can do without any one. */
-  private int scarcest() {
+  /** Returns the target with the fewest cameras to spare, or none if no target needs a camera. */
+  private int scarcestTarget() {
     int scarcest = NONE;
-    int fewest = Integer.MAX_VALUE;
-    int most = 0;
+    int fewestSpare = Integer.MAX_VALUE;
+    int mostNeeded = 0;
     for (int target = 0; target < problem.targets(); target++) {
-      int choosing = remaining.supply(target) - remaining.sure(target);
-      int lack = choosing == 0 ? 0 : last().lack(target);
-      int spare = choosing - lack;
-      if (lack > 0 && (spare < fewest || (spare == fewest && lack > most))) {
-        fewest = spare;
-        most = lack;
+      int undecided = remaining.maxCoverage(target) - remaining.minCoverage(target);
+      int needed = undecided == 0 ? 0 : last().camerasNeeded(target);
+      int spare = undecided - needed;
+      if (needed > 0 && (spare < fewestSpare || (spare == fewestSpare && needed > mostNeeded))) {
+        fewestSpare = spare;
+        mostNeeded = needed;
         scarcest = target;
       }
     }
     return scarcest;
   }
 
-  /** Of the cameras that may hold the target, or any, the one with fewest sets that gains most. */
-  private int fewestSets(int target) {
+  /**
+   * Returns the open camera with the fewest sets, of equal ones the one that gains most.
+   *
+   * @param target that the camera may cover; any camera if it is {@link #NONE}
+   */
+  private int cameraToDecide(int target) {
     int chosen = NONE;
     int fewest = Integer.MAX_VALUE;
-    for (int i = 0; i < remaining.withChoice(); i++) {
-      int camera = remaining.withChoice(i);
-      boolean asked = target == NONE || remaining.undecidedOn(camera, target);
-      if (asked && remaining.isOpen(camera)) {
-        long gain = last().mostGain(camera);
-        int sets = gain == 0 ? Integer.MAX_VALUE : remaining.count(camera);
-        if (chosen == NONE || sets < fewest || (sets == fewest && gain > last().mostGain(chosen))) {
+    for (int i = 0; i < remaining.choosingCameras(); i++) {
+      int camera = remaining.choosingCamera(i);
+      boolean eligible = target == NONE || remaining.isUndecided(camera, target);
+      if (eligible && remaining.isOpen(camera)) {
+        long gain = last().greatestGain(camera);
+        int sets = gain == 0 ? Integer.MAX_VALUE : remaining.setCount(camera);
+        if (chosen == NONE
+            || sets < fewest
+            || (sets == fewest && gain > last().greatestGain(chosen))) {
           fewest = sets;
           chosen = camera;
         }
@@ -163,7 +184,7 @@ final class StepTree implements BranchAndBound.Tree {
     return chosen;
   }
 
-  private int mostGaining(int camera) {
+  private int mostGainingSet(int camera) {
     int chosen = remaining.first(camera);
     for (int set = chosen + 1; set < problem.endSet(camera); set++) {
       chosen = remaining.has(set) && last().gain(set) > last().gain(chosen) ? set : chosen;
@@ -177,25 +198,25 @@ final class StepTree implements BranchAndBound.Tree {
     remaining.choose(set);
   }
 
-  /** Removes the set, and the camera's other sets that have nothing more that is still open. */
+  /** Removes the set, and the camera's other sets that add no open target to those of the set. */
   @Override
   public void refuse(int set) {
     remaining.undo(marks[--depth]);
     int camera = problem.cameraOf(set);
     for (int other = problem.firstSet(camera); other < problem.endSet(camera); other++) {
-      if (other != set && remaining.has(other) && !hasMore(other, set)) {
+      if (other != set && remaining.has(other) && !addsOpenTarget(other, set)) {
         remaining.remove(other);
       }
     }
     isDeadEnd = !remaining.remove(set);
   }
 
-  private boolean hasMore(int set, int than) {
+  private boolean addsOpenTarget(int set, int refused) {
     for (int word = 0; word < problem.words(); word++) {
-      long more = problem.mask(set, word) & ~problem.mask(than, word);
-      for (; more != 0; more &= more - 1) {
-        int target = (word << 6) + Long.numberOfTrailingZeros(more);
-        for (int stage = 0; stage < count; stage++) {
+      long added = problem.mask(set, word) & ~problem.mask(refused, word);
+      for (; added != 0; added &= added - 1) {
+        int target = (word << 6) + Long.numberOfTrailingZeros(added);
+        for (int stage = 0; stage < stageCount; stage++) {
           if (stages[stage].isOpen(target)) {
             return true;
           }

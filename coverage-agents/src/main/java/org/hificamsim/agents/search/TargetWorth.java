@@ -1,93 +1,95 @@
 package org.hificamsim.agents.search;
 
 /**
- * What a target adds to a sum by the number k of cameras that cover it: a table that never falls,
- * and is flat from {@link #top} on.
+ * What a target adds to a sum, by the number k of cameras that cover it: a table that never falls,
+ * and is flat from {@link #saturation} on.
  */
 final class TargetWorth {
-  /** Of what counts as 1: all numbers to 16 divide it, so that slopes are whole numbers. */
-  private static final long UNIT = 720_720;
+  /** Divisible by all numbers up to 16, so that slopes over up to 16 cameras are whole numbers. */
+  private static final long DIVISIBLE_UNIT = 720_720;
 
   private static final double MAX_SUM = 0x1p62;
 
   private final long[] values;
   private final long unit;
   private final boolean concave;
-  private int top;
+  private int saturation;
 
   /**
    * @param worths by k, as {@link org.hificamsim.core.metrics.Objective#worths} gives them
-   * @param most how many such worths are added up at most
+   * @param maxTerms the number of such worths that are added up at most
    */
-  TargetWorth(long[] worths, double most) {
-    unit = worths[worths.length - 1] * UNIT * most < MAX_SUM ? UNIT : 1;
+  TargetWorth(long[] worths, double maxTerms) {
+    boolean fits = worths[worths.length - 1] * DIVISIBLE_UNIT * maxTerms < MAX_SUM;
+    unit = fits ? DIVISIBLE_UNIT : 1;
     values = new long[worths.length];
     for (int k = 0; k < values.length; k++) {
       values[k] = worths[k] * unit;
     }
-    boolean falling = true;
+    boolean gainsNeverRise = true;
     for (int k = 2; k < values.length; k++) {
-      falling &= values[k] - values[k - 1] <= values[k - 1] - values[k - 2];
+      gainsNeverRise &= values[k] - values[k - 1] <= values[k - 1] - values[k - 2];
     }
-    concave = falling;
+    concave = gainsNeverRise;
     cut(values.length - 1);
   }
 
-  /** Lets no camera after the k-th count. */
+  /** Makes cameras beyond the k-th worth nothing, in place of an earlier cut. */
   void cut(int k) {
-    top = k;
-    while (top > 0 && values[top] == values[top - 1]) {
-      top--;
+    saturation = k;
+    while (saturation > 0 && values[saturation] == values[saturation - 1]) {
+      saturation--;
     }
   }
 
-  /** What counts as 1; all sums are multiples of it. */
+  /** What the objective counts as 1; all sums are multiples of it. */
   long unit() {
     return unit;
   }
 
   /** The number of cameras from which on a further one is worth nothing. */
-  int top() {
-    return top;
+  int saturation() {
+    return saturation;
   }
 
   /** The worth of a target that k cameras cover. */
   long of(int k) {
-    return values[Math.min(k, top)];
+    return values[Math.min(k, saturation)];
   }
 
-  /** What the camera after the k-th adds. */
+  /** What a further camera adds when k cameras cover the target. */
   long gain(int k) {
-    return k < top ? values[k + 1] - values[k] : 0;
-  }
-
-  /** The number of cameras, up to {@code supply}, that a target buys at a price: the fewest. */
-  int bought(int supply, long price) {
-    int bought = 0;
-    for (int k = 1; k <= supply && k <= top; k++) {
-      bought = values[k] - price * k > values[bought] - price * bought ? k : bought;
-    }
-    return bought;
+    return k < saturation ? values[k + 1] - values[k] : 0;
   }
 
   /**
-   * The most that a target's worth exceeds its price, bought from {@code least} to {@code most}.
+   * The number of cameras that a target buys at a price for each, up to {@code max}: the one with
+   * the greatest profit, of equal ones the fewest.
    */
-  long profit(int least, int most, long price) {
-    long profit = of(least) - price * least;
-    for (int k = least + 1; k <= most && k <= top; k++) {
+  int demand(int max, long price) {
+    int demand = 0;
+    for (int k = 1; k <= max && k <= saturation; k++) {
+      demand = values[k] - price * k > values[demand] - price * demand ? k : demand;
+    }
+    return demand;
+  }
+
+  /** The greatest profit, worth less price, of a target that buys {@code min} to {@code max}. */
+  long profit(int min, int max, long price) {
+    long profit = of(min) - price * min;
+    for (int k = min + 1; k <= max && k <= saturation; k++) {
       profit = Math.max(profit, values[k] - price * k);
     }
     return profit;
   }
 
   /**
-   * The least price at which no number of cameras from k up to {@code supply} is worth more than it
-   * costs, rounded up; 0 where nothing can be gained.
+   * The least price, rounded up, at which no number of cameras beyond {@code k}, up to {@code max},
+   * is worth more than it costs; 0 if nothing can be gained.
    */
-  long slope(int k, int supply) {
-    long slope = supply > k ? gain(k) : 0;
-    for (int more = 2; !concave && k + more <= Math.min(supply, top); more++) {
+  long slope(int k, int max) {
+    long slope = max > k ? gain(k) : 0;
+    for (int more = 2; !concave && k + more <= Math.min(max, saturation); more++) {
       slope = Math.max(slope, -Math.floorDiv(values[k] - values[k + more], more));
     }
     return slope;

@@ -14,13 +14,15 @@ class RemainingSetsTest {
   @Test
   void supplyCountsCamerasThatCanAndSureThoseThatMust() {
     RemainingSets remaining = remaining(3, new long[][] {{0b011, 0b010}, {0b110}, {0b001, 0b100}});
-    assertArrayEquals(new int[] {2, 2, 2}, Arrays.copyOf(remaining.supply(), 3));
-    assertArrayEquals(new int[] {0, 2, 1}, IntStream.range(0, 3).map(remaining::sure).toArray());
+    assertArrayEquals(new int[] {2, 2, 2}, Arrays.copyOf(remaining.maxCoverage(), 3));
+    assertArrayEquals(
+        new int[] {0, 2, 1}, IntStream.range(0, 3).map(remaining::minCoverage).toArray());
     remaining.choose(4);
-    assertArrayEquals(new int[] {1, 2, 2}, Arrays.copyOf(remaining.supply(), 3));
-    assertArrayEquals(new int[] {0, 2, 2}, IntStream.range(0, 3).map(remaining::sure).toArray());
-    assertTrue(remaining.undecidedOn(0, 0));
-    assertFalse(remaining.undecidedOn(0, 1));
+    assertArrayEquals(new int[] {1, 2, 2}, Arrays.copyOf(remaining.maxCoverage(), 3));
+    assertArrayEquals(
+        new int[] {0, 2, 2}, IntStream.range(0, 3).map(remaining::minCoverage).toArray());
+    assertTrue(remaining.isUndecided(0, 0));
+    assertFalse(remaining.isUndecided(0, 1));
   }
 
   @Test
@@ -32,14 +34,14 @@ class RemainingSetsTest {
     assertFalse(remaining.remove(1));
     remaining.undo(0);
     assertTrue(remaining.isOpen(0));
-    assertEquals(1, remaining.supply(0));
+    assertEquals(1, remaining.maxCoverage(0));
   }
 
   @Test
   void ofIncludedSetsTheFirstThatHoldsThemStays() {
     RemainingSets remaining =
         remaining(3, new long[][] {{0b001, 0b011, 0b011, 0b100}, {0b010}, {0b111, 0b101}});
-    remaining.dropIncluded();
+    remaining.removeIncluded();
     assertArrayEquals(new int[] {1, 3}, remaining.sets(0));
     assertArrayEquals(new int[] {4}, remaining.sets(1));
     assertArrayEquals(new int[] {5}, remaining.sets(2));
@@ -65,7 +67,7 @@ class RemainingSetsTest {
 
   private static void change(RemainingSets changed, SplittableRandom random, boolean[][][] sets) {
     int camera = random.nextInt(sets.length);
-    if (changed.count(camera) > 0) {
+    if (changed.setCount(camera) > 0) {
       int[] left = changed.sets(camera);
       int set = left[random.nextInt(left.length)];
       if (random.nextBoolean()) {
@@ -78,11 +80,12 @@ class RemainingSetsTest {
 
   private static String text(RemainingSets remaining, boolean[][][] sets) {
     StringBuilder text = new StringBuilder();
-    text.append(Arrays.toString(remaining.supply()));
-    IntStream.range(0, 70).forEach(target -> text.append(remaining.sure(target)).append(' '));
+    text.append(Arrays.toString(remaining.maxCoverage()));
+    IntStream.range(0, 70)
+        .forEach(target -> text.append(remaining.minCoverage(target)).append(' '));
     for (int camera = 0; camera < sets.length; camera++) {
       text.append(Arrays.toString(remaining.sets(camera)))
-          .append(remaining.count(camera))
+          .append(remaining.setCount(camera))
           .append(remaining.undecided(camera, 0))
           .append(remaining.undecided(camera, 1));
     }

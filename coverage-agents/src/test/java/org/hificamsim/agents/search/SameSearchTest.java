@@ -89,17 +89,17 @@ class SameSearchTest {
         problem -> {
           RemainingSets remaining = new RemainingSets(problem);
           remaining.reset();
-          Stage[] stages = StepSolver.stages(Objective.parse(text), problem, remaining);
+          Stage[] stages = Stage.stages(Objective.parse(text), problem, remaining);
           Configuration configuration = new Configuration(problem);
           configuration.reset();
           long bound = stages[0].bound();
           sums[0] += bound;
           stages[0].require(bound);
-          new LocalSearch(problem, remaining, stages).reach(1, 10, configuration);
+          new LocalSearch(problem, remaining, stages).improve(1, 10, configuration);
           long value = stages[0].value(configuration.coverage());
           sums[2] += value;
           stages[0].require(value + stages[0].step());
-          stages[0].tune(40);
+          stages[0].tunePrices(40);
           sums[1] += stages[0].bound();
         });
     assertEquals(free + " " + priced + " " + reached, sums[0] + " " + sums[1] + " " + sums[2]);

@@ -23,7 +23,7 @@ class TargetWorthTest {
   @Test
   void itIsFlatFromWhereNoCameraAddsAnything() {
     TargetWorth worth = new TargetWorth(new long[] {0, 0, 1, 1}, 1);
-    assertEquals(2, worth.top());
+    assertEquals(2, worth.saturation());
     assertEquals("0 0 1 1 1", units(worth, 4));
     assertEquals(0, worth.gain(0));
     assertEquals(UNIT, worth.gain(1));
@@ -68,7 +68,7 @@ class TargetWorthTest {
                   .orElseThrow();
           assertEquals(profit, worth.profit(k, most, price));
         }
-        int bought = worth.bought(k, price);
+        int bought = worth.demand(k, price);
         assertEquals(worth.profit(0, k, price), worth.of(bought) - price * bought);
         assertEquals(bought == 0, worth.profit(0, k, price) == 0, "none rather than for nothing");
       }

@@ -1,0 +1,99 @@
+package org.hificamsim.agents.search;
+
+import java.util.Arrays;
+
+/**
+ * The range that a sum of worths is in whatever the cameras choose among their remaining sets: from
+ * every target covered by its minimum to every target covered by its maximum.
+ *
+ * <p>The range is that of the last {@link #update}.
+ */
+final class SumRange {
+  private final CoverageProblem problem;
+  private final RemainingSets remaining;
+  private final TargetWorth worth;
+  private final long[] lastCameraWorth;
+  private final long[] indispensable;
+  private long min;
+  private long max;
+
+  SumRange(CoverageProblem problem, RemainingSets remaining, TargetWorth worth) {
+    this.problem = problem;
+    this.remaining = remaining;
+    this.worth = worth;
+    lastCameraWorth = new long[problem.maxTargets()];
+    indispensable = new long[CoverageProblem.wordsFor(problem.maxTargets())];
+  }
+
+  /** Computes the range for the sets that remain now. */
+  void update() {
+    min = 0;
+    max = 0;
+    for (int target = 0; target < problem.targets(); target++) {
+      int minCoverage = remaining.minCoverage(target);
+      int maxCoverage = remaining.maxCoverage(target);
+      min += worth.of(minCoverage);
+      max += worth.of(maxCoverage);
+      lastCameraWorth[target] = maxCoverage > minCoverage ? worth.gain(maxCoverage - 1) : 0;
+    }
+  }
+
+  long min() {
+    return min;
+  }
+
+  long max() {
+    return max;
+  }
+
+  /**
+   * Removes the sets that lack an indispensable target: one that must be covered by all cameras
+   * that can cover it, because the sum can do with {@code surplus} less than its maximum at most.
+   *
+   * @return whether every camera still has a set
+   */
+  boolean removeSetsWithoutIndispensable(long surplus) {
+    boolean anyIndispensable = false;
+    Arrays.fill(indispensable, 0, problem.words(), 0);
+    for (int target = 0; target < problem.targets(); target++) {
+      if (lastCameraWorth[target] > surplus) {
+        indispensable[target >> 6] |= 1L << target;
+        anyIndispensable = true;
+      }
+    }
+    for (int i = 0; anyIndispensable && i < remaining.choosingCameras(); i++) {
+      if (!removeSetsWithoutIndispensable(remaining.choosingCamera(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean removeSetsWithoutIndispensable(int camera) {
+    for (int word = 0; word < problem.words(); word++) {
+      long needed = remaining.undecided(camera, word) & indispensable[word];
+      for (int set = problem.firstSet(camera); needed != 0 && set < problem.endSet(camera); set++) {
+        boolean lacks = (needed & ~problem.mask(set, word)) != 0;
+        if (lacks && remaining.has(set) && !remaining.remove(set)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /**
+   * The number of further cameras, beyond those that cover a target in any case, without which the
+   * sum cannot reach what is required.
+   *
+   * @param surplus how far the maximum exceeds the sum required
+   */
+  int camerasNeeded(int target, long surplus) {
+    int k = remaining.maxCoverage(target);
+    long leastWorth = worth.of(k) - surplus;
+    while (k > remaining.minCoverage(target) && worth.of(k - 1) >= leastWorth) {
+      k--;
+    }
+    return k - remaining.minCoverage(target);
+  }
+}
