@@ -132,7 +132,8 @@ class JvmBackend:
         try:
             return method(*arguments)
         except self._fault as e:
-            raise _translated(str(e.getClass().getName()), str(e.getMessage()), e) from None
+            message = _Jvm.start().message(e)
+            raise _translated(str(e.getClass().getName()), str(message), e) from None
 
     def _open(self) -> Any:
         _Jvm.check()

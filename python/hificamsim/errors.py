@@ -15,7 +15,7 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """A setting, file or action is wrong; the message is the line that the command line prints."""
+    """A setting, file or action is wrong; the message is one line, in which a setting is a keyword, such as ``steps=``."""
 
 
 class JavaError(Error, RuntimeError):

@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
+import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
@@ -18,6 +20,7 @@ from .errors import Error, InputError, path, shown
 from .worlds import Worlds, scenario_file, shipped
 
 BAD_INPUT = 2
+WARNING = "warning: "
 
 
 @dataclass(frozen=True)
@@ -139,12 +142,30 @@ def _command(
 ) -> Results:
     words = [word for key, value in options.items() for word in _words(key, value)]
     if out is not None:
-        execute(name, *files, "--out", os.fspath(out), *words)
+        _execute_with_keywords(name, *files, "--out", os.fspath(out), *words)
         return read_results(out)
     with tempfile.TemporaryDirectory() as scratch:
-        execute(name, *files, "--out", scratch, *words)
+        _execute_with_keywords(name, *files, "--out", scratch, *words)
         read = read_results(scratch)
     return Results(read.settings, read.frames)
+
+
+def _execute_with_keywords(*words: str) -> None:
+    """Runs a command for a caller who passed keywords: an error names ``steps=`` where the command line has ``--steps``.
+
+    What the command warns of is a warning of Python's.
+    """
+    try:
+        done = _finished(*words)
+    except Error as e:
+        raise type(e)(_with_keywords(str(e))) from None
+    for message in done.stderr.splitlines():
+        if message.startswith(WARNING):
+            warnings.warn(_with_keywords(message.removeprefix(WARNING)), stacklevel=4)
+
+
+def _with_keywords(message: str) -> str:
+    return re.sub(r"(?<![\w-])--(?!help\b)([a-z]+(?:-[a-z]+)*)", lambda flag: flag[1].replace("-", "_") + "=", message)
 
 
 def _words(key: str, value: Any) -> list[str]:
@@ -160,6 +181,10 @@ def _words(key: str, value: Any) -> list[str]:
 
 def execute(*words: str) -> str:
     """Runs any command of ``hificamsim``, and returns what it prints."""
+    return _finished(*words).stdout
+
+
+def _finished(*words: str) -> subprocess.CompletedProcess[str]:
     root = f"-Dhificamsim.root={shipped().resolve().parent}"
     command = [java.executable(), *java.options(), root, "-cp", os.pathsep.join(java.class_path())]
     done = subprocess.run(
@@ -175,7 +200,7 @@ def execute(*words: str) -> str:
         raise InputError(done.stderr.strip() + hint)
     if done.returncode:
         raise Error(done.stderr.strip())
-    return done.stdout
+    return done
 
 
 def record(

@@ -38,8 +38,8 @@ def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]
     [
         ({"detection": "hifi:orb-line"}, "unknown detection 'hifi:orb-line', expected one of"),
         ({"reward": "cover"}, "unknown reward 'cover', expected one of coverage"),
-        ({"actions": "zoom"}, "actions is 'zoom', expected one of view, steps"),
-        ({"steps": 0}, "steps is 0, expected a whole number from 1 to 1000000000"),
+        ({"actions": "zoom"}, "actions= is 'zoom', expected one of view, steps"),
+        ({"steps": 0}, "steps= is 0, expected a whole number from 1 to 1000000000"),
         ({"num_envs": 0}, "0 worlds, expected 1 or more"),
         ({"targets": -1}, "observed targets is -1, expected 0 to 1000"),
         ({"objective": "best"}, "unknown objective 'best'"),
@@ -58,6 +58,30 @@ def test_a_wrong_setting_is_a_line(settings: dict[str, object], line: str) -> No
 def test_a_wrong_setting_is_a_line_of_a_worker_too() -> None:
     with pytest.raises(hificamsim.InputError, match="unknown reward 'cover', expected one of coverage[^\\n]*$"):
         hificamsim.Worlds("campus", reward="cover", backend="process")
+
+
+def test_a_worker_names_settings_as_keywords() -> None:
+    with pytest.raises(hificamsim.InputError, match="^steps= is 0, expected a whole number from 1"):
+        hificamsim.Worlds("campus", steps=0, backend="process")
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"steps": 0}, "error: steps= is 0, expected a whole number from 1"),
+        ({"cells": 9}, "error: cells= needs heatmap="),
+    ],
+)
+def test_a_run_names_settings_as_keywords(settings: dict[str, object], message: str) -> None:
+    with pytest.raises(hificamsim.InputError) as fault:
+        hificamsim.run("campus", **settings)
+    assert str(fault.value).startswith(message)
+    assert "--" not in str(fault.value)
+
+
+def test_a_run_warns_of_a_model_that_hardly_sees_a_target() -> None:
+    with pytest.warns(UserWarning, match="'camsim-range' detects up to 0.0"):
+        hificamsim.run("campus", detection="camsim-range", steps=1)
 
 
 @pytest.mark.parametrize("make", [hificamsim.parallel_env, hificamsim.vector_env, hificamsim.single_env])

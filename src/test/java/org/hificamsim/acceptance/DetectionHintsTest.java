@@ -100,7 +100,7 @@ class DetectionHintsTest {
         "warning: "
             + file
             + ": its threshold 0.04 is used for 'hifi:orb-lin', whose own is 0.0441; expected"
-            + " --detection hifi:orb-lin@0.0441 where that one is meant";
+            + " detection hifi:orb-lin@0.0441 where that one is meant";
     assertEquals(warning, Cli.run("validate", file).err().strip());
     Path out = folder.resolve("out");
     assertEquals(warning, Cli.run("run", file, "--steps", 1, "--out", out).err().strip());

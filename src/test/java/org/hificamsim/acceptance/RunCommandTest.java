@@ -154,8 +154,8 @@ class RunCommandTest {
         "--repeat 0 | --repeat is 0",
         "--seed x | 'x'",
         "--seed 9223372036854775807 --repeat 2 | --seed is 9223372036854775807, expected at most",
-        "--threshold 1.5 | threshold is 1.5, expected a number from 0 to 1",
-        "--threshold NaN | threshold is NaN",
+        "--threshold 1.5 | --threshold is 1.5, expected a number from 0 to 1",
+        "--threshold NaN | --threshold is NaN",
         "--detection hifi:orb-cubic | unknown detection 'hifi:orb-cubic', expected one of"
             + " hifi:orb-",
         "--detection nothing.json | nothing.json",

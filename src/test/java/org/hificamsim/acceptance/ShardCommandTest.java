@@ -104,7 +104,7 @@ class ShardCommandTest {
   void anothersFileOfThisNameIsKept() throws IOException {
     Path out = Files.createDirectory(folder.resolve("own"));
     Path notes = Files.writeString(out.resolve("runs.jsonl"), "my notes");
-    assertRefused("no --shard wrote it", words(out, "--shard", "2/3", "--resume"));
+    assertRefused("no shard wrote it", words(out, "--shard", "2/3", "--resume"));
     assertEquals("my notes", Files.readString(notes));
   }
 

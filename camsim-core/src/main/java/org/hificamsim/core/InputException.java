@@ -4,6 +4,9 @@ package org.hificamsim.core;
  * A fault in what the user gave (a file, an option, a name), reported in one line: where it is,
  * what is wrong, the value, and what was expected. The command line prints the message alone and
  * exits with 2.
+ *
+ * <p>A message names a setting by {@link NamedSetting#setting}. {@link #getMessage} has its plain
+ * name; a front end prints {@link #message} in the notation that its users know.
  */
 public final class InputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -13,7 +16,7 @@ public final class InputException extends RuntimeException {
     super(message);
   }
 
-  /** A fault that has another one behind it. */
+  /** A fault that has another one as its cause. */
   public InputException(String message, Throwable cause) {
     super(message, cause);
   }
@@ -23,9 +26,20 @@ public final class InputException extends RuntimeException {
     return new InputException(Texts.format(form, values));
   }
 
-  /** The same fault with another one behind it. */
+  /** The same fault with another one as its cause. */
   public InputException because(Throwable cause) {
     initCause(cause);
     return this;
+  }
+
+  /** The message, with the plain names of settings. */
+  @Override
+  public String getMessage() {
+    return message(NamedSetting.PLAIN);
+  }
+
+  /** The message, with the settings that it names as the users of a front end write them. */
+  public String message(NamedSetting.Notation notation) {
+    return NamedSetting.written(String.valueOf(super.getMessage()), notation);
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.network;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.Optional;
 import org.hificamsim.core.scenario.spec.AgentCheck.Fault;
 import org.hificamsim.core.scenario.spec.CameraSpec;
@@ -69,7 +71,10 @@ final class RoleReader {
   private void requireRange(Optional<OpticsSpec> optics, Fault fault) {
     if (zooming) {
       throw fault.in(
-          "zoom", "none, or no --policy, where the schedule is BanditZoom, which sets ranges");
+          "zoom",
+          "none, or no "
+              + setting("policy")
+              + ", where the schedule is BanditZoom, which sets ranges");
     }
     if (optics.filter(used -> used.law().hasAngles()).isPresent()) {
       throw fault.in(

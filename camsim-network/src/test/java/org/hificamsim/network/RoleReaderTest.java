@@ -96,6 +96,6 @@ class RoleReaderTest {
     assertEquals(ScheduleKind.BANDIT_ZOOM, role.schedule());
     RoleReader reader = new RoleReader(NetworkSettings.CAMSIM, true);
     InputException error = assertThrows(InputException.class, () -> read(reader, zooming, false));
-    assertTrue(error.getMessage().startsWith("zoom: none, or no --policy, "), error::getMessage);
+    assertTrue(error.getMessage().startsWith("zoom: none, or no policy, "), error::getMessage);
   }
 }

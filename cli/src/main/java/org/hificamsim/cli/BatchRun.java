@@ -191,7 +191,8 @@ final class BatchRun {
       manifest(folder, steps);
       if (page) {
         folder.write(
-            ResultFolder.REPORT, Report.html(folder.drafts(), ResultFolder.name(folder.path())));
+            ResultFolder.REPORT,
+            Report.html(folder.drafts(), ResultFolder.name(folder.path()), Flags.NOTATION));
       }
       CrateFile.write(folder, inputs);
       ResultFolder.commit(folder, List.of());

@@ -3,17 +3,20 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -25,6 +28,7 @@ import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.SummaryTables;
 import org.hificamsim.runs.compare.Yardstick;
+import org.hificamsim.runs.hints.OptimumTime;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,6 +41,8 @@ import picocli.CommandLine.Spec;
     name = "compare",
     description = "Compares policies and detection models over scenarios and seeds.")
 final class CompareCommand implements Callable<Integer> {
+  private static final Duration LONG = Duration.ofMinutes(2);
+
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
@@ -74,7 +80,10 @@ final class CompareCommand implements Callable<Integer> {
     Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
     ReferencePolicies references = ReferencePolicies.parse("--yardsticks", yardsticks);
     if (batch.computesHere()) {
-      new OptimumTime(catalogue, batch.threads()).tell(plans, references, screen.err());
+      new OptimumTime(catalogue, batch.threads())
+          .forecast(plans, references)
+          .filter(forecast -> forecast.total().compareTo(LONG) > 0)
+          .ifPresent(forecast -> screen.err().println(sentence(forecast)));
     }
     return batch.execute(
         screen,
@@ -92,6 +101,19 @@ final class CompareCommand implements Callable<Integer> {
           }
           return out -> print(out, results);
         });
+  }
+
+  static String sentence(OptimumTime.Forecast forecast) {
+    double seconds = forecast.secondsPerStep();
+    return Texts.format(
+        "the optimum of %s takes up to "
+            + (seconds < 10 ? "%.2g" : "%.0f")
+            + " s a step, all optima up to %d:%02d hours; --yardsticks bound takes a small part of"
+            + " it",
+        forecast.slowest(),
+        seconds,
+        forecast.total().toHours(),
+        forecast.total().toMinutesPart());
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {
@@ -168,6 +190,6 @@ final class CompareCommand implements Callable<Integer> {
         + ", "
         + plan.detection().name()
         + (plan.detection().certain() ? ": detected up to " : ": detected half of the time up to ")
-        + DetectionHints.reach(plan.scenario(), plan.detection());
+        + Reach.describe(plan.scenario(), plan.detection());
   }
 }

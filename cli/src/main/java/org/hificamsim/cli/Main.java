@@ -140,8 +140,8 @@ public final class Main {
     if (Boolean.getBoolean("hificamsim.debug")) {
       fault.printStackTrace(command.getErr());
     }
-    if (fault instanceof InputException) {
-      return end(command, fault.getMessage(), BAD_INPUT);
+    if (fault instanceof InputException input) {
+      return end(command, input.message(Flags.NOTATION), BAD_INPUT);
     }
     if (fault instanceof UncheckedIOException io) {
       return failure(io.getCause(), command);

@@ -1,10 +1,8 @@
 package org.hificamsim.cli;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import org.hificamsim.core.InputException;
 
-/** Range checks of numeric options, and numbers in messages. */
+/** Range checks of numeric options. */
 final class Numbers {
   private Numbers() {}
 
@@ -44,10 +42,5 @@ final class Numbers {
       throw InputException.of("%s is %s, expected a number from %s to %s", option, value, min, max);
     }
     return value;
-  }
-
-  /** A number with three significant digits. */
-  static String plain(double value) {
-    return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toPlainString();
   }
 }

@@ -57,7 +57,7 @@ final class ReportCommand implements Callable<Integer> {
       pictures.write(folder, destination, spec.commandLine().getOut());
     }
     if (replays) {
-      for (List<String> words : TradeoffReport.replays(folder)) {
+      for (List<String> words : TradeoffReport.replays(folder, Flags.NOTATION)) {
         CommandLine line = spec.commandLine();
         Main.execute(line.getOut(), line.getErr(), words.toArray(String[]::new));
       }
@@ -79,7 +79,7 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private String html() throws IOException {
-    return Report.html(folder, ResultFolder.name(folder));
+    return Report.html(folder, ResultFolder.name(folder), Flags.NOTATION);
   }
 
   private void writeBesideResults() throws IOException {

@@ -177,7 +177,7 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private String page(OutputFolder files, Path folder) throws IOException {
-    String html = Report.html(files.drafts(), ResultFolder.name(folder));
+    String html = Report.html(files.drafts(), ResultFolder.name(folder), Flags.NOTATION);
     warnOfSize(folder.resolve(ResultFolder.REPORT), html.length() / 1e6);
     return html;
   }

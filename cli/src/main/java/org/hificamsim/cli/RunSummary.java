@@ -12,6 +12,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoreText;
@@ -70,7 +71,7 @@ final class RunSummary {
     if (Estimate.of(results, Metric.SCORE).mean() == 0) {
       line(
           plan.detection().certain() ? "detected up to" : "half of the time",
-          DetectionHints.reach(plan.scenario(), plan.detection()));
+          Reach.describe(plan.scenario(), plan.detection()));
     }
   }
 

@@ -12,6 +12,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.hints.DetectionHints;
 import picocli.CommandLine.Option;
 
 /** How scenario files are read: with their settings, and {@code --strict}. */
@@ -63,7 +64,7 @@ final class ScenarioOptions {
 
   /** Warns of what is odd about a scenario as a detection sees it. */
   void warnAbout(Path file, Scenario scenario, Detection used, PrintWriter err) {
-    DetectionHints.all(scenario, used, Catalogue.load())
+    DetectionHints.of(scenario, used, Catalogue.load())
         .forEach(line -> on(err).accept(file + ": " + line));
   }
 }

@@ -75,7 +75,7 @@ final class SettingOptions {
     for (Map.Entry<Setting, OptionSpec> one : options.entrySet()) {
       Object value = one.getValue().getValue();
       if (isAsked(one.getValue())) {
-        asked = asked.with(one.getKey(), value.toString(), name(one.getKey()));
+        asked = asked.with(one.getKey(), value.toString());
       } else if (value != null) {
         asked = asked.orElse(one.getKey(), value.toString());
       }
@@ -98,6 +98,6 @@ final class SettingOptions {
   }
 
   private static String name(Setting setting) {
-    return "--" + setting.label().replace('_', '-');
+    return Flags.NOTATION.name(setting.label());
   }
 }

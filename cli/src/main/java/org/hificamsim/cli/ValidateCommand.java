@@ -17,6 +17,7 @@ import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.hints.DetectionHints;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -61,7 +62,7 @@ final class ValidateCommand implements Callable<Integer> {
             catalogue.movements().names()::contains,
             NetworkSettings.DEFAULT.check(),
             warned::add,
-            fault -> errors.add(fault.getMessage()));
+            fault -> errors.add(fault.message(Flags.NOTATION)));
     scenario.ifPresent(one -> warnAbout(file, one, asked, catalogue, warned, errors));
     if (scenarioOptions.strict()) {
       errors.addAll(0, warned.stream().map(ScenarioOptions::asError).toList());
@@ -85,14 +86,14 @@ final class ValidateCommand implements Callable<Integer> {
       List<String> errors) {
     try {
       Detection used = DetectionSpec.of(asked, scenario, file, catalogue);
-      DetectionHints.all(scenario, used, catalogue).forEach(line -> warned.add(file + ": " + line));
+      DetectionHints.of(scenario, used, catalogue).forEach(line -> warned.add(file + ": " + line));
     } catch (InputException e) {
-      errors.add(e.getMessage());
+      errors.add(e.message(Flags.NOTATION));
     }
     try {
       FloorPictures.of(file, scenario); // which a run needs if it is recorded
     } catch (InputException e) {
-      warned.add(e.getMessage());
+      warned.add(e.message(Flags.NOTATION));
     }
   }
 

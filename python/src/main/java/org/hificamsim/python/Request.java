@@ -1,5 +1,7 @@
 package org.hificamsim.python;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -135,7 +137,7 @@ record Request(Settings asked, Environment own) {
         catalogue.movements(),
         DetectionSpec.of(asked, scenario, file, catalogue),
         new ObservationLayout(own.targets, own.neighbours, scenario.hasHeights()),
-        Spelling.require(ActionKind.class, "actions", own.actions),
+        Spelling.require(ActionKind.class, setting("actions"), own.actions),
         () -> Rewards.registry().create(own.reward),
         Integer.parseInt(asked.value(Setting.STEPS, scenario)),
         autoReset(),
@@ -146,7 +148,7 @@ record Request(Settings asked, Environment own) {
     return switch (own.autoReset) {
       case "true" -> AutoReset.SAME_STEP;
       case "false" -> AutoReset.DISABLED;
-      default -> Spelling.require(AutoReset.class, "auto_reset", own.autoReset);
+      default -> Spelling.require(AutoReset.class, setting("auto_reset"), own.autoReset);
     };
   }
 
@@ -158,7 +160,7 @@ record Request(Settings asked, Environment own) {
         .ifPresent(
             setting -> {
               throw InputException.of(
-                  "task %s with its own %s, expected the seed alone", own.task, setting.label());
+                  "task %s with %s, expected the seed alone", own.task, setting(setting.label()));
             });
   }
 
@@ -166,7 +168,8 @@ record Request(Settings asked, Environment own) {
   private Supplier<ZoomPolicy> expert(Catalogue catalogue) {
     if (catalogue.policies().create(own.expert) instanceof HindsightZoomPolicy) {
       throw InputException.of(
-          "expert is '%s', expected a policy that knows no whole run before it begins", own.expert);
+          "%s is '%s', expected a policy that knows no whole run before it begins",
+          setting("expert"), own.expert);
     }
     return () -> catalogue.policies().create(own.expert);
   }

@@ -85,7 +85,7 @@ public final class Server {
     try {
       reply('k', answerTo((char) letter, ByteBuffer.wrap(message)));
     } catch (InputException e) {
-      reply('i', bytes(e.getMessage()));
+      reply('i', bytes(Session.message(e)));
     } catch (RuntimeException | Error e) {
       e.printStackTrace();
       reply('e', bytes(e.toString()));

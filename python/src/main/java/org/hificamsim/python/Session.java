@@ -104,6 +104,13 @@ public final class Session implements AutoCloseable {
     return painted.get(world).picture(worlds.network(world), worlds.seed(world), width);
   }
 
+  /** What went wrong, with settings written as Python's keyword arguments. */
+  public static String message(Throwable fault) {
+    return fault instanceof InputException input
+        ? input.message(Keywords.NOTATION)
+        : fault.getMessage();
+  }
+
   /** Ends the threads. */
   @Override
   public void close() {

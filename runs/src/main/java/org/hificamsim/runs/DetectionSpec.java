@@ -1,5 +1,7 @@
 package org.hificamsim.runs;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -30,7 +32,7 @@ public record DetectionSpec(
 
   /** Checks the threshold. */
   public DetectionSpec {
-    threshold.ifPresent(DetectionSpec::checkThreshold);
+    threshold.ifPresent(value -> requireThreshold("threshold", value));
   }
 
   /**
@@ -43,7 +45,7 @@ public record DetectionSpec(
     Matcher parts = WITH_THRESHOLD.matcher(text);
     Matcher ruled = WITH_RULE.matcher(text);
     if (parts.matches()) {
-      Optional<Double> own = Optional.of(threshold(parts.group(2)));
+      Optional<Double> own = Optional.of(threshold("threshold", parts.group(2)));
       return new DetectionSpec(text, models.apply(parts.group(1)), own, Optional.empty());
     }
     if (ruled.matches()) {
@@ -66,16 +68,20 @@ public record DetectionSpec(
    * @throws InputException when it is no number from 0 to 1
    */
   static double threshold(String text) {
+    return threshold(setting("threshold"), text);
+  }
+
+  private static double threshold(String name, String text) {
     try {
-      return checkThreshold(Double.parseDouble(text));
+      return requireThreshold(name, Double.parseDouble(text));
     } catch (NumberFormatException e) {
-      throw new InputException("threshold is '" + text + "', expected a number from 0 to 1", e);
+      throw InputException.of("%s is '%s', expected a number from 0 to 1", name, text).because(e);
     }
   }
 
-  private static double checkThreshold(double threshold) {
+  private static double requireThreshold(String name, double threshold) {
     if (!(threshold >= 0 && threshold <= 1)) {
-      throw new InputException("threshold is " + threshold + ", expected a number from 0 to 1");
+      throw InputException.of("%s is %s, expected a number from 0 to 1", name, threshold);
     }
     return threshold;
   }

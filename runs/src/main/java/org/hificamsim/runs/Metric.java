@@ -144,7 +144,7 @@ public enum Metric {
       measured(run -> run.traffic().dropped())),
   PROPORTION_OF_BOUND(
       "share",
-      "with `compare --yardsticks bound` alone: score over [a bound](objectives.md#a-bound) on the"
+      "with the yardstick `bound` alone: score over [a bound](objectives.md#a-bound) on the"
           + " optimum's of the same scenario, detection model and seed, so that it is at least this"
           + " share of what is possible; empty where the bound is 0",
       compared(ScoredRun::bound, ScoredRun::proportionOfBound)),

@@ -23,6 +23,8 @@ import org.hificamsim.core.world.World;
  *     detected nowhere
  */
 public record Reach(double radius, double detected) {
+  private static final int MAX_LISTED = 10;
+
   /** The reach at each zoom level of a scenario's cameras, each once, for its largest target. */
   public static List<Reach> of(Scenario scenario, Detection detection) {
     double size = largestTarget(scenario);
@@ -35,6 +37,23 @@ public record Reach(double radius, double detected) {
   /** The farthest distance at which a target is detected at any zoom level, metres. */
   public static double farthest(Scenario scenario, Detection detection) {
     return of(scenario, detection).stream().mapToDouble(Reach::detected).max().orElse(0);
+  }
+
+  /** How far a target is detected at each zoom level, in words; by chance, half of the time. */
+  public static String describe(Scenario scenario, Detection detection) {
+    List<String> levels =
+        of(scenario, detection).stream()
+            .map(reach -> ShortNumber.of(reach.detected) + " of " + ShortNumber.of(reach.radius))
+            .toList();
+    String size = ShortNumber.of(largestTarget(scenario));
+    return listed(levels) + " m (a target of " + size + " m)";
+  }
+
+  /** A list in words: the first ten texts, and dots for the others. */
+  public static String listed(List<String> texts) {
+    return texts.size() <= MAX_LISTED
+        ? String.join(", ", texts)
+        : String.join(", ", texts.subList(0, MAX_LISTED)) + ", ...";
   }
 
   /** The edge of the largest target that a scenario has at any time, metres. */

@@ -1,5 +1,7 @@
 package org.hificamsim.runs;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
@@ -33,7 +35,7 @@ public enum Setting {
           (name, text) -> {},
           (scenario, text) -> scenario,
           scenario -> scenario.find(Scenario.DETECTION)),
-      "Detection model, optionally with a threshold or rule (--detect); see 'list detections'."
+      "Detection model, optionally with a threshold or rule; see 'list detections'."
           + " Without this option the scenario's is used, and the default only if it names none."),
   THRESHOLD(
       Kind.NUMBER,
@@ -54,8 +56,9 @@ public enum Setting {
           (name, text) -> DetectionRule.parse(text),
           (scenario, text) -> scenario.withDetect(DetectionRule.parse(text)),
           scenario -> scenario.detect().map(DetectionRule::text)),
-      "When a target counts as detected: threshold, if its confidence reaches --threshold; chance,"
-          + " by the scatter of the model's fit; probability, with its confidence as probability.",
+      "When a target counts as detected: threshold, if its confidence reaches the threshold;"
+          + " chance, by the scatter of the model's fit; probability, with its confidence as"
+          + " probability.",
       "Settings of chance: alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
           + " threshold."),
   POLICY(
@@ -269,11 +272,10 @@ public enum Setting {
   /**
    * Checks a value.
    *
-   * @param name that errors give the setting
-   * @throws InputException when it is none
+   * @throws InputException when the setting cannot have it
    */
-  void check(String name, String text) {
-    holder.check.check(name, text);
+  void check(String text) {
+    holder.check.check(setting(label()), text);
   }
 
   Scenario into(Scenario scenario, String text) {

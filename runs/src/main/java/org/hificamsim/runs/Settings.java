@@ -28,17 +28,7 @@ public final class Settings {
    * @throws org.hificamsim.core.InputException when it cannot have the value
    */
   public Settings with(Setting setting, String value) {
-    return with(setting, value, setting.label());
-  }
-
-  /**
-   * The same settings and another.
-   *
-   * @param name that an error gives the setting
-   * @throws org.hificamsim.core.InputException when it cannot have the value
-   */
-  public Settings with(Setting setting, String value, String name) {
-    setting.check(name, value);
+    setting.check(value);
     return new Settings(with(asked, setting, value), fallbacks);
   }
 

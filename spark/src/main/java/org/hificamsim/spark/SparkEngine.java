@@ -1,5 +1,7 @@
 package org.hificamsim.spark;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
@@ -43,10 +45,10 @@ public final class SparkEngine implements RunEngine {
     try {
       Class.forName("org.apache.spark.SparkContext", false, SparkEngine.class.getClassLoader());
     } catch (ClassNotFoundException e) {
-      throw new InputException(
-          "--engine spark: Spark is not on the class path, expected its jars in the folder of this"
-              + " one",
-          e);
+      throw InputException.of(
+              "%s: Spark is not on the class path, expected its jars in the folder of this one",
+              setting("engine", "spark"))
+          .because(e);
     }
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.spark;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.File;
 import java.io.IOException;
 import java.net.URISyntaxException;
@@ -112,13 +114,13 @@ final class SparkJob {
       return connecting.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw InputException.of(
-              "--master '%s' has not taken the job within %s s, expected the URL of a Spark"
-                  + " master",
-              master.url(), PATIENCE_SECONDS)
+              "%s '%s' has not taken the job within %s s, expected the URL of a Spark" + " master",
+              setting("master"), master.url(), PATIENCE_SECONDS)
           .because(e);
     } catch (ExecutionException e) {
-      throw new InputException(
-          "--master '%s': Spark does not start (%s)".formatted(master.url(), e.getCause()), e);
+      throw InputException.of(
+              "%s '%s': Spark does not start (%s)", setting("master"), master.url(), e.getCause())
+          .because(e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IOException("interrupted", e);

@@ -1,5 +1,7 @@
 package org.hificamsim.spark;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -37,9 +39,11 @@ record SparkMaster(String url) {
     String url =
         asked
             .or(() -> Optional.ofNullable(System.getProperty(SUBMITTED)))
-            .orElseThrow(() -> new InputException("--master is missing, expected " + expected()));
+            .orElseThrow(
+                () ->
+                    InputException.of("%s is missing, expected %s", setting("master"), expected()));
     if (!KNOWN.matcher(url).matches() || !addresses(url).stream().allMatch(SparkMaster::hasPort)) {
-      throw new InputException("--master is '%s', expected %s".formatted(url, expected()));
+      throw InputException.of("%s is '%s', expected %s", setting("master"), url, expected());
     }
     return new SparkMaster(url);
   }
@@ -69,9 +73,8 @@ record SparkMaster(String url) {
       }
     }
     throw InputException.of(
-            "--master '%s' does not answer (%s), expected the URL of a Spark master that"
-                + " is running",
-            url, why(last))
+            "%s '%s' does not answer (%s), expected the URL of a Spark master that" + " is running",
+            setting("master"), url, why(last))
         .because(last);
   }
 

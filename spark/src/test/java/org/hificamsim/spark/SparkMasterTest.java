@@ -47,7 +47,7 @@ class SparkMasterTest {
   void refusesEverythingElse(String url) {
     InputException fault =
         assertThrows(InputException.class, () -> SparkMaster.of(Optional.of(url)));
-    assertTrue(fault.getMessage().startsWith("--master is '" + url + "', expected spark://"));
+    assertTrue(fault.getMessage().startsWith("master is '" + url + "', expected spark://"));
   }
 
   @Test

@@ -194,7 +194,7 @@ public final class ImportSummary {
     List<String> lines = new ArrayList<>();
     lines.add(line("%s samples of %s targets in %s s", samples(), targets, duration()));
     if (times.getMin() > gap) {
-      lines.add(line("nobody before %s s: --from leaves that out", times.getMin()));
+      lines.add(line("nobody before %s s: a later start leaves that out", times.getMin()));
     }
     lines.add(line("a sample every %s s (%s a second)", interval, 1 / interval));
     lines.add(

@@ -105,12 +105,12 @@ class FormatsTest {
         new Imported(folder).rate(10).unit(Unit.M),
         "mot",
         "1,3,100,20,10,40,1,-1,-1,-1\n",
-        ":1:1: the row has no position in the world, expected --unit px and --homography");
+        ":1:1: the row has no position in the world, expected unit=px and homography=FILE");
     assertRefused(
         new Imported(folder).rate(10).unit(Unit.PX),
         "mot",
         "1,3,100,20,10,40,1\n",
-        "positions are pixels, expected --homography FILE");
+        "positions are pixels, expected homography=FILE");
   }
 
   @Test
@@ -137,9 +137,9 @@ class FormatsTest {
   @Test
   void peTrackWithoutAHeaderAsksForBoth() {
     assertRefused(
-        new Imported(folder).unit(Unit.M), "petrack", "1 0 1 2\n", "expected --rate R, the frames");
+        new Imported(folder).unit(Unit.M), "petrack", "1 0 1 2\n", "expected rate=R, the frames");
     assertRefused(
-        new Imported(folder).rate(16), "petrack", "1 0 1 2 3\n", "expected --unit, one of m, cm");
+        new Imported(folder).rate(16), "petrack", "1 0 1 2 3\n", "expected unit, one of m, cm");
   }
 
   @Test
@@ -204,12 +204,12 @@ class FormatsTest {
         new Imported(folder).unit(Unit.M).columns(Map.of("x", "5", "y", "y")),
         "csv",
         "time,id,y,z\n0,1,2,3\n",
-        ":1:1: no column '5' for x, expected --columns with it, of: time, id, y, z");
+        ":1:1: no column '5' for x, expected columns with it, of: time, id, y, z");
     assertRefused(
         new Imported(folder).unit(Unit.M).columns(Map.of("z", "4")),
         "csv",
         "time,id,x,y\n0,1,2,3\n",
-        "--columns has 'z', expected time or frame, id, x, y, width, height");
+        "columns has 'z', expected time or frame, id, x, y, width, height");
   }
 
   @Test
@@ -322,7 +322,7 @@ class FormatsTest {
         "petrack|# framerate: 5;;# x/cm|samples of targets; the file, or what is cut from it",
         "csv|time,id,x,y;0,1,2|:2:1: the row has 3 cells, expected 4",
         "csv|time,id,x,y;0,1,2 ,;|:2:8: y is '', expected a number",
-        "csv|when,id,x,y;0,1,2,3|:1:1: no column 'time' for time, expected --columns with it, of:",
+        "csv|when,id,x,y;0,1,2,3|:1:1: no column 'time' for time, expected columns with it, of:",
       })
   void badInputIsRefusedWithItsPlace(String format, String content, String message) {
     Imported imported = new Imported(folder).rate(1);
@@ -340,7 +340,7 @@ class FormatsTest {
   @CsvSource({"obsmat", "ethucy", "mot"})
   void framesNeedARate(String format) {
     assertRefused(
-        new Imported(folder).unit(Unit.M), format, "1 1 1 1", ": expected --rate R, the frames");
+        new Imported(folder).unit(Unit.M), format, "1 1 1 1", ": expected rate=R, the frames");
   }
 
   @Test
@@ -349,7 +349,7 @@ class FormatsTest {
         new Imported(folder).unit(Unit.CM),
         "fcd",
         "<f/>",
-        ": --unit is cm, expected m or none: the format says so");
+        ": unit is cm, expected m or none: the format says so");
   }
 
   private static void assertRefused(

@@ -58,7 +58,7 @@ class TracksImportTest {
     assertEquals(
         List.of(
             "6 samples of 2 targets in 12 s",
-            "nobody before 5 s: --from leaves that out",
+            "nobody before 5 s: a later start leaves that out",
             "a sample every 1 s (1 a second)",
             "speeds: a quarter up to 1.23 m/s, half up to 5, three quarters up to 5",
             "1 gaps longer than 3 s, up to 4 s: the target is away meanwhile",

@@ -1,5 +1,7 @@
 package org.hificamsim.core.file;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.BufferedOutputStream;
 import java.io.BufferedWriter;
 import java.io.Closeable;
@@ -79,7 +81,8 @@ public final class OutputFile implements Closeable {
   private void requireFree(String option) {
     if (!replaces && Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
       throw InputException.of(
-          "%s'%s' exists, expected a new file, or --force to replace it", option, path);
+          "%s'%s' exists, expected a new file, or %s to replace it",
+          option, path, setting("force"));
     }
   }
 

@@ -115,7 +115,7 @@ class OutputFileTest {
       InputException e =
           assertThrows(InputException.class, () -> OutputFile.of("--out", there, false));
       assertEquals(
-          "--out '" + there + "' exists, expected a new file, or --force to replace it",
+          "--out '" + there + "' exists, expected a new file, or force to replace it",
           e.getMessage());
     }
     OutputFile later = OutputFile.of("--out", folder.resolve("later"), false);

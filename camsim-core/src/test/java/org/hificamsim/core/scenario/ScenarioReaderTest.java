@@ -315,7 +315,7 @@ class ScenarioReaderTest {
                 + " unless one step leads inside",
             "9:7: <waypoint> lies outside the field, out of reach",
             "9:53: unknown attribute z=\"0\" of <waypoint>, ignored",
-            "12:19: an event's move is ignored, as in CamSim (unless camsim --quirks says"
+            "12:19: an event's move is ignored, as in CamSim (unless a quirk of CamSim says"
                 + " otherwise); fqName counts",
             "13:60: no object 7.0 is there at step 1, nothing is removed",
             "17:18: a second <graphnode> for 'a', the last one counts",
@@ -337,7 +337,7 @@ class ScenarioReaderTest {
                 + event.formatted(5, "change", CHANGED)
                 + event.formatted(6, "error", "duration='-1'")
                 + event.formatted(7, "change", CHANGED)));
-    String unless = ", nothing happens (unless camsim --quirks lets it come back)";
+    String unless = ", nothing happens (unless a quirk of CamSim lets it come back)";
     assertEquals(
         List.of(
             "3:57: camera 'a' is not online at step 5" + unless,

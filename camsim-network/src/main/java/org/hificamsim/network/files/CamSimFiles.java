@@ -1,5 +1,7 @@
 package org.hificamsim.network.files;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -67,7 +69,7 @@ public final class CamSimFiles implements Closeable {
       steps = StepTable.camSim(file.open());
       run.listen((view, measured) -> steps.camSim(network.figures()));
       if (places.extra().isPresent()) {
-        extraFile = OutputFile.of("--extra-out", places.extra().get(), places.force());
+        extraFile = OutputFile.of(setting("extra_out"), places.extra().get(), places.force());
         extra = StepTable.extra(extraFile.open());
         OverlapTable overlap = OverlapTable.exact(run.world().cameras());
         run.listen((view, measured) -> extra.extra(network.figures(), overlap.sum()));
@@ -88,11 +90,11 @@ public final class CamSimFiles implements Closeable {
             .with("the scenario", places.scenario())
             .with("-o", places.output())
             .with(places.summary().isPresent() ? "-f" : "the default of -f", summary);
-    places.extra().ifPresent(path -> files.with("--extra-out", path));
+    places.extra().ifPresent(path -> files.with(setting("extra_out"), path));
     if (places.coverage().isPresent()) {
       Path folder = places.coverage().get();
-      files.with("--coverage-out", folder);
-      COVERAGE.forEach(name -> files.with("--coverage-out", folder.resolve(name)));
+      files.with(setting("coverage_out"), folder);
+      COVERAGE.forEach(name -> files.with(setting("coverage_out"), folder.resolve(name)));
     }
   }
 

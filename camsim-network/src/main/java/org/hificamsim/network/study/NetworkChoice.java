@@ -1,5 +1,7 @@
 package org.hificamsim.network.study;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -48,9 +50,8 @@ public record NetworkChoice(
   public List<StudyPlan> all(RunPlan base) {
     if (count(base) > MAX_ALL) {
       throw InputException.of(
-          "scenario '%s' has %s cameras, %s networks: expected --heterogeneous sample:N"
-              + " or search:N",
-          base.scenario().name(), cameras(base), count(base));
+          "scenario '%s' has %s cameras, %s networks: expected %s or search:N",
+          base.scenario().name(), cameras(base), count(base), setting("heterogeneous", "sample:N"));
     }
     List<StudyPlan> plans = new ArrayList<>();
     for (int number = 0; number < count(base); number++) {

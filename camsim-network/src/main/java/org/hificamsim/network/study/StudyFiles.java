@@ -108,7 +108,7 @@ public final class StudyFiles {
               "of the largest utility, that a network of strategies that never change has more at"
                   + " no more cost; 0 on their front, below 0 beyond it",
               row -> row.group.below(row.network))
-          .texts("option", "what `run --network` takes", row -> row.of().plan().network());
+          .texts("option", "the setting `network` of a run", row -> row.of().plan().network());
 
   /** A row per scenario, detection and set of networks. */
   public static final Table<SetFront> FRONTS =

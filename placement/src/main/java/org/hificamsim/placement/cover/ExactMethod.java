@@ -1,5 +1,7 @@
 package org.hificamsim.placement.cover;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ServiceLoader;
 import java.util.function.BooleanSupplier;
 import org.hificamsim.core.InputException;
@@ -32,8 +34,8 @@ public interface ExactMethod {
         .findFirst()
         .orElseThrow(
             () ->
-                new InputException(
-                    "--method exact is not on the class path, expected its jars in CLASSPATH,"
-                        + " or search"));
+                InputException.of(
+                    "%s is not on the class path, expected its jars in CLASSPATH, or search",
+                    setting("method", "exact")));
   }
 }

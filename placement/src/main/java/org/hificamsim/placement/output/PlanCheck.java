@@ -150,7 +150,7 @@ public final class PlanCheck {
       by =
           effort.exact().isPresent()
               ? proven(left, goal, bound)
-              : "is not checked without --method exact";
+              : "is checked by the method exact alone";
     }
     double shown = cover ? bound : 100 * Math.min(1, (all.worth(standing) + bound) / all.total());
     return List.of(

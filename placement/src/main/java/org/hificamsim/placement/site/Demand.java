@@ -1,5 +1,7 @@
 package org.hificamsim.placement.site;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -79,8 +81,8 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
       watched.add(new Watched(zone.name(), own, k, first, samples.size()));
       if (zone.weight() > 0 && samples.size() == first && visits.isEmpty()) {
         throw InputException.of(
-            "zone '%s' has no free cell of %s m, expected more of --cells, or a larger zone",
-            zone.name(), cells.width());
+            "zone '%s' has no free cell of %s m, expected more %s, or a larger zone",
+            zone.name(), cells.width(), setting("cells"));
       }
     }
     if (samples.isEmpty()) {

@@ -1,5 +1,7 @@
 package org.hificamsim.placement.site;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -64,7 +66,11 @@ public final class MountPoints {
         mounts.add(x, y);
       }
     }
-    return mounts.some("--candidates closer together, or fewer zones of --forbid");
+    return mounts.some(
+        setting("candidates")
+            + " closer together, or fewer zones that "
+            + setting("forbid")
+            + " names");
   }
 
   /**
@@ -78,7 +84,7 @@ public final class MountPoints {
       double x = row.number("x", -FARTHEST, FARTHEST, "a number");
       double y = row.number("y", -FARTHEST, FARTHEST, "a number");
       if (!mounts.add(x, y) && !mounts.points.contains(new Point(x, y))) {
-        throw row.invalid("x", "a place in the field, off obstacles and zones of --forbid");
+        throw row.invalid("x", "a place in the field, off obstacles and forbidden zones");
       }
     }
     return mounts.some("a place in " + file);

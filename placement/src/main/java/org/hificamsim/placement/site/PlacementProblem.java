@@ -1,5 +1,7 @@
 package org.hificamsim.placement.site;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -57,8 +59,8 @@ public record PlacementProblem(
     double cheapest = kinds.stream().mapToDouble(CameraKind::price).min().orElseThrow();
     if (!byNumber && cheapest > goal.budget()) {
       throw InputException.of(
-          "--budget is %s, expected at least %s, the price of the cheapest camera",
-          goal.budget(), cheapest);
+          "%s is %s, expected at least %s, the price of the cheapest camera",
+          setting("budget"), goal.budget(), cheapest);
     }
     SampleSight sight = new SampleSight(demand, catalogue);
     Candidates candidates = Candidates.of(places, kinds, reading, sight, threads);
@@ -100,7 +102,7 @@ public record PlacementProblem(
         boolean walls = sees.test(open);
         boolean heights = demand.site().hasHeights() && !walls && sees.test(open.flat());
         throw InputException.of(
-            "zone '%s' is seen from none of %s places: %s; expected other --candidates,"
+            "zone '%s' is seen from none of %s places: %s; expected other %s,"
                 + " lenses or demands",
             zone.name(),
             places.size(),
@@ -108,8 +110,8 @@ public record PlacementProblem(
                 ? "walls are in between"
                 : heights
                     ? "it is above or below all views"
-                    : "it is too far for '%s' with these lenses"
-                        .formatted(zone.detection().name()));
+                    : "it is too far for '%s' with these lenses".formatted(zone.detection().name()),
+            setting("candidates"));
       }
     }
   }

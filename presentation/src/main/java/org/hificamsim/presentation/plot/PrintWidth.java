@@ -1,5 +1,7 @@
 package org.hificamsim.presentation.plot;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
@@ -36,9 +38,8 @@ public record PrintWidth(int millimetres) {
       }
     }
     throw InputException.of(
-        "--figure-width is '%s', expected millimetres from %smm to %smm, such as 88mm"
-            + " or 180mm",
-        text, MIN, MAX);
+        "%s is '%s', expected millimetres from %smm to %smm, such as 88mm or 180mm",
+        setting("figure_width"), text, MIN, MAX);
   }
 
   /** The figure laid out again for this width. */

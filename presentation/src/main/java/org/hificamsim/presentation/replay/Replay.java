@@ -1,5 +1,7 @@
 package org.hificamsim.presentation.replay;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import com.fasterxml.jackson.core.JsonProcessingException;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -29,8 +31,8 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
       int line = e.getLocation() == null ? 1 : e.getLocation().getLineNr();
       int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
       throw InputException.of(
-              "%s:%s:%s: %s, expected what 'hificamsim run --record' writes",
-              file, line, column, e.getOriginalMessage())
+              "%s:%s:%s: %s, expected what 'run' with %s writes",
+              file, line, column, e.getOriginalMessage(), setting("record"))
           .because(e);
     }
   }
@@ -78,8 +80,9 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
   }
 
   private static InputException broken(Path file, String what, Throwable cause) {
-    return new InputException(
-        file + ": " + what + " cannot be read, expected what 'hificamsim run --record' writes",
-        cause);
+    return InputException.of(
+            "%s: %s cannot be read, expected what 'run' with %s writes",
+            file, what, setting("record"))
+        .because(cause);
   }
 }

@@ -1,9 +1,12 @@
 package org.hificamsim.presentation.report;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.NamedSetting;
 
 /** Makes the page of a folder that a command has written. */
 public final class Report {
@@ -13,17 +16,18 @@ public final class Report {
    * The page.
    *
    * @param name of the folder
+   * @param notation of the settings in the commands that the page shows
    * @throws InputException when the folder does not hold what a page is made of
    */
-  public static String html(Path folder, String name) throws IOException {
+  public static String html(Path folder, String name, NamedSetting.Notation notation)
+      throws IOException {
     if (!Files.isDirectory(folder)) {
       throw InputException.of(
-          "no folder '%s', expected one that 'hificamsim run --record' or 'hificamsim"
-              + " compare' wrote",
-          folder);
+          "no folder '%s', expected one that 'run' with %s or 'compare' wrote",
+          folder, setting("record"));
     }
     if (TradeoffReport.suits(folder)) {
-      return TradeoffReport.of(folder, name).html();
+      return TradeoffReport.of(folder, name, notation).html();
     }
     Page page =
         ComparisonReport.suits(folder) ? ComparisonReport.of(folder, name) : RunReport.of(folder);

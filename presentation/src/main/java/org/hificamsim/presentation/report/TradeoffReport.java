@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
@@ -42,7 +43,7 @@ public final class TradeoffReport {
     return NETWORKS.isIn(folder);
   }
 
-  static Page of(Path folder, String name) throws IOException {
+  static Page of(Path folder, String name, NamedSetting.Notation notation) throws IOException {
     ResultFolder files = new ResultFolder(folder);
     ObjectNode data = new ObjectMapper().createObjectNode();
     CsvRows networks = NETWORKS.read(folder);
@@ -60,7 +61,8 @@ public final class TradeoffReport {
       ScenarioReader.read(copy, any -> true, warning -> {})
           .cameras()
           .forEach(camera -> names.add(camera.name()));
-      runs.put(scenario, "./hificamsim " + String.join(" ", run(plan, folder, "NETWORK")));
+      runs.put(
+          scenario, "./hificamsim " + String.join(" ", run(plan, folder, "NETWORK", notation)));
     }
     ObjectNode replays = data.putObject("replays");
     for (CsvRow row : networks.rows()) {
@@ -128,17 +130,24 @@ public final class TradeoffReport {
     return rows.stream().mapToDouble(row -> row.numberOrNaN(column)).toArray();
   }
 
-  /** The commands that record the first seed of each network of the fronts, next to the study. */
-  public static List<List<String>> replays(Path folder) throws IOException {
+  /**
+   * The commands that record the first seed of each network of the fronts, next to the study.
+   *
+   * @param notation of the commands' settings
+   */
+  public static List<List<String>> replays(Path folder, NamedSetting.Notation notation)
+      throws IOException {
     List<List<String>> commands = new ArrayList<>();
     CsvRows networks = NETWORKS.read(folder);
     for (JsonNode plan : new ResultFolder(folder).json(ResultFolder.SETTINGS)) {
       String scenario = plan.path("scenario").asText();
       for (CsvRow row : networks.rows()) {
         if (row.text("scenario").equals(scenario) && row.numberOrNaN("below_front") <= 0) {
-          List<String> words = new ArrayList<>(run(plan, folder, row.text("option")));
+          List<String> words = new ArrayList<>(run(plan, folder, row.text("option"), notation));
           String replay = REPLAY + scenario + "-" + row.text("network");
-          words.addAll(List.of("--quiet", "--out", folder.resolve(replay).toString()));
+          words.addAll(
+              List.of(
+                  notation.name("quiet"), notation.name("out"), folder.resolve(replay).toString()));
           commands.add(words);
         }
       }
@@ -147,14 +156,20 @@ public final class TradeoffReport {
   }
 
   /** The command that records the first seed of a network, as a plan's settings have it. */
-  private static List<String> run(JsonNode plan, Path folder, String network) {
+  private static List<String> run(
+      JsonNode plan, Path folder, String network, NamedSetting.Notation notation) {
     String copy = "scenario-" + plan.path("scenario").asText() + ".xml";
     List<String> words =
         new ArrayList<>(
-            List.of("run", folder.resolve(copy).toString(), "--record", "--network", network));
+            List.of(
+                "run",
+                folder.resolve(copy).toString(),
+                notation.name("record"),
+                notation.name("network"),
+                network));
     for (String setting : OPTIONS) {
       if (plan.has(setting)) {
-        words.addAll(List.of("--" + setting, plan.get(setting).asText()));
+        words.addAll(List.of(notation.name(setting), plan.get(setting).asText()));
       }
     }
     return words;

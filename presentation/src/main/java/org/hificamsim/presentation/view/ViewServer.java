@@ -1,5 +1,7 @@
 package org.hificamsim.presentation.view;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
@@ -97,8 +99,8 @@ public final class ViewServer implements AutoCloseable {
       return HttpServer.create(new InetSocketAddress(loopback, port), WAITING_CONNECTIONS);
     } catch (BindException e) {
       throw InputException.of(
-              "--port is %s, which cannot be used (%s), expected one that is free; maybe 0",
-              port, e.getMessage())
+              "%s is %s, which cannot be used (%s), expected one that is free; maybe 0",
+              setting("port"), port, e.getMessage())
           .because(e);
     }
   }

@@ -189,7 +189,7 @@ class FigureFileTest {
   void aWidthThatIsNoneIsReported() {
     for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
       InputException wrong = assertThrows(InputException.class, () -> PrintWidth.parse(width));
-      assertTrue(wrong.getMessage().startsWith("--figure-width is '" + width + "', expected "));
+      assertTrue(wrong.getMessage().startsWith("figure_width is '" + width + "', expected "));
     }
     assertEquals(88, PrintWidth.parse("88mm").millimetres());
   }

@@ -368,7 +368,7 @@ class ViewServerTest {
     InputException fault =
         assertThrows(
             InputException.class, () -> new ViewServer(session, "", address.getPort(), GRACE));
-    assertTrue(fault.getMessage().startsWith("--port is " + address.getPort()), fault.getMessage());
+    assertTrue(fault.getMessage().startsWith("port is " + address.getPort()), fault.getMessage());
     assertNotEquals(0, address.getPort());
   }
 

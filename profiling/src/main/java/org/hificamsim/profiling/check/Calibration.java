@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.check;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import org.apache.commons.math3.geometry.euclidean.threed.Rotation;
@@ -126,9 +128,8 @@ public record Calibration(
         said.orElseThrow(
             () ->
                 InputException.of(
-                    "%s: a matrix does not say how large the picture is, expected --image"
-                        + " WIDTHxHEIGHT",
-                    file));
+                    "%s: a matrix does not say how large the picture is, expected %s",
+                    file, setting("image", "WIDTHxHEIGHT")));
     try {
       return matrix(rows, unit.orElse(Unit.M).metres(), picture);
     } catch (InputException e) {

@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.check;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
@@ -72,10 +74,10 @@ public final class RealityCheck {
             .filter(BoxComparison::possible)
             .toList();
     if (possible.isEmpty()) {
-      throw new InputException(
+      throw InputException.of(
           "none of %s boxes is where the calibrated camera sees, expected positions and calibration"
-                  .formatted(sightings.size())
-              + " of one place; maybe --unit or --calibration-unit");
+              + " of one place; maybe %s or %s",
+          sightings.size(), setting("unit"), setting("calibration_unit"));
     }
     RealityCheck check = new RealityCheck(possible, camera);
     check.requireOnePlace();
@@ -89,9 +91,11 @@ public final class RealityCheck {
     if (footError() > height) {
       throw InputException.of(
           "half of the boxes stand %s pixels or more from where the calibration has"
-              + " them, expected less than their height of %s; maybe --unit or"
-              + " --calibration-unit",
-          Math.round(footError()), Math.round(height));
+              + " them, expected less than their height of %s; maybe %s or %s",
+          Math.round(footError()),
+          Math.round(height),
+          setting("unit"),
+          setting("calibration_unit"));
     }
   }
 

@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.check;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -57,11 +59,12 @@ final class TsaiFile extends PlainXml {
       return said.orElseThrow(
           () ->
               InputException.of(
-                  "%s: <Geometry> has no width and height, expected --image WIDTHxHEIGHT", file));
+                  "%s: <Geometry> has no width and height, expected %s",
+                  file, setting("image", "WIDTHxHEIGHT")));
     }
     Size size = new Size(Math.floor(number("width")), Math.floor(number("height")));
     if (!said.orElse(size).equals(size)) {
-      throw new InputException("--image is %s, but %s says %s".formatted(said.get(), file, size));
+      throw InputException.of("%s is %s, but %s says %s", setting("image"), said.get(), file, size);
     }
     return size;
   }

@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.detector;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -31,9 +33,9 @@ public final class Detectors {
         return new BoxSpec(network.column(), new Memory(10, 0), () -> new OnnxDetector(network));
       }
       throw InputException.of(
-          "--detectors has '%s', expected some of orb, sift, surf, each also with -located or"
+          "%s has '%s', expected some of orb, sift, surf, each also with -located or"
               + " -ransac, hog, onnx:FILE",
-          name);
+          setting("detectors"), name);
     }
   }
 

@@ -50,7 +50,7 @@ public record Memory(double nativeBytes, double heapBytes) {
       throw InputException.of(
           "photos of %.1f megapixels need about %.1f GiB and %.1f GiB of Java's heap, expected"
               + " at most %.0f %% of the %.1f and %.1f GiB that are free. Maybe leave out"
-              + " --detectors sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the"
+              + " the detector sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the"
               + " heap",
           pixels / 1e6,
           pixels * need.nativeBytes / GIB,

@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.detector;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -50,7 +52,7 @@ final class OnnxDetector implements BoxDetector {
      */
     static Network of(String name) {
       String text = name.substring(PREFIX.length()).replace(':', ',');
-      Options options = Options.parse("--detectors has '" + name + "'", text);
+      Options options = Options.parse(setting("detectors") + " has '" + name + "'", text);
       Network read =
           new Network(
               Path.of(options.mainText("file", "", "the network")),

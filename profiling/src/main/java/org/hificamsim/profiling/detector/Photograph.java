@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.detector;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -132,8 +134,8 @@ public final class Photograph implements AutoCloseable {
       String reason = String.valueOf(e.getMessage()).lines().findFirst().orElse("").strip();
       throw InputException.of(
               "%s: %s fails, expected a picture that it can take (%s). Maybe there is too"
-                  + " little memory: use smaller photos, fewer --threads or other --detectors",
-              file, detector, reason)
+                  + " little memory: use smaller photos, fewer %s or other %s",
+              file, detector, reason, setting("threads"), setting("detectors"))
           .because(e);
     }
   }

@@ -56,7 +56,7 @@ final class Advice {
         new StringBuilder(
             "Detect or not, unseen: how often model and measurement are on the same side of the"
                 + " threshold (balanced accuracy: one half is a guess). The threshold is that of"
-                + " thresholds.csv, else of --detect chance for one false alarm in twenty:");
+                + " thresholds.csv, else of the rule chance for one false alarm in twenty:");
     for (String detector : result.detectors()) {
       DetectionAccuracy decisions = DetectionAccuracy.of(result, detector);
       text.append(

@@ -91,7 +91,7 @@ record HeldOut(PipReading reading, List<Measurement> photos) {
             ? "PIP counts the rectangle around the ball, in the thesis and in these measurements."
             : "The thesis counts the rectangle around the ball, these measurements the object"
                 + " alone: they are held against the disc in it, pi/4 of the rectangle (0.10 less"
-                + " in log10). pinhole predicts the square of side q, whatever was counted. profile"
-                + " measure --pip rectangle counts as the thesis does.");
+                + " in log10). pinhole predicts the square of side q, whatever was counted. Photos"
+                + " measured with pip rectangle are counted as in the thesis.");
   }
 }

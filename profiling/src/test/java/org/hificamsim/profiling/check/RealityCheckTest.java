@@ -101,7 +101,7 @@ class RealityCheckTest {
         sightings(TILTED, i -> 0).stream().map(one -> moved(one, new Vector3D(0, 15, 0))).toList();
     InputException other =
         assertThrows(InputException.class, () -> RealityCheck.of(off, TILTED, BODY));
-    assertTrue(other.getMessage().contains("maybe --unit"), other.getMessage());
+    assertTrue(other.getMessage().contains("maybe unit or calibration_unit"), other.getMessage());
     List<Sighting> behind = off.stream().map(one -> moved(one, new Vector3D(0, -500, 0))).toList();
     assertTrue(
         assertThrows(InputException.class, () -> RealityCheck.of(behind, TILTED, BODY))

@@ -109,7 +109,7 @@ class BoxDetectorsTest {
     Files.write(network, TinyOnnx.network());
     String text = name.replace("FILE", network.toString());
     String message = assertThrows(InputException.class, () -> Detectors.column(text)).getMessage();
-    assertTrue(message.startsWith("--detectors has '" + text + "'"), message);
+    assertTrue(message.startsWith("detectors has '" + text + "'"), message);
     assertTrue(message.contains(", expected "), message);
   }
 

@@ -108,8 +108,8 @@ public final class ComparisonFiles {
           .with(CASE.subList(0, 2), row -> row.run.plan())
           .texts(
               "yardstick",
-              "`optimal`, `bound` or `best-fixed`: what scores are compared with (`compare"
-                  + " --yardsticks`)",
+              "`optimal`, `bound` or `best-fixed`: what scores are compared with (the setting"
+                  + " `yardsticks`)",
               row -> row.yardstick.policy())
           .longs("seed", "", SEED, row -> row.run.run.result().seed())
           .plain(

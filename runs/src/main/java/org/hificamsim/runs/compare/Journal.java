@@ -1,5 +1,7 @@
 package org.hificamsim.runs.compare;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import com.fasterxml.jackson.annotation.JsonIgnoreProperties;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -96,11 +98,12 @@ public final class Journal implements Closeable {
     Path file = folder.path().resolve(RUNS);
     if (!resume && Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       throw InputException.of(
-          "'%s' would be replaced: expected another folder, or --resume to keep its runs", file);
+          "'%s' would be replaced: expected another folder, or %s to keep its runs",
+          file, setting("resume"));
     }
     if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && !begins(file)) {
       throw InputException.of(
-          "'%s' would be replaced, and no --shard wrote it: expected another folder", file);
+          "'%s' would be replaced, and no shard wrote it: expected another folder", file);
     }
     return open(folder, RUNS, resume);
   }
@@ -121,7 +124,7 @@ public final class Journal implements Closeable {
   static Journal ofShard(Path folder) throws IOException {
     Path file = folder.resolve(RUNS);
     if (!Files.isRegularFile(file)) {
-      throw InputException.of("no file '%s', expected what --shard writes", file);
+      throw InputException.of("no file '%s', expected what %s writes", file, setting("shard"));
     }
     Journal journal = new Journal(file, FileChannel.open(file));
     journal.index();
@@ -190,9 +193,9 @@ public final class Journal implements Closeable {
         .ifPresent(
             input -> {
               throw InputException.of(
-                  "'%s' has runs of another %s, expected the same to --merge or --resume; without"
-                      + " --resume, all runs are done again",
-                  file, input);
+                  "'%s' has runs of another %s, expected the same to %s or %s; without %s, all"
+                      + " runs are done again",
+                  file, input, setting("merge"), setting("resume"), setting("resume"));
             });
   }
 

@@ -1,5 +1,7 @@
 package org.hificamsim.runs.compare;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
@@ -29,7 +31,8 @@ public final class LocalEngine implements RunEngine {
         .ifPresent(
             master -> {
               throw InputException.of(
-                  "--master '%s' is of no use to --engine local, expected none", master);
+                  "%s '%s' has no effect with %s, expected none",
+                  setting("master"), master, setting("engine", NAME));
             });
     executor = new RunExecutor(settings.catalogue());
     threads = settings.threads();

@@ -1,5 +1,7 @@
 package org.hificamsim.runs.compare;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -37,15 +39,18 @@ public final class MergedShards implements RunEngine {
       RunTask first = missing.iterator().next();
       RunPlan plan = plans.get(first.plan());
       throw InputException.of(
-          "--merge lacks %s of %s runs, such as scenario %s, detection %s, policy %s, seed %s:"
-              + " expected all, with the options that the shards had; --shard i/n --resume computes"
-              + " what a shard lacks",
+          "%s lacks %s of %s runs, such as scenario %s, detection %s, policy %s, seed %s:"
+              + " expected all, with the options that the shards had; %s with %s computes what a"
+              + " shard lacks",
+          setting("merge"),
           missing.size(),
           all.size(),
           plan.scenario().name(),
           plan.detection().name(),
           plan.policy(),
-          seed(plans, first));
+          seed(plans, first),
+          setting("shard", "i/n"),
+          setting("resume"));
     }
   }
 
@@ -80,7 +85,8 @@ public final class MergedShards implements RunEngine {
         .ifPresent(
             damage -> {
               throw InputException.of(
-                  "%s, expected what --shard wrote; with --resume it computes it again", damage);
+                  "%s, expected what %s wrote; with %s it computes it again",
+                  damage, setting("shard"), setting("resume"));
             });
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.runs.compare;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -29,7 +31,8 @@ public record Shard(int number, int of) {
         return shard;
       }
     }
-    throw InputException.of("--shard is '%s', expected i/n with i from 1 to n, such as 3/8", text);
+    throw InputException.of(
+        "%s is '%s', expected i/n with i from 1 to n, such as 3/8", setting("shard"), text);
   }
 
   /**

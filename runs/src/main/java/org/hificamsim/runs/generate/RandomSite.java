@@ -1,5 +1,7 @@
 package org.hificamsim.runs.generate;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -150,8 +152,12 @@ public record RandomSite(RandomField size, int walls) {
         }
       }
       throw InputException.of(
-          "--walls is %s, expected at most about %s in a field of %s x %s m",
-          count, walls.size(), Math.round(field.width()), Math.round(field.height()));
+          "%s is %s, expected at most about %s in a field of %s x %s m",
+          setting("walls"),
+          count,
+          walls.size(),
+          Math.round(field.width()),
+          Math.round(field.height()));
     }
 
     private Wall draw() {

@@ -1,5 +1,7 @@
 package org.hificamsim.runs.output;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -33,9 +35,8 @@ public record ResultFolder(Path path) {
     Path file = path.resolve(name);
     if (!Files.isRegularFile(file)) {
       throw InputException.of(
-          "no file '%s', expected a folder that 'hificamsim run --record' or 'hificamsim"
-              + " compare' wrote",
-          file);
+          "no file '%s', expected a folder that 'run' with %s or 'compare' wrote",
+          file, setting("record"));
     }
     return file;
   }

@@ -1,5 +1,7 @@
 package org.hificamsim.runs.output;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -46,7 +48,7 @@ public interface TableFormat {
   static TableFormat named(String name) {
     if (!NAMES.contains(name)) {
       throw InputException.of(
-          "--format is '%s', expected one of %s", name, String.join(", ", NAMES));
+          "%s is '%s', expected one of %s", setting("format"), name, String.join(", ", NAMES));
     }
     return found(name, "", "");
   }
@@ -59,7 +61,7 @@ public interface TableFormat {
         .map(
             name -> {
               String file = folder.resolve(table.file(name)) + ": ";
-              return found(name, file, "the files of a run with --format ");
+              return found(name, file, "the files of a run with format ");
             })
         .orElse(CSV);
   }

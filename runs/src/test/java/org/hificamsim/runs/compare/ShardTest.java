@@ -59,7 +59,7 @@ class ShardTest {
       strings = {"", "3", "0/8", "9/8", "-1/8", "1/0", "a/b", "1/8/2", "1 / 8", "1/99999999"})
   void refusesWhatIsNoPart(String text) {
     InputException fault = assertThrows(InputException.class, () -> Shard.parse(text));
-    assertTrue(fault.getMessage().startsWith("--shard is '" + text + "', expected i/n"));
+    assertTrue(fault.getMessage().startsWith("shard is '" + text + "', expected i/n"));
   }
 
   private static List<List<RunTask>> shards(int cases, int repeats, int of) {

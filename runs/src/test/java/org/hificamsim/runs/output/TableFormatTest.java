@@ -22,7 +22,7 @@ class TableFormatTest {
   @Test
   void anUnknownFormatIsRefusedWithThoseThereAre() {
     assertRefused(
-        "--format is 'arrow', expected one of csv, parquet", () -> TableFormat.named("arrow"));
+        "format is 'arrow', expected one of csv, parquet", () -> TableFormat.named("arrow"));
   }
 
   @Test
@@ -34,7 +34,7 @@ class TableFormatTest {
     assertRefused(
         file
             + ": format 'parquet' is not on the class path, expected its jars in CLASSPATH, or the"
-            + " files of a run with --format csv",
+            + " files of a run with format csv",
         () -> StepRow.each(folder, row -> {}));
   }
 

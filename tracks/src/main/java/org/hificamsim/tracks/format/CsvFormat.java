@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.List;
 import java.util.Set;
 import org.hificamsim.core.InputException;
@@ -50,7 +52,8 @@ final class CsvFormat implements TrackFormat {
     for (String key : recording.columns().keySet()) {
       if (!KNOWN.contains(key)) {
         throw InputException.of(
-            "--columns has '%s', expected time or frame, id, x, y, width, height", key);
+            "%s has '%s', expected time or frame, id, x, y, width, height",
+            setting("columns"), key);
       }
     }
   }
@@ -73,8 +76,8 @@ final class CsvFormat implements TrackFormat {
     if (column < 0) {
       throw new Place(recording.file().toString(), 1, 1)
           .error(
-              "no column '%s' for %s, expected --columns with it, of: %s",
-              name(key), key, String.join(", ", header));
+              "no column '%s' for %s, expected %s with it, of: %s",
+              name(key), key, setting("columns"), String.join(", ", header));
     }
     return column;
   }

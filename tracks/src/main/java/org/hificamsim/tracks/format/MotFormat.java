@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import org.hificamsim.core.InputException;
 
 /**
@@ -43,7 +45,8 @@ final class MotFormat implements TrackFormat {
   private static InputException noWorld(MotFile.Row row) {
     return row.place()
         .error(
-            "the row has no position in the world, expected --unit px and --homography FILE, which"
-                + " takes boxes to the ground");
+            "the row has no position in the world, expected %s and %s, which takes boxes to the"
+                + " ground",
+            setting("unit", "px"), setting("homography", "FILE"));
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
@@ -31,7 +33,8 @@ public record Recording(
         rate.orElseThrow(
             () ->
                 missing(
-                    "--rate R, the frames a second by which this format counts: it does not say")),
+                    setting("rate", "R")
+                        + ", the frames a second by which this format counts: it does not say")),
         false);
   }
 
@@ -42,15 +45,15 @@ public record Recording(
    */
   public Unit requireUnit(String why) {
     return unit.orElseThrow(
-        () -> missing("--unit, one of " + Spelling.all(Unit.class) + ": " + why));
+        () -> missing(setting("unit") + ", one of " + Spelling.all(Unit.class) + ": " + why));
   }
 
   /** The unit of a format that says its own; another one is refused. */
   public Unit only(Unit own) {
     if (unit.isPresent() && unit.get() != own) {
       throw InputException.of(
-          "%s: --unit is %s, expected %s or none: the format says so",
-          file, Spelling.of(unit.get()), Spelling.of(own));
+          "%s: %s is %s, expected %s or none: the format says so",
+          file, setting("unit"), Spelling.of(unit.get()), Spelling.of(own));
     }
     return own;
   }

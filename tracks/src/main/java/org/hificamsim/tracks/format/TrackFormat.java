@@ -30,6 +30,6 @@ public interface TrackFormat {
         .register("fcd", "SUMO's floating car data, XML", FcdFormat::new)
         .register("gpx", "GPX tracks, WGS84", GpxFormat::new)
         .register("geojson", "lines or points with times, WGS84", GeoJsonFormat::new)
-        .register("csv", "any table; --columns says what is where", CsvFormat::new);
+        .register("csv", "any table, whose columns are named", CsvFormat::new);
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.ground;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.TrackSample;
@@ -19,10 +21,13 @@ public interface Ground {
    */
   static Ground of(Unit unit, Optional<Homography> homography, LocalProjection projection) {
     if (homography.isPresent() != (unit == Unit.PX)) {
-      throw new InputException(
-          unit == Unit.PX
-              ? "positions are pixels, expected --homography FILE, which takes them to the ground"
-              : "--homography is for pixels, expected --unit px as well");
+      throw unit == Unit.PX
+          ? InputException.of(
+              "positions are pixels, expected %s, which takes them to the ground",
+              setting("homography", "FILE"))
+          : InputException.of(
+              "%s is for pixels, expected %s as well",
+              setting("homography"), setting("unit", "px"));
     }
     return switch (unit) {
       case PX -> homography.get();

@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.place;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -31,7 +33,8 @@ public final class WallFile {
     String name = file.toString().toLowerCase(Locale.ROOT);
     if (unit == Unit.PX && !name.endsWith(".svg")) {
       throw InputException.of(
-          "%s: --walls-unit is px, expected m, cm, mm or deg: a homography takes no walls", file);
+          "%s: %s is px, expected m, cm, mm or deg: a homography is not applied to walls",
+          file, setting("walls_unit"));
     }
     WallCollector walls = new WallCollector(unit, projection);
     if (name.endsWith(".json") || name.endsWith(".geojson")) {
@@ -51,7 +54,8 @@ public final class WallFile {
 
   private static InputException noScale(Path file) {
     return InputException.of(
-        "%s: expected --scale M with an SVG, how many metres a unit of the drawing is", file);
+        "%s: expected %s with an SVG, the metres of a unit of the drawing",
+        file, setting("scale", "M"));
   }
 
   /** Elements {@code <Line x1="" y1="" x2="" y2=""/>}, wherever they stand. */

@@ -104,7 +104,7 @@ public final class EventStory {
     }
     if (!positions.containsKey(camera) || failed.contains(camera)) {
       String unless =
-          positions.containsKey(camera) ? " (unless camsim --quirks lets it come back)" : "";
+          positions.containsKey(camera) ? " (unless a quirk of CamSim lets it come back)" : "";
       one.xml.warn(
           "name",
           "camera '%s' is not online at step %s, nothing happens%s"

@@ -62,8 +62,8 @@ public final class TargetReader {
     if (event.attributes().containsKey(TargetSpec.MOVE.name())) {
       event.warn(
           TargetSpec.MOVE.name(),
-          "an event's move is ignored, as in CamSim (unless camsim --quirks says otherwise); fqName"
-              + " counts");
+          "an event's move is ignored, as in CamSim (unless a quirk of CamSim says otherwise);"
+              + " fqName counts");
     }
     return object(event, TargetSpec.ADDED).with(TargetSpec.ORIGIN, TargetSpec.Origin.EVENT);
   }

@@ -1,0 +1,79 @@
+package org.hificamsim.core;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The name of a setting within the message of an {@link InputException}.
+ *
+ * <p>A library does not know how its users choose a setting: the command line takes {@code --steps
+ * 100}, Python {@code steps=100}. It therefore marks the name, and the front end writes it in its
+ * own {@link Notation}:
+ *
+ * <pre>{@code
+ * throw InputException.of("%s is %s, expected 1 or more", setting("steps"), steps);
+ * }</pre>
+ */
+public final class NamedSetting {
+  /** The setting's plain name, and {@code name=value} where the message also has a value. */
+  public static final Notation PLAIN =
+      new Notation() {
+        @Override
+        public String name(String setting) {
+          return setting;
+        }
+
+        @Override
+        public String assignment(String setting, String value) {
+          return setting + "=" + value;
+        }
+      };
+
+  /** Unicode's noncharacters, which no text that is exchanged between programs may contain. */
+  private static final char BEGIN = '\uFDD0';
+
+  private static final char EQUALS = '\uFDD1';
+  private static final char END = '\uFDD2';
+
+  private static final Pattern MARKED =
+      Pattern.compile(
+          BEGIN + "([^" + EQUALS + END + "]*)(?:" + EQUALS + "([^" + END + "]*))?" + END);
+
+  /** How the users of a front end write a setting. */
+  public interface Notation {
+    /** A setting, such as {@code --steps} for {@code steps}. */
+    String name(String setting);
+
+    /** A setting with a value, such as {@code --steps 100}. */
+    String assignment(String setting, String value);
+  }
+
+  private NamedSetting() {}
+
+  /**
+   * A setting's name for a message.
+   *
+   * @param name as files and Python have it, with {@code _} between words
+   */
+  public static String setting(String name) {
+    return BEGIN + name + END;
+  }
+
+  /** A setting's name and a value of it for a message. */
+  public static String setting(String name, String value) {
+    return BEGIN + name + EQUALS + value + END;
+  }
+
+  /** A message with the settings that it names in a front end's notation. */
+  static String written(String message, Notation notation) {
+    return MARKED
+        .matcher(message)
+        .replaceAll(
+            marked ->
+                Matcher.quoteReplacement(written(marked.group(1), marked.group(2), notation)));
+  }
+
+  private static String written(String name, String value, Notation notation) {
+    return value == null ? notation.name(name) : notation.assignment(name, value);
+  }
+}

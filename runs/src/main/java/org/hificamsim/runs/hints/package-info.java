@@ -1,0 +1,2 @@
+/** Warnings about a scenario or a comparison before it is run: what it cannot show, or how long. */
+package org.hificamsim.runs.hints;

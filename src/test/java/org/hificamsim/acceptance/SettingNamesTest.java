@@ -1,0 +1,95 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Errors name a setting as the user knows it; Python's are tested in python/tests. */
+class SettingNamesTest {
+  /** The libraries' only flags are those of another program: {@code git describe}. */
+  private static final Pattern FLAG_OF_GIT =
+      Pattern.compile("\"--(always|dirty|abbrev=40|exclude=\\*)\"");
+
+  private static final Pattern LITERAL = Pattern.compile("\"(?:[^\"\\\\\\n]|\\\\.)*\"");
+  private static final Pattern FLAG = Pattern.compile("--[a-z]");
+
+  @TempDir private Path folder;
+
+  @ParameterizedTest
+  @EnumSource(value = Module.class, names = "CLI", mode = EnumSource.Mode.EXCLUDE)
+  void librariesNameNoFlags(Module module) throws IOException {
+    Path sources = Cli.ROOT.resolve(module.folder).resolve("src/main/java");
+    try (Stream<Path> files = Files.walk(sources)) {
+      List<String> flags =
+          files
+              .filter(file -> file.toString().endsWith(".java"))
+              .flatMap(file -> literals(file).map(literal -> file.getFileName() + ": " + literal))
+              .filter(literal -> FLAG.matcher(literal).find())
+              .filter(literal -> !FLAG_OF_GIT.matcher(literal).find())
+              .toList();
+      assertEquals(List.of(), flags);
+    }
+  }
+
+  private static Stream<String> literals(Path file) {
+    return LITERAL.matcher(Cli.text(file)).results().map(MatchResult::group);
+  }
+
+  @Test
+  void errorOfRunNamesTheFlag() {
+    Cli run = Cli.run("run", Cli.scenario("ring-random"), "--steps", 0, "--out", folder);
+    assertTrue(run.err().startsWith("error: --steps is 0, expected "), run.err());
+  }
+
+  @Test
+  void errorOfEmbeddedRunHasThePlainName() {
+    Catalogue catalogue = Catalogue.load();
+    Path file = Cli.scenario("ring-random");
+    Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
+    InputException fault =
+        assertThrows(
+            InputException.class,
+            () -> {
+              Settings settings = Settings.NONE.with(Setting.STEPS, "0");
+              new RunExecutor(catalogue)
+                  .execute(
+                      settings.plan(
+                          scenario, DetectionSpec.of(settings, scenario, file, catalogue)),
+                      run -> List.of());
+            });
+    assertEquals("steps is 0, expected a whole number from 1 to 1000000000", fault.getMessage());
+  }
+
+  @ParameterizedTest
+  @EnumSource(Setting.class)
+  void everyCheckOfASettingNamesIt(Setting setting) {
+    EnumSet<Setting> anyTextIsTaken =
+        EnumSet.of(Setting.DETECTION, Setting.POLICY, Setting.NETWORK);
+    if (!anyTextIsTaken.contains(setting)) {
+      InputException fault =
+          assertThrows(InputException.class, () -> Settings.NONE.with(setting, "no such value"));
+      assertTrue(fault.getMessage().contains(setting.label()), fault.getMessage());
+    }
+  }
+}
