@@ -3,14 +3,22 @@ package org.hificamsim.agents.cooperative;
 import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
-/** Which cells of a grid each camera sees in each of its views, and how likely it detects there. */
+/**
+ * The cells of a grid that each camera sees in each of its views, with its chance to detect there.
+ */
 final class CellSight {
-  private static final double[] SAMPLED = {0.25, 0.75};
-  private static final double SHARE = 1.0 / (SAMPLED.length * SAMPLED.length);
+  /** A cell is sampled at these parts of its width and height. */
+  private static final double[] SAMPLED_PARTS = {0.25, 0.75};
+
+  private static final double SAMPLE_WEIGHT = 1.0 / (SAMPLED_PARTS.length * SAMPLED_PARTS.length);
 
   private final Grid grid;
-  private int[][][] cells; // by camera and view
-  private float[][][] chances;
+
+  /** By camera and view. */
+  private final int[][][] cells;
+
+  /** By camera and view, and in the order of the cells. */
+  private final float[][][] chances;
 
   CellSight(Grid grid, int cameras) {
     this.grid = grid;
@@ -18,25 +26,25 @@ final class CellSight {
     this.chances = new float[cameras][][];
   }
 
-  /** Finds out what all cameras see of targets of a size. */
-  void find(NetworkView network, Site site, double size) {
+  /** Computes what all cameras see of targets of this size, metres. */
+  void update(NetworkView network, Site site, double size) {
     for (int camera = 0; camera < cells.length; camera++) {
-      find(network, site, size, camera);
+      update(network, site, size, camera);
     }
   }
 
-  private void find(NetworkView network, Site site, double size, int camera) {
+  private void update(NetworkView network, Site site, double size, int camera) {
     int views = network.views(camera);
     double[][] means = new double[views][grid.cells()];
-    double[] now = new double[views];
+    double[] viewChances = new double[views];
     for (int cell = 0; cell < grid.cells(); cell++) {
-      for (double right : SAMPLED) {
-        for (double up : SAMPLED) {
-          double x = grid.x(cell, right);
-          double y = grid.y(cell, up);
-          if (site.free()[cell] && site.chances(network, camera, x, y, size, now)) {
+      for (double partX : SAMPLED_PARTS) {
+        for (double partY : SAMPLED_PARTS) {
+          double x = grid.x(cell, partX);
+          double y = grid.y(cell, partY);
+          if (site.free()[cell] && site.chances(network, camera, x, y, size, viewChances)) {
             for (int view = 0; view < views; view++) {
-              means[view][cell] += SHARE * now[view];
+              means[view][cell] += SAMPLE_WEIGHT * viewChances[view];
             }
           }
         }
@@ -55,12 +63,12 @@ final class CellSight {
     }
   }
 
-  /** The cells that a camera sees something of in a view. */
+  /** The cells of which a camera sees any part in a view. */
   int[] cells(int camera, int view) {
     return cells[camera][view];
   }
 
-  /** For each of these cells: how likely a target that is somewhere in it is detected. */
+  /** For each of these cells, the chance to detect a target that is somewhere in the cell. */
   float[] chances(int camera, int view) {
     return chances[camera][view];
   }

@@ -3,13 +3,16 @@ package org.hificamsim.agents.cooperative;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Cameras bid with what their best view adds; one that receives no higher bid takes its view and
- * says so, and the others bid again, knowing that. It is the consensus-based bundle algorithm
- * (Choi, Brunet and How, 2009) for bundles of one view: the outcome is the greedy one that takes
- * the best view of all cameras first.
+ * An auction of views. Each camera bids what its best view adds; a camera that receives no higher
+ * bid takes its view and announces it, and the others bid again, knowing that. This is the
+ * consensus-based bundle algorithm (Choi, Brunet and How, 2009) for bundles of one view. The
+ * outcome is that of a greedy algorithm which always takes the best view of all cameras next.
  */
 final class ConsensusAuction implements Agreement {
-  private final double[] bids; // of each camera; below 0 where it has its view
+  /** In place of the bid of a camera that has its view, or is offline. */
+  private static final double NO_BID = -1;
+
+  private final double[] bids;
   private final int[] views;
 
   ConsensusAuction(int cameras) {
@@ -20,50 +23,48 @@ final class ConsensusAuction implements Agreement {
   @Override
   public void agree(NetworkView network, Team team) {
     for (int camera = 0; camera < bids.length; camera++) {
-      bids[camera] = network.online(camera) ? 0 : -1;
+      bids[camera] = network.online(camera) ? 0 : NO_BID;
     }
     while (bid(network, team)) {
       award(network, team);
     }
   }
 
+  /** Lets all cameras without a view bid; returns whether there are any. */
   private boolean bid(NetworkView network, Team team) {
-    boolean any = false;
+    boolean anyBid = false;
     for (int camera = 0; camera < bids.length; camera++) {
       if (bids[camera] >= 0) {
         Plan plan = team.plan(camera);
-        int before = plan.view(camera);
-        views[camera] = plan.best(network, camera);
-        bids[camera] = plan.gain(views[camera]);
-        if (before != Plan.NONE) {
-          plan.choose(camera, before); // until it wins
-        }
-        team.bid(network, camera, 1);
-        any = true;
+        double[] gains = plan.gains(network, camera);
+        views[camera] = plan.best(network, camera, gains);
+        bids[camera] = gains[views[camera]];
+        team.bid(camera, 1);
+        anyBid = true;
       }
     }
-    return any;
+    return anyBid;
   }
 
-  /** All that receive no higher bid win at the same time. */
+  /** Gives all cameras that received no higher bid their views at the same time. */
   private void award(NetworkView network, Team team) {
     for (int camera = 0; camera < bids.length; camera++) {
       if (bids[camera] >= 0 && !isOutbid(camera, team)) {
         team.choose(network, camera, views[camera]);
-        views[camera] = -1;
+        views[camera] = Plan.NONE;
       }
     }
     for (int camera = 0; camera < bids.length; camera++) {
-      bids[camera] = views[camera] < 0 ? -1 : bids[camera];
+      bids[camera] = views[camera] == Plan.NONE ? NO_BID : bids[camera];
     }
   }
 
   private boolean isOutbid(int camera, Team team) {
     boolean outbid = false;
-    for (int other = 0; other < bids.length && !outbid; other++) {
+    for (int rival = 0; rival < bids.length && !outbid; rival++) {
       boolean higher =
-          bids[other] > bids[camera] || (bids[other] == bids[camera] && other < camera);
-      outbid = higher && team.hears(camera, other);
+          bids[rival] > bids[camera] || (bids[rival] == bids[camera] && rival < camera);
+      outbid = higher && team.bidArrived(rival, camera);
     }
     return outbid;
   }

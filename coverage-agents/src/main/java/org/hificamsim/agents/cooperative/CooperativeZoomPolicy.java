@@ -13,44 +13,51 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.ScenarioReader;
 
 /**
- * Cameras that tell each other what they see, come to a belief of where targets are and go, and
- * divide them among them. They know what they see and receive, where all stand, how long moves
- * take, and the site's map; not where targets are that nobody sees, nor how many there are.
+ * Cameras that send each other what they see, believe where targets are and where they go, and
+ * divide the targets among them. A camera knows what it sees and receives, where all cameras stand,
+ * how long moves take, and the map of the site. It does not know where the targets are that no
+ * camera sees, nor how many targets there are.
  *
- * <p>In each step: share ({@link SightingReport}), believe ({@link Belief}), look ahead ({@link
- * Plan}), agree ({@link Agreement}).
+ * <p>In each step, cameras send reports ({@link SightingReport}), update what they believe ({@link
+ * Belief}), look ahead ({@link Plan}), and agree on their views ({@link Agreement}).
  */
 public final class CooperativeZoomPolicy implements ZoomPolicy {
-  private static final String SITE = "site";
+  private static final String SITE_MAP = "site";
+  private static final String NO_MAP = "none";
 
   private final Parameters parameters;
   private final Agreement.Rule rule;
-  private final boolean each;
+  private final boolean individual;
   private final String map;
-  private final Obstacles other; // in place of the site's own
+  private final Obstacles mapFromFile;
   private final SeenPairs pairs = new SeenPairs();
   private SightingReport[] reports = {};
   private Agreement agreement;
   private Team team;
 
-  /** Reads the options. */
+  /** Reads the options of the policy. */
   public CooperativeZoomPolicy(Options options) {
     this(options, false);
   }
 
   /**
-   * @param each whether each camera has a mind of its own even over a perfect channel
+   * @param individual whether each camera has a mind of its own even over a perfect channel
    */
-  CooperativeZoomPolicy(Options options, boolean each) {
-    this.each = each;
+  CooperativeZoomPolicy(Options options, boolean individual) {
+    this.individual = individual;
     rule =
         options.choice(
             "agree",
             Agreement.Rule.GREEDY,
             "who chooses what: greedy (in turn), cbba, log-linear, max-sum, none (no messages)");
     parameters = Parameters.from(options);
-    map = options.text("map", SITE, "site, none, or a scenario file whose obstacles are the map");
-    other = map.equals(SITE) || map.equals("none") ? Obstacles.NONE : read(Path.of(map));
+    map =
+        options.text("map", SITE_MAP, "site, none, or a scenario file whose obstacles are the map");
+    mapFromFile = isFile(map) ? obstacles(Path.of(map)) : Obstacles.NONE;
+  }
+
+  private static boolean isFile(String map) {
+    return !map.equals(SITE_MAP) && !map.equals(NO_MAP);
   }
 
   @Override
@@ -58,25 +65,25 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
     return "cooperative";
   }
 
-  private static Obstacles read(Path scenario) {
+  private static Obstacles obstacles(Path scenario) {
     return new Obstacles(
         ScenarioReader.read(scenario, movement -> true, warning -> {}).obstacles());
   }
 
-  /** The scenario that has the map, where it is not the site's own. */
+  /** The scenario file with the map, if one is given. */
   @Override
   public List<Path> files() {
-    return map.equals(SITE) || map.equals("none") ? List.of() : List.of(Path.of(map));
+    return isFile(map) ? List.of(Path.of(map)) : List.of();
   }
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     reports = new SightingReport[network.cameras()];
-    Arrays.setAll(reports, camera -> new SightingReport(parameters.named()));
+    Arrays.setAll(reports, camera -> new SightingReport(parameters.identified()));
     agreement = rule.make(parameters, network, random);
-    Obstacles known = map.equals(SITE) ? network.obstacles() : other;
-    Site site = new Site(network, known, parameters.cells());
-    team = new Team(parameters, site, network, each || !network.channel().isPerfect());
+    Obstacles obstacles = map.equals(SITE_MAP) ? network.obstacles() : mapFromFile;
+    Site site = new Site(network, obstacles, parameters.cells());
+    team = new Team(parameters, site, network, individual || !network.channel().isPerfect());
   }
 
   @Override
@@ -85,28 +92,26 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
     team.share(network, reports);
     agreement.agree(network, team);
     for (int camera = 0; camera < views.length; camera++) {
-      views[camera] = network.online(camera) ? team.chosen(camera) : views[camera];
+      views[camera] = network.online(camera) ? team.chosenView(camera) : views[camera];
     }
   }
 
-  /** What each view would have added to those that all others chose. */
+  /** What each view would have added to the views that all others chose. */
   @Override
   public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
     Arrays.fill(counts, Double.NaN);
     Arrays.fill(estimates, Double.NaN);
     Plan plan = team.plan(camera);
-    int chosen = plan.view(camera);
-    if (chosen != Plan.NONE) {
+    if (plan.view(camera) != Plan.NONE) {
       System.arraycopy(plan.gains(network, camera), 0, estimates, 0, network.views(camera));
-      plan.choose(camera, chosen);
     }
     return "gain";
   }
 
   @Override
   public boolean believe(NetworkView network, int camera, BeliefListener listener) {
-    team.mind(camera).belief().tell(network.step(), listener);
-    team.tell(network, listener);
+    team.mind(camera).belief().report(network.step(), listener);
+    team.reportMessages(network, listener);
     return true;
   }
 

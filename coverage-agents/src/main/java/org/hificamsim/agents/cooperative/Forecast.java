@@ -1,17 +1,17 @@
 package org.hificamsim.agents.cooperative;
 
 /**
- * Where known targets are going to be, step by step up to the horizon. A target in a step is a
- * slot: {@code target * horizon + step}.
+ * Where known targets are going to be, step by step up to the horizon. Each pair of a target and a
+ * step has a slot, with the number {@code target * horizon + step}.
  */
 final class Forecast {
   private final int horizon;
   private final double[] discounts;
   private int slots;
-  private double[] x = {};
-  private double[] y = {};
-  private double[] size = {};
-  private double[] weight = {};
+  private double[] xs = {};
+  private double[] ys = {};
+  private double[] sizes = {};
+  private double[] weights = {};
 
   Forecast(Parameters parameters) {
     horizon = parameters.horizon();
@@ -22,42 +22,48 @@ final class Forecast {
     }
   }
 
-  /** Looks ahead from where targets are believed to be. */
+  /** Predicts all slots from where targets are believed to be now. */
   void update(TargetTracks tracks) {
     slots = tracks.count() * horizon;
-    if (x.length < slots) {
-      x = new double[2 * slots];
-      y = new double[2 * slots];
-      size = new double[2 * slots];
-      weight = new double[2 * slots];
+    if (xs.length < slots) {
+      xs = new double[2 * slots];
+      ys = new double[2 * slots];
+      sizes = new double[2 * slots];
+      weights = new double[2 * slots];
     }
     for (int i = 0; i < tracks.count(); i++) {
-      tracks.follow(tracks.at(i), this, i * horizon);
+      tracks.predict(tracks.track(i), this, i * horizon);
     }
   }
 
-  /** A target is going to be at a place. */
-  void set(int slot, double atX, double atY, double itsSize, double itsWeight) {
-    x[slot] = atX;
-    y[slot] = atY;
-    size[slot] = itsSize;
-    weight[slot] = itsWeight * discounts[step(slot)];
+  /**
+   * Sets where the target of a slot is going to be in its step.
+   *
+   * @param weight of the target, before the discount of the step
+   */
+  void set(int slot, double x, double y, double size, double weight) {
+    xs[slot] = x;
+    ys[slot] = y;
+    sizes[slot] = size;
+    weights[slot] = weight * discounts[step(slot)];
   }
 
+  /** The number of slots. */
   int slots() {
     return slots;
   }
 
+  /** The number of steps. */
   int horizon() {
     return horizon;
   }
 
-  /** How many steps from now a slot is, 0 for the one under way. */
+  /** The number of steps from now to the step of a slot; 0 for the present one. */
   int step(int slot) {
     return slot % horizon;
   }
 
-  /** What all steps count from one on. */
+  /** The sum of the discounts of a step and all later ones. */
   double weightFrom(int step) {
     double sum = 0;
     for (int later = step; later < horizon; later++) {
@@ -66,20 +72,22 @@ final class Forecast {
     return sum;
   }
 
+  /** Where the target of a slot is going to be, metres. */
   double x(int slot) {
-    return x[slot];
+    return xs[slot];
   }
 
   double y(int slot) {
-    return y[slot];
+    return ys[slot];
   }
 
+  /** The size of the target of a slot, metres. */
   double size(int slot) {
-    return size[slot];
+    return sizes[slot];
   }
 
-  /** How much the target counts in that step. */
+  /** How much the target of a slot counts in its step. */
   double weight(int slot) {
-    return weight[slot];
+    return weights[slot];
   }
 }

@@ -4,23 +4,32 @@ import java.util.Arrays;
 import org.hificamsim.agents.cooperative.Parameters.Learn;
 
 /**
- * What each view of a camera has been worth a step beyond what the model says, in the units of the
- * objective: the values that a bandit or SARSA without states learns from the model's errors
+ * What each view of a camera has been worth in a step beyond what the model promises, in the units
+ * of the objective: values that a bandit, or SARSA without states, learns from the model's errors
  * (residual reinforcement learning: Johannink and others, 2019). A view behind a wall that is not
- * on the map has a negative one.
+ * on the map gets a negative value.
  */
 final class LearnedValues {
-  private static final double RATE = 0.1; // of SARSA
+  private static final double SARSA_RATE = 0.1;
 
   private final Worth worth;
   private final Learn learn;
   private final double discount;
-  private final double[][] values; // by camera and view; empty where nothing is learned
-  private final int[][] looks;
-  private final double[] errors; // by camera: what it added less what the model says, in this step
-  private final int[] before; // view that the camera looked through last
-  private final double[] errorsBefore;
 
+  /** By camera and view; empty if nothing is learned. */
+  private final double[][] values;
+
+  private final int[][] looks;
+
+  /** By camera, what it added in this step less what the model promised. */
+  private final double[] errors;
+
+  private final int[] lastViews;
+  private final double[] lastErrors;
+
+  /**
+   * @param views number of views, by camera
+   */
   LearnedValues(Parameters parameters, Worth worth, int[] views) {
     this.worth = worth;
     learn = parameters.learn();
@@ -32,54 +41,55 @@ final class LearnedValues {
       looks[camera] = new int[views[camera]];
     }
     errors = new double[values.length];
-    errorsBefore = new double[values.length];
-    before = new int[values.length];
-    Arrays.fill(before, Plan.NONE);
+    lastErrors = new double[values.length];
+    lastViews = new int[values.length];
+    Arrays.fill(lastViews, Plan.NONE);
   }
 
-  /** Whether anything is learned of views. */
+  /** Whether values of views are learned. */
   boolean learns() {
     return learn == Learn.BANDIT || learn == Learn.SARSA;
   }
 
   /**
-   * A camera should see a target, and does or does not.
+   * Compares with the model whether a camera saw a target.
    *
-   * @param chance that it sees it, by the model
-   * @param weight how likely the target is there
-   * @param others how many other cameras see it
+   * @param chance that the camera sees the target, by the model
+   * @param weight probability that the target is there
+   * @param others number of other cameras that see the target
    */
-  void see(int camera, double chance, double weight, int others, boolean itDoes) {
-    double added = others < worth.most() ? worth.added(others) : 0;
-    errors[camera] += weight * added * ((itDoes ? 1 : 0) - chance);
+  void compare(int camera, double chance, double weight, int others, boolean isSeen) {
+    double added = others < worth.saturation() ? worth.added(others) : 0;
+    errors[camera] += weight * added * ((isSeen ? 1 : 0) - chance);
   }
 
-  /** All that a camera saw in a step through a view is known. */
+  /** Learns from all comparisons of a camera in a step, in which it had this view. */
   void learn(int camera, int view) {
     if (!learns()) {
       return;
     }
-    double[] of = values[camera];
+    double[] viewValues = values[camera];
+    int lastView = lastViews[camera];
     if (learn == Learn.BANDIT) {
-      of[view] += (errors[camera] - of[view]) / ++looks[camera][view];
-    } else if (before[camera] != Plan.NONE) {
-      double target = errorsBefore[camera] + discount * of[view];
-      of[before[camera]] += RATE * (target - of[before[camera]]);
+      viewValues[view] += (errors[camera] - viewValues[view]) / ++looks[camera][view];
+    } else if (lastView != Plan.NONE) {
+      double target = lastErrors[camera] + discount * viewValues[view];
+      viewValues[lastView] += SARSA_RATE * (target - viewValues[lastView]);
     }
-    before[camera] = view;
-    errorsBefore[camera] = errors[camera];
+    lastViews[camera] = view;
+    lastErrors[camera] = errors[camera];
     errors[camera] = 0;
   }
 
   /**
-   * What a view is worth beyond what the model says.
+   * What a view is worth beyond what the model promises.
    *
-   * @param steps what the steps count together in which the camera looks through it
+   * @param stepWeight sum of the weights of the steps in which the camera has the view
    */
-  double correction(int camera, int view, double steps) {
+  double correction(int camera, int view, double stepWeight) {
     if (!learns()) {
       return 0;
     }
-    return learn == Learn.BANDIT ? steps * values[camera][view] : values[camera][view];
+    return learn == Learn.BANDIT ? stepWeight * values[camera][view] : values[camera][view];
   }
 }

@@ -4,13 +4,14 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Log-linear learning (Marden, Arslan and Shamma, 2009; spatial adaptive play): one camera at a
- * time, drawn at random, draws its next view with a chance that rises exponentially with what the
- * view adds. That is a potential game; the less noise, the more often it is in its best state.
- * Noise falls to none, where a camera takes its best view.
+ * Log-linear learning (Marden, Arslan and Shamma, 2009; spatial adaptive play). One camera at a
+ * time, drawn at random, draws its next view, with a chance that rises exponentially with what the
+ * view adds. In this potential game, the best joint choice is the more likely, the less noise there
+ * is. The noise falls to 0 in the last round, in which cameras take their best views.
  */
 final class LogLinearLearning implements Agreement {
-  private static final double NOISE = 0.3; // of targets, at first
+  /** The noise of the first round, in units of what a view adds. */
+  private static final double FIRST_NOISE = 0.3;
 
   private final int rounds;
   private final SplittableRandom random;
@@ -25,10 +26,10 @@ final class LogLinearLearning implements Agreement {
 
   @Override
   public void agree(NetworkView network, Team team) {
-    Agreement.greedy(network, team, 1);
+    Agreement.chooseInTurn(network, team, 1);
     int cameras = network.cameras();
     for (int round = 0; round < rounds; round++) {
-      double noise = NOISE * (rounds - 1 - round) / rounds;
+      double noise = FIRST_NOISE * (rounds - 1 - round) / rounds;
       for (int i = 0; i < cameras; i++) {
         int camera = random.nextInt(cameras);
         if (network.online(camera)) {
@@ -39,21 +40,23 @@ final class LogLinearLearning implements Agreement {
   }
 
   private int draw(NetworkView network, Plan plan, int camera, double noise) {
-    int best = plan.best(network, camera);
+    plan.withdraw(camera);
+    double[] gains = plan.gains(network, camera);
+    int best = plan.best(network, camera, gains);
     if (noise == 0) {
       return best;
     }
-    double most = plan.gain(best);
+    int views = network.views(camera);
     double sum = 0;
-    for (int view = 0; view < network.views(camera); view++) {
-      sum += Math.exp((plan.gain(view) - most) / noise);
+    for (int view = 0; view < views; view++) {
+      sum += Math.exp((gains[view] - gains[best]) / noise);
     }
-    double left = random.nextDouble() * sum;
+    double rest = random.nextDouble() * sum;
     int view = -1;
     do {
       view++;
-      left -= Math.exp((plan.gain(view) - most) / noise);
-    } while (left > 0 && view + 1 < network.views(camera));
+      rest -= Math.exp((gains[view] - gains[best]) / noise);
+    } while (rest > 0 && view + 1 < views);
     return view;
   }
 }

@@ -5,114 +5,133 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Max-sum (Farinelli, Rogers, Petcu and Jennings, 2008) over a graph of cameras and of the targets
- * that they may detect, each in each step of the forecast. A camera tells of each of these what it
- * would lose elsewhere by detecting it; each works out from that what detecting it is worth if all
- * others do what is best for all. The worth depends on how many detect a target alone, so the best
- * others are those that lose least (Tarlow, Givoni and Zemel, 2010). The graph has cycles, so
- * nothing is guaranteed; messages are damped.
+ * Max-sum (Farinelli, Rogers, Petcu and Jennings, 2008) on a graph of cameras and of the targets
+ * that they may detect, each target once for each step of the forecast.
  *
- * <p>A view counts as detecting a target for others where its chance is a half or more.
+ * <p>A camera sends, for each target and step, what it would lose elsewhere by detecting it. From
+ * these messages every camera computes what its own detection is worth if all others do what is
+ * best for all. Because this worth depends only on the number of cameras that detect a target, the
+ * best others are those that lose least (Tarlow, Givoni and Zemel, 2010). The graph has cycles, so
+ * there is no guarantee; messages are damped.
+ *
+ * <p>For the other cameras, a view counts as detecting a target if its chance is 0.5 or more.
  */
 final class MaxSum implements Agreement {
   private static final double DAMPING = 0.5;
-  private static final double MUCH = 1e6; // in place of infinity
-  private static final double ABSENT = -MUCH;
+  private static final double DETECTING = 0.5;
+
+  /** In place of infinity. */
+  private static final double MAX_LOSS = 1e6;
+
+  /** In place of a loss: the camera does not take part, or cannot detect the target. */
+  private static final double NO_MESSAGE = -MAX_LOSS;
 
   private final int rounds;
-  private final double[][] losses; // by camera, target and step: what others gain it by, negative
-  private final double[] sorted; // room for those of one slot, the least loss first
-  private double[] totals = {}; // by view of one camera
-  private double[] worths = {}; // by row of one camera
+
+  /**
+   * The last messages, by camera and by number of target and step: the best total without the
+   * detection subtracted from the best total with it.
+   */
+  private final double[][] messages;
+
+  private final double[] sortedLosses;
+  private double[] viewTotals = {};
+  private double[] rowWorths = {};
 
   MaxSum(Parameters parameters, NetworkView network) {
-    if (!parameters.named()) {
+    if (!parameters.identified()) {
       throw new InputException(
-          "agree is 'max-sum' with identity 'none', expected identity=known: cameras speak of"
-              + " targets");
+          "agree is 'max-sum' with identity 'none', expected identity=known: cameras send messages"
+              + " about targets");
     }
     rounds = parameters.rounds();
-    losses = new double[network.cameras()][network.targets() * parameters.horizon()];
-    sorted = new double[network.cameras()];
+    messages = new double[network.cameras()][network.targets() * parameters.horizon()];
+    sortedLosses = new double[network.cameras()];
   }
 
   @Override
   public void agree(NetworkView network, Team team) {
-    for (double[] of : losses) {
-      Arrays.fill(of, ABSENT);
+    for (double[] cameraMessages : messages) {
+      Arrays.fill(cameraMessages, NO_MESSAGE);
     }
     for (int round = 0; round < rounds; round++) {
-      for (int camera = 0; camera < losses.length; camera++) {
+      for (int camera = 0; camera < messages.length; camera++) {
         if (network.online(camera)) {
-          weigh(network, team, camera);
-          tell(network, team, camera);
+          evaluateViews(network, team, camera);
+          sendMessages(network, team, camera);
         }
       }
     }
-    for (int camera = 0; camera < losses.length; camera++) {
+    for (int camera = 0; camera < messages.length; camera++) {
       if (network.online(camera)) {
-        weigh(network, team, camera);
-        team.choose(network, camera, team.plan(camera).best(network, camera, totals));
+        evaluateViews(network, team, camera);
+        team.choose(network, camera, team.plan(camera).best(network, camera, viewTotals));
       }
     }
   }
 
-  /** Finds what each view of a camera is worth, from what it received. */
-  private void weigh(NetworkView network, Team team, int camera) {
+  /** Computes what each view of a camera is worth, given the messages that it received. */
+  private void evaluateViews(NetworkView network, Team team, int camera) {
     Plan plan = team.plan(camera);
-    ViewForecast outlook = plan.outlook(camera);
+    ViewForecast viewForecast = plan.viewForecast(camera);
     int views = network.views(camera);
-    totals = totals.length < views ? new double[views] : totals;
-    worths = worths.length < outlook.rows() ? new double[2 * outlook.rows()] : worths;
-    plan.search(network, camera, totals);
-    for (int row = 0; row < outlook.rows(); row++) {
-      worths[row] = worth(team, plan, camera, outlook.slot(row));
+    int rows = viewForecast.rows();
+    viewTotals = viewTotals.length < views ? new double[views] : viewTotals;
+    rowWorths = rowWorths.length < rows ? new double[2 * rows] : rowWorths;
+    plan.gainsBeyondTracks(network, camera, viewTotals);
+    for (int row = 0; row < rows; row++) {
+      rowWorths[row] = worthOfDetection(team, plan, camera, viewForecast.slot(row));
       for (int view = 0; view < views; view++) {
-        totals[view] += outlook.chance(row, view) * worths[row];
+        viewTotals[view] += viewForecast.chance(row, view) * rowWorths[row];
       }
     }
   }
 
-  /** What it is worth that a camera detects a target in a step. */
-  private double worth(Team team, Plan plan, int camera, int slot) {
+  /** What it is worth that a camera detects the target of a slot in its step. */
+  private double worthOfDetection(Team team, Plan plan, int camera, int slot) {
     int others = 0;
-    for (int other = 0; other < losses.length; other++) {
-      double loss = losses[other][plan.key(slot)];
-      if (other != camera && loss > ABSENT && team.hears(camera, other)) {
-        sorted[others++] = -loss;
+    for (int sender = 0; sender < messages.length; sender++) {
+      double message = messages[sender][plan.targetAndStep(slot)];
+      if (sender != camera && message > NO_MESSAGE && team.bidArrived(sender, camera)) {
+        sortedLosses[others++] = -message;
       }
     }
-    Arrays.sort(sorted, 0, others);
+    Arrays.sort(sortedLosses, 0, others);
     double sum = 0;
-    double without = 0;
-    double with = plan.worth(slot, 1);
+    double bestWithout = 0;
+    double bestWith = plan.worth(slot, 1);
     for (int k = 1; k <= others; k++) {
-      sum -= sorted[k - 1];
-      without = Math.max(without, sum + plan.worth(slot, k));
-      with = Math.max(with, sum + plan.worth(slot, k + 1));
+      sum -= sortedLosses[k - 1];
+      bestWithout = Math.max(bestWithout, sum + plan.worth(slot, k));
+      bestWith = Math.max(bestWith, sum + plan.worth(slot, k + 1));
     }
-    return with - without;
+    return bestWith - bestWithout;
   }
 
-  /** A camera tells what it would lose by each target and step. */
-  private void tell(NetworkView network, Team team, int camera) {
+  private void sendMessages(NetworkView network, Team team, int camera) {
     Plan plan = team.plan(camera);
-    ViewForecast outlook = plan.outlook(camera);
-    for (int row = 0; row < outlook.rows(); row++) {
-      double on = -MUCH;
-      double off = -MUCH;
+    ViewForecast viewForecast = plan.viewForecast(camera);
+    for (int row = 0; row < viewForecast.rows(); row++) {
+      double bestWith = -MAX_LOSS;
+      double bestWithout = -MAX_LOSS;
       for (int view = 0; view < network.views(camera); view++) {
-        double chance = outlook.chance(row, view);
-        double rest = totals[view] - chance * worths[row];
-        on = chance >= 0.5 ? Math.max(on, rest) : on;
-        off = chance >= 0.5 ? off : Math.max(off, rest);
+        double chance = viewForecast.chance(row, view);
+        double totalElsewhere = viewTotals[view] - chance * rowWorths[row];
+        if (chance >= DETECTING) {
+          bestWith = Math.max(bestWith, totalElsewhere);
+        } else {
+          bestWithout = Math.max(bestWithout, totalElsewhere);
+        }
       }
-      int key = plan.key(outlook.slot(row));
-      double before = losses[camera][key];
-      double now = Math.max(ABSENT, Math.min(MUCH, on - off));
-      boolean fresh = before == ABSENT || now == ABSENT;
-      losses[camera][key] = fresh ? now : DAMPING * before + (1 - DAMPING) * now;
+      double message = Math.max(NO_MESSAGE, Math.min(MAX_LOSS, bestWith - bestWithout));
+      int index = plan.targetAndStep(viewForecast.slot(row));
+      messages[camera][index] = damped(messages[camera][index], message);
     }
-    team.bid(network, camera, outlook.rows());
+    team.bid(camera, viewForecast.rows());
+  }
+
+  private static double damped(double before, double now) {
+    boolean first = before == NO_MESSAGE || now == NO_MESSAGE;
+    return first ? now : DAMPING * before + (1 - DAMPING) * now;
   }
 }

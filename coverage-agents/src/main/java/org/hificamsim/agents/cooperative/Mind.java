@@ -7,52 +7,55 @@ import java.util.List;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What a camera believes and plans, and what it last received of the others' choices. Over a
- * perfect channel one mind serves all cameras.
+ * What a camera believes and plans, and the last choice of each other camera that it received. Over
+ * a perfect channel all cameras share one mind.
  */
 final class Mind {
-  private static final Comparator<SightingReport> ORDER =
+  private static final Comparator<SightingReport> IN_ORDER_SENT =
       Comparator.comparingLong(SightingReport::step).thenComparingInt(SightingReport::camera);
 
   private final Belief belief;
   private final Plan plan;
   private final List<SightingReport> inbox = new ArrayList<>();
-  private final int[] heard; // the last choice of each camera that was received
-  private final long[] heardAt; // the step in which it was made
+  private final int[] lastChoices;
+  private final long[] lastChoiceSteps;
 
   Mind(Parameters parameters, Worth worth, Site site, NetworkView network) {
     belief = new Belief(parameters, worth, site, network);
     plan = new Plan(parameters, worth, network.cameras());
-    heard = new int[network.cameras()];
-    heardAt = new long[heard.length];
-    Arrays.fill(heard, Plan.NONE);
+    lastChoices = new int[network.cameras()];
+    lastChoiceSteps = new long[network.cameras()];
+    Arrays.fill(lastChoices, Plan.NONE);
   }
 
-  /** A report has arrived. */
+  /** Receives a report. */
   void receive(SightingReport report) {
     inbox.add(report);
   }
 
   /**
-   * A camera's choice is known: its own, or another one's that has arrived. One of an earlier step
-   * is what the next plan begins with.
+   * Takes the choice of a camera, its own or a received one, into the plan. A choice of an earlier
+   * step is kept for the next plan.
+   *
+   * @param sentAt the step in which the camera chose
+   * @param now the present step
    */
-  void hear(int camera, int view, long sent, long now) {
-    if (sent >= heardAt[camera]) {
-      heard[camera] = view;
-      heardAt[camera] = sent;
+  void learnChoice(int camera, int view, long sentAt, long now) {
+    if (sentAt >= lastChoiceSteps[camera]) {
+      lastChoices[camera] = view;
+      lastChoiceSteps[camera] = sentAt;
     }
-    if (sent == now) {
+    if (sentAt == now) {
       plan.choose(camera, view);
     }
   }
 
-  /** Puts what has arrived over a channel in the order in which it was sent. */
-  void sort() {
-    inbox.sort(ORDER);
+  /** Sorts the reports that have arrived by the step in which they were sent, then by camera. */
+  void sortReports() {
+    inbox.sort(IN_ORDER_SENT);
   }
 
-  /** Comes to a belief from what has arrived. */
+  /** Updates the belief with the reports that have arrived. */
   void believe(NetworkView network) {
     belief.begin();
     for (int i = 0; i < inbox.size(); i++) {
@@ -62,21 +65,22 @@ final class Mind {
     inbox.clear();
   }
 
-  /** Begins a plan in which all go on to what they last chose, as far as is known. */
-  void plan(NetworkView network) {
+  /** Begins a plan in which every camera keeps to its last known choice. */
+  void beginPlan(NetworkView network) {
     plan.begin(network, belief);
-    for (int camera = 0; camera < heard.length; camera++) {
-      if (network.online(camera) && heard[camera] != Plan.NONE) {
-        plan.choose(camera, Math.min(heard[camera], network.views(camera) - 1));
+    for (int camera = 0; camera < lastChoices.length; camera++) {
+      if (network.online(camera) && lastChoices[camera] != Plan.NONE) {
+        plan.choose(camera, Math.min(lastChoices[camera], network.views(camera) - 1));
       }
     }
   }
 
-  /** Plans the best view for a camera; returns whether it is another one than before. */
-  boolean choose(NetworkView network, int camera) {
+  /** Plans the best view for a camera; returns whether it differs from the one planned before. */
+  boolean replan(NetworkView network, int camera) {
     int before = plan.view(camera);
+    plan.withdraw(camera);
     int view = plan.best(network, camera);
-    hear(camera, view, network.step(), network.step());
+    learnChoice(camera, view, network.step(), network.step());
     return view != before;
   }
 

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Which view each camera is going to choose, and what every view of a camera adds to that: the
- * worth of what it would detect from when it gets there up to the horizon, beyond what the other
- * cameras cover as planned.
+ * The view that each camera is going to choose, and what every view of a camera adds to this plan:
+ * the worth of what it would detect, from the step of its arrival up to the horizon, beyond what
+ * the other cameras cover as planned.
  *
- * <p>What a view adds of targets that nobody sees are those expected in the cells that it looks at,
- * as far as no other camera is going to look there.
+ * <p>Unseen targets count as well: those expected in the cells that a view looks at, as far as no
+ * other camera is going to look there.
  */
 final class Plan {
   /** No view. */
@@ -20,23 +20,23 @@ final class Plan {
   private final Parameters parameters;
   private final Forecast forecast;
   private final PlannedCoverage coverage;
-  private final ViewForecast[] outlooks; // of each camera
-  private final int[] planned; // view of each camera, or NONE
-  private double[] unseen = {}; // by cell: targets that nobody looks at, if all do as planned
+  private final ViewForecast[] viewForecasts;
+  private final int[] plannedViews;
+  private double[] unseenTargets = {};
   private double[] gains = {};
-  private CellSight cells;
+  private CellSight cellSight;
   private TargetTracks tracks;
-  private LearnedSight learned;
-  private LearnedValues values;
+  private LearnedSight learnedSight;
+  private LearnedValues learnedValues;
 
   Plan(Parameters parameters, Worth worth, int cameras) {
     this.parameters = parameters;
     forecast = new Forecast(parameters);
     coverage = new PlannedCoverage(worth);
-    outlooks = new ViewForecast[cameras];
-    Arrays.setAll(outlooks, camera -> new ViewForecast());
-    planned = new int[cameras];
-    Arrays.fill(planned, NONE);
+    viewForecasts = new ViewForecast[cameras];
+    Arrays.setAll(viewForecasts, camera -> new ViewForecast());
+    plannedViews = new int[cameras];
+    Arrays.fill(plannedViews, NONE);
   }
 
   /** Begins a plan in which no camera has a view yet, from what is believed now. */
@@ -44,134 +44,160 @@ final class Plan {
     tracks = belief.tracks();
     forecast.update(tracks);
     coverage.clear(forecast.slots());
-    cells = belief.site().cells();
-    learned = belief.learned();
-    values = belief.values();
-    double[] expected = belief.map().unseen();
-    unseen = unseen.length == expected.length ? unseen : new double[expected.length];
-    System.arraycopy(expected, 0, unseen, 0, unseen.length);
-    Arrays.fill(planned, NONE);
-    for (int camera = 0; camera < planned.length; camera++) {
+    cellSight = belief.site().cellSight();
+    learnedSight = belief.learnedSight();
+    learnedValues = belief.learnedValues();
+    double[] expected = belief.searchMap().unseenTargets();
+    boolean fits = unseenTargets.length == expected.length;
+    unseenTargets = fits ? unseenTargets : new double[expected.length];
+    System.arraycopy(expected, 0, unseenTargets, 0, unseenTargets.length);
+    Arrays.fill(plannedViews, NONE);
+    for (int camera = 0; camera < plannedViews.length; camera++) {
       if (network.online(camera)) {
-        outlooks[camera].update(network, camera, belief, forecast);
+        viewForecasts[camera].update(network, camera, belief, forecast);
       }
     }
   }
 
-  /** The view that is planned for a camera; -1 for none. */
+  /** The view that is planned for a camera, or {@link #NONE}. */
   int view(int camera) {
-    return planned[camera];
+    return plannedViews[camera];
   }
 
-  /** Plans a view for a camera in place of the one before. */
+  /** Plans a view for a camera, in place of the one planned before. */
   void choose(int camera, int view) {
     withdraw(camera);
-    apply(camera, view, true);
-    planned[camera] = view;
+    cover(camera, view);
+    plannedViews[camera] = view;
   }
 
-  private void withdraw(int camera) {
-    if (planned[camera] != NONE) {
-      apply(camera, planned[camera], false);
-      planned[camera] = NONE;
+  /**
+   * Plans no view for a camera. A camera that is going to choose again withdraws first, which saves
+   * {@link #gains} the time to restore its old view.
+   */
+  void withdraw(int camera) {
+    if (plannedViews[camera] != NONE) {
+      uncover(camera, plannedViews[camera]);
+      plannedViews[camera] = NONE;
     }
   }
 
-  private void apply(int camera, int view, boolean added) {
-    ViewForecast outlook = outlooks[camera];
-    outlook.cover(view, coverage, added);
-    if (outlook.delay(view) < forecast.horizon()) {
-      int[] seen = cells.cells(camera, view);
-      float[] chances = cells.chances(camera, view);
-      for (int i = 0; i < seen.length; i++) {
-        double left = SearchMap.leftAfterLook(chances[i] * learned.share(camera, seen[i]));
-        unseen[seen[i]] = added ? unseen[seen[i]] * left : unseen[seen[i]] / left;
+  private void cover(int camera, int view) {
+    viewForecasts[camera].addTo(coverage, view);
+    if (arrivesInTime(camera, view)) {
+      int[] cells = cellSight.cells(camera, view);
+      float[] chances = cellSight.chances(camera, view);
+      for (int i = 0; i < cells.length; i++) {
+        unseenTargets[cells[i]] *= remainingShare(camera, cells[i], chances[i]);
       }
     }
   }
 
-  /** What each view of a camera adds to those of the others; from now on none is planned for it. */
+  private void uncover(int camera, int view) {
+    viewForecasts[camera].removeFrom(coverage, view);
+    if (arrivesInTime(camera, view)) {
+      int[] cells = cellSight.cells(camera, view);
+      float[] chances = cellSight.chances(camera, view);
+      for (int i = 0; i < cells.length; i++) {
+        unseenTargets[cells[i]] /= remainingShare(camera, cells[i], chances[i]);
+      }
+    }
+  }
+
+  private boolean arrivesInTime(int camera, int view) {
+    return viewForecasts[camera].delay(view) < forecast.horizon();
+  }
+
+  private double remainingShare(int camera, int cell, float chance) {
+    return SearchMap.leftAfterLook(chance * learnedSight.share(camera, cell));
+  }
+
+  /**
+   * Returns what each view of a camera adds to the views of the others, 0 or more. The next call
+   * overwrites the array.
+   */
   double[] gains(NetworkView network, int camera) {
+    int plannedView = plannedViews[camera];
     withdraw(camera);
     int views = network.views(camera);
     gains = gains.length < views ? new double[views] : gains;
-    outlooks[camera].gains(forecast, coverage, gains);
+    viewForecasts[camera].gains(forecast, coverage, gains);
     for (int view = 0; view < views; view++) {
-      gains[view] = Math.max(0, gains[view] + beyond(camera, view));
+      gains[view] = Math.max(0, gains[view] + gainBeyondTracks(camera, view));
     }
+    restore(camera, plannedView);
     return gains;
   }
 
-  /** What a view adds beyond known targets: those that nobody sees, and what was learned. */
-  private double beyond(int camera, int view) {
-    int delay = outlooks[camera].delay(view);
-    if (delay >= forecast.horizon()) {
-      return 0;
+  private void restore(int camera, int plannedView) {
+    if (plannedView != NONE) {
+      choose(camera, plannedView);
     }
-    double steps = forecast.weightFrom(delay);
-    return parameters.search() * steps * unseen(camera, view)
-        + values.correction(camera, view, steps);
   }
 
-  private double unseen(int camera, int view) {
-    int[] seen = cells.cells(camera, view);
-    float[] chances = cells.chances(camera, view);
+  /** Fills in what each view of a camera adds beyond the targets that are tracked. */
+  void gainsBeyondTracks(NetworkView network, int camera, double[] viewGains) {
+    int plannedView = plannedViews[camera];
+    withdraw(camera);
+    for (int view = 0; view < network.views(camera); view++) {
+      viewGains[view] = gainBeyondTracks(camera, view);
+    }
+    restore(camera, plannedView);
+  }
+
+  /** What a view adds by targets that nobody sees, and by what was learned of the view. */
+  private double gainBeyondTracks(int camera, int view) {
+    if (!arrivesInTime(camera, view)) {
+      return 0;
+    }
+    double stepWeight = forecast.weightFrom(viewForecasts[camera].delay(view));
+    return parameters.search() * stepWeight * unseenTargetsIn(camera, view)
+        + learnedValues.correction(camera, view, stepWeight);
+  }
+
+  private double unseenTargetsIn(int camera, int view) {
+    int[] cells = cellSight.cells(camera, view);
+    float[] chances = cellSight.chances(camera, view);
     double sum = 0;
-    for (int i = 0; i < seen.length; i++) {
-      sum += unseen[seen[i]] * chances[i] * learned.share(camera, seen[i]);
+    for (int i = 0; i < cells.length; i++) {
+      sum += unseenTargets[cells[i]] * chances[i] * learnedSight.share(camera, cells[i]);
     }
     return sum;
   }
 
-  /** What views of a camera add beyond known targets. */
-  void search(NetworkView network, int camera, double[] into) {
-    int before = planned[camera];
-    withdraw(camera);
-    for (int view = 0; view < network.views(camera); view++) {
-      into[view] = beyond(camera, view);
-    }
-    if (before != NONE) {
-      choose(camera, before);
-    }
+  /** What a camera would detect in each of its views. */
+  ViewForecast viewForecast(int camera) {
+    return viewForecasts[camera];
   }
 
-  /** What a camera would detect. */
-  ViewForecast outlook(int camera) {
-    return outlooks[camera];
+  /** The number of a slot's target and step, which is the same in all plans. */
+  int targetAndStep(int slot) {
+    return tracks.track(slot / forecast.horizon()) * forecast.horizon() + forecast.step(slot);
   }
 
-  /** The number of a slot's target and step, the same in all plans. */
-  int key(int slot) {
-    return tracks.at(slot / forecast.horizon()) * forecast.horizon() + forecast.step(slot);
-  }
-
-  /** What it is worth that k cameras detect what is in a slot. */
+  /** The worth of k cameras that detect the target of a slot in its step. */
   double worth(int slot, int k) {
     return forecast.weight(slot) * coverage.worth(k);
   }
 
-  /** What a view adds, of the camera that was last asked for. */
-  double gain(int view) {
-    return gains[view];
-  }
-
-  /**
-   * The view of a camera that adds most to those of the others; from now on none is planned for it.
-   * Of equally good ones it is the one that the camera chose last, or the one that takes least
-   * time, the first of these.
-   */
+  /** Returns the view of a camera that adds most to the views of the others. */
   int best(NetworkView network, int camera) {
     return best(network, camera, gains(network, camera));
   }
 
-  /** The view of a camera for which a number is highest; of equal ones as above. */
-  int best(NetworkView network, int camera, double[] gain) {
+  /**
+   * Returns the view of a camera with the greatest gain. Of views with equal gains it is the
+   * present one, unless others are reached sooner: then the first of those that are reached
+   * soonest.
+   */
+  int best(NetworkView network, int camera, double[] viewGains) {
+    ViewForecast viewForecast = viewForecasts[camera];
     int best = network.view(camera);
     for (int view = 0; view < network.views(camera); view++) {
-      double more = gain[view] - gain[best];
-      ViewForecast outlook = outlooks[camera];
-      boolean tie = Math.abs(more) <= TIE && outlook.delay(view) < outlook.delay(best);
-      best = more > TIE || tie ? view : best;
+      double difference = viewGains[view] - viewGains[best];
+      boolean reachedSooner =
+          Math.abs(difference) <= TIE && viewForecast.delay(view) < viewForecast.delay(best);
+      best = difference > TIE || reachedSooner ? view : best;
     }
     return best;
   }

@@ -3,78 +3,82 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 
 /**
- * How many cameras are going to detect each target at each place that it may be at, a slot, if all
- * do as planned: the chances that it is 1, 2, ... or more (a Poisson binomial distribution).
+ * How many cameras are going to detect the target of each slot of a forecast, if all do as planned:
+ * the chances that it is at least 1, 2, ... cameras (a Poisson binomial distribution).
  */
 final class PlannedCoverage {
-  /** Above this a detection is taken for certain: what was added can be removed without loss. */
+  /** A greater chance counts as 1, because removing it again would lose precision. */
   private static final double CERTAIN = 0.98;
 
   private final Worth worth;
-  private final int most;
-  private int[] certain = {};
-  private double[] atLeast = {}; // of the others: by slot, the chance of 1, 2, ... or more
+  private final int maxCounted;
+  private int[] certainCameras = {};
+
+  /** By slot, the chances of at least 1, 2, ... cameras, apart from the certain ones. */
+  private double[] atLeast = {};
 
   PlannedCoverage(Worth worth) {
     this.worth = worth;
-    this.most = worth.most();
+    this.maxCounted = worth.saturation();
   }
 
-  /** Nobody covers anything. */
+  /** Removes all cameras, and sets the number of slots. */
   void clear(int slots) {
-    if (certain.length < slots) {
-      certain = new int[2 * slots];
-      atLeast = new double[2 * slots * most];
+    if (certainCameras.length < slots) {
+      certainCameras = new int[2 * slots];
+      atLeast = new double[2 * slots * maxCounted];
     }
-    Arrays.fill(certain, 0, slots, 0);
-    Arrays.fill(atLeast, 0, slots * most, 0);
+    Arrays.fill(certainCameras, 0, slots, 0);
+    Arrays.fill(atLeast, 0, slots * maxCounted, 0);
   }
 
-  /** A camera more that detects what is in a slot with a chance. */
+  /** Adds a camera that detects the target of a slot with this chance. */
   void add(int slot, double chance) {
     if (chance > CERTAIN) {
-      certain[slot]++;
+      certainCameras[slot]++;
       return;
     }
-    int first = slot * most;
-    for (int i = first + most - 1; i > first; i--) {
+    int first = slot * maxCounted;
+    for (int i = first + maxCounted - 1; i > first; i--) {
       atLeast[i] += chance * (atLeast[i - 1] - atLeast[i]);
     }
     atLeast[first] += chance * (1 - atLeast[first]);
   }
 
-  /** Takes back what was added. */
+  /** Removes a camera that was added with this chance. */
   void remove(int slot, double chance) {
     if (chance > CERTAIN) {
-      certain[slot]--;
+      certainCameras[slot]--;
       return;
     }
-    double before = 1;
-    for (int i = slot * most; i < (slot + 1) * most; i++) {
-      atLeast[i] = (atLeast[i] - chance * before) / (1 - chance);
-      before = atLeast[i];
+    double oneFewer = 1;
+    for (int i = slot * maxCounted; i < (slot + 1) * maxCounted; i++) {
+      atLeast[i] = (atLeast[i] - chance * oneFewer) / (1 - chance);
+      oneFewer = atLeast[i];
     }
   }
 
-  /** What a camera more adds in a slot that is certain to detect what is there. */
+  /** What a further camera adds that is certain to detect the target of a slot. */
   double added(int slot) {
     double sum = 0;
-    for (int k = certain[slot]; k < most; k++) {
+    for (int k = certainCameras[slot]; k < maxCounted; k++) {
       sum += worth.added(k) * (atLeast(slot, k) - atLeast(slot, k + 1));
     }
     return sum;
   }
 
-  /** What a target is worth that k cameras detect. */
+  /** The worth of a target that k cameras detect. */
   double worth(int k) {
     double sum = 0;
-    for (int i = 0; i < Math.min(k, most); i++) {
+    for (int i = 0; i < Math.min(k, maxCounted); i++) {
       sum += worth.added(i);
     }
     return sum;
   }
 
   private double atLeast(int slot, int k) {
-    return k <= certain[slot] ? 1 : atLeast[slot * most + k - certain[slot] - 1];
+    return k <= certainCameras[slot]
+        ? 1
+        : atLeast[slot * maxCounted + k - certainCameras[slot] - 1];
   }
 }

@@ -3,133 +3,146 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 
 /**
- * Where targets may be that nobody sees: how many are expected in each cell of a grid. It spreads,
- * falls where cameras look and find nothing, takes up targets that were lost, and relaxes towards
- * an occupancy that is learned: targets seen a look, of a cell and its neighbours.
+ * The number of targets expected in each cell of a grid that no camera sees. It spreads to
+ * neighbouring cells, falls where cameras look and find nothing, takes up targets that were lost,
+ * and relaxes towards a learned occupancy: the average number of targets seen per look at the cell
+ * and its neighbours.
  */
 final class SearchMap {
-  private static final int AVERAGING = 10; // steps from one estimate of the occupancy to the next
-  private static final double LEAST_SHARE = 0.1; // of the occupancy, however many are known
-  private static final double FOUND = 0.95; // part of a cell's targets that a look finds
+  /** The number of steps from one estimate of the occupancy to the next. */
+  private static final int STEPS_PER_ESTIMATE = 10;
+
+  /** The part of the occupancy that counts as unseen, however many targets are known. */
+  private static final double MIN_UNSEEN_SHARE = 0.1;
+
+  /** The part of a cell's targets that a certain look finds. */
+  private static final double FOUND_SHARE = 0.95;
 
   private final Parameters parameters;
   private final Grid grid;
   private final boolean[] free;
   private final int freeCells;
-  private final double[] unseen;
-  private final double[] before;
+  private final double[] unseenTargets;
+  private final double[] targetsBefore;
   private final double[] looks;
   private final double[] sightings;
   private final double[] occupancy;
-  private final double[] missed; // in this step: the chance that no look at a cell finds a target
-  private double mean; // targets a free cell
+
+  /** By cell, the chance that no look in this step finds a target that is there. */
+  private final double[] missChances;
+
+  /** The mean number of targets in a free cell. */
+  private double meanOccupancy;
+
   private int steps;
 
   /**
-   * @param free which cells a target can be in
-   * @param expected number of targets at first
+   * @param free by cell, whether a target can be in it
+   * @param expected number of targets at the beginning
    */
   SearchMap(Parameters parameters, Grid grid, boolean[] free, double expected) {
     this.parameters = parameters;
     this.grid = grid;
     this.free = free;
     int count = 0;
-    for (boolean one : free) {
-      count += one ? 1 : 0;
+    for (boolean isFree : free) {
+      count += isFree ? 1 : 0;
     }
     freeCells = Math.max(1, count);
-    mean = expected / freeCells;
-    unseen = new double[free.length];
-    before = new double[free.length];
+    meanOccupancy = expected / freeCells;
+    unseenTargets = new double[free.length];
+    targetsBefore = new double[free.length];
     looks = new double[free.length];
     sightings = new double[free.length];
     occupancy = new double[free.length];
-    missed = new double[free.length];
+    missChances = new double[free.length];
     for (int cell = 0; cell < free.length; cell++) {
-      occupancy[cell] = free[cell] ? mean : 0;
+      occupancy[cell] = free[cell] ? meanOccupancy : 0;
     }
-    System.arraycopy(occupancy, 0, unseen, 0, unseen.length);
-    Arrays.fill(missed, 1);
+    System.arraycopy(occupancy, 0, unseenTargets, 0, unseenTargets.length);
+    Arrays.fill(missChances, 1);
   }
 
-  /** Targets expected in each cell that nobody sees. */
-  double[] unseen() {
-    return unseen;
+  /** The number of targets expected in each cell that no camera sees. */
+  double[] unseenTargets() {
+    return unseenTargets;
   }
 
   /**
-   * The part of a cell's targets that is left unseen when a camera looks at it.
+   * The part of a cell's targets that stays unseen when a camera looks at the cell.
    *
-   * @param chance that it detects a target there
+   * @param chance that the camera detects a target there
    */
   static double leftAfterLook(double chance) {
-    return 1 - FOUND * chance;
+    return 1 - FOUND_SHARE * chance;
   }
 
-  /** A camera looks at cells. */
+  /** Takes in that a camera looks at cells, with these chances to detect a target in them. */
   void look(int[] cells, float[] chances, LearnedSight learned, int camera) {
     for (int i = 0; i < cells.length; i++) {
-      missed[cells[i]] *= 1 - chances[i] * learned.share(camera, cells[i]);
+      missChances[cells[i]] *= 1 - chances[i] * learned.share(camera, cells[i]);
     }
   }
 
-  /** A target is seen in this step; once for each. */
-  void sight(double x, double y) {
+  /** Counts a target that is seen at a point; to be called once for each sighting. */
+  void countSighting(double x, double y) {
     sightings[grid.cell(x, y)]++;
   }
 
-  /** A target that was expected at a place is not there, or nobody knows. */
+  /** Adds a target that is no longer tracked, with the weight that its track has lost. */
   void absorb(double x, double y, double weight) {
-    unseen[grid.cell(x, y)] += weight;
+    unseenTargets[grid.cell(x, y)] += weight;
   }
 
   /**
-   * Goes on by a step.
+   * Ends a step.
    *
-   * @param spread the part of a cell that goes to its neighbours in a step
-   * @param known how many targets are known: the others alone are unseen
+   * @param spread the part of a cell's targets that moves to its neighbours in a step
+   * @param knownTargets the number of targets that are tracked, and so not unseen
    */
-  void step(double spread, double known) {
+  void step(double spread, double knownTargets) {
     spread(spread);
-    double share = Math.max(LEAST_SHARE, 1 - known / Math.max(known, mean * freeCells));
-    for (int cell = 0; cell < unseen.length; cell++) {
-      double looked = 1 - missed[cell];
-      looks[cell] += looked;
-      unseen[cell] *= leftAfterLook(looked);
-      unseen[cell] += parameters.relax() * (share * occupancy[cell] - unseen[cell]);
-      missed[cell] = 1;
+    double allTargets = Math.max(knownTargets, meanOccupancy * freeCells);
+    double unseenShare = Math.max(MIN_UNSEEN_SHARE, 1 - knownTargets / allTargets);
+    for (int cell = 0; cell < unseenTargets.length; cell++) {
+      double look = 1 - missChances[cell];
+      looks[cell] += look;
+      unseenTargets[cell] *= leftAfterLook(look);
+      unseenTargets[cell] +=
+          parameters.relax() * (unseenShare * occupancy[cell] - unseenTargets[cell]);
+      missChances[cell] = 1;
     }
-    if (steps++ % AVERAGING == 0) {
-      average();
+    if (steps++ % STEPS_PER_ESTIMATE == 0) {
+      estimateOccupancy();
     }
   }
 
   private void spread(double part) {
-    System.arraycopy(unseen, 0, before, 0, unseen.length);
-    double toEach = part / 4;
+    System.arraycopy(unseenTargets, 0, targetsBefore, 0, unseenTargets.length);
+    double partForEach = part / 4;
     for (int row = 0; row < grid.rows(); row++) {
       for (int column = 0; column < grid.columns(); column++) {
         int cell = row * grid.columns() + column;
-        if (free[cell] && before[cell] > 0) {
-          double sent = toEach * before[cell];
-          give(cell, column > 0, cell - 1, sent);
-          give(cell, column + 1 < grid.columns(), cell + 1, sent);
-          give(cell, row > 0, cell - grid.columns(), sent);
-          give(cell, row + 1 < grid.rows(), cell + grid.columns(), sent);
+        if (free[cell] && targetsBefore[cell] > 0) {
+          double moved = partForEach * targetsBefore[cell];
+          move(cell, column > 0, cell - 1, moved);
+          move(cell, column + 1 < grid.columns(), cell + 1, moved);
+          move(cell, row > 0, cell - grid.columns(), moved);
+          move(cell, row + 1 < grid.rows(), cell + grid.columns(), moved);
         }
       }
     }
   }
 
-  private void give(int from, boolean inside, int to, double sent) {
-    if (inside && free[to]) {
-      unseen[from] -= sent;
-      unseen[to] += sent;
+  private void move(int from, boolean isInside, int to, double moved) {
+    if (isInside && free[to]) {
+      unseenTargets[from] -= moved;
+      unseenTargets[to] += moved;
     }
   }
 
-  /** The occupancy of each cell from its own and its neighbours' looks, and of all together. */
-  private void average() {
+  /** Estimates each cell's occupancy from looks at it and its neighbours, and the mean of all. */
+  private void estimateOccupancy() {
     double sum = 0;
     for (int row = 0; row < grid.rows(); row++) {
       for (int column = 0; column < grid.columns(); column++) {
@@ -138,20 +151,20 @@ final class SearchMap {
         sum += occupancy[cell];
       }
     }
-    mean = sum / freeCells;
+    meanOccupancy = sum / freeCells;
   }
 
   private double occupancy(int row, int column) {
-    double seen = parameters.prior() * mean;
-    double looked = parameters.prior();
+    double weightedSightings = parameters.prior() * meanOccupancy;
+    double weightedLooks = parameters.prior();
     int left = Math.max(0, column - 1);
     int right = Math.min(grid.columns() - 1, column + 1);
     for (int r = Math.max(0, row - 1); r <= Math.min(grid.rows() - 1, row + 1); r++) {
       for (int cell = r * grid.columns() + left; cell <= r * grid.columns() + right; cell++) {
-        seen += sightings[cell];
-        looked += looks[cell];
+        weightedSightings += sightings[cell];
+        weightedLooks += looks[cell];
       }
     }
-    return seen / looked;
+    return weightedSightings / weightedLooks;
   }
 }

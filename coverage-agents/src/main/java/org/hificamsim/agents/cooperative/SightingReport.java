@@ -5,31 +5,29 @@ import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
-/**
- * What a camera tells the others in each step: the view that it looks through, and what it sees.
- */
+/** What a camera sends to the others in each step: its view, and the targets that it sees. */
 final class SightingReport {
   /** In place of the number of a target that is not identified. */
-  static final int UNNAMED = -1;
+  static final int UNIDENTIFIED = -1;
 
-  private final boolean named;
+  private final boolean identifies;
   private int camera;
   private int view;
   private long step;
   private int count;
   private int[] targets = {};
-  private double[] x = {};
-  private double[] y = {};
+  private double[] xs = {};
+  private double[] ys = {};
   private double[] sizes = {};
 
   /**
-   * @param named whether it says which target is which
+   * @param identifies whether the report identifies targets
    */
-  SightingReport(boolean named) {
-    this.named = named;
+  SightingReport(boolean identifies) {
+    this.identifies = identifies;
   }
 
-  /** Begins a report of a camera that has seen nothing yet. */
+  /** Begins the report of a step, with no target yet. */
   void begin(NetworkView network, int newCamera) {
     camera = newCamera;
     view = network.online(camera) ? network.seeing(camera) : -1;
@@ -37,7 +35,7 @@ final class SightingReport {
     count = 0;
   }
 
-  /** Adds a target that the camera sees: its place follows from the camera's pose. */
+  /** Adds a target that the camera sees, at the position that follows from the camera's pose. */
   void add(NetworkView network, SeenPairs pairs, int pair) {
     if (count == targets.length) {
       grow(Math.max(4, 2 * count));
@@ -47,61 +45,66 @@ final class SightingReport {
     double aheadY = Math.cos(axis);
     double ahead = pairs.ahead(pair);
     double right = pairs.right(pair);
-    targets[count] = named ? pairs.target(pair) : UNNAMED;
+    targets[count] = identifies ? pairs.target(pair) : UNIDENTIFIED;
     sizes[count] = network.targetSize(pairs.target(pair));
-    x[count] = network.cameraX(camera) + ahead * aheadX + right * aheadY;
-    y[count++] = network.cameraY(camera) + ahead * aheadY - right * aheadX;
+    xs[count] = network.cameraX(camera) + ahead * aheadX + right * aheadY;
+    ys[count++] = network.cameraY(camera) + ahead * aheadY - right * aheadX;
   }
 
-  /** The same as it is now: the others may have it later. */
+  /** Returns a copy, which may arrive in a later step. */
   SightingReport copy() {
     return copy(targets);
   }
 
-  /** The same with other numbers of its targets, or more numbers than it has targets. */
+  /**
+   * Returns a copy with other numbers of targets.
+   *
+   * @param numbers by sighting; further entries are ignored
+   */
   SightingReport copy(int[] numbers) {
-    SightingReport copy = new SightingReport(named);
+    SightingReport copy = new SightingReport(identifies);
     copy.camera = camera;
     copy.view = view;
     copy.step = step;
     copy.count = count;
     copy.targets = Arrays.copyOf(numbers, count);
-    copy.x = Arrays.copyOf(x, count);
-    copy.y = Arrays.copyOf(y, count);
+    copy.xs = Arrays.copyOf(xs, count);
+    copy.ys = Arrays.copyOf(ys, count);
     copy.sizes = Arrays.copyOf(sizes, count);
     return copy;
   }
 
-  /** Its length: the view, or none, and each target with its place and size. */
+  /** The length of the report, bits: the view, or none, and each target's position and size. */
   int bits(NetworkView network) {
-    int ofTarget = (named ? MessageBits.of(network.targets()) : 0) + 3 * MessageBits.REAL;
+    int bitsPerTarget = (identifies ? MessageBits.of(network.targets()) : 0) + 3 * MessageBits.REAL;
     return MessageBits.address(network.cameras())
         + MessageBits.of(network.views(camera) + 1L)
-        + count * ofTarget;
+        + count * bitsPerTarget;
   }
 
   private void grow(int length) {
     targets = Arrays.copyOf(targets, length);
-    x = Arrays.copyOf(x, length);
-    y = Arrays.copyOf(y, length);
+    xs = Arrays.copyOf(xs, length);
+    ys = Arrays.copyOf(ys, length);
     sizes = Arrays.copyOf(sizes, length);
   }
 
+  /** The camera that reports. */
   int camera() {
     return camera;
   }
 
-  /** The view that it looks through; -1 for none. */
+  /** The view through which the camera looks; -1 for none. */
   int view() {
     return view;
   }
 
-  /** The step in which it sees all this. */
+  /** The step of the sightings. */
   long step() {
     return step;
   }
 
-  /** Whether it sees a target. */
+  /** Whether the camera sees the target with this number. */
   boolean has(int target) {
     boolean has = false;
     for (int i = 0; i < count; i++) {
@@ -110,25 +113,26 @@ final class SightingReport {
     return has;
   }
 
-  /** How many targets it sees. */
+  /** The number of targets that the camera sees. */
   int count() {
     return count;
   }
 
+  /** The number of the i-th target, or {@link #UNIDENTIFIED}. */
   int target(int i) {
     return targets[i];
   }
 
-  /** Where a target is, metres. */
+  /** The position of the i-th target, metres. */
   double x(int i) {
-    return x[i];
+    return xs[i];
   }
 
   double y(int i) {
-    return y[i];
+    return ys[i];
   }
 
-  /** Metres; NaN where it is not known. */
+  /** The size of the i-th target, metres; NaN if it is unknown. */
   double size(int i) {
     return sizes[i];
   }

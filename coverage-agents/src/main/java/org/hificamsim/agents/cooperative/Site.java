@@ -6,61 +6,64 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * What all cameras know of the site: its cells, and what is seen from where by the map that they
- * have of it: exact sight, past the obstacles that are on the map, whatever is there.
+ * What all cameras know of the site: its cells, and what can be seen from where according to their
+ * map. Sight is exact for the obstacles on the map, which may differ from the real ones.
  */
 final class Site {
-  /** Cells are searched for targets of this size, about that of a person, metres. */
-  private static final double SEARCHED = 1;
+  /** Cells are searched for targets of about a person's size, metres. */
+  private static final double SEARCHED_SIZE = 1;
 
   private final Obstacles map;
-  private final VisibleRegion[] regions; // by camera
+  private final VisibleRegion[] visibleRegions;
   private final Grid grid;
   private final boolean[] free;
-  private final CellSight cells;
+  private final CellSight cellSight;
   private int revision = -1;
 
   Site(NetworkView network, Obstacles map, int cells) {
     this.map = map;
-    regions = new VisibleRegion[network.cameras()];
+    visibleRegions = new VisibleRegion[network.cameras()];
     grid = Grid.over(network.field(), cells);
     free = new boolean[grid.cells()];
     for (int cell = 0; cell < free.length; cell++) {
       free[cell] = map.containing(grid.x(cell, 0.5), grid.y(cell, 0.5)).isEmpty();
     }
-    this.cells = new CellSight(grid, network.cameras());
+    cellSight = new CellSight(grid, network.cameras());
   }
 
-  /** Takes note of cameras that were added, moved or refitted. */
+  /** Updates the site for cameras that were added, moved or changed. */
   void refresh(NetworkView network) {
     if (revision == network.revision()) {
       return;
     }
     revision = network.revision();
-    boolean moved = false;
-    for (int camera = 0; camera < regions.length; camera++) {
+    boolean anyMoved = false;
+    for (int camera = 0; camera < visibleRegions.length; camera++) {
       double x = network.cameraX(camera);
       double y = network.cameraY(camera);
-      if (regions[camera] == null || !regions[camera].isFrom(x, y)) {
-        regions[camera] = VisibleRegion.of(map, x, y);
-        moved = true;
+      if (visibleRegions[camera] == null || !visibleRegions[camera].isFrom(x, y)) {
+        visibleRegions[camera] = VisibleRegion.of(map, x, y);
+        anyMoved = true;
       }
     }
-    if (moved) {
-      cells.find(network, this, SEARCHED);
+    if (anyMoved) {
+      cellSight.update(network, this, SEARCHED_SIZE);
     }
   }
 
-  /** As {@link NetworkView#chancesAt}, past the obstacles of the map. */
+  /**
+   * Does the same as {@link NetworkView#chancesAt}, for the transmittance of the obstacles on the
+   * map.
+   */
   boolean chances(
       NetworkView network, int camera, double x, double y, double size, double[] chances) {
     double z = network.zoom(camera, 0).vertical().z();
     Body body = network.body(size);
-    double through = regions[camera].transmittance(x, y, z, body.low(), body.high());
-    return through > 0 && network.chancesAt(camera, x, y, size, through, chances);
+    double transmittance = visibleRegions[camera].transmittance(x, y, z, body.low(), body.high());
+    return transmittance > 0 && network.chancesAt(camera, x, y, size, transmittance, chances);
   }
 
-  /** The obstacles that cameras know of. */
+  /** The obstacles that the cameras know. */
   Obstacles map() {
     return map;
   }
@@ -69,13 +72,13 @@ final class Site {
     return grid;
   }
 
-  /** Which cells a target can be in. */
+  /** By cell, whether a target can be in it. */
   boolean[] free() {
     return free;
   }
 
-  /** What is seen of cells. */
-  CellSight cells() {
-    return cells;
+  /** What cameras see of the cells. */
+  CellSight cellSight() {
+    return cellSight;
   }
 }

@@ -4,32 +4,36 @@ import java.util.Arrays;
 import org.hificamsim.core.obstacle.Obstacles;
 
 /**
- * Targets that were seen lately: where each one is now, as far as is known, and how it moves. While
- * nobody sees them they go on as they went, up to the next obstacle.
+ * Tracks of targets that were seen lately: where each target is now, as far as is known, and how it
+ * moves. While no camera sees a target, it is assumed to go on as before, up to the next obstacle.
  */
 final class TargetTracks {
-  private static final double FEW = 0.05; // what is left of a track that is given up
+  /** A target that is there with a lower probability is forgotten. */
+  private static final double MIN_WEIGHT = 0.05;
+
+  /** In place of an unknown size, metres. */
+  private static final double DEFAULT_SIZE = 1;
 
   private static final class Track {
     private boolean known;
     private double x;
     private double y;
-    private double wayX; // of a step
-    private double wayY;
+    private double stepX;
+    private double stepY;
     private double seenX;
     private double seenY;
-    private long seenAt; // step
+    private long seenAt;
     private double size;
     private double weight;
   }
 
   private final Parameters parameters;
   private final Obstacles map;
-  private Track[] of = {}; // by number
-  private int[] list = {}; // of those that are known
-  private int count;
-  private double ways;
-  private long steps;
+  private Track[] tracks = {};
+  private int[] knownTracks = {};
+  private int knownCount;
+  private double measuredDistance;
+  private long measuredSteps;
 
   TargetTracks(Parameters parameters, Obstacles map, int capacity) {
     this.parameters = parameters;
@@ -38,168 +42,181 @@ final class TargetTracks {
   }
 
   private void grow(int capacity) {
-    of = Arrays.copyOf(of, capacity);
-    list = Arrays.copyOf(list, capacity);
-    Arrays.setAll(of, track -> of[track] == null ? new Track() : of[track]);
+    tracks = Arrays.copyOf(tracks, capacity);
+    knownTracks = Arrays.copyOf(knownTracks, capacity);
+    Arrays.setAll(tracks, number -> tracks[number] == null ? new Track() : tracks[number]);
   }
 
-  /** A number that no target has, from one on. */
-  int unused(int from) {
-    int track = from;
-    while (track < of.length && of[track].known) {
-      track++;
+  /** Returns the first number from {@code from} on that no known target has. */
+  int unusedNumber(int from) {
+    int number = from;
+    while (number < tracks.length && tracks[number].known) {
+      number++;
     }
-    if (track == of.length) {
-      grow(Math.max(1, 2 * track));
+    if (number == tracks.length) {
+      grow(Math.max(1, 2 * number));
     }
-    return track;
+    return number;
   }
 
-  /** All go on by a step. */
+  /** Moves all targets by one step. */
   void step() {
-    for (int i = 0; i < count; i++) {
-      move(list[i]);
-      of[list[i]].weight *= parameters.decay();
+    for (int i = 0; i < knownCount; i++) {
+      Track track = tracks[knownTracks[i]];
+      move(track);
+      track.weight *= parameters.decay();
     }
   }
 
-  private void move(int track) {
-    double toX = of[track].x + of[track].wayX;
-    double toY = of[track].y + of[track].wayY;
-    if (map.clear(of[track].x, of[track].y, toX, toY)) {
-      of[track].x = toX;
-      of[track].y = toY;
+  private void move(Track track) {
+    double newX = track.x + track.stepX;
+    double newY = track.y + track.stepY;
+    if (map.clear(track.x, track.y, newX, newY)) {
+      track.x = newX;
+      track.y = newY;
     }
   }
 
   /**
-   * A target is seen, or was.
+   * Takes in a sighting of a report that identifies targets.
    *
-   * @param step in which it was
-   * @param now the step that is under way
-   * @return whether that is new
+   * @param i the number of the sighting in the report
+   * @param now the present step
+   * @return whether this is news: no earlier report is of the same step or a later one
    */
-  boolean see(int track, long step, long now, double atX, double atY, double itsSize) {
-    if (of[track].known && of[track].seenAt >= step) {
+  boolean see(SightingReport report, int i, long now) {
+    int number = report.target(i);
+    Track track = tracks[number];
+    long seenAt = report.step();
+    if (track.known && track.seenAt >= seenAt) {
       return false;
     }
-    if (of[track].known) {
-      turn(track, step - of[track].seenAt, atX - of[track].seenX, atY - of[track].seenY);
+    if (track.known) {
+      measureStep(
+          track, seenAt - track.seenAt, report.x(i) - track.seenX, report.y(i) - track.seenY);
     } else {
-      of[track].known = true;
-      list[count++] = track;
-      of[track].wayX = 0;
-      of[track].wayY = 0;
+      track.known = true;
+      knownTracks[knownCount++] = number;
+      track.stepX = 0;
+      track.stepY = 0;
     }
-    of[track].seenX = atX;
-    of[track].seenY = atY;
-    of[track].seenAt = step;
-    of[track].size = itsSize;
-    place(track, now - step);
+    track.seenX = report.x(i);
+    track.seenY = report.y(i);
+    track.seenAt = seenAt;
+    track.size = report.size(i) > 0 ? report.size(i) : DEFAULT_SIZE;
+    predictPresent(track, now - seenAt);
     return true;
   }
 
-  private void turn(int track, long passed, double dx, double dy) {
-    of[track].wayX = dx / passed;
-    of[track].wayY = dy / passed;
-    ways += Math.sqrt(dx * dx + dy * dy);
-    steps += passed;
+  private void measureStep(Track track, long steps, double dx, double dy) {
+    track.stepX = dx / steps;
+    track.stepY = dy / steps;
+    measuredDistance += Math.sqrt(dx * dx + dy * dy);
+    measuredSteps += steps;
   }
 
-  private void place(int track, long passed) {
-    of[track].x = of[track].seenX;
-    of[track].y = of[track].seenY;
-    of[track].weight = Math.pow(parameters.decay(), (double) passed);
-    for (long step = 0; step < passed; step++) {
+  private void predictPresent(Track track, long stepsAgo) {
+    track.x = track.seenX;
+    track.y = track.seenY;
+    track.weight = Math.pow(parameters.decay(), (double) stepsAgo);
+    for (long step = 0; step < stepsAgo; step++) {
       move(track);
     }
   }
 
   /**
-   * A camera that looks at where a target should be does not see it: by Bayes' rule it is less
-   * likely to be there.
+   * Takes in that a camera looked at where a target should be, and did not see it: by Bayes' rule
+   * the target is less likely to be there.
    *
    * @param chance that the camera would have detected it
-   * @return by how much
+   * @return by how much the weight of the target falls
    */
-  double miss(int track, double chance) {
-    double before = of[track].weight;
-    double seen = before * chance;
-    of[track].weight = seen >= 1 ? 0 : (before - seen) / (1 - seen);
-    return before - of[track].weight;
+  double miss(int number, double chance) {
+    Track track = tracks[number];
+    double before = track.weight;
+    double detected = before * chance;
+    track.weight = detected >= 1 ? 0 : (before - detected) / (1 - detected);
+    return before - track.weight;
   }
 
-  /** Forgets targets that were last seen long ago, or are hardly there; the map takes them. */
-  void forget(long now, SearchMap map) {
+  /**
+   * Forgets the targets that were last seen too long ago, or are hardly there; the search map takes
+   * over what is left of their weight.
+   */
+  void forget(long now, SearchMap searchMap) {
     int kept = 0;
-    for (int i = 0; i < count; i++) {
-      int track = list[i];
-      of[track].known = now - of[track].seenAt <= parameters.memory() && of[track].weight >= FEW;
-      if (of[track].known) {
-        list[kept++] = track;
+    for (int i = 0; i < knownCount; i++) {
+      int number = knownTracks[i];
+      Track track = tracks[number];
+      track.known = now - track.seenAt <= parameters.memory() && track.weight >= MIN_WEIGHT;
+      if (track.known) {
+        knownTracks[kept++] = number;
       } else {
-        map.absorb(of[track].x, of[track].y, of[track].weight);
+        searchMap.absorb(track.x, track.y, track.weight);
       }
     }
-    count = kept;
+    knownCount = kept;
   }
 
-  /** Says where a target is going to be in each step of a forecast, from a slot on. */
-  void follow(int track, Forecast forecast, int firstSlot) {
-    double atX = of[track].x;
-    double atY = of[track].y;
+  /** Fills in where a target is going to be: one slot for each step of the forecast. */
+  void predict(int number, Forecast forecast, int firstSlot) {
+    Track track = tracks[number];
+    double x = track.x;
+    double y = track.y;
     for (int step = 0; step < forecast.horizon(); step++) {
-      forecast.set(firstSlot + step, atX, atY, of[track].size, of[track].weight);
-      if (map.clear(atX, atY, atX + of[track].wayX, atY + of[track].wayY)) {
-        atX += of[track].wayX;
-        atY += of[track].wayY;
+      forecast.set(firstSlot + step, x, y, track.size, track.weight);
+      if (map.clear(x, y, x + track.stepX, y + track.stepY)) {
+        x += track.stepX;
+        y += track.stepY;
       }
     }
   }
 
-  /** How many targets are known. */
+  /** The number of known targets. */
   int count() {
-    return count;
+    return knownCount;
   }
 
-  /** One of them, by its place in the list. */
-  int at(int i) {
-    return list[i];
+  /** The track number of the i-th known target. */
+  int track(int i) {
+    return knownTracks[i];
   }
 
-  double x(int track) {
-    return of[track].x;
+  /** Where the target is believed to be, metres. */
+  double x(int number) {
+    return tracks[number].x;
   }
 
-  double y(int track) {
-    return of[track].y;
+  double y(int number) {
+    return tracks[number].y;
   }
 
-  /** Where it was some steps ago, metres, as far as is known. */
-  double x(int track, long ago) {
-    return of[track].x - ago * of[track].wayX;
+  /** Where the target is believed to have been some steps ago, metres. */
+  double x(int number, long stepsAgo) {
+    return tracks[number].x - stepsAgo * tracks[number].stepX;
   }
 
-  double y(int track, long ago) {
-    return of[track].y - ago * of[track].wayY;
+  double y(int number, long stepsAgo) {
+    return tracks[number].y - stepsAgo * tracks[number].stepY;
   }
 
-  double size(int track) {
-    return of[track].size;
+  /** The size of the target, metres. */
+  double size(int number) {
+    return tracks[number].size;
   }
 
-  /** How likely it still is where it is believed to be, (0, 1]. */
-  double weight(int track) {
-    return of[track].weight;
+  /** The probability that the target is where it is believed to be, in (0, 1]. */
+  double weight(int number) {
+    return tracks[number].weight;
   }
 
-  /** The step in which it was last seen. */
-  long seenAt(int track) {
-    return of[track].seenAt;
+  /** The step in which the target was last seen. */
+  long seenAt(int number) {
+    return tracks[number].seenAt;
   }
 
-  /** How far a target goes in a step on average, metres; 0 before any was seen twice. */
-  double meanWay() {
-    return steps == 0 ? 0 : ways / steps;
+  /** The mean distance that targets move in a step, metres; 0 before any was seen twice. */
+  double meanStepLength() {
+    return measuredSteps == 0 ? 0 : measuredDistance / measuredSteps;
   }
 }

@@ -9,187 +9,211 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The cameras of a network with what each believes, and all that they say to each other. Over a
- * perfect channel all believe the same, and have one {@link Mind}.
+ * The cameras of a network with what each of them believes, and their messages. Over a perfect
+ * channel all believe the same, and share one {@link Mind}.
  */
 final class Team {
+  private final boolean shared;
   private final Mind[] minds;
   private final Site site;
   private final Channel channel;
-  private final Post<SightingReport> reports;
-  private final Post<Integer> choices;
-  private final int[] chosen; // in this step
-  private final int[] told; // messages in this step, by sender
-  private final boolean[] heard; // by sender and receiver: who received the last bid
-  private final boolean[] reached; // by sender and receiver: in this step
+  private final Post<SightingReport> reportPost;
+  private final Post<Integer> choicePost;
+  private final int cameras;
+
+  /** The view that each camera chose in this step. */
+  private final int[] chosenViews;
+
+  /** The number of messages that each camera sent in this step. */
+  private final int[] messagesInStep;
+
+  /** By sender and receiver, whether the last bid arrived in time. */
+  private final boolean[] bidArrived;
+
+  /** By sender and receiver, whether any report or choice arrived in this step. */
+  private final boolean[] messageArrived;
+
   private long messages;
   private long bits;
 
   /**
-   * @param each whether each camera has a mind of its own
+   * @param individual whether each camera has a mind of its own
    */
-  Team(Parameters parameters, Site site, NetworkView network, boolean each) {
+  Team(Parameters parameters, Site site, NetworkView network, boolean individual) {
     this.site = site;
+    cameras = network.cameras();
+    shared = !individual || cameras <= 1;
     boolean perfect = network.channel().isPerfect();
     channel = perfect ? new Channel(ChannelModel.PERFECT, network, 0) : network.channel();
-    reports = new Post<>(network, channel);
-    choices = new Post<>(network, channel);
-    chosen = new int[network.cameras()];
-    told = new int[chosen.length];
-    heard = new boolean[each ? chosen.length * chosen.length : 0];
-    reached = new boolean[heard.length];
+    reportPost = new Post<>(network, channel);
+    choicePost = new Post<>(network, channel);
+    chosenViews = new int[cameras];
+    messagesInStep = new int[cameras];
+    bidArrived = new boolean[shared ? 0 : cameras * cameras];
+    messageArrived = new boolean[bidArrived.length];
     Worth worth = new Worth(network.objective(), parameters.lead());
-    minds = new Mind[each ? chosen.length : Math.min(1, chosen.length)];
+    minds = new Mind[shared ? Math.min(1, cameras) : cameras];
     Arrays.setAll(minds, camera -> new Mind(parameters, worth, site, network));
   }
 
-  /** How many minds the cameras have between them. */
-  int minds() {
-    return minds.length;
-  }
-
-  private boolean each() {
-    return minds.length > 1;
+  /** All minds: one for each camera, or one that all cameras share. */
+  Mind[] minds() {
+    return minds;
   }
 
   /** The mind of a camera. */
   Mind mind(int camera) {
-    return minds[each() ? camera : 0];
+    return minds[shared ? 0 : camera];
   }
 
+  /** The plan in the mind of a camera. */
   Plan plan(int camera) {
     return mind(camera).plan();
   }
 
-  /** All tell each other what they see, come to a belief, and begin to plan. */
-  void share(NetworkView network, SightingReport[] seen) {
+  /** Lets all cameras send what they see, form a belief from what arrives, and begin a plan. */
+  void share(NetworkView network, SightingReport[] reports) {
     site.refresh(network);
-    Arrays.fill(chosen, Plan.NONE);
-    Arrays.fill(told, 0);
-    Arrays.fill(reached, false);
-    for (int camera = 0; camera < seen.length; camera++) {
+    Arrays.fill(chosenViews, Plan.NONE);
+    Arrays.fill(messagesInStep, 0);
+    Arrays.fill(messageArrived, false);
+    for (int camera = 0; camera < cameras; camera++) {
       if (network.online(camera)) {
-        count(camera, seen[camera].bits(network));
+        count(camera, reports[camera].bits(network));
       }
     }
-    if (each()) {
-      send(network, seen);
-    } else if (minds.length == 1) {
-      for (SightingReport report : seen) {
-        minds[0].receive(report);
-      }
-      minds[0].believe(network);
-      minds[0].plan(network);
+    if (shared) {
+      giveToAll(reports);
+    } else {
+      send(network, reports);
+    }
+    for (Mind mind : minds) {
+      mind.believe(network);
+      mind.beginPlan(network);
     }
   }
 
-  private void send(NetworkView network, SightingReport[] seen) {
-    for (int camera = 0; camera < seen.length; camera++) {
-      if (network.online(camera)) {
-        SightingReport report = seen[camera].copy();
-        minds[camera].receive(report);
-        reports.broadcast(camera, report.bits(network), report);
+  private void giveToAll(SightingReport[] reports) {
+    for (Mind mind : minds) {
+      for (SightingReport report : reports) {
+        mind.receive(report);
       }
     }
-    reports.deliver(
-        (from, to, sent, report) -> {
-          reach(from, to);
-          minds[to].receive(report);
+  }
+
+  private void send(NetworkView network, SightingReport[] reports) {
+    for (int camera = 0; camera < cameras; camera++) {
+      if (network.online(camera)) {
+        SightingReport report = reports[camera].copy();
+        minds[camera].receive(report);
+        reportPost.broadcast(camera, report.bits(network), report);
+      }
+    }
+    reportPost.deliver(
+        (sender, receiver, sentAt, report) -> {
+          noteArrival(sender, receiver);
+          minds[receiver].receive(report);
         });
     deliverChoices(network);
-    for (int camera = 0; camera < minds.length; camera++) {
-      minds[camera].sort();
-      minds[camera].believe(network);
-      minds[camera].plan(network);
+    for (Mind mind : minds) {
+      mind.sortReports();
     }
   }
 
   private void deliverChoices(NetworkView network) {
-    choices.deliver(
-        (from, to, sent, choice) -> {
-          reach(from, to);
-          minds[to].hear(from, choice, sent, network.step());
+    choicePost.deliver(
+        (sender, receiver, sentAt, view) -> {
+          noteArrival(sender, receiver);
+          minds[receiver].learnChoice(sender, view, sentAt, network.step());
         });
   }
 
-  private void reach(int from, int to) {
-    reached[from * chosen.length + to] = true;
+  private void noteArrival(int sender, int receiver) {
+    messageArrived[sender * cameras + receiver] = true;
   }
 
   /**
-   * A camera chooses a view, and tells the others.
+   * Lets a camera choose a view, and send its choice to the others if it is a new one.
    *
-   * @return whether it is another one than it chose in this step before
+   * @return whether the camera did not choose this view in this step before
    */
   boolean choose(NetworkView network, int camera, int view) {
-    boolean changed = chosen[camera] != view;
-    chosen[camera] = view;
-    mind(camera).hear(camera, view, network.step(), network.step());
+    boolean changed = chosenViews[camera] != view;
+    chosenViews[camera] = view;
+    mind(camera).learnChoice(camera, view, network.step(), network.step());
     if (changed) {
-      tell(network, camera, view);
+      sendChoice(network, camera, view);
     }
     return changed;
   }
 
-  private void tell(NetworkView network, int camera, int view) {
-    int length = MessageBits.address(chosen.length) + MessageBits.of(network.views(camera));
+  private void sendChoice(NetworkView network, int camera, int view) {
+    int length = MessageBits.address(cameras) + MessageBits.of(network.views(camera));
     count(camera, length);
-    if (each()) {
-      choices.broadcast(camera, length, view);
+    if (!shared) {
+      choicePost.broadcast(camera, length, view);
       deliverChoices(network);
     }
   }
 
-  /** A camera does its part of a plan without a message to others. */
-  void follow(int camera) {
-    chosen[camera] = plan(camera).view(camera);
+  /** Lets a camera choose the view that its plan has for it, without a message. */
+  void followPlan(int camera) {
+    chosenViews[camera] = plan(camera).view(camera);
   }
 
-  /** A camera sends the others this many numbers. */
-  void bid(NetworkView network, int camera, int numbers) {
-    int length = MessageBits.address(chosen.length) + numbers * MessageBits.REAL;
+  /** Lets a camera send the others a bid of this many numbers. */
+  void bid(int camera, int numbers) {
+    int length = MessageBits.address(cameras) + numbers * MessageBits.REAL;
     count(camera, length);
-    if (each()) {
+    if (!shared) {
       boolean sent = channel.send(camera, length);
-      for (int to = 0; to < chosen.length; to++) {
-        heard[camera * chosen.length + to] = sent && channel.delay(camera, to) == 0;
+      for (int receiver = 0; receiver < cameras; receiver++) {
+        boolean arrived = sent && channel.delay(camera, receiver) == 0;
+        bidArrived[camera * cameras + receiver] = arrived;
       }
     }
   }
 
-  /** Whether a camera received the last bid of another one in time. */
-  boolean hears(int camera, int other) {
-    return !each() || heard[other * chosen.length + camera];
+  /** Whether the last bid of a camera arrived at another one in time. */
+  boolean bidArrived(int sender, int receiver) {
+    return shared || bidArrived[sender * cameras + receiver];
   }
 
   private void count(int camera, int length) {
-    told[camera]++;
+    messagesInStep[camera]++;
     messages++;
     bits += length;
   }
 
-  /** Reports who sent how many messages in this step, and who received them. */
-  void tell(NetworkView network, BeliefListener listener) {
-    for (int from = 0; from < told.length; from++) {
-      listener.told(from, told[from]);
-      for (int to = 0; to < told.length; to++) {
-        boolean all = !each() && to != from && told[from] > 0 && network.online(to);
-        if (all || (each() && reached[from * told.length + to])) {
-          listener.heard(from, to);
+  /** Reports who sent how many messages in this step, and who received any. */
+  void reportMessages(NetworkView network, BeliefListener listener) {
+    for (int sender = 0; sender < cameras; sender++) {
+      listener.told(sender, messagesInStep[sender]);
+      for (int receiver = 0; receiver < cameras; receiver++) {
+        if (received(network, sender, receiver)) {
+          listener.heard(sender, receiver);
         }
       }
     }
   }
 
-  /** The view that a camera chose in this step. */
-  int chosen(int camera) {
-    return chosen[camera];
+  private boolean received(NetworkView network, int sender, int receiver) {
+    return shared
+        ? receiver != sender && messagesInStep[sender] > 0 && network.online(receiver)
+        : messageArrived[sender * cameras + receiver];
   }
 
+  /** The view that a camera chose in this step. */
+  int chosenView(int camera) {
+    return chosenViews[camera];
+  }
+
+  /** The number of messages sent since the beginning of the run. */
   long messages() {
     return messages;
   }
 
+  /** The length of all these messages, bits. */
   long bits() {
     return bits;
   }

@@ -3,25 +3,27 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
-/** What a camera would detect of a forecast in each of its views, and when it gets there. */
+/** What a camera would detect of a forecast in each of its views, and when it reaches the view. */
 final class ViewForecast {
   private static final int FIRST_ROWS = 16;
 
   private int views;
-  private int[] delays = {}; // by view: steps until it sees through it
-  private double[] now = {};
+  private int[] delays = {};
+  private double[] viewChances = {};
   private int rows;
-  private int[] slots = {}; // in which it detects something in some view
-  private double[] chances = {}; // by row and view
+  private int[] slots = {};
 
-  /** Looks at all slots of a forecast from where the camera is now. */
+  /** By row and view. */
+  private double[] chances = {};
+
+  /** Computes the chances for all slots of a forecast, from the camera's present view on. */
   void update(NetworkView network, int camera, Belief belief, Forecast forecast) {
     prepare(network, camera);
     rows = 0;
     for (int slot = 0; slot < forecast.slots(); slot++) {
       double x = forecast.x(slot);
       double y = forecast.y(slot);
-      if (belief.chances(network, camera, x, y, forecast.size(slot), now)) {
+      if (belief.chances(network, camera, x, y, forecast.size(slot), viewChances)) {
         add(slot, forecast.step(slot));
       }
     }
@@ -29,8 +31,8 @@ final class ViewForecast {
 
   private void prepare(NetworkView network, int camera) {
     views = network.views(camera);
-    if (now.length != views) {
-      now = new double[views];
+    if (viewChances.length != views) {
+      viewChances = new double[views];
       delays = new int[views];
     }
     for (int view = 0; view < views; view++) {
@@ -45,49 +47,57 @@ final class ViewForecast {
     if (chances.length < (rows + 1) * views) {
       chances = Arrays.copyOf(chances, slots.length * views);
     }
-    double most = 0;
+    double greatest = 0;
     for (int view = 0; view < views; view++) {
-      double chance = delays[view] <= step ? now[view] : 0;
+      double chance = delays[view] <= step ? viewChances[view] : 0;
       chances[rows * views + view] = chance;
-      most = Math.max(most, chance);
+      greatest = Math.max(greatest, chance);
     }
     slots[rows] = slot;
-    rows += most > 0 ? 1 : 0;
+    rows += greatest > 0 ? 1 : 0;
   }
 
-  /** How many targets and steps there are that the camera detects in some view. */
+  /** The number of slots in which the camera may detect the target, in any view: a row for each. */
   int rows() {
     return rows;
   }
 
-  /** One of them, as a slot of the forecast. */
+  /** The slot of a row. */
   int slot(int row) {
     return slots[row];
   }
 
-  /** How likely it is detected in a view. */
+  /** The chance to detect the target of a row's slot in a view. */
   double chance(int row, int view) {
     return chances[row * views + view];
   }
 
-  /** How many steps pass before the camera sees through a view. */
+  /** The number of steps until the camera sees through a view. */
   int delay(int view) {
     return delays[view];
   }
 
-  /** Adds what the camera covers in a view, or takes it back. */
-  void cover(int view, PlannedCoverage coverage, boolean added) {
+  /** Adds what the camera covers in a view to the planned coverage. */
+  void addTo(PlannedCoverage coverage, int view) {
     for (int row = 0; row < rows; row++) {
       double chance = chances[row * views + view];
-      if (chance > 0 && added) {
+      if (chance > 0) {
         coverage.add(slots[row], chance);
-      } else if (chance > 0) {
+      }
+    }
+  }
+
+  /** Removes what the camera covers in a view from the planned coverage. */
+  void removeFrom(PlannedCoverage coverage, int view) {
+    for (int row = 0; row < rows; row++) {
+      double chance = chances[row * views + view];
+      if (chance > 0) {
         coverage.remove(slots[row], chance);
       }
     }
   }
 
-  /** What each view adds to what is covered. */
+  /** Computes what each view adds to the planned coverage. */
   void gains(Forecast forecast, PlannedCoverage coverage, double[] gains) {
     Arrays.fill(gains, 0, views, 0);
     for (int row = 0; row < rows; row++) {

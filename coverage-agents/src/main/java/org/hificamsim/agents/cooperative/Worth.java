@@ -3,18 +3,19 @@ package org.hificamsim.agents.cooperative;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * What a target is worth that k cameras detect: a stand-in for an objective that is a sum over
- * targets, which cameras can divide among them. What a camera more adds is the objective's {@link
- * Objective#share share}. Where a target needs several cameras to count, those before the last one
- * add a part in advance; where the least k counts, it is a harmonic sum.
+ * The worth of a target that k cameras detect. It stands in for the objective by a sum over
+ * targets, which cameras can divide among themselves. What a further camera adds is the objective's
+ * {@link Objective#share share}. If a target needs several cameras to count, those before the last
+ * one add a part in advance. If the least k counts, the worth is a harmonic sum.
  */
 final class Worth {
-  private static final int MOST = 4;
+  private static final int MAX_COUNTED = 4;
 
+  /** What a further camera adds, by the number of cameras that detect the target without it. */
   private final double[] added;
 
   /**
-   * @param lead what a target is worth with one camera less than it needs, where it needs several
+   * @param lead worth of a target with one camera fewer than it needs, if it needs several
    */
   Worth(Objective objective, double lead) {
     int needed = 1;
@@ -22,7 +23,7 @@ final class Worth {
       needed++;
     }
     int last = needed;
-    while (last < MOST && objective.share(last + 1) > 0) {
+    while (last < MAX_COUNTED && objective.share(last + 1) > 0) {
       last++;
     }
     added = new double[last];
@@ -33,12 +34,12 @@ final class Worth {
     }
   }
 
-  /** From this number of cameras on another one adds nothing. */
-  int most() {
+  /** The number of cameras from which on a further one adds nothing. */
+  int saturation() {
     return added.length;
   }
 
-  /** What a camera adds for a target that k others detect, k below {@link #most}. */
+  /** What a camera adds for a target that k others detect, with k below {@link #saturation}. */
   double added(int k) {
     return added[k];
   }

@@ -18,43 +18,47 @@ class AssociationTest {
   private final TargetTracks tracks = new TargetTracks(PARAMETERS, Obstacles.NONE, 0);
   private final Association association = new Association(GRID, tracks);
 
-  /** What a camera at the origin sees, some metres ahead (y) and to the right (x). */
-  private int[] see(long step, double... places) {
+  /**
+   * Lets a camera at the origin see targets, and returns the numbers of their tracks.
+   *
+   * @param positions x and y of each target in turn, metres to the right of the camera and ahead
+   */
+  private int[] see(long step, double... positions) {
     SeenPairs pairs = new SeenPairs();
-    SightingReport unnamed = new SightingReport(false);
+    SightingReport unidentified = new SightingReport(false);
     while (network.step() < step) {
       network.nextStep();
     }
-    unnamed.begin(network, 0);
-    for (int i = 0; i < places.length / 2; i++) {
-      pairs.add(0, i % 2, places[2 * i + 1], places[2 * i]);
-      unnamed.add(network, pairs, i);
+    unidentified.begin(network, 0);
+    for (int i = 0; i < positions.length / 2; i++) {
+      pairs.add(0, i % 2, positions[2 * i + 1], positions[2 * i]);
+      unidentified.add(network, pairs, i);
     }
-    SightingReport report = association.name(unnamed, step);
+    SightingReport report = association.identifyTargets(unidentified, step);
     int[] numbers = new int[report.count()];
     for (int i = 0; i < numbers.length; i++) {
       numbers[i] = report.target(i);
-      tracks.see(numbers[i], step, step, report.x(i), report.y(i), 1);
+      tracks.see(report, i, step);
     }
     return numbers;
   }
 
   @Test
-  void twoThatMeetGoOnAsTheyWent() {
+  void keepsTracksOfTargetsThatPassEachOther() {
     int[] first = see(0, 10, 10, 10, 20);
     assertNotEquals(first[0], first[1]);
     for (int step = 1; step <= 10; step++) {
       tracks.step();
-      int[] numbers = see(step, 10.1, 20 - step, 10, 10 + step); // in the other order
+      int[] numbers = see(step, 10.1, 20 - step, 10, 10 + step); // second target first
       assertEquals(first[1], numbers[0], "step " + step);
       assertEquals(first[0], numbers[1], "step " + step);
     }
     assertEquals(2, tracks.count());
   }
 
-  /** The nearest to each would be the same track for both. */
+  /** The nearest track is the same one for both sightings. */
   @Test
-  void theSumOfDistancesDecides() {
+  void minimisesTheSumOfDistances() {
     int[] first = see(0, 10, 10, 12, 10);
     tracks.step();
     int[] numbers = see(1, 11.5, 10, 13, 10);
@@ -63,7 +67,7 @@ class AssociationTest {
   }
 
   @Test
-  void twoCamerasThatSeeOneTargetMakeOneTrack() {
+  void makesOneTrackOfATargetThatTwoCamerasSee() {
     int first = see(0, 10, 10)[0];
     assertEquals(first, see(0, 10, 10)[0]);
     assertNotEquals(first, see(0, 11, 10)[0]);
@@ -71,7 +75,7 @@ class AssociationTest {
   }
 
   @Test
-  void whatIsTooFarFromAllTracksIsNew() {
+  void startsANewTrackFarFromAllOthers() {
     int first = see(0, 10, 10)[0];
     tracks.step();
     assertNotEquals(first, see(1, 20, 10)[0]);

@@ -45,7 +45,7 @@ class CooperativeZoomPolicyTest {
   }
 
   @TestFactory
-  Stream<DynamicNode> everyAgreementAndEveryLearnerKeepsTheContract() {
+  Stream<DynamicNode> everyOptionKeepsTheContract() {
     return Stream.of(
             "agree=cbba",
             "agree=log-linear",
@@ -63,15 +63,15 @@ class CooperativeZoomPolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"greedy", "cbba", "log-linear", "max-sum", "none"})
-  void mindsOfTheirOwnChooseTheSameOverAPerfectChannel(String rule) {
-    List<Integer> together = views(policy("agree=" + rule, false), SITE);
-    assertEquals(together, views(policy("agree=" + rule, true), SITE));
-    assertTrue(together.stream().distinct().count() > 5, "hardly ever moved");
+  void individualMindsChooseTheSameOverAPerfectChannel(String rule) {
+    List<Integer> sharedMind = views(policy("agree=" + rule, false), SITE);
+    assertEquals(sharedMind, views(policy("agree=" + rule, true), SITE));
+    assertTrue(sharedMind.stream().distinct().count() > 5, "hardly ever moved");
   }
 
-  /** Nobody sees the target but one camera; the other learns of it, and covers it too. */
+  /** Only one camera sees the target; the other one learns of it and covers it, too. */
   @Test
-  void aCameraTurnsToWhatAnotherOneSees() {
+  void cameraTurnsToTargetThatAnotherOneSees() {
     String site =
         "<cameras><optics name='fixed' law='pinhole' pixels='1920' hfov='60' reach='40'/>"
             + "<optics name='dome' law='pinhole' pixels='1920' hfov='20' reach='40'"
@@ -85,11 +85,11 @@ class CooperativeZoomPolicyTest {
   }
 
   @Test
-  void doesAsWellWhereReportsNameNoTarget() {
-    double named = covered("identity=known");
-    double unnamed = covered("identity=none");
-    assertTrue(named > 100, named + " steps covered of 4 targets in 200 steps");
-    assertEquals(named, unnamed, 0.1 * named);
+  void doesAsWellWhenReportsDoNotIdentifyTargets() {
+    double identified = covered("identity=known");
+    double unidentified = covered("identity=none");
+    assertTrue(identified > 100, identified + " steps covered of 4 targets in 200 steps");
+    assertEquals(identified, unidentified, 0.1 * identified);
   }
 
   private static double covered(String options) {
@@ -105,30 +105,29 @@ class CooperativeZoomPolicyTest {
   }
 
   @Test
-  void camerasThatSpeakOfTargetsMustTellThemApart() {
-    Simulation[] none = new Simulation[1];
+  void maxSumRejectsReportsThatDoNotIdentifyTargets() {
     InputException error =
         assertThrows(
             InputException.class,
-            () -> none[0] = RealWorld.run(SITE, policy("agree=max-sum,identity=none", false), 1));
+            () -> RealWorld.run(SITE, policy("agree=max-sum,identity=none", false), 1));
     assertTrue(error.getMessage().contains("identity"), error.getMessage());
   }
 
   /** A wall that is not on its map hides a target from one of two cameras. */
   @Test
-  void learnsThatItSeesLessThanItsMapSays() {
-    LearnedSight learned = new LearnedSight(true, new Grid(0, 0, 1, 10, 10), 2);
+  void learnsThatItSeesLessThanTheMapPromises() {
+    LearnedSight learnedSight = new LearnedSight(true, new Grid(0, 0, 1, 10, 10), 2);
     for (int step = 0; step < 20; step++) {
-      learned.see(0, 3.5, 3.5, 1, false);
-      learned.see(1, 3.5, 3.5, 1, true);
+      learnedSight.learn(0, 3.5, 3.5, 1, false);
+      learnedSight.learn(1, 3.5, 3.5, 1, true);
     }
-    assertEquals(3 / 23.0, learned.share(0, 3.5, 3.5), 1e-12);
-    assertEquals(1, learned.share(1, 3.5, 3.5), 1e-12);
-    assertEquals(1, learned.share(0, 8.5, 3.5), 1e-12);
+    assertEquals(3 / 23.0, learnedSight.share(0, 3.5, 3.5), 1e-12);
+    assertEquals(1, learnedSight.share(1, 3.5, 3.5), 1e-12);
+    assertEquals(1, learnedSight.share(0, 8.5, 3.5), 1e-12);
   }
 
   @Test
-  void aMapThatIsNoScenarioIsRefused() {
+  void rejectsMissingMapFile() {
     InputException error =
         assertThrows(InputException.class, () -> policy("map=no-such-file.xml", false));
     assertTrue(error.getMessage().contains("no-such-file.xml"), error.getMessage());
@@ -147,20 +146,20 @@ class CooperativeZoomPolicyTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void saysWhoToldWhom(boolean each) {
-    CooperativeZoomPolicy policy = policy("", each);
+  void reportsWhichCamerasReceivedMessages(boolean individual) {
+    CooperativeZoomPolicy policy = policy("", individual);
     Simulation simulation = RealWorld.run(SITE, policy, 1);
     simulation.run(9);
     long before = policy.messages();
     simulation.step();
-    Told told = new Told();
-    policy.believe(simulation.network(), 0, told);
-    assertEquals(policy.messages() - before, told.messages);
-    assertEquals(List.of("0 1", "0 2", "1 0", "1 2", "2 0", "2 1"), told.heard);
+    MessageCounter counter = new MessageCounter();
+    policy.believe(simulation.network(), 0, counter);
+    assertEquals(policy.messages() - before, counter.messages);
+    assertEquals(List.of("0 1", "0 2", "1 0", "1 2", "2 0", "2 1"), counter.received);
   }
 
-  private static final class Told implements BeliefListener {
-    private final List<String> heard = new ArrayList<>();
+  private static final class MessageCounter implements BeliefListener {
+    private final List<String> received = new ArrayList<>();
     private int messages;
 
     @Override
@@ -176,14 +175,14 @@ class CooperativeZoomPolicyTest {
 
     @Override
     public void heard(int from, int to) {
-      heard.add(from + " " + to);
+      received.add(from + " " + to);
     }
   }
 
-  private static CooperativeZoomPolicy policy(String options, boolean each) {
+  private static CooperativeZoomPolicy policy(String options, boolean individual) {
     return new CooperativeZoomPolicy(
         options.isEmpty() ? Options.none("cooperative") : Options.parse("cooperative", options),
-        each);
+        individual);
   }
 
   private static List<Integer> views(CooperativeZoomPolicy policy, String site) {

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class PlannedCoverageTest {
   @Test
-  void aCameraMoreAddsWhatTheOthersMiss() {
+  void furtherCameraAddsWhatOthersMiss() {
     PlannedCoverage coverage = coverage("covered:k=1");
     coverage.add(0, 0.5);
     coverage.add(0, 0.2);
@@ -17,7 +17,7 @@ class PlannedCoverageTest {
   }
 
   @Test
-  void whoIsCertainLeavesNothingToAdd() {
+  void certainCameraLeavesNothingToAdd() {
     PlannedCoverage coverage = coverage("covered:k=1");
     coverage.add(0, 0.5);
     coverage.add(0, 1);
@@ -27,7 +27,7 @@ class PlannedCoverageTest {
   }
 
   @Test
-  void ofTwoThatAreNeededTheFirstAddsAPartInAdvance() {
+  void firstOfTwoNeededCamerasAddsAPart() {
     PlannedCoverage coverage = coverage("covered:k=2");
     assertEquals(0.2, coverage.added(0), 1e-12);
     coverage.add(0, 1);
@@ -36,7 +36,7 @@ class PlannedCoverageTest {
     assertEquals(0, coverage.added(0), 1e-12);
   }
 
-  /** All ways in which cameras detect or miss, by their chances. */
+  /** Compares with the sum over all combinations of cameras that detect the target. */
   @Test
   void equalsTheSumOverAllOutcomes() {
     SplittableRandom random = new SplittableRandom(3);
@@ -64,7 +64,7 @@ class PlannedCoverageTest {
         chance *= detects ? chances[camera] : 1 - chances[camera];
       }
       int k = Integer.bitCount(outcome);
-      sum += k < worth.most() ? chance * worth.added(k) : 0;
+      sum += k < worth.saturation() ? chance * worth.added(k) : 0;
     }
     return sum;
   }

@@ -6,10 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
-/** Plans of a few cameras, whose worth is submodular, against all there are. */
+/** Compares agreed plans of a few cameras, with a submodular worth, with the best of all plans. */
 class SequentialGreedyTest {
   private static final int CAMERAS = 4;
   private static final int VIEWS = 5;
@@ -17,25 +18,25 @@ class SequentialGreedyTest {
   private static final Parameters PARAMETERS =
       Parameters.from(Options.parse("cooperative", "search=0"));
 
-  /** Each view of a camera detects any targets, or any of those that are the camera's own. */
+  /** Each view of a camera detects random targets, or random ones of the camera's own targets. */
   private static final class RandomSets extends ToyNetwork {
     private final boolean[][][] seen = new boolean[CAMERAS][VIEWS][TARGETS];
 
-    RandomSets(int seed, boolean apart) {
+    RandomSets(int seed, boolean disjoint) {
       super(TARGETS, VIEWS, VIEWS, VIEWS, VIEWS);
       scoredBy(Objective.parse("covered:k=1"));
       SplittableRandom random = new SplittableRandom(seed);
       for (int camera = 0; camera < CAMERAS; camera++) {
         for (boolean[] targets : seen[camera]) {
           for (int target = 0; target < TARGETS; target++) {
-            boolean own = !apart || target % CAMERAS == camera;
+            boolean own = !disjoint || target % CAMERAS == camera;
             targets[target] = own && random.nextInt(3) == 0;
           }
         }
       }
     }
 
-    /** Targets stand at their numbers. */
+    /** The x coordinate of a target is its number. */
     @Override
     public boolean chancesAt(
         int camera, double x, double y, double size, double transmittance, double[] chances) {
@@ -47,31 +48,34 @@ class SequentialGreedyTest {
   }
 
   @Test
-  void isAtLeastHalfOfTheBestPlan() {
+  void reachesAtLeastHalfOfTheBestPlan() {
     for (int seed = 0; seed < 200; seed++) {
       RandomSets network = new RandomSets(seed, false);
       double best = best(network, plan(network), 0, 0);
       assertTrue(
-          agreed(network, (at, team) -> Agreement.greedy(at, team, 5)) >= best / 2 - 1e-9,
+          agreed(network, SequentialGreedyTest::chooseInTurn) >= best / 2 - 1e-9,
           "seed " + seed + ": " + best);
     }
   }
 
   @Test
-  void isTheBestPlanWhereCamerasSeeNothingInCommon() {
+  void findsTheBestPlanWhenCamerasShareNoTargets() {
     for (int seed = 0; seed < 200; seed++) {
       RandomSets network = new RandomSets(seed, true);
       double best = best(network, plan(network), 0, 0);
       assertTrue(best > 0, "nothing to see");
-      assertEquals(
-          best, agreed(network, (at, team) -> Agreement.greedy(at, team, 5)), 1e-9, "seed " + seed);
+      assertEquals(best, agreed(network, SequentialGreedyTest::chooseInTurn), 1e-9, "seed " + seed);
       assertEquals(best, agreed(network, new MaxSum(PARAMETERS, network)), 1e-9, "seed " + seed);
     }
   }
 
-  /** Loops in the graph take something from it, but not much. */
+  private static void chooseInTurn(NetworkView network, Team team) {
+    Agreement.chooseInTurn(network, team, 5);
+  }
+
+  /** Cycles in the graph cost something, but not much. */
   @Test
-  void maxSumComesNearTheBestPlanOnAverage() {
+  void maxSumComesCloseToTheBestPlanOnAverage() {
     double best = 0;
     double reached = 0;
     for (int seed = 0; seed < 200; seed++) {
@@ -82,7 +86,7 @@ class SequentialGreedyTest {
     assertTrue(reached > 0.9 * best, reached + " of " + best);
   }
 
-  /** The worth of what cameras agree on: each adds to those before it. */
+  /** The worth of the plan that cameras agree on: the sum of what each adds to those before it. */
   private static double agreed(RandomSets network, Agreement agreement) {
     Team team = new Team(PARAMETERS, site(network), network, false);
     SightingReport[] reports = new SightingReport[network.cameras()];
@@ -97,22 +101,22 @@ class SequentialGreedyTest {
     Plan plan = plan(network);
     double worth = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
-      worth += plan.gains(network, camera)[team.chosen(camera)];
-      plan.choose(camera, team.chosen(camera));
+      worth += plan.gains(network, camera)[team.chosenView(camera)];
+      plan.choose(camera, team.chosenView(camera));
     }
     return worth;
   }
 
-  /** The most that views of cameras from one on add to those of the cameras before it. */
+  /** The greatest worth of plans that extend the views of the cameras before {@code camera}. */
   private static double best(RandomSets network, Plan plan, int camera, double before) {
-    double most = before;
+    double greatest = before;
     for (int view = 0; camera < network.cameras() && view < network.views(camera); view++) {
       double added = plan.gains(network, camera)[view];
       plan.choose(camera, view);
-      most = Math.max(most, best(network, plan, camera + 1, before + added));
-      plan.gains(network, camera); // none is planned for it any more
+      greatest = Math.max(greatest, best(network, plan, camera + 1, before + added));
+      plan.withdraw(camera);
     }
-    return most;
+    return greatest;
   }
 
   private static Plan plan(RandomSets network) {
@@ -132,7 +136,7 @@ class SequentialGreedyTest {
 
   private static void seeAll(RandomSets network, Belief belief) {
     for (int target = 0; target < network.targets(); target++) {
-      belief.tracks().see(target, 0, 0, target, 0, 1);
+      belief.tracks().see(Sightings.at(0, target, target, 0), 0, 0);
     }
   }
 }
