@@ -2,7 +2,7 @@ package org.example;
 
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 
 /** A listener of one's own: for how many steps on end some target was covered by no camera. */
 public final class LongestGapListener implements StepListener {
@@ -15,13 +15,13 @@ public final class LongestGapListener implements StepListener {
   }
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     gap = coverage.kMin() == 0 ? gap + 1 : 0;
     longest = Math.max(longest, gap);
   }
 
   @Override
-  public void ended(NetworkView network) {
+  public void ended(OracleView network) {
     System.out.println("longest gap in coverage: " + longest + " steps");
   }
 }

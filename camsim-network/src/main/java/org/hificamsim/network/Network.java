@@ -7,7 +7,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.NetworkSums;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.engine.Observation;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
@@ -102,7 +103,7 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   @Override
-  public void begin(NetworkView network) {
+  public void begin(OracleView network) {
     queue.connect(network, network.channel());
   }
 
@@ -118,9 +119,8 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   @Override
-  public boolean observe(int[] detected, int[] coverage) {
-    sightings.look(step, detected, coverage);
-    return true;
+  public void observe(Observation observation) {
+    sightings.look(step, observation.detected(), observation.coverage());
   }
 
   /** Auctions and statistics. */

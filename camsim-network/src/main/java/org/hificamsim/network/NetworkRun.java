@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
@@ -88,7 +88,7 @@ public final class NetworkRun {
   public Simulation simulation() {
     if (simulation == null) {
       simulation =
-          new Simulation(world, detection, policy, network, seed, listeners, Workers.CALLER);
+          new Simulation(world, detection, new Behaviour(policy, network), seed, listeners);
     }
     return simulation;
   }

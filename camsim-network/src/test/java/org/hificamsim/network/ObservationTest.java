@@ -10,10 +10,10 @@ import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.WidestPolicy;
-import org.hificamsim.core.engine.Workers;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -63,13 +63,13 @@ class ObservationTest {
     Simulation simulation = simulation(world, new Counting(new AtomicInteger()), network);
     for (int step = 0; step < STEPS; step++) {
       simulation.step();
-      NetworkView view = simulation.network();
+      OracleView view = simulation.network();
       for (int target = 0; target < view.targets(); target++) {
         int seen = 0;
         for (int camera = 0; camera < view.cameras(); camera++) {
           boolean sees = view.online(camera) && network.sightings().sees(camera, target);
           seen += sees ? 1 : 0;
-          assertEquals(sees, view.online(camera) && view.oracle().detects(camera, 0, target));
+          assertEquals(sees, view.online(camera) && view.detects(camera, 0, target));
         }
         assertEquals(seen, view.coverage(target), "step " + step + " target " + target);
       }
@@ -87,7 +87,7 @@ class ObservationTest {
             .world();
     Simulation simulation = simulation(world, new Counting(new AtomicInteger()));
     simulation.step();
-    assertFalse(simulation.network().oracle().detects(0, 0, 0));
+    assertFalse(simulation.network().detects(0, 0, 0));
     assertEquals(0, simulation.network().detected(0));
     assertEquals(1, simulation.network().coverage(0));
   }
@@ -112,6 +112,6 @@ class ObservationTest {
 
   private static Simulation simulation(World world, DetectionModel model, Network network) {
     return new Simulation(
-        world, Detection.of(model), new WidestPolicy(), network, 0, List.of(), Workers.CALLER);
+        world, Detection.of(model), new Behaviour(new WidestPolicy(), network), 0, List.of());
   }
 }

@@ -18,11 +18,10 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.AimingZoomPolicy;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.FloorPictures;
@@ -62,8 +61,6 @@ final class RunCommand implements Callable<Integer> {
   private Path file;
 
   @Mixin private ScenarioOptions scenarioOptions;
-
-  @Mixin private ThreadsOption threads;
 
   @Option(names = "--out", paramLabel = "DIR")
   private Optional<Path> out;
@@ -106,13 +103,11 @@ final class RunCommand implements Callable<Integer> {
     ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (OutputFolder files = screen.folder(folder);
-        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables);
-        Workers workers = Workers.of(threads.count())) {
+        RunFolder output = new RunFolder(files, plan.detection(), detail(plan), tables)) {
       List<RunResult> results =
           execute(
               plan,
               catalogue,
-              workers,
               run ->
                   Stream.of(
                       output.listener(run),
@@ -204,15 +199,12 @@ final class RunCommand implements Callable<Integer> {
    * @param recorders of a run; null where one was not asked for
    */
   private List<RunResult> execute(
-      RunPlan plan,
-      Catalogue catalogue,
-      Workers workers,
-      IntFunction<Stream<StepListener>> recorders)
+      RunPlan plan, Catalogue catalogue, IntFunction<Stream<StepListener>> recorders)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
       StepListener counter = (network, coverage) -> progress.advance();
-      return new RunExecutor(catalogue, workers)
+      return new RunExecutor(catalogue)
           .execute(
               plan,
               run ->
@@ -254,7 +246,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     @Override
-    public void stepped(NetworkView network, StepCoverage coverage) {
+    public void stepped(OracleView network, StepCoverage coverage) {
       int part = (int) (network.step() * sums.length / steps);
       sums[part] += coverage.score();
       counts[part]++;

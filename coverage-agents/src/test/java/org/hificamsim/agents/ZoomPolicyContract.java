@@ -156,7 +156,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     double[] counts = new double[network.views(camera)];
     Arrays.fill(estimates, UNTOUCHED);
     Arrays.fill(counts, UNTOUCHED);
-    String name = policy.estimates(network, camera, estimates, counts);
+    String name = policy.estimates(camera, estimates, counts);
     for (int view = 0; view < estimates.length; view++) {
       if (name.isEmpty()) {
         assertEquals(UNTOUCHED, estimates[view], "no name but an estimate");

@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
@@ -37,7 +37,7 @@ final class Painted implements StepListener {
   }
 
   @Override
-  public void started(NetworkView network, ZoomPolicy policy) {
+  public void started(OracleView network, ZoomPolicy policy) {
     frames.clear();
     moves.clear();
     setup = setups.get();
@@ -45,7 +45,7 @@ final class Painted implements StepListener {
   }
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     moves.addAll(snapshots.moves(network));
     frames.add(snapshots.take(network));
   }
@@ -56,7 +56,7 @@ final class Painted implements StepListener {
    * @param width pixels
    * @return width and height as two ints, then red, green and blue of each pixel, row by row
    */
-  byte[] picture(NetworkView network, long seed, int width) {
+  byte[] picture(OracleView network, long seed, int width) {
     List<Frame> shown = frames.isEmpty() ? List.of(snapshots.take(network)) : List.copyOf(frames);
     long steps = shown.get(shown.size() - 1).step() + 1;
     RecordedRun recording = new RecordedRun(0, seed, steps, 1, "", List.copyOf(moves), shown);

@@ -7,12 +7,12 @@ import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
@@ -21,17 +21,9 @@ import org.hificamsim.runs.cells.ZoneRecorder;
 /** Runs a plan, one repeat after the other. */
 public final class RunExecutor {
   private final Catalogue catalogue;
-  private final Workers workers;
 
-  /** Runs in the caller's thread alone. */
   public RunExecutor(Catalogue catalogue) {
-    this(catalogue, Workers.CALLER);
-  }
-
-  /** Runs one repeat at a time, with these workers sharing its steps. */
-  public RunExecutor(Catalogue catalogue, Workers workers) {
     this.catalogue = catalogue;
-    this.workers = workers;
   }
 
   /**
@@ -121,6 +113,7 @@ public final class RunExecutor {
         plan.network().isEmpty()
             ? Cooperation.NONE
             : catalogue.networks().create(plan.network()).begin(world, plan.detection(), seed);
-    return new Simulation(world, plan.detection(), policy, cooperation, seed, listeners, workers);
+    Behaviour behaviour = new Behaviour(policy, cooperation);
+    return new Simulation(world, plan.detection(), behaviour, seed, listeners);
   }
 }

@@ -10,10 +10,8 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
-import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
@@ -41,7 +39,7 @@ class AllocationTest {
   @ParameterizedTest
   @MethodSource("steps")
   void aStepAllocatesNothing(String policy, String detection) {
-    assertNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000, 1);
+    assertNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000);
   }
 
   static Stream<String> policies() {
@@ -63,38 +61,33 @@ class AllocationTest {
     Path hall = Path.of(System.getProperty("hificamsim.root"), "scenarios", "hall.xml");
     Scenario scenario =
         ScenarioReader.read(hall, CATALOGUE.movements().names()::contains, warning -> {});
-    long bytes = bytes(policy, "dori-2014:level=recognise", scenario, 1_000, 1);
+    long bytes = bytes(policy, "dori-2014:level=recognise", scenario, 1_000);
     assertTrue(bytes < 10 * 1_000, "bytes in 1,000 steps: " + bytes);
   }
 
   @Test
   void aStepOfABigNetworkAllocatesNothing() {
     Scenario big = RandomField.ofCameras(200, 5).scenario();
-    assertNothing("epsilon-greedy", "hifi:orb-lin", big, 500, 1);
-    assertNothing("sarsa", "camsim-visibility", big, 500, 2);
+    assertNothing("epsilon-greedy", "hifi:orb-lin", big, 500);
+    assertNothing("sarsa", "camsim-visibility", big, 500);
     Scenario bigger = new RandomField(600, 100, RandomField.CLUSTER_AREA, 5).scenario();
-    assertNothing("qb-sarsa", "hifi:orb-lin", bigger, 500, 2); // fetches what neighbours answer
+    assertNothing("qb-sarsa", "hifi:orb-lin", bigger, 500);
   }
 
-  private static void assertNothing(
-      String policy, String detection, Scenario scenario, int steps, int threads) {
-    assertEquals(0, bytes(policy, detection, scenario, steps, threads), "in " + steps + " steps");
+  private static void assertNothing(String policy, String detection, Scenario scenario, int steps) {
+    assertEquals(0, bytes(policy, detection, scenario, steps), "in " + steps + " steps");
   }
 
-  private static long bytes(
-      String policyName, String detection, Scenario scenario, int steps, int threads) {
+  private static long bytes(String policyName, String detection, Scenario scenario, int steps) {
     DetectionModel model = CATALOGUE.detection(detection);
     ZoomPolicy policy = CATALOGUE.policies().create(policyName);
     World world = new World(scenario, CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
-    try (Workers workers = Workers.of(threads)) {
-      Simulation simulation =
-          new Simulation(
-              world, Detection.of(model), policy, Cooperation.NONE, 0, List.of(coverage), workers);
-      simulation.run(steps);
-      long bytes = AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> simulation.run(steps)));
-      assertTrue(coverage.detections() > 0);
-      return bytes;
-    }
+    Simulation simulation =
+        new Simulation(world, Detection.of(model), policy, 0, List.of(coverage));
+    simulation.run(steps);
+    long bytes = AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> simulation.run(steps)));
+    assertTrue(coverage.detections() > 0);
+    return bytes;
   }
 }

@@ -6,10 +6,13 @@ import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.StepPhase;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.world.World;
 
@@ -29,6 +32,7 @@ final class OneWorld implements StepListener {
   private final WorldSettings settings;
   private World world;
   private final PlayedPolicy policy;
+  private final ZoomPolicy driver;
   private final Reward reward;
   private final float[] rewards;
   private final float[] measures = new float[MEASURES];
@@ -50,6 +54,8 @@ final class OneWorld implements StepListener {
     like = first == null ? null : first.like;
     world = first == null || isDrawn() ? settings.world(seed) : first.world.another(seed);
     policy = new PlayedPolicy(settings.actions(), settings.expert());
+    driver =
+        settings.expert() == null ? policy : OraclePolicy.wrapping(settings.expert().get(), policy);
     reward = settings.reward().get();
     int cameras = world.cameras().count();
     rewards = new float[cameras];
@@ -81,9 +87,9 @@ final class OneWorld implements StepListener {
     }
     reward.begin();
     simulation =
-        new Simulation(world, settings.detection(), policy, ofEpisode, List.of(this, watcher));
+        new Simulation(world, settings.detection(), driver, ofEpisode, List.of(this, watcher));
     step = 0;
-    simulation.untilDecision();
+    simulation.phases().runUntil(StepPhase.DECIDE);
     observer = observer();
   }
 
@@ -116,8 +122,8 @@ final class OneWorld implements StepListener {
   /** Does what {@link #actions} say, up to the next decision. */
   void step() {
     policy.play(actions);
-    simulation.fromDecision();
-    simulation.untilDecision();
+    simulation.phases().finishStep();
+    simulation.phases().runUntil(StepPhase.DECIDE);
     step++;
   }
 
@@ -132,7 +138,7 @@ final class OneWorld implements StepListener {
   }
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     reward.pay(network, coverage, rewards);
     measures[0] = (float) Rewards.covered(coverage);
     measures[1] = coverage.kMin();
@@ -149,7 +155,7 @@ final class OneWorld implements StepListener {
     return step == settings.steps();
   }
 
-  NetworkView network() {
+  OracleView network() {
     return simulation.network();
   }
 
@@ -190,7 +196,7 @@ final class OneWorld implements StepListener {
    * @param observations as they were observed
    */
   void writeState(float[] observations, float[] out) {
-    OracleView network = network().oracle();
+    OracleView network = simulation.network();
     Field field = settings.scenario().field();
     out[0] = (float) ((double) step / settings.steps());
     int at = 1;

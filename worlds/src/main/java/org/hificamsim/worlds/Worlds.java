@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.worlds.WorldSettings.AutoReset;
 
@@ -135,7 +135,7 @@ public final class Worlds implements AutoCloseable {
   }
 
   /** A world's network as it is now. */
-  public NetworkView network(int world) {
+  public OracleView network(int world) {
     return worlds[world].network();
   }
 

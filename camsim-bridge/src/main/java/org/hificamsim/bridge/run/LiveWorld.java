@@ -13,6 +13,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.engine.Observation;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
@@ -229,15 +230,16 @@ final class LiveWorld implements Cooperation {
   }
 
   @Override
-  public boolean observe(int[] detected, int[] coverage) {
+  public void observe(Observation observation) {
+    int[] detected = observation.detected();
+    int[] coverage = observation.coverage();
     Arrays.fill(detected, 0);
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < Math.min(cameraRoom, cameras.all().size()); camera++) {
       BitSet seen = cameras.get(camera).seen();
       detected[camera] = cameras.get(camera).online() ? seen.cardinality() : 0;
-      seen.stream().filter(target -> target < targetRoom).forEach(i -> coverage[i]++);
+      seen.stream().filter(target -> target < targetRoom).forEach(target -> coverage[target]++);
     }
-    return true;
   }
 
   /**

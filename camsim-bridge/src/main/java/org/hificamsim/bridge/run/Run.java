@@ -7,9 +7,10 @@ import java.util.Optional;
 import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.Texts;
+import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.engine.StepPhase;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
@@ -134,7 +135,7 @@ final class Run {
   /** A step is over. */
   synchronized void stepEnds() {
     prepare();
-    simulation.fromObservation();
+    simulation.phases().finishStep();
     step++;
   }
 
@@ -174,8 +175,7 @@ final class Run {
     if (!live.fits()) {
       begin();
     }
-    simulation.untilDecision();
-    simulation.decide();
+    simulation.phases().runUntil(StepPhase.OBSERVE);
     if (settings.policy().isPresent()) {
       live.turn();
     }
@@ -192,7 +192,7 @@ final class Run {
             files.filter(open -> !ended).ifPresent(open -> open.stepped(network, coverage));
     simulation =
         new Simulation(
-                world, settings.seen(), policy, live, seed(), List.of(listener), Workers.CALLER)
+                world, settings.seen(), new Behaviour(policy, live), seed(), List.of(listener))
             .continuingAt(step);
   }
 

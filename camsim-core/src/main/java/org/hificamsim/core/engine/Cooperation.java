@@ -1,7 +1,7 @@
 package org.hificamsim.core.engine;
 
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
@@ -22,21 +22,19 @@ public interface Cooperation {
   }
 
   /** Called once, before the first step. */
-  default void begin(NetworkView network) {}
+  default void begin(OracleView network) {}
 
   /** Called before the cameras decide and observe, after targets moved in CamSim's order. */
   default void prepare() {}
 
   /**
-   * All online cameras look at the targets, where they do so themselves; {@link #visibility} says
-   * what they see.
+   * Lets all online cameras look at the targets. Cameras that do not look by themselves call {@link
+   * Observation#look}.
    *
-   * @param detected one entry per camera, receives how many targets it detects, 0 while offline
-   * @param coverage one entry per target, receives how many cameras detect it
-   * @return whether they did; if not, the loop looks for them
+   * @param observation receives what each camera detects
    */
-  default boolean observe(int[] detected, int[] coverage) {
-    return false;
+  default void observe(Observation observation) {
+    observation.look();
   }
 
   /** Called after the observation. */

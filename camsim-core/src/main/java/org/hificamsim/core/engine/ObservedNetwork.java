@@ -1,93 +1,39 @@
 package org.hificamsim.core.engine;
 
-import java.util.Arrays;
 import org.hificamsim.core.channel.Channel;
-import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.policy.CameraTask;
-import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
-/** The cameras' observations of a world, and all that policies and listeners may know of it. */
-final class ObservedNetwork extends Sight {
-  private final int[] detected;
-  private final int[] coverage;
-  private final boolean phantoms;
+/** What cameras know of a simulated world: their own state, and what they detected. */
+class ObservedNetwork implements NetworkView {
+  final Cameras cameras;
+  final Targets targets;
+  final Sight sight;
+  private final Observation observation;
   private final Objective objective;
-  private final Workers workers;
-  private final long[][] found; // of each worker
-  private final int[][] counts; // of each worker, in the order of the grid
-  private final Workers.Share looking = this::look;
-  private final Workers.Share adding = this::addUp;
-  private final Division division = new Division();
+  private final Field field;
   private Channel channel = Channel.PERFECT;
 
-  ObservedNetwork(World world, Visibility visibility, Workers workers) {
-    this(world, visibility, workers, Double.NaN);
+  ObservedNetwork(World world, Sight sight, Observation observation) {
+    this.cameras = world.cameras();
+    this.targets = world.targets();
+    this.sight = sight;
+    this.observation = observation;
+    this.objective = world.scenario().objective();
+    this.field = world.scenario().field();
   }
 
-  /** Has messages go over the channel of the scenario. */
-  void connect(ChannelModel model, long seed) {
-    channel = model.isPerfect() ? Channel.PERFECT : new Channel(model, this, seed);
-  }
-
-  /**
-   * @param side of the cells that cameras look into, metres; NaN where it is to be chosen
-   */
-  ObservedNetwork(World world, Visibility visibility, Workers workers, double side) {
-    super(world, visibility, side);
-    this.detected = new int[cameras.count()];
-    this.coverage = new int[targets.count()];
-    this.phantoms = visibility.detection().rule().phantoms() > 0;
-    this.objective = scenario.objective();
-    this.workers = workers;
-    this.found = new long[workers.count()][coverage.length + 1];
-    this.counts = new int[workers.count()][coverage.length];
-  }
-
-  /** Every online camera looks at the targets, or has done so. */
-  void observe(Cooperation cooperation) {
-    if (!cooperation.observe(detected, coverage)) {
-      observe();
-    }
-    if (phantoms) {
-      addPhantoms();
-    }
-  }
-
-  /** What cameras report of targets that are not there covers none that is. */
-  private void addPhantoms() {
-    for (int camera = 0; camera < detected.length; camera++) {
-      boolean looks = cameras.online(camera) && cameras.seeing(camera) != Cameras.NO_VIEW;
-      detected[camera] += looks ? visibility.phantoms(step(), camera) : 0;
-    }
-  }
-
-  /** Every online camera looks at the targets, each at its current view. */
-  void observe() {
-    workers.run(looking);
-    Arrays.fill(coverage, 0);
-    workers.run(adding);
-  }
-
-  private void look(int worker) {
-    Arrays.fill(counts[worker], 0);
-    int first = workers.first(worker, detected.length);
-    int end = workers.first(worker + 1, detected.length);
-    look(first, end, detected, counts[worker], found[worker]);
-  }
-
-  /** Adds up what all workers counted, each worker for some of the targets. */
-  private void addUp(int worker) {
-    int first = workers.first(worker, grid().count());
-    int end = workers.first(worker + 1, grid().count());
-    for (int[] count : counts) {
-      for (int i = first; i < end; i++) {
-        coverage[grid().point(i)] += count[i];
-      }
-    }
+  /** Sends all messages over a channel in place of the perfect one. */
+  void connect(Channel newChannel) {
+    channel = newChannel;
   }
 
   @Override
@@ -192,7 +138,7 @@ final class ObservedNetwork extends Sight {
 
   @Override
   public int detected(int camera) {
-    return detected[camera];
+    return observation.detected()[camera];
   }
 
   @Override
@@ -211,18 +157,8 @@ final class ObservedNetwork extends Sight {
   }
 
   @Override
-  public double targetX(int target) {
-    return targets.x(target);
-  }
-
-  @Override
-  public double targetY(int target) {
-    return targets.y(target);
-  }
-
-  @Override
   public int coverage(int target) {
-    return coverage[target];
+    return observation.coverage()[target];
   }
 
   @Override
@@ -231,27 +167,65 @@ final class ObservedNetwork extends Sight {
   }
 
   @Override
-  public <T> void divide(T work, CameraTask<T> task) {
-    division.run(work, task);
+  public long step() {
+    return sight.step();
   }
 
-  /** A policy's task, divided among the workers. */
-  private final class Division implements Workers.Share {
-    private Object work;
-    private CameraTask<Object> task;
+  @Override
+  public Field field() {
+    return field;
+  }
 
-    @SuppressWarnings("unchecked") // both are of one type, see divide
-    <T> void run(T newWork, CameraTask<T> newTask) {
-      work = newWork;
-      task = (CameraTask<Object>) newTask;
-      workers.run(this);
-    }
+  @Override
+  public Obstacles obstacles() {
+    return sight.map();
+  }
 
-    @Override
-    public void run(int worker) {
-      int all = cameras.count();
-      task.run(
-          ObservedNetwork.this, work, workers.first(worker, all), workers.first(worker + 1, all));
-    }
+  @Override
+  public Body body(double size) {
+    return sight.body(size);
+  }
+
+  @Override
+  public double reach(int camera, int view) {
+    return sight.reach(camera, view);
+  }
+
+  @Override
+  public boolean chancesAt(
+      int camera, double x, double y, double size, double transmittance, double[] chances) {
+    return sight.chancesAt(camera, x, y, size, transmittance, chances);
+  }
+
+  @Override
+  public double confidence(int camera, int target) {
+    return sight.confidence(camera, target);
+  }
+
+  @Override
+  public double seenConfidence(int camera, int target, double distance) {
+    return sight.seenConfidence(camera, target, distance);
+  }
+
+  @Override
+  public boolean sees(int camera, int target) {
+    return sight.sees(camera, target);
+  }
+
+  @Override
+  public double distance(int camera, int target) {
+    return sees(camera, target)
+        ? Math.hypot(targets.x(target) - cameras.x(camera), targets.y(target) - cameras.y(camera))
+        : Double.NaN;
+  }
+
+  @Override
+  public double bearing(int camera, int target) {
+    return sight.bearing(camera, target);
+  }
+
+  @Override
+  public void findSeen(SeenPairs pairs) {
+    sight.findSeen(pairs);
   }
 }

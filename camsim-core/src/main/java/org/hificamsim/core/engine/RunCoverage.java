@@ -3,7 +3,7 @@ package org.hificamsim.core.engine;
 import java.util.Arrays;
 import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 
 /**
  * The coverage of a whole run, added up step by step (thesis 7.1, Eq 7.2; Figure 7.9), and how
@@ -31,7 +31,7 @@ public final class RunCoverage implements StepListener {
   private double sumOfLeastChances;
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     steps++;
     performance += coverage.kMin();
     score += coverage.score();
@@ -58,8 +58,8 @@ public final class RunCoverage implements StepListener {
     sumOfLeastChances += expected.leastChance();
   }
 
-  /** A camera's first view is no change; a network may grow. */
-  private void countZoomChanges(NetworkView network) {
+  /** The first view does not count as a change; cameras may join later. */
+  private void countZoomChanges(OracleView network) {
     int known = views.length;
     if (network.cameras() > known) {
       views = Arrays.copyOf(views, network.cameras());

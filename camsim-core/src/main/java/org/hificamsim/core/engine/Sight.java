@@ -4,9 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Body;
@@ -19,45 +17,65 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * What cameras can see, where everything is now: {@link Visibility}, asked of many targets at a
- * time. Between two calls of {@link #beginStep} or {@link #locate} any number of threads may ask.
+ * Answers what cameras can see where everything is now: {@link Visibility}, asked for many targets
+ * at a time.
  *
- * <p>What a camera sees at a zoom level is found when the level is first met, once for each size of
- * targets, and where cameras have heights, for what of them has to be seen. Where targets are many,
- * a camera looks at those in the cells of a grid that its reach touches.
+ * <p>The distances and angles at which a zoom level detects are computed when the level is first
+ * used, once for each body of targets. Where there are many targets, a camera looks only at those
+ * in the grid cells that its reach touches.
  *
- * <p>Whether a target is near enough is a coin toss that a processor's guess of a branch loses half
- * of the time. So the sign bit of a difference of squared distances says it, and a camera that
- * detects all that is near enough ({@link #whole}) needs no branch.
+ * <p>The distance test is unpredictable, so we read the sign bit of a difference of squared
+ * distances instead of branching. A camera that detects every target within reach ({@link
+ * #detectsAllInReach}) needs no other test.
  */
-abstract class Sight implements OracleView {
+final class Sight {
   /** Pairs of cameras and targets below which looking at all takes no longer. */
   private static final long MIN_PAIRS = 4_000;
 
   /** With fewer cells most cameras would look at most targets anyway. */
   private static final int MIN_CELLS = 40;
 
-  private static final double NOT_KNOWN = -1;
+  private static final double UNKNOWN = -1;
 
-  final Cameras cameras;
-  final Targets targets;
-  final Visibility visibility;
-  final Scenario scenario;
+  private final Cameras cameras;
+  private final Targets targets;
+  private final Visibility visibility;
+  private final Field field;
   private final SightLines lines;
   private final boolean open;
-  private final Body[] bodies; // the smallest first
-  private final int[] kind; // of each target: its body's number
+
+  /** The different bodies of targets, the smallest first. */
+  private final Body[] bodies;
+
+  /** By target: the index of its body in {@link #bodies}. */
+  private final int[] bodyOfTarget;
+
   private final PointGrid grid;
-  private LevelSight[] levels = {}; // by the zoom level's number, then by body
-  private double[] outside = {}; // by number: from this squared distance on nothing is detected
-  private double[] reach = {}; // by number: beyond this distance, metres, nothing is detected
-  private boolean[] whole = {}; // by number: whatever is nearer is detected
-  private boolean allWhole = true; // all levels are whole
+
+  /** By the zoom level's number, then by body. */
+  private LevelSight[] levelSights = {};
+
+  /** By the zoom level's number: at this squared distance and beyond, nothing is detected. */
+  private double[] squaredLimit = {};
+
+  /** By the zoom level's number: the distance beyond which nothing is detected, metres. */
+  private double[] reach = {};
+
+  /** By the zoom level's number: whether every target nearer than the limit is detected. */
+  private boolean[] detectsAllInReach = {};
+
+  /** Whether {@link #detectsAllInReach} holds for all zoom levels. */
+  private boolean allDetectAllInReach = true;
+
   private int revision = -1;
   private long step;
 
+  Sight(World world, Visibility visibility) {
+    this(world, visibility, Double.NaN);
+  }
+
   /**
-   * @param side of the grid's cells, metres; NaN where it is to be chosen
+   * @param side of the grid's cells, metres; NaN to choose one
    */
   Sight(World world, Visibility visibility, double side) {
     this.cameras = world.cameras();
@@ -65,13 +83,13 @@ abstract class Sight implements OracleView {
     this.lines = world.sightLines();
     this.open = lines.open();
     this.visibility = visibility;
-    this.scenario = world.scenario();
+    this.field = world.scenario().field();
     lines.require(visibility.detection().model().seen());
     Body[] all = new Body[targets.count()];
     Arrays.setAll(all, lines.flat() ? target -> Body.flat(targets.size(target)) : targets::body);
     this.bodies = Arrays.stream(all).sorted(Body.ORDER).distinct().toArray(Body[]::new);
-    this.kind = new int[all.length];
-    Arrays.setAll(kind, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
+    this.bodyOfTarget = new int[all.length];
+    Arrays.setAll(bodyOfTarget, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
     findLevels();
     this.grid = Double.isNaN(side) ? chosenGrid() : over(side);
   }
@@ -85,12 +103,11 @@ abstract class Sight implements OracleView {
   }
 
   private PointGrid over(double side) {
-    Field field = field();
     return PointGrid.over(
-        field.minX(), field.minY(), field.width(), field.height(), side, kind.length);
+        field.minX(), field.minY(), field.width(), field.height(), side, bodyOfTarget.length);
   }
 
-  /** How far a camera sees, metres. */
+  /** The mean distance at which cameras see, metres. */
   private double meanReach() {
     double sum = 0;
     for (int camera = 0; camera < cameras.count(); camera++) {
@@ -104,7 +121,7 @@ abstract class Sight implements OracleView {
     return sum / cameras.count();
   }
 
-  /** Takes note of the step that begins, and of cameras that changed since the last one. */
+  /** Begins a step: finds the zoom levels of cameras that changed since the last one. */
   void beginStep(long newStep) {
     step = newStep;
     if (revision != cameras.revision()) {
@@ -117,7 +134,7 @@ abstract class Sight implements OracleView {
     for (int camera = 0; camera < cameras.count(); camera++) {
       for (int view = 0; view < cameras.views(camera); view++) {
         int number = cameras.zoomNumber(camera, view);
-        if (number >= outside.length || outside[number] == 0) {
+        if (number >= squaredLimit.length || squaredLimit[number] == 0) {
           findLevel(number, camera, view);
         }
       }
@@ -125,32 +142,30 @@ abstract class Sight implements OracleView {
   }
 
   private void findLevel(int number, int camera, int view) {
-    if (number >= outside.length) {
-      int length = Math.max(number + 1, 2 * outside.length);
-      levels = Arrays.copyOf(levels, length * bodies.length);
-      outside = Arrays.copyOf(outside, length);
+    if (number >= squaredLimit.length) {
+      int length = Math.max(number + 1, 2 * squaredLimit.length);
+      levelSights = Arrays.copyOf(levelSights, length * bodies.length);
+      squaredLimit = Arrays.copyOf(squaredLimit, length);
       reach = Arrays.copyOf(reach, length);
-      whole = Arrays.copyOf(whole, length);
+      detectsAllInReach = Arrays.copyOf(detectsAllInReach, length);
     }
     double farthest = -1;
     for (int body = 0; body < bodies.length; body++) {
       LevelSight level = visibility.at(cameras.zoom(camera, view), bodies[body]);
-      levels[number * bodies.length + body] = level;
+      levelSights[number * bodies.length + body] = level;
       farthest = Math.max(farthest, level.farthest());
       reach[number] = Math.max(reach[number], level.reach());
-      whole[number] = bodies.length == 1 && level.isDisc() && level.byDistance() && open;
+      detectsAllInReach[number] =
+          bodies.length == 1 && level.isDisc() && level.byDistance() && open;
     }
-    outside[number] = Math.nextUp(farthest);
-    allWhole &= whole[number];
+    squaredLimit[number] = Math.nextUp(farthest);
+    allDetectAllInReach &= detectsAllInReach[number];
   }
 
-  /**
-   * Takes note of where the targets are. One whose place is no number is nowhere: no camera detects
-   * it.
-   */
+  /** Reads the positions of the targets. No camera detects a target whose position is NaN. */
   void locate() {
     grid.clear();
-    for (int target = 0; target < kind.length; target++) {
+    for (int target = 0; target < bodyOfTarget.length; target++) {
       double x = targets.x(target);
       double y = targets.y(target);
       if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
@@ -160,41 +175,60 @@ abstract class Sight implements OracleView {
     grid.sort();
   }
 
-  @Override
-  public long step() {
+  long step() {
     return step;
   }
 
-  @Override
-  public Field field() {
-    return scenario.field();
-  }
-
-  @Override
-  public Obstacles obstacles() {
+  /** The obstacles, as far as the installer of the cameras knows them. */
+  Obstacles map() {
     return lines.map();
   }
 
-  /** Where the targets were when they were last located. */
+  boolean hasPhantoms() {
+    return visibility.detection().rule().phantoms() > 0;
+  }
+
+  /** The number of phantoms that a camera reports in this step; 0 while it sees nothing. */
+  int phantoms(int camera) {
+    boolean looks = cameras.online(camera) && cameras.seeing(camera) != Cameras.NO_VIEW;
+    return looks ? visibility.phantoms(step, camera) : 0;
+  }
+
+  /** The positions of the targets at the last call of {@link #locate}. */
   PointGrid grid() {
     return grid;
   }
 
   private LevelSight level(int camera, int view, int target) {
-    return levels[cameras.zoomNumber(camera, view) * bodies.length + kind[target]];
+    return levelSights[cameras.zoomNumber(camera, view) * bodies.length + bodyOfTarget[target]];
   }
 
   private double transmittance(int camera, int target) {
     return open ? 1 : lines.transmittance(camera, target);
   }
 
-  @Override
-  public boolean certain() {
+  boolean certain() {
     return visibility.detection().certain();
   }
 
-  @Override
-  public boolean detects(int camera, int view, int target) {
+  /** Whether the camera detects the target through the view that it sees through. */
+  boolean sees(int camera, int target) {
+    int view = cameras.seeing(camera);
+    return cameras.online(camera) && view != Cameras.NO_VIEW && detects(camera, view, target);
+  }
+
+  /** See {@link org.hificamsim.core.policy.NetworkView#bearing}. */
+  double bearing(int camera, int target) {
+    if (!sees(camera, target)) {
+      return Double.NaN;
+    }
+    double axis = cameras.heading(camera) + cameras.pan(camera, cameras.seeing(camera));
+    double direction =
+        Math.atan2(targets.x(target) - cameras.x(camera), targets.y(target) - cameras.y(camera));
+    return Math.IEEEremainder(direction - axis, 2 * Math.PI);
+  }
+
+  boolean detects(int camera, int view, int target) {
     return targets.present(target) && detects(camera, view, target, cameras.pose(camera, view));
   }
 
@@ -214,8 +248,7 @@ abstract class Sight implements OracleView {
             transmittance(camera, target));
   }
 
-  @Override
-  public double chance(int camera, int view, int target) {
+  double chance(int camera, int view, int target) {
     return targets.present(target)
         ? level(camera, view, target)
             .chance(
@@ -226,8 +259,7 @@ abstract class Sight implements OracleView {
         : 0;
   }
 
-  @Override
-  public boolean chancesAt(
+  boolean chancesAt(
       int camera, double x, double y, double size, double transmittance, double[] chances) {
     double squared = cameras.pose(camera).squaredDistance(x, y);
     int nearest = nearestSize(size);
@@ -235,8 +267,8 @@ abstract class Sight implements OracleView {
     for (int view = 0; view < cameras.views(camera) && nearest >= 0; view++) {
       int number = cameras.zoomNumber(camera, view);
       chances[view] = 0;
-      if (squared < outside[number] && transmittance > 0) {
-        LevelSight level = levels[number * bodies.length + nearest];
+      if (squared < squaredLimit[number] && transmittance > 0) {
+        LevelSight level = levelSights[number * bodies.length + nearest];
         chances[view] = level.chance(cameras.pose(camera, view), x, y, transmittance);
         any |= chances[view] > 0;
       }
@@ -252,14 +284,12 @@ abstract class Sight implements OracleView {
     return nearest;
   }
 
-  @Override
-  public Body body(double size) {
+  Body body(double size) {
     int nearest = nearestSize(size);
     return nearest < 0 ? Body.flat(size) : bodies[nearest];
   }
 
-  @Override
-  public double confidence(int camera, int target) {
+  double confidence(int camera, int target) {
     int view = cameras.seeing(camera);
     if (!targets.present(target) || view == Cameras.NO_VIEW) {
       return 0;
@@ -270,9 +300,8 @@ abstract class Sight implements OracleView {
     return DetectionModel.clamp(value * lines.transmittance(camera, target));
   }
 
-  /** What is seen is not hidden: only what lets a part of the light through is asked. */
-  @Override
-  public double seenConfidence(int camera, int target, double distance) {
+  /** A target that is seen is not hidden: only partly transparent obstacles matter. */
+  double seenConfidence(int camera, int target, double distance) {
     int view = cameras.seeing(camera);
     double value =
         level(camera, view, target)
@@ -281,15 +310,14 @@ abstract class Sight implements OracleView {
     return DetectionModel.clamp(value * through);
   }
 
-  @Override
-  public boolean dominates(int camera, int view, int other) {
+  boolean dominates(int camera, int view, int other) {
     if (view == other || lines.partial()) {
       return view == other;
     }
     for (int body = 0; body < bodies.length; body++) {
-      LevelSight mine = levels[cameras.zoomNumber(camera, view) * bodies.length + body];
-      LevelSight its = levels[cameras.zoomNumber(camera, other) * bodies.length + body];
-      if (!mine.byDistance() || !mine.includes(its)) {
+      LevelSight dominating = levelSights[cameras.zoomNumber(camera, view) * bodies.length + body];
+      LevelSight dominated = levelSights[cameras.zoomNumber(camera, other) * bodies.length + body];
+      if (!dominating.byDistance() || !dominating.includes(dominated)) {
         return false;
       }
     }
@@ -298,32 +326,39 @@ abstract class Sight implements OracleView {
   }
 
   /** Rounded up. */
-  @Override
-  public double reach(int camera, int view) {
+  double reach(int camera, int view) {
     return reach[cameras.zoomNumber(camera, view)];
   }
 
   /**
-   * Looks with some cameras, each through the view that it sees through.
+   * Lets every online camera look at the targets through the view that it sees through.
    *
-   * @param detected receives how many targets each of the cameras detects
-   * @param counts by index in the grid; one is added for each camera that detects the target
-   * @param room for what a camera detects: an entry for each target, and one more
+   * @param detected receives the number of targets that each camera detects
+   * @param counts one entry for each target in the order of the grid; each camera that detects the
+   *     target adds one
+   * @param found scratch memory: an entry for each target, and one more
    */
-  void look(int first, int end, int[] detected, int[] counts, long[] room) {
-    for (int camera = first; camera < end; camera++) {
-      int view = cameras.online(camera) ? cameras.seeing(camera) : Cameras.NO_VIEW;
-      if (view == Cameras.NO_VIEW) {
-        detected[camera] = 0;
-      } else if (grid.cells() == 1 && whole[cameras.zoomNumber(camera, view)]) {
-        detected[camera] = count(camera, outside[cameras.zoomNumber(camera, view)], counts);
-      } else {
-        detected[camera] = find(camera, view, room);
-        for (int k = 0; k < detected[camera]; k++) {
-          counts[(int) room[k]]++;
-        }
-      }
+  void look(int[] detected, int[] counts, long[] found) {
+    for (int camera = 0; camera < detected.length; camera++) {
+      detected[camera] = look(camera, counts, found);
     }
+  }
+
+  /** Lets one camera look; returns the number of targets that it detects. */
+  int look(int camera, int[] counts, long[] found) {
+    int view = cameras.online(camera) ? cameras.seeing(camera) : Cameras.NO_VIEW;
+    if (view == Cameras.NO_VIEW) {
+      return 0;
+    }
+    int zoom = cameras.zoomNumber(camera, view);
+    if (grid.cells() == 1 && detectsAllInReach[zoom]) {
+      return count(camera, squaredLimit[zoom], counts);
+    }
+    int seen = find(camera, view, found);
+    for (int k = 0; k < seen; k++) {
+      counts[(int) found[k]]++;
+    }
+    return seen;
   }
 
   private int count(int camera, double below, int[] counts) {
@@ -340,7 +375,7 @@ abstract class Sight implements OracleView {
     return seen;
   }
 
-  /** 1 or 0, by the sign bit. */
+  /** Returns 1 for a negative number, else 0. */
   private static int negative(double difference) {
     return (int) (Double.doubleToRawLongBits(difference) >>> 63);
   }
@@ -372,7 +407,7 @@ abstract class Sight implements OracleView {
 
   private int find(int camera, int view, int from, int to, long[] found, int first) {
     int number = cameras.zoomNumber(camera, view);
-    double below = outside[number];
+    double below = squaredLimit[number];
     double x = cameras.x(camera);
     double y = cameras.y(camera);
     int filled = first;
@@ -382,10 +417,10 @@ abstract class Sight implements OracleView {
       found[filled] = i;
       filled += negative(dx * dx + dy * dy - below);
     }
-    return whole[number] ? filled : keepDetected(camera, view, found, first, filled);
+    return detectsAllInReach[number] ? filled : keepDetected(camera, view, found, first, filled);
   }
 
-  /** Leaves out what is near enough, but not detected. */
+  /** Keeps those targets in reach that are detected. */
   private int keepDetected(int camera, int view, long[] found, int first, int end) {
     int kept = first;
     for (int k = first; k < end; k++) {
@@ -396,19 +431,18 @@ abstract class Sight implements OracleView {
     return kept;
   }
 
-  @Override
-  public void findSeen(SeenPairs pairs) {
+  void findSeen(SeenPairs pairs) {
     pairs.clear();
     for (int camera = 0; camera < cameras.count(); camera++) {
       if (cameras.online(camera)) {
-        long[] room = pairs.scratch(kind.length + 1);
+        long[] found = pairs.scratch(bodyOfTarget.length + 1);
         int view = cameras.seeing(camera);
-        addSeen(camera, view, room, find(camera, view, room), pairs);
+        addSeen(camera, view, found, find(camera, view, found), pairs);
       }
     }
   }
 
-  /** Adds what was found, with the places of the targets in the camera's picture. */
+  /** Adds the targets found, with their positions relative to the axis of the view. */
   private void addSeen(int camera, int view, long[] found, int count, SeenPairs pairs) {
     for (int k = 0; k < count; k++) {
       int i = (int) found[k];
@@ -421,8 +455,7 @@ abstract class Sight implements OracleView {
     }
   }
 
-  @Override
-  public int chances(int camera, int view, int[] who, double[] chances) {
+  int chances(int camera, int view, int[] possible, double[] chances) {
     double far = reach(camera, view);
     int left = grid.column(cameras.x(camera) - far);
     int right = grid.column(cameras.x(camera) + far);
@@ -432,15 +465,14 @@ abstract class Sight implements OracleView {
       int end = grid.end(row, right);
       for (int i = grid.start(row, left); i < end; i++) {
         chances[count] = chance(camera, view, grid.point(i));
-        who[count] = grid.point(i);
+        possible[count] = grid.point(i);
         count += chances[count] > 0 ? 1 : 0;
       }
     }
     return count;
   }
 
-  @Override
-  public void detections(int camera, long[] masks, int words) {
+  void detections(int camera, long[] masks, int words) {
     int views = cameras.views(camera);
     Arrays.fill(masks, 0, views * words, 0);
     if (grid.cells() == 1) {
@@ -465,7 +497,7 @@ abstract class Sight implements OracleView {
       double dx = grid.x(i) - cameras.x(camera);
       double dy = grid.y(i) - cameras.y(camera);
       double squared = dx * dx + dy * dy;
-      if (allWhole) {
+      if (allDetectAllInReach) {
         markNear(camera, views, grid.point(i), squared, masks, words);
       } else if (squared < below) {
         markDetected(camera, views, grid.point(i), squared, masks, words);
@@ -475,8 +507,8 @@ abstract class Sight implements OracleView {
 
   private double farthestOutside(int camera, int views) {
     double farthest = 0;
-    for (int view = 0; view < views && !allWhole; view++) {
-      farthest = Math.max(farthest, outside[cameras.zoomNumber(camera, view)]);
+    for (int view = 0; view < views && !allDetectAllInReach; view++) {
+      farthest = Math.max(farthest, squaredLimit[cameras.zoomNumber(camera, view)]);
     }
     return farthest;
   }
@@ -484,18 +516,20 @@ abstract class Sight implements OracleView {
   private void markNear(
       int camera, int views, int target, double squared, long[] masks, int words) {
     for (int view = 0; view < views; view++) {
-      long hit = negative(squared - outside[cameras.zoomNumber(camera, view)]);
+      long hit = negative(squared - squaredLimit[cameras.zoomNumber(camera, view)]);
       masks[view * words + (target >> 6)] |= hit << target;
     }
   }
 
-  /** What is in between is found once for all views, when a first one has the target in view. */
+  /**
+   * The transmittance is computed once for all views, when the first one has the target in view.
+   */
   private void markDetected(
       int camera, int views, int target, double squared, long[] masks, int words) {
     double luck = visibility.luck(step, camera, target);
     double x = targets.x(target);
     double y = targets.y(target);
-    double transmittance = NOT_KNOWN;
+    double transmittance = UNKNOWN;
     for (int view = 0; view < views; view++) {
       LevelSight level = level(camera, view, target);
       Pose pose = cameras.pose(camera, view);

@@ -3,10 +3,14 @@ package org.hificamsim.core.engine;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.core.Texts;
+import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OraclePolicy;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.world.World;
@@ -14,9 +18,22 @@ import org.hificamsim.core.world.World;
 /**
  * A run of one scenario under one detection model and one zoom policy, step by step.
  *
- * <p>A step is: events, (move), decide, apply zooms, observe, cooperate, reward, measure, record,
- * (move); targets move where the scenario's {@link StepOrder} says. Equal arguments give equal
- * runs.
+ * <p>A complete example, with the models and policies of {@code org.hificamsim.catalogue}:
+ *
+ * <pre>{@code
+ * Catalogue catalogue = Catalogue.load();
+ * Scenario scenario =
+ *     ScenarioReader.read(Path.of("campus.xml"), catalogue.movements()::knows, System.err::println);
+ * World world = new World(scenario, catalogue.movements(), 42);
+ * Detection detection = Detection.of(catalogue.detection("hifi:orb-lin"));
+ * ZoomPolicy policy = catalogue.policies().create("sarsa:gamma=0.9");
+ * RunCoverage coverage = new RunCoverage();
+ * Simulation simulation = new Simulation(world, detection, policy, 42, List.of(coverage));
+ * simulation.run(1000);
+ * System.out.println("performance " + coverage.performance());
+ * }</pre>
+ *
+ * <p>Equal arguments give equal runs. One thread may use a simulation at a time.
  */
 public final class Simulation {
   private final World world;
@@ -24,134 +41,212 @@ public final class Simulation {
   private final ZoomPolicy policy;
   private final Cooperation cooperation;
   private final StepListener[] listeners;
-  private final ObservedNetwork network;
+  private final Sight sight;
+  private final Observation observation;
+  private final OracleNetwork oracle;
+  private final NetworkView policyView;
   private final StepCoverage coverage;
+  private final StepPhases phases = new StepPhases(this);
   private final int[] views;
+  private final boolean hasPhantoms;
   private final boolean byChance;
-  private final boolean jumps;
-  private final AimingZoomPolicy aiming;
+  private final boolean policyJumps;
+  private final AimingZoomPolicy aimingPolicy;
   private boolean started;
   private long step;
 
-  /** A run of cameras that work each for itself, in the caller's thread alone. */
+  /**
+   * Prepares a run of cameras that do not cooperate.
+   *
+   * @param world before its first step
+   * @param seed seeds the policy's generator and the luck of detections; the world has its own seed
+   * @param listeners called in this order at the end of each step
+   */
   public Simulation(
       World world,
       Detection detection,
       ZoomPolicy policy,
       long seed,
       List<? extends StepListener> listeners) {
-    this(world, detection, policy, Cooperation.NONE, seed, listeners, Workers.CALLER);
+    this(world, detection, Behaviour.of(policy), seed, listeners);
   }
 
   /**
-   * @param cooperation what the cameras do together
+   * Prepares a run.
+   *
+   * @param world before its first step
    * @param seed seeds the policy's generator and the luck of detections; world and cooperation have
-   *     been seeded on their own
-   * @param listeners called in this order
-   * @param workers who share the work of a step; results do not depend on their number
+   *     seeds of their own
+   * @param listeners called in this order at the end of each step
    */
   public Simulation(
       World world,
       Detection detection,
-      ZoomPolicy policy,
-      Cooperation cooperation,
+      Behaviour behaviour,
       long seed,
-      List<? extends StepListener> listeners,
-      Workers workers) {
+      List<? extends StepListener> listeners) {
     this.world = world;
-    this.cooperation = cooperation;
     this.order = world.scenario().order();
-    this.policy = policy;
+    this.policy = behaviour.policy();
+    this.cooperation = behaviour.cooperation();
     this.listeners = listeners.toArray(StepListener[]::new);
-    this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
-    this.network.connect(world.scenario().channel(), seed);
+    this.sight = new Sight(world, cooperation.visibility(detection, seed));
+    this.observation = new Observation(sight, world.cameras().count(), world.targets().count());
+    ObservedNetwork known = new ObservedNetwork(world, sight, observation);
+    this.oracle = new OracleNetwork(world, sight, observation);
+    ChannelModel channelModel = world.scenario().channel();
+    if (!channelModel.isPerfect()) {
+      Channel channel = new Channel(channelModel, known, seed);
+      known.connect(channel);
+      oracle.connect(channel);
+    }
+    this.policyView = policy instanceof OraclePolicy ? oracle : known;
+    this.hasPhantoms = sight.hasPhantoms();
     this.byChance = !detection.certain();
-    this.jumps = policy.jumps();
-    this.aiming = policy instanceof AimingZoomPolicy aims ? aims : null;
+    this.policyJumps = policy.jumps();
+    this.aimingPolicy = policy instanceof AimingZoomPolicy aiming ? aiming : null;
     this.coverage = new StepCoverage(world.scenario().objective());
     this.views = new int[world.cameras().count()];
-    cooperation.begin(network);
-    policy.begin(network, new SplittableRandom(seed));
+    cooperation.begin(oracle);
+    policy.begin(policyView, new SplittableRandom(seed));
   }
 
   /**
-   * Counts on from a step, in a world that has been through those before.
+   * Makes the next step count as this one, for a world that has been through those before.
    *
-   * @param next the step that {@link #step} is to run next
+   * @param nextStep 0 or more
+   * @return this simulation
    */
-  public Simulation continuingAt(long next) {
-    step = next;
+  public Simulation continuingAt(long nextStep) {
+    step = nextStep;
     return this;
   }
 
-  /** Runs this many steps, and then calls the listeners' {@code ended}. */
+  /** Runs a number of steps, and then calls the listeners' {@code ended}. */
   public void run(long steps) {
     for (long i = 0; i < steps; i++) {
       step();
     }
     for (StepListener listener : listeners) {
-      listener.ended(network);
+      listener.ended(oracle);
     }
   }
 
-  /** Runs one step; the first one calls the listeners' {@code started}. */
+  /**
+   * Runs one step; the first one calls the listeners' {@code started}.
+   *
+   * @throws IllegalStateException if {@link #phases} has left a step unfinished
+   */
   public void step() {
-    untilDecision();
-    fromDecision();
+    phases.requireWholeStep();
+    fireEvents();
+    moveBeforeLooking();
+    decide();
+    observe();
+    cooperate();
+    learn();
+    measure();
+    report();
+    moveAfterLooking();
   }
 
-  /**
-   * Runs the first half of a step: all that comes before the policy is asked. What cameras see then
-   * is what they decide from. {@link #fromDecision} has to follow.
-   */
-  public void untilDecision() {
+  /** The phases of the steps, for callers that stop within a step. */
+  public StepPhases phases() {
+    return phases;
+  }
+
+  void fireEvents() {
     if (!started) {
       start();
     }
     world.fireEvents(step);
-    network.beginStep(step);
+    sight.beginStep(step);
+  }
+
+  private void start() {
+    started = true;
+    for (StepListener listener : listeners) {
+      listener.started(oracle, policy);
+    }
+  }
+
+  void moveBeforeLooking() {
     if (order == StepOrder.CAMSIM) {
       world.moveTargets();
     }
     cooperation.prepare();
-    network.locate();
+    sight.locate();
   }
 
-  /** Runs the second half of a step: decide, observe, measure. */
-  public void fromDecision() {
-    decide();
-    fromObservation();
+  /** All cameras decide from the same snapshot, then all set out for their views. */
+  void decide() {
+    for (int camera = 0; camera < views.length; camera++) {
+      views[camera] = oracle.view(camera);
+    }
+    policy.decide(policyView, views);
+    for (int camera = 0; camera < views.length; camera++) {
+      if (oracle.online(camera)) {
+        applyView(camera, views[camera]);
+      }
+    }
+    world.cameras().advance();
   }
 
-  /** Runs the rest of a step when the cameras have decided: observe, measure. */
-  public void fromObservation() {
-    network.observe(cooperation);
+  private void applyView(int camera, int view) {
+    if (view < 0 || view >= oracle.views(camera)) {
+      throw new IllegalStateException(
+          Texts.format(
+              "policy %s chose view %s for camera %s, expected 0 to %s",
+              policy.name(), view, oracle.cameraName(camera), oracle.views(camera) - 1));
+    }
+    if (aimingPolicy != null && !Double.isNaN(aimingPolicy.pan(camera))) {
+      world.cameras().aim(camera, view, aimingPolicy.pan(camera));
+    } else if (policyJumps) {
+      world.cameras().jumpTo(camera, view);
+    } else {
+      world.cameras().turnTo(camera, view);
+    }
+  }
+
+  void observe() {
+    cooperation.observe(observation);
+    if (hasPhantoms) {
+      observation.addPhantoms();
+    }
+  }
+
+  void cooperate() {
     cooperation.cooperate();
-    policy.learn(network);
-    coverage.measure(network);
-    coverage.measureScore(network);
+  }
+
+  void learn() {
+    policy.learn(policyView);
+  }
+
+  void measure() {
+    coverage.measure(oracle);
+    coverage.measureScore(oracle);
     if (byChance) {
-      coverage.expect(network);
+      coverage.expect(oracle);
     }
+  }
+
+  void report() {
     for (StepListener listener : listeners) {
-      listener.stepped(network, coverage);
+      listener.stepped(oracle, coverage);
     }
+  }
+
+  void moveAfterLooking() {
     if (order == StepOrder.COVERAGE) {
       world.moveTargets();
     }
     step++;
   }
 
-  private void start() {
-    started = true;
-    for (StepListener listener : listeners) {
-      listener.started(network, policy);
-    }
-  }
-
-  /** The network as the last step left it. */
-  public NetworkView network() {
-    return network;
+  /** The network as the last phase left it, with what no camera knows. */
+  public OracleView network() {
+    return oracle;
   }
 
   /** What the cameras do together. */
@@ -162,38 +257,5 @@ public final class Simulation {
   /** The coverage that the last step measured. */
   public StepCoverage coverage() {
     return coverage;
-  }
-
-  /**
-   * All cameras decide from the same snapshot, then all zooms are applied: what {@link
-   * #fromDecision} begins with. After it alone, {@link #fromObservation} has to follow.
-   */
-  public void decide() {
-    for (int camera = 0; camera < views.length; camera++) {
-      views[camera] = network.view(camera);
-    }
-    policy.decide(network, views);
-    for (int camera = 0; camera < views.length; camera++) {
-      if (network.online(camera)) {
-        apply(camera, views[camera]);
-      }
-    }
-    world.cameras().advance();
-  }
-
-  private void apply(int camera, int view) {
-    if (view < 0 || view >= network.views(camera)) {
-      throw new IllegalStateException(
-          Texts.format(
-              "policy %s chose view %s for camera %s, expected 0 to %s",
-              policy.name(), view, network.cameraName(camera), network.views(camera) - 1));
-    }
-    if (aiming != null && !Double.isNaN(aiming.pan(camera))) {
-      world.cameras().aim(camera, view, aiming.pan(camera));
-    } else if (jumps) {
-      world.cameras().jumpTo(camera, view);
-    } else {
-      world.cameras().turnTo(camera, view);
-    }
   }
 }

@@ -1,7 +1,7 @@
 package org.hificamsim.core.engine;
 
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
@@ -13,25 +13,25 @@ import org.hificamsim.core.policy.ZoomPolicy;
 @FunctionalInterface
 public interface StepListener {
   /** Called at the end of each step, after the observation was measured. */
-  void stepped(NetworkView network, StepCoverage coverage);
+  void stepped(OracleView network, StepCoverage coverage);
 
   /** The name by which {@code run --listener NAME} finds it among users' jars. */
   default String name() {
     return getClass().getSimpleName();
   }
 
-  /** Called once before the first step. */
-  default void started(NetworkView network) {}
+  /** Called once, before the first step. */
+  default void started(OracleView network) {}
 
   /**
    * Called once before the first step, for a listener that also looks at what the agents know.
    *
    * @param policy what decides in this run; to be asked, not to be driven
    */
-  default void started(NetworkView network, ZoomPolicy policy) {
+  default void started(OracleView network, ZoomPolicy policy) {
     started(network);
   }
 
   /** Called once after the last step. */
-  default void ended(NetworkView network) {}
+  default void ended(OracleView network) {}
 }

@@ -6,7 +6,7 @@ package org.hificamsim.core.policy;
  * <p>Its runner rehearses first: the same world with the same seed, {@link #rehearse} called at the
  * end of each step. The policy's own {@link #begin} follows, with the run itself.
  */
-public interface HindsightZoomPolicy extends ZoomPolicy {
+public interface HindsightZoomPolicy extends OraclePolicy {
   /** Looks at one step of the rehearsal, in which all cameras stay at their widest view. */
-  void rehearse(NetworkView network);
+  void rehearse(OracleView network);
 }

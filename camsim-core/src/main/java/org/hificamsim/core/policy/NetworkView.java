@@ -1,7 +1,5 @@
 package org.hificamsim.core.policy;
 
-import java.util.DoubleSummaryStatistics;
-import java.util.stream.IntStream;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.Stations;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -12,21 +10,22 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * The camera network at one step, read only: the same for every camera, so that all decide from one
- * snapshot.
+ * What a deployed camera network knows in one step, read only: the view that {@linkplain ZoomPolicy
+ * policies} decide from. All cameras decide from the same snapshot.
  *
- * <p>Cameras and targets are numbered from 0 and keep their number for the whole run; the counts
- * include those that a later event adds, which are not online (not present) until then, and stay so
- * after an event removes them. A camera's views are each of its zoom levels at each of its pan
- * angles: all levels of the first angle, from the narrowest, then those of the next; a camera that
- * cannot turn has its levels alone. One that tilts has each pan angle at each of its tilts, as if
- * it were another angle; a view's tilt is in its {@linkplain ZoomLevel#vertical zoom level}. What
- * was detected is what the last observation saw: at a decision that is the step before (0
- * everywhere at the first).
+ * <p>It has what the cameras detected at the last observation (nothing before the first one), and
+ * what their installer knows: the map of the site, how long moves take, and what a lens and a
+ * detection model make of a position. It gives no access to the positions of targets, nor to what a
+ * camera would detect at another view: see {@link OracleView}.
  *
- * <p>This is what cameras know between them, with what their installer knows: the map of the site,
- * how long moves take, and what a lens and a detection model make of a place. Positions of targets,
- * and what a camera would detect of them at another view, are in {@link OracleView}.
+ * <p>Cameras and targets are numbered from 0 and keep their numbers for the whole run. The counts
+ * include those that a later event adds; until then, and after an event removes them, these are not
+ * online (cameras) or not present (targets).
+ *
+ * <p>A camera's views are each of its zoom levels at each of its pan angles: all levels of the
+ * first angle, from the narrowest, then those of the next angle. A camera that cannot turn has its
+ * levels only. A camera that tilts has each pan angle once for each of its tilts; the tilt is in
+ * the view's {@linkplain ZoomLevel#vertical zoom level}.
  */
 public interface NetworkView extends CoveredTargets, Stations {
   /** What each step of the run is scored by. */
@@ -140,42 +139,20 @@ public interface NetworkView extends CoveredTargets, Stations {
     return Body.flat(size);
   }
 
-  /** The rectangle that targets move in, also known; by default one that holds all cameras. */
-  default Field field() {
-    DoubleSummaryStatistics x =
-        IntStream.range(0, cameras()).mapToDouble(this::cameraX).summaryStatistics();
-    DoubleSummaryStatistics y =
-        IntStream.range(0, cameras()).mapToDouble(this::cameraY).summaryStatistics();
-    return cameras() == 0
-        ? new Field(0, 0, 0, 0)
-        : new Field(x.getMin(), x.getMax(), y.getMin(), y.getMax());
-  }
+  /** The rectangle that targets move in, which is known. */
+  Field field();
 
   /**
-   * How likely the camera would detect a target that stood at a place, through each of its views:
-   * by its lens and its detection model, which are known, wherever targets are.
+   * Computes the chance that the camera would detect a target at a position, through each of its
+   * views: by its lens and its detection model, which are known, wherever targets are.
    *
-   * @param size of the target, metres; the nearest of those that the scenario has counts
-   * @param transmittance how much of it gets through what is in between, in [0, 1]
-   * @param chances one entry for each view, in [0, 1]
-   * @return whether any is above 0; if not, the entries mean nothing
+   * @param size of the target, metres; the nearest of the sizes that the scenario has is taken
+   * @param transmittance the part of the light that obstacles let through, in [0, 1]
+   * @param chances receives one entry for each view, in [0, 1]
+   * @return whether any chance is above 0; if not, the entries are undefined
    */
-  default boolean chancesAt(
-      int camera, double x, double y, double size, double transmittance, double[] chances) {
-    double dx = x - cameraX(camera);
-    double dy = y - cameraY(camera);
-    double distance = Math.hypot(dx, dy);
-    boolean any = false;
-    for (int view = 0; view < views(camera); view++) {
-      double axis = cameraHeading(camera) + pan(camera, view);
-      double off = Math.abs(Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI));
-      boolean inView =
-          distance <= reach(camera, view) && off <= zoom(camera, view).viewingAngle() / 2;
-      chances[view] = inView ? transmittance : 0;
-      any |= inView;
-    }
-    return any;
-  }
+  boolean chancesAt(
+      int camera, double x, double y, double size, double transmittance, double[] chances);
 
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
@@ -199,73 +176,36 @@ public interface NetworkView extends CoveredTargets, Stations {
     return confidence(camera, target);
   }
 
-  /** Whether the camera detects a target where both are now; as observed when asked in learn. */
-  default boolean sees(int camera, int target) {
-    int view = seeing(camera);
-    return online(camera) && view >= 0 && present(target) && oracle().detects(camera, view, target);
-  }
+  /**
+   * Whether the camera detects a target, where both are now, through the view that it sees through;
+   * false while it is offline or on its way, or the target is absent.
+   */
+  boolean sees(int camera, int target);
 
   /** Edge of the bounding box of a target, metres; NaN where that is not known. */
   default double targetSize(int target) {
     return Double.NaN;
   }
 
-  /** How far a target is that the camera {@link #sees}, metres; NaN for one that it does not. */
-  default double distance(int camera, int target) {
-    return sees(camera, target)
-        ? Math.hypot(
-            oracle().targetX(target) - cameraX(camera), oracle().targetY(target) - cameraY(camera))
-        : Double.NaN;
-  }
+  /** The distance of a target that the camera {@link #sees}, metres; NaN for any other target. */
+  double distance(int camera, int target);
 
   /**
    * Where in its picture the camera {@link #sees} a target: radians off the view's axis, to the
-   * right, in [-pi, pi]; NaN for one that it does not see.
+   * right, in [-pi, pi]; NaN for a target that it does not see.
    */
-  default double bearing(int camera, int target) {
-    if (!sees(camera, target)) {
-      return Double.NaN;
-    }
-    double dx = oracle().targetX(target) - cameraX(camera);
-    double dy = oracle().targetY(target) - cameraY(camera);
-    double axis = cameraHeading(camera) + pan(camera, seeing(camera));
-    return Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI);
-  }
+  double bearing(int camera, int target);
 
   /**
    * Finds all targets that cameras {@link #sees see}, and where before them they are: the same as
-   * asking of each, but those out of reach cost nothing.
+   * asking for each pair, but much faster.
    *
-   * @param pairs has these pairs on return, and no others
+   * @param pairs receives these pairs, in the order of cameras; what it held before is cleared
    */
-  default void findSeen(SeenPairs pairs) {
-    pairs.clear();
-    for (int camera = 0; camera < cameras(); camera++) {
-      for (int target = 0; target < targets(); target++) {
-        if (sees(camera, target)) {
-          double distance = distance(camera, target);
-          double bearing = bearing(camera, target);
-          pairs.add(camera, target, distance * Math.cos(bearing), distance * Math.sin(bearing));
-        }
-      }
-    }
-  }
+  void findSeen(SeenPairs pairs);
 
-  /** What all messages between cameras go over; perfect unless the run has another. */
+  /** The channel of all messages between cameras; perfect unless the run has another. */
   default Channel channel() {
     return Channel.PERFECT;
-  }
-
-  /** The same network with what no camera knows, for upper bounds and records; see there. */
-  OracleView oracle();
-
-  /**
-   * Does a task for all cameras, in parts side by side where the run has several threads.
-   *
-   * <p>The task must come to the same result however the cameras are divided: what it writes of one
-   * camera it must not read of another. All is done on return.
-   */
-  default <T> void divide(T work, CameraTask<T> task) {
-    task.run(this, work, 0, cameras());
   }
 }

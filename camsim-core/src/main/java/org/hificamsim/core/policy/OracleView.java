@@ -5,16 +5,14 @@ import org.hificamsim.core.metrics.CoverableTargets;
 import org.hificamsim.core.metrics.DetectionChances;
 
 /**
- * A network with knowledge that no camera has: where the targets are, and what cameras would detect
- * at other views. Upper bounds such as the exact optimum use it, and listeners that record a run;
- * learning policies must not.
+ * A camera network with knowledge that no camera has: where the targets are, and what cameras would
+ * detect at other views. {@linkplain OraclePolicy Bounds} such as the exact optimum are given it,
+ * and listeners that record a run.
+ *
+ * <p>An implementer writes the positions of targets and {@link #detects}, {@link #dominates} and
+ * {@link #certain}; what cameras see follows from these.
  */
 public interface OracleView extends NetworkView, DetectionChances, CoverableTargets {
-  @Override
-  default OracleView oracle() {
-    return this;
-  }
-
   /** Metres. */
   double targetX(int target);
 
@@ -23,6 +21,44 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
 
   /** Whether the camera would detect the target where both are now, were it at this view. */
   boolean detects(int camera, int view, int target);
+
+  @Override
+  default boolean sees(int camera, int target) {
+    int view = seeing(camera);
+    return online(camera) && view >= 0 && present(target) && detects(camera, view, target);
+  }
+
+  @Override
+  default double distance(int camera, int target) {
+    return sees(camera, target)
+        ? Math.hypot(targetX(target) - cameraX(camera), targetY(target) - cameraY(camera))
+        : Double.NaN;
+  }
+
+  @Override
+  default double bearing(int camera, int target) {
+    if (!sees(camera, target)) {
+      return Double.NaN;
+    }
+    double axis = cameraHeading(camera) + pan(camera, seeing(camera));
+    double direction =
+        Math.atan2(targetX(target) - cameraX(camera), targetY(target) - cameraY(camera));
+    return Math.IEEEremainder(direction - axis, 2 * Math.PI);
+  }
+
+  @Override
+  default void findSeen(SeenPairs pairs) {
+    pairs.clear();
+    for (int camera = 0; camera < cameras(); camera++) {
+      for (int target = 0; target < targets(); target++) {
+        if (sees(camera, target)) {
+          double distance = distance(camera, target);
+          double bearing = bearing(camera, target);
+          pairs.add(camera, target, distance * Math.cos(bearing), distance * Math.sin(bearing));
+        }
+      }
+    }
+  }
 
   @Override
   default void markCoverable(boolean[] coverable) {

@@ -4,7 +4,7 @@ package org.hificamsim.core.policy;
  * A policy that looks for the best score of each step (k_min, Eq 7.1, unless the network has
  * another objective), and says where it ended its search before it had proven that it found it.
  */
-public interface ProvingZoomPolicy extends ZoomPolicy {
+public interface ProvingZoomPolicy extends OraclePolicy {
   /** The number of steps so far whose configuration is not proven to be the best. */
   long unprovenSteps();
 

@@ -33,7 +33,11 @@ public interface ZoomPolicy {
     return List.of();
   }
 
-  /** Called once, before the first step. */
+  /**
+   * Called once, before the first step.
+   *
+   * @param network the same object at every call of the run; what it says changes with each step
+   */
   default void begin(NetworkView network, SplittableRandom random) {}
 
   /**
@@ -46,8 +50,8 @@ public interface ZoomPolicy {
   void decide(NetworkView network, int[] views);
 
   /**
-   * Whether its cameras need no time for a move: a bound on what is possible, and no policy that a
-   * network could run.
+   * Whether the policy's cameras move in no time: such a policy is a bound on what is possible,
+   * which no network could run.
    */
   default boolean jumps() {
     return false;
@@ -65,7 +69,7 @@ public interface ZoomPolicy {
    * @return what is estimated, the same at every call ("mean reward", "Q"); empty where the policy
    *     estimates nothing, and the arrays are left as they were
    */
-  default String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+  default String estimates(int camera, double[] estimates, double[] counts) {
     return "";
   }
 
@@ -75,7 +79,7 @@ public interface ZoomPolicy {
    *
    * @return whether it believes anything, the same at every call
    */
-  default boolean believe(NetworkView network, int camera, BeliefListener listener) {
+  default boolean believe(int camera, BeliefListener listener) {
     return false;
   }
 

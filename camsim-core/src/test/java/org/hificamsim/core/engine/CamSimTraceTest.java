@@ -9,7 +9,7 @@ import java.util.Map;
 import org.hificamsim.core.CamSimTrace;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -60,21 +60,20 @@ class CamSimTraceTest {
     assertTrue(zooming || recorded.size() > 300, recorded.size() + " confidences compared");
   }
 
-  private static void addPositions(NetworkView network, Map<Key, Position> into) {
+  private static void addPositions(OracleView network, Map<Key, Position> into) {
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
         into.put(
             new Key((int) network.step(), "", network.targetName(target)),
-            new Position(network.oracle().targetX(target), network.oracle().targetY(target)));
+            new Position(network.targetX(target), network.targetY(target)));
       }
     }
   }
 
-  private static void addConfidences(NetworkView network, Map<Key, Double> into) {
+  private static void addConfidences(OracleView network, Map<Key, Double> into) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int target = 0; target < network.targets(); target++) {
-        if (network.online(camera)
-            && network.oracle().detects(camera, network.view(camera), target)) {
+        if (network.online(camera) && network.detects(camera, network.view(camera), target)) {
           into.put(
               new Key((int) network.step(), network.cameraName(camera), network.targetName(target)),
               network.confidence(camera, target));

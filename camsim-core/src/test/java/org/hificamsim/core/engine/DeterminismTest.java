@@ -11,6 +11,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.spec.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
@@ -85,7 +86,7 @@ class DeterminismTest {
     return hashes;
   }
 
-  private static int hash(NetworkView network, StepCoverage coverage) {
+  private static int hash(OracleView network, StepCoverage coverage) {
     List<Object> all = new ArrayList<>();
     all.add(coverage.kMin());
     all.add(coverage.meanK());
@@ -98,8 +99,8 @@ class DeterminismTest {
     }
     for (int target = 0; target < network.targets(); target++) {
       all.add(network.present(target));
-      all.add(network.oracle().targetX(target));
-      all.add(network.oracle().targetY(target));
+      all.add(network.targetX(target));
+      all.add(network.targetY(target));
       all.add(network.coverage(target));
       all.add(network.confidence(0, target));
     }

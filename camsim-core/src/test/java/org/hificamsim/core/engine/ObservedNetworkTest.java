@@ -1,6 +1,5 @@
 package org.hificamsim.core.engine;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -82,7 +81,7 @@ class ObservedNetworkTest {
             .target(0, 2)
             .events(new RemoveTarget(0, 3))
             .world();
-    ObservedNetwork network = network(world, certain(rule));
+    TestNetwork network = network(world, certain(rule));
     boolean[] detected = {true, false, false, false};
     for (int target = 0; target < 4; target++) {
       assertEquals(detected[target], network.detects(0, 0, target), "target " + target);
@@ -100,7 +99,7 @@ class ObservedNetworkTest {
             .events(new ChangeCamera(1, "c0", 0, 3, -1, -1, 7))
             .world();
     Detection detection = Detection.by(DetectionRule.parse(rule), "wide", new Wide());
-    ObservedNetwork network = network(world, detection);
+    TestNetwork network = network(world, detection);
     int before = network.revision();
     assertFalse(network.detects(0, 0, 0));
     world.fireEvents(1);
@@ -116,7 +115,7 @@ class ObservedNetworkTest {
     World world = new TestScenario().camera(0, 0).target(0, 3).obstacles(HALF_LIGHT).world();
     Detection detection =
         Detection.by(DetectionRule.parse(rule), "constant", new Constant(0.7, bearing));
-    ObservedNetwork network = network(world, detection);
+    TestNetwork network = network(world, detection);
     assertEquals(0.35, network.confidence(0, 0), 1e-12);
     assertEquals(0.35, network.seenConfidence(0, 0, 3), 1e-8);
   }
@@ -125,7 +124,7 @@ class ObservedNetworkTest {
   @CsvSource({"0.3, 1", "0.4, 0"})
   void whatIsHalfHiddenIsDetectedWhereHalfTheValueReachesTheThreshold(double threshold, int seen) {
     World world = new TestScenario().camera(0, 0).target(0, 3).obstacles(HALF_LIGHT).world();
-    ObservedNetwork network = network(world, new Detection(new Constant(0.7, false), threshold));
+    TestNetwork network = network(world, new Detection(new Constant(0.7, false), threshold));
     network.observe();
     assertEquals(seen, network.detected(0));
     assertEquals(seen == 1, network.detects(0, 0, 0));
@@ -134,7 +133,7 @@ class ObservedNetworkTest {
   @Test
   void aModelThatIsBlindNearbyCountsNothingThere() {
     World world = new TestScenario().camera(0, 0).target(0, 1).target(0, 3).target(0, 0).world();
-    ObservedNetwork network = network(world, Detection.of(new Ring()));
+    TestNetwork network = network(world, Detection.of(new Ring()));
     network.observe();
     assertEquals(1, network.detected(0));
     assertEquals(List.of(1), found(network));
@@ -168,7 +167,7 @@ class ObservedNetworkTest {
 
   @Test
   void aTargetOnTheCameraIsDetected() {
-    ObservedNetwork network =
+    TestNetwork network =
         network(new TestScenario().camera(0, 0).target(0, 0).world(), certain("threshold"));
     assertTrue(network.detects(0, 0, 0));
     assertEquals(List.of(0), found(network));
@@ -186,7 +185,7 @@ class ObservedNetworkTest {
   }
 
   /** What the first camera sees. */
-  private static List<Integer> found(ObservedNetwork network) {
+  private static List<Integer> found(TestNetwork network) {
     SeenPairs pairs = new SeenPairs();
     network.findSeen(pairs);
     return IntStream.range(0, pairs.count())
@@ -207,7 +206,7 @@ class ObservedNetworkTest {
   void detectionsAreMarkedForEachView(String rule, double side) {
     World world = crowd().world();
     Visibility visibility = Visibility.of(certain(rule));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
+    TestNetwork network = new TestNetwork(world, visibility, side);
     assertEquals(side < 20, network.grid().cells() > 1);
     begin(world, network);
     long[] masks = new long[5];
@@ -227,7 +226,7 @@ class ObservedNetworkTest {
 
   @Test
   void aTargetIsCoverableWhereSomeViewDetectsIt() {
-    ObservedNetwork network = network(crowd().world(), certain("threshold"));
+    TestNetwork network = network(crowd().world(), certain("threshold"));
     boolean[] coverable = new boolean[network.targets() + 1];
     Arrays.fill(coverable, true);
     network.markCoverable(coverable);
@@ -255,29 +254,9 @@ class ObservedNetworkTest {
             .camera(TestScenario.camera("a", 0, 0, 0, 90, 5))
             .target(0, 1)
             .world();
-    ObservedNetwork network = network(world, certain("threshold"));
+    TestNetwork network = network(world, certain("threshold"));
     assertTrue(network.dominates(0, 1, 0));
     assertFalse(network.dominates(0, 0, 1));
-  }
-
-  @Test
-  void workIsDividedAmongTheWorkersWithoutGapOrOverlap() {
-    TestScenario scenario = new TestScenario();
-    for (int camera = 0; camera < 5; camera++) {
-      scenario.camera(camera, 0);
-    }
-    int[] done = new int[5];
-    try (Workers workers = Workers.of(3)) {
-      new ObservedNetwork(scenario.world(), Visibility.of(certain("threshold")), workers)
-          .divide(
-              done,
-              (network, work, from, to) -> {
-                for (int camera = from; camera < to; camera++) {
-                  work[camera] += network.cameras();
-                }
-              });
-    }
-    assertArrayEquals(new int[] {5, 5, 5, 5, 5}, done);
   }
 
   @Test
@@ -294,13 +273,13 @@ class ObservedNetworkTest {
     return Detection.by(DetectionRule.parse(rule), "geometric", new GeometricDetection());
   }
 
-  private static ObservedNetwork network(World world, Detection detection) {
-    ObservedNetwork network = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+  private static TestNetwork network(World world, Detection detection) {
+    TestNetwork network = new TestNetwork(world, Visibility.of(detection));
     begin(world, network);
     return network;
   }
 
-  private static void begin(World world, ObservedNetwork network) {
+  private static void begin(World world, TestNetwork network) {
     world.fireEvents(0);
     network.beginStep(0);
     network.locate();

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.lang.reflect.Proxy;
 import org.hificamsim.core.metrics.DetectionChances;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.junit.jupiter.api.Test;
 
 class RunCoverageTest {
@@ -74,11 +74,11 @@ class RunCoverageTest {
   }
 
   /** Cameras at these views, of which nothing else is asked. */
-  private static NetworkView at(int... views) {
-    return (NetworkView)
+  private static OracleView at(int... views) {
+    return (OracleView)
         Proxy.newProxyInstance(
-            NetworkView.class.getClassLoader(),
-            new Class<?>[] {NetworkView.class},
+            OracleView.class.getClassLoader(),
+            new Class<?>[] {OracleView.class},
             (proxy, method, arguments) ->
                 method.getName().equals("cameras") ? views.length : views[(int) arguments[0]]);
   }

@@ -30,7 +30,7 @@ class SeenTargetsTest {
   void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
     World world = world();
     Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
+    TestNetwork network = new TestNetwork(world, visibility, side);
     network.beginStep(0);
     network.locate();
     SeenPairs pairs = new SeenPairs();
@@ -47,7 +47,7 @@ class SeenTargetsTest {
 
   /** The same targets, by where they are before the camera. */
   private static void assertFound(
-      Map<Integer, Seen> seen, ObservedNetwork network, int camera, SeenPairs pairs) {
+      Map<Integer, Seen> seen, TestNetwork network, int camera, SeenPairs pairs) {
     Set<Integer> found = new TreeSet<>();
     for (int pair = 0; pair < pairs.count(); pair++) {
       if (pairs.camera(pair) == camera) {

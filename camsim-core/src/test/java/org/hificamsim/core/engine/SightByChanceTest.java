@@ -58,10 +58,8 @@ class SightByChanceTest {
     String rule = List.of("chance", "chance:memory=3", "probability").get(which);
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
-    Sight table = new ObservedNetwork(world, visibility, Workers.CALLER);
-    Sight full =
-        new ObservedNetwork(
-            world, Visibility.of(detection(rule, waves, true), seed), Workers.CALLER);
+    Sight table = new Sight(world, visibility);
+    Sight full = new Sight(world, Visibility.of(detection(rule, waves, true), seed));
     int detected = 0;
     for (int step = 0; step < 5; step++) {
       table.beginStep(step);
@@ -100,25 +98,23 @@ class SightByChanceTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection("chance:phantoms=on", 0, false), seed);
-    ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
-    try (Workers workers = Workers.of(3)) {
-      ObservedNetwork binned = new ObservedNetwork(world, visibility, workers, 1.5);
-      for (ObservedNetwork network : List.of(plain, binned)) {
-        network.beginStep(4);
-        network.locate();
-        network.observe(Cooperation.NONE);
-      }
-      for (int camera = 0; camera < plain.cameras(); camera++) {
-        assertEquals(plain.detected(camera), binned.detected(camera));
-        assertEquals(chances(plain, camera), chances(binned, camera));
-      }
-      for (int target = 0; target < plain.targets(); target++) {
-        assertEquals(plain.coverage(target), binned.coverage(target));
-      }
+    TestNetwork plain = new TestNetwork(world, visibility);
+    TestNetwork binned = new TestNetwork(world, visibility, 1.5);
+    for (TestNetwork network : List.of(plain, binned)) {
+      network.beginStep(4);
+      network.locate();
+      network.observe();
+    }
+    for (int camera = 0; camera < plain.cameras(); camera++) {
+      assertEquals(plain.detected(camera), binned.detected(camera));
+      assertEquals(chances(plain, camera), chances(binned, camera));
+    }
+    for (int target = 0; target < plain.targets(); target++) {
+      assertEquals(plain.coverage(target), binned.coverage(target));
     }
   }
 
-  private static List<String> chances(ObservedNetwork network, int camera) {
+  private static List<String> chances(TestNetwork network, int camera) {
     int[] who = new int[network.targets()];
     double[] chances = new double[network.targets()];
     int count = network.chances(camera, who, chances);
@@ -139,8 +135,7 @@ class SightByChanceTest {
       scenario.target(0, target);
     }
     World world = scenario.world();
-    Sight sight =
-        new ObservedNetwork(world, Visibility.of(detection(rule, 0, false), 1), Workers.CALLER);
+    Sight sight = new Sight(world, Visibility.of(detection(rule, 0, false), 1));
     int steps = 250_000;
     double chiSquare = 0;
     for (int target = 0; target < 8; target++) {

@@ -59,9 +59,7 @@ class SightGridTest {
 
   private static int cells(TestScenario scenario, DetectionModel model) {
     World world = scenario.world();
-    return new ObservedNetwork(world, Visibility.of(Detection.of(model)), Workers.CALLER)
-        .grid()
-        .cells();
+    return new TestNetwork(world, Visibility.of(Detection.of(model))).grid().cells();
   }
 
   /** Every other camera detects up to 4 m, the others up to 6 m. */

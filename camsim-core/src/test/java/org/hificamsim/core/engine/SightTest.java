@@ -68,8 +68,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
-    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
+    Sight once = new Sight(world, Visibility.of(detection));
+    Sight full = new Sight(world, inFull(detection));
     assertSame(world, once, full);
   }
 
@@ -79,9 +79,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(
-        world, new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER));
-    assertLooksAsItDetects(world, new ObservedNetwork(world, inFull(detection), Workers.CALLER));
+    assertLooksAsItDetects(world, new Sight(world, Visibility.of(detection)));
+    assertLooksAsItDetects(world, new Sight(world, inFull(detection)));
   }
 
   /** One camera is off, one is at another level, and one target stands on a border. */
@@ -98,14 +97,12 @@ class SightTest {
     World world = scenario.target(3, 0).world();
     world.cameras().turnTo(1, 0);
     world.switchCamera(3, false);
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
     sight.locate();
     int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
     int[] counts = new int[targets];
-    sight.look(0, 5, detected, counts, new long[targets + 1]);
+    sight.look(detected, counts, new long[targets + 1]);
     SeenPairs found = new SeenPairs();
     sight.findSeen(found);
     int at = 0;
@@ -137,9 +134,7 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight =
-        new ObservedNetwork(
-            world, inFull ? inFull(detection) : Visibility.of(detection), Workers.CALLER);
+    Sight sight = new Sight(world, inFull ? inFull(detection) : Visibility.of(detection));
     sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
@@ -167,13 +162,11 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
     int[] counts = new int[places.length];
     int[] detected = new int[1];
     sight.locate();
-    sight.look(0, 1, detected, counts, new long[places.length + 1]);
+    sight.look(detected, counts, new long[places.length + 1]);
     assertEquals(3, detected[0]);
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
   }
@@ -193,8 +186,8 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
-    Sight full = new ObservedNetwork(world, inFull(detection), Workers.CALLER);
+    Sight once = new Sight(world, Visibility.of(detection));
+    Sight full = new Sight(world, inFull(detection));
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -238,14 +231,13 @@ class SightTest {
       for (int view = 0; view < views; view++) {
         world.cameras().turnTo(camera, view);
         int[] counts = new int[targets];
-        int[] detected = new int[CAMERAS];
-        sight.look(camera, camera + 1, detected, counts, new long[targets + 1]);
+        int detected = sight.look(camera, counts, new long[targets + 1]);
         for (int target = 0; target < targets; target++) {
           int expected = sight.detects(camera, view, target) ? 1 : 0;
           assertEquals(expected, counts[target]);
           assertEquals(expected, masks[view] >>> target & 1);
         }
-        assertEquals(Arrays.stream(counts).sum(), detected[camera]);
+        assertEquals(Arrays.stream(counts).sum(), detected);
       }
     }
   }
@@ -256,7 +248,7 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight sight = new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER);
+    Sight sight = new Sight(world, Visibility.of(detection));
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int view = 0; view < 3; view++) {
         assertTrue(sight.dominates(camera, view, view));
@@ -273,9 +265,7 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new GeometricDetection())), Workers.CALLER);
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -284,9 +274,7 @@ class SightTest {
   @Test
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight =
-        new ObservedNetwork(
-            world, Visibility.of(Detection.of(new CamSimVisibilityDetection())), Workers.CALLER);
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

@@ -18,6 +18,7 @@ import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.ScenarioEvent.AddCamera;
@@ -98,7 +99,7 @@ class SimulationTest {
   }
 
   private static StepListener recorder(List<String> seen) {
-    return (network, coverage) -> seen.add(network.oracle().targetX(0) + ":" + coverage.kMin());
+    return (network, coverage) -> seen.add(network.targetX(0) + ":" + coverage.kMin());
   }
 
   @Test
@@ -243,17 +244,17 @@ class SimulationTest {
   private static StepListener logger(String name, List<String> calls) {
     return new StepListener() {
       @Override
-      public void started(NetworkView network) {
+      public void started(OracleView network) {
         calls.add(name + " started");
       }
 
       @Override
-      public void stepped(NetworkView network, StepCoverage coverage) {
+      public void stepped(OracleView network, StepCoverage coverage) {
         calls.add(name + " " + network.step());
       }
 
       @Override
-      public void ended(NetworkView network) {
+      public void ended(OracleView network) {
         calls.add(name + " ended");
       }
     };
@@ -282,7 +283,7 @@ class SimulationTest {
           for (int camera = 0; camera < network.cameras(); camera++) {
             int detected = 0;
             for (int target = 0; target < k.length; target++) {
-              boolean sees = network.oracle().detects(camera, network.view(camera), target);
+              boolean sees = network.detects(camera, network.view(camera), target);
               k[target] += sees ? 1 : 0;
               detected += sees ? 1 : 0;
             }
@@ -345,12 +346,41 @@ class SimulationTest {
     }
   }
 
-  private static boolean coverable(NetworkView network, int target) {
+  private static boolean coverable(OracleView network, int target) {
     return IntStream.range(0, network.cameras())
         .anyMatch(
             camera ->
                 IntStream.range(0, network.views(camera))
-                    .anyMatch(view -> network.oracle().detects(camera, view, target)));
+                    .anyMatch(view -> network.detects(camera, view, target)));
+  }
+
+  @Test
+  void stepsRunPhaseByPhaseAreTheSteps() {
+    List<String> whole = new ArrayList<>();
+    List<String> inPhases = new ArrayList<>();
+    simulation(leaving(StepOrder.CAMSIM), widest(), recorder(whole)).run(3);
+    StepPhases phases =
+        simulation(leaving(StepOrder.CAMSIM), widest(), recorder(inPhases)).phases();
+    for (int step = 0; step < 3; step++) {
+      for (StepPhase phase : StepPhase.values()) {
+        phases.runUntil(phase);
+        assertEquals(phase, phases.next());
+      }
+      assertEquals(step, inPhases.size() - 1, "steps reported");
+      phases.finishStep();
+      assertEquals(StepPhase.FIRE_EVENTS, phases.next());
+    }
+    assertEquals(whole, inPhases);
+  }
+
+  @Test
+  void rejectsAStepWithinAStep() {
+    Simulation simulation = simulation(leaving(StepOrder.CAMSIM), widest());
+    simulation.phases().runUntil(StepPhase.OBSERVE);
+    assertThrows(IllegalStateException.class, simulation::step);
+    simulation.phases().finishStep();
+    simulation.step();
+    assertEquals(1, simulation.network().step());
   }
 
   @Test
@@ -435,7 +465,7 @@ class SimulationTest {
           }
         };
     World world = leaving(StepOrder.CAMSIM).world();
-    new Simulation(world, ALL_IN_REACH, policy, cooperation, 0, List.of(), Workers.CALLER).run(1);
+    new Simulation(world, ALL_IN_REACH, new Behaviour(policy, cooperation), 0, List.of()).run(1);
     assertEquals(List.of("begin", "prepare", "decide 0 0", "cooperate", "learn 0 1"), policy.log);
   }
 }

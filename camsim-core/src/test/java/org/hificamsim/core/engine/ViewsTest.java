@@ -56,7 +56,7 @@ class ViewsTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection(random), seed);
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER);
+    TestNetwork network = new TestNetwork(world, visibility);
     int words = (world.targets().count() + 63) / 64;
     for (int step = 0; step < 3; step++) {
       world.fireEvents(step);
@@ -121,20 +121,18 @@ class ViewsTest {
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       world.cameras().jumpTo(camera, random.nextInt(world.cameras().views(camera)));
     }
-    ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
-    try (Workers workers = Workers.of(3)) {
-      ObservedNetwork binned = new ObservedNetwork(world, visibility, workers, 1.5);
-      for (ObservedNetwork network : List.of(plain, binned)) {
-        network.beginStep(2);
-        network.locate();
-        network.observe(Cooperation.NONE);
-      }
-      for (int camera = 0; camera < plain.cameras(); camera++) {
-        assertEquals(plain.detected(camera), binned.detected(camera));
-      }
-      for (int target = 0; target < plain.targets(); target++) {
-        assertEquals(plain.coverage(target), binned.coverage(target));
-      }
+    TestNetwork plain = new TestNetwork(world, visibility);
+    TestNetwork binned = new TestNetwork(world, visibility, 1.5);
+    for (TestNetwork network : List.of(plain, binned)) {
+      network.beginStep(2);
+      network.locate();
+      network.observe();
+    }
+    for (int camera = 0; camera < plain.cameras(); camera++) {
+      assertEquals(plain.detected(camera), binned.detected(camera));
+    }
+    for (int target = 0; target < plain.targets(); target++) {
+      assertEquals(plain.coverage(target), binned.coverage(target));
     }
   }
 
@@ -142,8 +140,7 @@ class ViewsTest {
   void aViewThatDominatesDetectsAllThatTheOtherDoes(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
-    ObservedNetwork network =
-        new ObservedNetwork(world, Visibility.of(detection(random), seed), Workers.CALLER);
+    TestNetwork network = new TestNetwork(world, Visibility.of(detection(random), seed));
     network.beginStep(0);
     network.locate();
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -167,8 +164,7 @@ class ViewsTest {
             .target(4, -1)
             .target(-4, 0)
             .world();
-    ObservedNetwork network =
-        new ObservedNetwork(world, Visibility.of(geometric()), Workers.CALLER);
+    TestNetwork network = new TestNetwork(world, Visibility.of(geometric()));
     network.beginStep(0);
     network.locate();
     assertEquals(1, network.view(0), "ahead at first");

@@ -3,12 +3,10 @@ package org.hificamsim.core.policy;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -133,23 +131,6 @@ class DefaultsTest {
   }
 
   @Test
-  void workIsDoneInOnePart() {
-    List<String> parts = new ArrayList<>();
-    VIEW.divide(
-        parts,
-        (network, work, from, to) -> {
-          assertSame(VIEW, network);
-          work.add(from + " to " + to);
-        });
-    assertEquals(List.of("0 to 5"), parts);
-  }
-
-  @Test
-  void aNetworkWithAnOraclesKnowledgeIsItsOwnOracle() {
-    assertSame(VIEW, VIEW.oracle());
-  }
-
-  @Test
   void aPolicySendsNothingAndEstimatesNothing() {
     ZoomPolicy policy =
         new ZoomPolicy() {
@@ -162,7 +143,7 @@ class DefaultsTest {
           public void decide(NetworkView network, int[] levels) {}
         };
     double[] untouched = {7, 7};
-    assertEquals("", policy.estimates(VIEW, 0, untouched, untouched));
+    assertEquals("", policy.estimates(0, untouched, untouched));
     assertArrayEquals(new double[] {7, 7}, untouched);
     assertEquals(0, policy.messages());
     assertFalse(policy.jumps());

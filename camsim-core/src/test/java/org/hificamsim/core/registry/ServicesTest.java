@@ -46,7 +46,7 @@ class ServicesTest {
             0,
             List.of(listener));
     simulation.run(6);
-    assertEquals(1.5, simulation.network().oracle().targetX(0));
+    assertEquals(1.5, simulation.network().targetX(0));
     assertEquals(1, simulation.network().view(0));
     assertEquals(3, listener.sum(), "detected at -0.5, 0 and 0.5");
   }

@@ -58,9 +58,8 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
 
   /** What a camera has learned of each view, NaN for one never used. */
   @Override
-  public final String estimates(
-      NetworkView network, int camera, double[] estimates, double[] counts) {
-    for (int view = 0; view < network.views(camera); view++) {
+  public final String estimates(int camera, double[] estimates, double[] counts) {
+    for (int view = 0; view < means[camera].length; view++) {
       counts[view] = pulls[camera][view];
       estimates[view] = pulls[camera][view] == 0 ? Double.NaN : means[camera][view];
     }

@@ -3,9 +3,8 @@ package org.hificamsim.agents.baseline;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.choice.PanAngles;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.OracleView;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -13,13 +12,13 @@ import org.hificamsim.core.registry.Options;
  * by chance, the view in which it is expected to detect most. It knows what no camera knows, what
  * it would detect in other views, but not the luck that is drawn.
  *
- * <p>It chooses among the views that it {@linkplain NetworkView#reaches reaches}; where it would
+ * <p>It chooses among the views that it {@linkplain OracleView#reaches reaches}; where it would
  * detect nothing in any of these, it sets out for the best view of all, however far. Of equally
  * good views it takes the one it is in, then the widest, then the one that it turns least for.
  *
  * <p>It is not the greedy approach of thesis 7.4.1, which is {@code optimal} or {@code one-hop}.
  */
-public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
+public final class IndependentGreedyZoomPolicy implements OraclePolicy {
   /** Which views a camera chooses among. */
   private enum Among {
     REACHED,
@@ -48,7 +47,7 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
+  public void begin(OracleView network, SplittableRandom random) {
     expected =
         new double[IntStream.range(0, network.cameras()).map(network::views).max().orElse(0)];
     words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
@@ -58,7 +57,7 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
+  public void decide(OracleView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         views[camera] = choose(network, camera);
@@ -66,8 +65,8 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
     }
   }
 
-  private int choose(NetworkView network, int camera) {
-    expect(network.oracle(), camera);
+  private int choose(OracleView network, int camera) {
+    expect(network, camera);
     int reached = among == Among.REACHED ? best(network, camera, false) : network.view(camera);
     return among == Among.ALL || expected[reached] == 0 ? best(network, camera, true) : reached;
   }
@@ -99,7 +98,7 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
     return sum;
   }
 
-  private int best(NetworkView network, int camera, boolean any) {
+  private int best(OracleView network, int camera, boolean any) {
     int best = network.view(camera);
     double most = any || network.reaches(camera, best) ? expected[best] : 0;
     for (int view = 0; view < network.views(camera); view++) {
@@ -115,7 +114,7 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   }
 
   /** Whether a view is better than another one in which as much is detected. */
-  private static boolean isPreferred(NetworkView network, int camera, int view, int other) {
+  private static boolean isPreferred(OracleView network, int camera, int view, int other) {
     int current = network.view(camera);
     if (other == current) {
       return false;
@@ -126,7 +125,7 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
             && turn(network, camera, view, current) < turn(network, camera, other, current));
   }
 
-  private static double turn(NetworkView network, int camera, int view, int from) {
+  private static double turn(OracleView network, int camera, int view, int from) {
     return PanAngles.off(network, camera, network.panOf(camera, view), network.pan(camera, from));
   }
 }

@@ -33,6 +33,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
   private final SeenPairs pairs = new SeenPairs();
   private SightingReport[] reports = {};
   private Agreement agreement;
+  private NetworkView network;
   private Team team;
 
   /** Reads the options of the policy. */
@@ -77,7 +78,8 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
+  public void begin(NetworkView newNetwork, SplittableRandom random) {
+    network = newNetwork;
     reports = new SightingReport[network.cameras()];
     Arrays.setAll(reports, camera -> new SightingReport(parameters.identified()));
     agreement = rule.make(parameters, network, random);
@@ -98,7 +100,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
 
   /** What each view would have added to the views that all others chose. */
   @Override
-  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+  public String estimates(int camera, double[] estimates, double[] counts) {
     Arrays.fill(counts, Double.NaN);
     Arrays.fill(estimates, Double.NaN);
     Plan plan = team.plan(camera);
@@ -109,7 +111,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
   }
 
   @Override
-  public boolean believe(NetworkView network, int camera, BeliefListener listener) {
+  public boolean believe(int camera, BeliefListener listener) {
     team.mind(camera).belief().report(network.step(), listener);
     team.reportMessages(network, listener);
     return true;

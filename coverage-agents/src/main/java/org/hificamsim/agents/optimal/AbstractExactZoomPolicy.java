@@ -1,7 +1,7 @@
 package org.hificamsim.agents.optimal;
 
 import org.hificamsim.agents.search.Solver;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
@@ -39,7 +39,7 @@ abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
+  public void decide(OracleView network, int[] views) {
     if (!sets.fill(network)) {
       return;
     }

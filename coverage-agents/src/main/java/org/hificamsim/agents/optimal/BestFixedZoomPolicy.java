@@ -5,7 +5,7 @@ import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.agents.search.RunSolver;
 import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -47,12 +47,12 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   }
 
   @Override
-  public void rehearse(NetworkView network) {
+  public void rehearse(OracleView network) {
     run.add(network);
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
+  public void decide(OracleView network, int[] views) {
     if (best == null) {
       search();
     }

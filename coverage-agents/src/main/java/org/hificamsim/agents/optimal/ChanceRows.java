@@ -2,7 +2,6 @@ package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OracleView;
 
 /**
@@ -38,7 +37,7 @@ final class ChanceRows implements ConfigurationSets {
   private int targets;
   private int cameras;
 
-  ChanceRows(NetworkView network) {
+  ChanceRows(OracleView network) {
     rows = new Row[IntStream.range(0, network.cameras()).map(network::views).sum()];
     Arrays.setAll(rows, row -> new Row());
     who = new int[network.targets()];
@@ -49,8 +48,7 @@ final class ChanceRows implements ConfigurationSets {
   }
 
   @Override
-  public boolean fill(NetworkView view) {
-    OracleView network = view.oracle();
+  public boolean fill(OracleView network) {
     findPresent(network);
     cameras = 0;
     for (int camera = 0; camera < network.cameras() && targets > 0; camera++) {

@@ -1,6 +1,6 @@
 package org.hificamsim.agents.optimal;
 
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 
 /**
  * What each camera could detect, as the problem of a {@link org.hificamsim.agents.search.Solver}.
@@ -11,7 +11,7 @@ interface ConfigurationSets {
    *
    * @return whether any target is present; if none is, the problem stays as it was
    */
-  boolean fill(NetworkView network);
+  boolean fill(OracleView network);
 
   /** The view behind a set of the problem. */
   int viewOf(int set);

@@ -2,7 +2,7 @@ package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
 import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 
 /**
  * The detection sets of each camera's candidate views over the targets that are present, in order
@@ -31,7 +31,7 @@ final class DetectionSets implements ConfigurationSets {
    * @param mostTargets whether a view that detects more targets is preferred, before its width
    *     counts
    */
-  DetectionSets(NetworkView network, boolean mostTargets) {
+  DetectionSets(OracleView network, boolean mostTargets) {
     this.mostTargets = mostTargets;
     candidates = new int[network.cameras()][];
     Arrays.setAll(candidates, camera -> new int[network.views(camera)]);
@@ -73,7 +73,7 @@ final class DetectionSets implements ConfigurationSets {
    * Takes from a camera the candidates that another one dominates; of candidates that dominate each
    * other the first stays.
    */
-  void removeDominated(NetworkView network, int camera) {
+  void removeDominated(OracleView network, int camera) {
     int[] views = candidates[camera];
     for (int i = counts[camera] - 1; i >= 0; i--) {
       if (dominated(network, camera, i)) {
@@ -83,10 +83,10 @@ final class DetectionSets implements ConfigurationSets {
     }
   }
 
-  private boolean dominated(NetworkView network, int camera, int i) {
+  private boolean dominated(OracleView network, int camera, int i) {
     int view = candidate(camera, i);
     for (int other = 0; other < counts[camera]; other++) {
-      if (other != i && network.oracle().dominates(camera, candidate(camera, other), view)) {
+      if (other != i && network.dominates(camera, candidate(camera, other), view)) {
         return true;
       }
     }
@@ -104,7 +104,7 @@ final class DetectionSets implements ConfigurationSets {
   }
 
   @Override
-  public boolean fill(NetworkView network) {
+  public boolean fill(OracleView network) {
     findPresent(network);
     if (targets == 0) {
       return false;
@@ -120,7 +120,7 @@ final class DetectionSets implements ConfigurationSets {
     return true;
   }
 
-  private void findPresent(NetworkView network) {
+  private void findPresent(OracleView network) {
     targets = 0;
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
@@ -129,8 +129,8 @@ final class DetectionSets implements ConfigurationSets {
     }
   }
 
-  private void add(NetworkView network, int camera) {
-    network.oracle().detections(camera, seen, allWords);
+  private void add(OracleView network, int camera) {
+    network.detections(camera, seen, allWords);
     for (int i = 0; i < counts[camera]; i++) {
       look(camera, i);
       place(i);

@@ -2,12 +2,12 @@ package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.search.StepSolver;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
  * The configuration with the best score, k_min (Eq 7.1) by default, among those that the cameras
- * reach within the step ({@link NetworkView#reaches}): thesis 7.4.1's "reachable from the current
+ * reach within the step ({@link OracleView#reaches}): thesis 7.4.1's "reachable from the current
  * zoom level", found exactly at each step.
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
@@ -52,13 +52,13 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
+  public void begin(OracleView network, SplittableRandom random) {
     sets = new DetectionSets(network, preference.mostTargets());
     search(sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
+  public void decide(OracleView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       findCandidates(network, camera);
     }
@@ -66,7 +66,7 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
   }
 
   /** A camera that reaches no view within the step goes on to the one it has chosen. */
-  private void findCandidates(NetworkView network, int camera) {
+  private void findCandidates(OracleView network, int camera) {
     sets.clear(camera);
     int last = network.views(camera) - 1;
     for (int i = 0; i <= last; i++) {

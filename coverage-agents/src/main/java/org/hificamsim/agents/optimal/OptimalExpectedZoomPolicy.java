@@ -2,7 +2,7 @@ package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -38,7 +38,7 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
+  public void begin(OracleView network, SplittableRandom random) {
     if (!network.objective().byLeast()) {
       throw InputException.of(
           "objective is %s, expected kmin with policy optimal-expected, which looks for"

@@ -7,7 +7,7 @@ import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.agents.search.Solver;
 import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -66,13 +66,13 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
+  public void begin(OracleView network, SplittableRandom random) {
     sets = new DetectionSets(network, true);
     findCandidates(network);
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
+  public void decide(OracleView network, int[] views) {
     if (network.revision() != revision) {
       findCandidates(network);
     }
@@ -87,7 +87,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     }
   }
 
-  private void findCandidates(NetworkView network) {
+  private void findCandidates(OracleView network) {
     revision = network.revision();
     settled = true;
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -100,7 +100,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     }
   }
 
-  private void settle(NetworkView network, int[] views) {
+  private void settle(OracleView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         views[camera] = sets.candidate(camera, 0);
@@ -108,7 +108,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     }
   }
 
-  private static boolean anyPresent(NetworkView network) {
+  private static boolean anyPresent(OracleView network) {
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
         return true;

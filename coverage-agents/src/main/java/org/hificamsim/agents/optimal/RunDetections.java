@@ -6,7 +6,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 
 /**
  * What each camera would have detected at each of its views over a whole run.
@@ -25,7 +25,7 @@ final class RunDetections {
   private Objective objective = Objective.kMin();
 
   /** Adds a step, as the network is now. */
-  void add(NetworkView network) {
+  void add(OracleView network) {
     objective = network.objective();
     for (int camera = seen.size(); camera < network.cameras(); camera++) {
       BitSet[] views = new BitSet[network.views(camera)];
@@ -43,14 +43,14 @@ final class RunDetections {
   }
 
   /** Gives each target that counts in this step its moment. */
-  private void number(NetworkView network) {
+  private void number(OracleView network) {
     if (momentOf.length < network.targets()) {
       momentOf = new int[network.targets()];
       coverable = new boolean[network.targets()];
     }
     boolean all = !objective.ofCoverableAlone();
     if (!all) {
-      network.oracle().markCoverable(coverable);
+      network.markCoverable(coverable);
     }
     for (int target = 0; target < network.targets(); target++) {
       momentOf[target] = moments;
@@ -59,11 +59,11 @@ final class RunDetections {
   }
 
   /** Notes what a camera detects at each of its views; what is detected counts. */
-  private void look(NetworkView network, int camera) {
+  private void look(OracleView network, int camera) {
     BitSet[] views = seen.get(camera);
     int words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
     masks = masks.length < views.length * words ? new long[views.length * words] : masks;
-    network.oracle().detections(camera, masks, words);
+    network.detections(camera, masks, words);
     for (int i = 0; i < views.length * words; i++) {
       for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
         int target = i % words * Long.SIZE + Long.numberOfTrailingZeros(bits);

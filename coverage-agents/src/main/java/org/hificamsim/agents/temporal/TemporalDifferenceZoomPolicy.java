@@ -37,6 +37,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   private final double initialValue;
   private final Ties ties;
   private final EpsilonGreedyChoice choice;
+  private NetworkView network;
   private ActionValues q;
   private PicturePercept picture; // null where a percept is the number of targets detected
   private int[] lastState;
@@ -106,7 +107,8 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
+  public void begin(NetworkView newNetwork, SplittableRandom random) {
+    network = newNetwork;
     q = new ActionValues(network, states, ties, initialValue);
     picture =
         states.parts() == 0
@@ -203,8 +205,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
    * counted.
    */
   @Override
-  public final String estimates(
-      NetworkView network, int camera, double[] estimates, double[] counts) {
+  public final String estimates(int camera, double[] estimates, double[] counts) {
     int percept = picture == null ? network.detected(camera) : picture.now(network, camera);
     int state = q.state(camera, network.view(camera), percept);
     for (int view = 0; view < network.views(camera); view++) {

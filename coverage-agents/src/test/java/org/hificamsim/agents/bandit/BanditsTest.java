@@ -53,7 +53,7 @@ class BanditsTest {
     network.step(policy);
     double[] means = new double[1];
     double[] pulls = new double[1];
-    policy.estimates(network, 0, means, pulls);
+    policy.estimates(0, means, pulls);
     assertEquals(reward, means[0]);
     assertEquals(2, pulls[0]);
   }

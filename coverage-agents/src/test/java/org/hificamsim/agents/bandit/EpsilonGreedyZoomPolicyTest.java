@@ -65,7 +65,7 @@ class EpsilonGreedyZoomPolicyTest {
     network.step(policy);
     double[] estimates = new double[4];
     double[] counts = new double[4];
-    assertEquals("mean reward", policy.estimates(network, 0, estimates, counts));
+    assertEquals("mean reward", policy.estimates(0, estimates, counts));
     assertArrayEquals(new double[] {Double.NaN, Double.NaN, Double.NaN, 1.5}, estimates);
     assertArrayEquals(new double[] {0, 0, 0, 2}, counts);
   }

@@ -153,7 +153,7 @@ class CooperativeZoomPolicyTest {
     long before = policy.messages();
     simulation.step();
     MessageCounter counter = new MessageCounter();
-    policy.believe(simulation.network(), 0, counter);
+    policy.believe(0, counter);
     assertEquals(policy.messages() - before, counter.messages);
     assertEquals(List.of("0 1", "0 2", "1 0", "1 2", "2 0", "2 1"), counter.received);
   }

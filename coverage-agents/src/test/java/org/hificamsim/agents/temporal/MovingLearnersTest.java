@@ -60,7 +60,7 @@ class MovingLearnersTest {
     }
     double[] means = new double[2];
     double[] counts = new double[2];
-    policy.estimates(network, 0, means, counts);
+    policy.estimates(0, means, counts);
     assertEquals(4, counts[0]);
     assertEquals((0 + 0 + 2 + 2) / 4.0, means[0]);
   }

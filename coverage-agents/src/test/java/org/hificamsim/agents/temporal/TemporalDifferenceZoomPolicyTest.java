@@ -75,7 +75,7 @@ class TemporalDifferenceZoomPolicyTest {
       policy.q().set(0, policy.q().state(0, 0, 2), 1, 7);
       double[] estimates = new double[2];
       double[] counts = new double[2];
-      assertEquals("Q", policy.estimates(network, 0, estimates, counts));
+      assertEquals("Q", policy.estimates(0, estimates, counts));
       assertArrayEquals(new double[] {0, 7}, estimates);
       assertArrayEquals(new double[] {Double.NaN, Double.NaN}, counts);
     }

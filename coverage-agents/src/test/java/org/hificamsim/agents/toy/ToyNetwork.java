@@ -1,12 +1,15 @@
 package org.hificamsim.agents.toy;
 
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.visibility.Body;
 
 /**
@@ -332,6 +335,35 @@ public class ToyNetwork implements OracleView {
   @Override
   public final double confidence(int camera, int target) {
     return detects[camera][view[camera]][target] ? 1 : 0;
+  }
+
+  /** A target in reach and angle is detected for certain, as far as light gets through. */
+  @Override
+  public boolean chancesAt(
+      int camera, double x, double y, double size, double transmittance, double[] chances) {
+    double dx = x - cameraX(camera);
+    double dy = y - cameraY(camera);
+    boolean any = false;
+    for (int atView = 0; atView < views(camera); atView++) {
+      double axis = cameraHeading(camera) + pan(camera, atView);
+      double offAxis = Math.abs(Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI));
+      boolean inView =
+          Math.hypot(dx, dy) <= reach(camera, atView)
+              && offAxis <= zoom(camera, atView).viewingAngle() / 2;
+      chances[atView] = inView ? transmittance : 0;
+      any |= inView;
+    }
+    return any;
+  }
+
+  /** The smallest rectangle that holds all cameras. */
+  @Override
+  public final Field field() {
+    DoubleSummaryStatistics x =
+        IntStream.range(0, cameras()).mapToDouble(this::cameraX).summaryStatistics();
+    DoubleSummaryStatistics y =
+        IntStream.range(0, cameras()).mapToDouble(this::cameraY).summaryStatistics();
+    return new Field(x.getMin(), x.getMax(), y.getMin(), y.getMax());
   }
 
   /** One for all: a step allocates nothing. */

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepPhase;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
@@ -73,8 +74,8 @@ public final class SampleSight {
                 catalogue.policies().create("fixed"),
                 0,
                 List.of());
-        simulation.untilDecision();
-        OracleView oracle = simulation.network().oracle();
+        simulation.phases().runUntil(StepPhase.DECIDE);
+        OracleView oracle = simulation.network();
         for (int camera = 0; camera < seen.length; camera++) {
           add(oracle, camera, zone, seen);
         }

@@ -9,7 +9,7 @@ import java.util.concurrent.ConcurrentSkipListMap;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
@@ -111,14 +111,14 @@ public final class ReplayRecorder {
     }
 
     @Override
-    public void started(NetworkView network, ZoomPolicy policy) {
+    public void started(OracleView network, ZoomPolicy policy) {
       snapshots = new Snapshots(setup, detection, policy);
       mostFrames = limits.frames(setup, snapshots.believed(network));
     }
 
     /** Targets may move before the run ends, so that the last frame is taken here too. */
     @Override
-    public void stepped(NetworkView network, StepCoverage coverage) {
+    public void stepped(OracleView network, StepCoverage coverage) {
       moves.addAll(snapshots.moves(network));
       last = snapshots.take(network);
       if (last.step() % every == 0) {
@@ -130,7 +130,7 @@ public final class ReplayRecorder {
     }
 
     @Override
-    public void ended(NetworkView network) {
+    public void ended(OracleView network) {
       PackedRun all = pack(snapshots.estimated(network));
       while (all.bytes() > mostBytes && frames.size() > 2) {
         thin();

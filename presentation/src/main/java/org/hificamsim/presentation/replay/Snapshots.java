@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /** Takes frames of one run, at the end of any step, and notes the cameras that moved. */
@@ -32,15 +33,13 @@ public final class Snapshots {
     if (estimated == null) {
       int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
       estimated =
-          network.cameras() == 0
-              ? ""
-              : policy.estimates(network, 0, new double[most], new double[most]);
+          network.cameras() == 0 ? "" : policy.estimates(0, new double[most], new double[most]);
     }
     return estimated;
   }
 
   /** The network as it is now. */
-  public Frame take(NetworkView network) {
+  public Frame take(OracleView network) {
     Frame frame =
         Frame.blank(setup, network.step(), !estimated(network).isEmpty(), believed(network));
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -53,12 +52,12 @@ public final class Snapshots {
     }
     for (int target = 0; target < network.targets(); target++) {
       frame.present()[target] = network.present(target);
-      frame.x()[target] = network.oracle().targetX(target);
-      frame.y()[target] = network.oracle().targetY(target);
+      frame.x()[target] = network.targetX(target);
+      frame.y()[target] = network.targetY(target);
       frame.coverage()[target] = network.coverage(target);
     }
     for (int camera = 0; camera < frame.estimates().length; camera++) {
-      policy.estimates(network, camera, frame.estimates()[camera], frame.counts()[camera]);
+      policy.estimates(camera, frame.estimates()[camera], frame.counts()[camera]);
     }
     if (frame.belief().length > 0) {
       BeliefFrame belief = believes(network);
@@ -69,7 +68,7 @@ public final class Snapshots {
 
   /** Whether cameras believe anything of where targets are. */
   public boolean believed(NetworkView network) {
-    return policy.believe(network, 0, new BeliefFrame(setup));
+    return policy.believe(0, new BeliefFrame(setup));
   }
 
   private BeliefFrame believes(NetworkView network) {
@@ -77,7 +76,7 @@ public final class Snapshots {
     IntStream.range(0, network.cameras())
         .filter(network::online)
         .findFirst()
-        .ifPresent(camera -> policy.believe(network, camera, belief));
+        .ifPresent(camera -> policy.believe(camera, belief));
     return belief;
   }
 

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /** A policy some of whose cameras are held in views that somebody has chosen. */
@@ -11,12 +12,18 @@ final class HeldViews implements ZoomPolicy {
   private final ZoomPolicy policy;
   private final Map<String, Integer> held;
 
-  /**
-   * @param held views by the camera's name, which may change between steps
-   */
-  HeldViews(ZoomPolicy policy, Map<String, Integer> held) {
+  private HeldViews(ZoomPolicy policy, Map<String, Integer> held) {
     this.policy = policy;
     this.held = held;
+  }
+
+  /**
+   * Holds cameras of a policy in their views.
+   *
+   * @param held views by the camera's name, which may change between steps
+   */
+  static ZoomPolicy hold(ZoomPolicy policy, Map<String, Integer> held) {
+    return OraclePolicy.wrapping(policy, new HeldViews(policy, held));
   }
 
   @Override
@@ -48,13 +55,13 @@ final class HeldViews implements ZoomPolicy {
   }
 
   @Override
-  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
-    return policy.estimates(network, camera, estimates, counts);
+  public String estimates(int camera, double[] estimates, double[] counts) {
+    return policy.estimates(camera, estimates, counts);
   }
 
   @Override
-  public boolean believe(NetworkView network, int camera, BeliefListener listener) {
-    return policy.believe(network, camera, listener);
+  public boolean believe(int camera, BeliefListener listener) {
+    return policy.believe(camera, listener);
   }
 
   @Override

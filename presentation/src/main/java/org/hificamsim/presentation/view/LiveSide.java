@@ -10,7 +10,7 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.Move;
@@ -64,7 +64,7 @@ final class LiveSide {
     this.snapshots = new Snapshots(setup, detection, policy);
     snapshots.forgetPoses(); // pages may know them from another simulation
     this.simulation =
-        new Simulation(world, detection, new HeldViews(policy, held), seed, List.of(this::record))
+        new Simulation(world, detection, HeldViews.hold(policy, held), seed, List.of(this::record))
             .continuingAt(next);
   }
 
@@ -74,7 +74,7 @@ final class LiveSide {
     return last;
   }
 
-  private void record(NetworkView network, StepCoverage coverage) {
+  private void record(OracleView network, StepCoverage coverage) {
     List<Move> moves = snapshots.moves(network);
     last = new LiveStep.Side(snapshots.take(network), moves, coverage.score());
     if (heat != null) {

@@ -16,7 +16,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
@@ -295,12 +295,12 @@ class ReplayRecorderTest {
     }
 
     @Override
-    public void started(NetworkView network, ZoomPolicy policy) {
+    public void started(OracleView network, ZoomPolicy policy) {
       snapshots = new Snapshots(setup, detection, policy);
     }
 
     @Override
-    public void stepped(NetworkView network, StepCoverage coverage) {
+    public void stepped(OracleView network, StepCoverage coverage) {
       Frame frame = snapshots.take(network);
       frames.add(frame);
       assertEquals(coverage.kMin(), frame.measure().kMin());

@@ -18,7 +18,7 @@ import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.CamSimScenario;
@@ -182,7 +182,7 @@ public final class ChannelExperiment {
     }
 
     @Override
-    public void stepped(NetworkView view, StepCoverage coverage) {
+    public void stepped(OracleView view, StepCoverage coverage) {
       int[] owners = new int[view.targets()];
       boolean[] watched = new boolean[view.targets()];
       for (int camera = 0; camera < view.cameras(); camera++) {

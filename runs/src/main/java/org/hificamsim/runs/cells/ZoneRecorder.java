@@ -9,6 +9,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Zone;
 
@@ -50,12 +51,12 @@ public final class ZoneRecorder implements StepListener {
   }
 
   @Override
-  public void started(NetworkView network) {
+  public void started(OracleView network) {
     zones.forEach(zone -> zone.views.forget(network));
   }
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     zones.forEach(zone -> zone.step(network));
   }
 

@@ -7,7 +7,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.cells.FieldCells;
@@ -55,12 +55,12 @@ public final class HeatRecorder implements StepListener {
   }
 
   @Override
-  public void started(NetworkView network) {
+  public void started(OracleView network) {
     views.forget(network);
   }
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     ViewCells.Seen[] now = views.now(network);
     if (now != seen) {
       addAlike();
@@ -70,8 +70,7 @@ public final class HeatRecorder implements StepListener {
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
         addVisit(
-            cells.at(network.oracle().targetX(target), network.oracle().targetY(target)),
-            network.coverage(target));
+            cells.at(network.targetX(target), network.targetY(target)), network.coverage(target));
       }
     }
   }
@@ -85,7 +84,7 @@ public final class HeatRecorder implements StepListener {
   }
 
   @Override
-  public void ended(NetworkView network) {
+  public void ended(OracleView network) {
     addAlike();
   }
 

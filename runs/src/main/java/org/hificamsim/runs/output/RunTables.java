@@ -126,8 +126,8 @@ public final class RunTables {
       Table.<StepCursor>of("targets.csv")
           .with(WHICH)
           .texts("target", "the target's name", at -> at.network.targetName(at.target))
-          .doubles("x", "m", "where the target is", at -> at.network.oracle().targetX(at.target))
-          .doubles("y", "m", "where the target is", at -> at.network.oracle().targetY(at.target));
+          .doubles("x", "m", "where the target is", at -> at.network.targetX(at.target))
+          .doubles("y", "m", "where the target is", at -> at.network.targetY(at.target));
 
   /** The same where detections are by chance. */
   public static final Table<StepCursor> TARGETS_BY_CHANCE =

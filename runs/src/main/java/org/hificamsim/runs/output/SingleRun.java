@@ -10,7 +10,7 @@ import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.runs.Measured;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
@@ -40,7 +40,7 @@ public final class SingleRun implements StepListener, Closeable {
   }
 
   @Override
-  public void stepped(NetworkView network, StepCoverage coverage) {
+  public void stepped(OracleView network, StepCoverage coverage) {
     sums.stepped(network, coverage);
     rows.stepped(network, coverage);
   }

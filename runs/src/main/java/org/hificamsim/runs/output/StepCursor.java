@@ -1,7 +1,7 @@
 package org.hificamsim.runs.output;
 
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 
 /**
  * The step, camera or target that a row of a run's tables is about: one object for all rows, so
@@ -11,7 +11,7 @@ public final class StepCursor {
   int run;
   long step;
   StepCoverage coverage;
-  NetworkView network;
+  OracleView network;
   int camera;
   int target;
 

@@ -14,7 +14,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.Field;
@@ -81,16 +81,16 @@ class HeatRecorderTest {
     }
 
     @Override
-    public void stepped(NetworkView network, StepCoverage coverage) {
+    public void stepped(OracleView network, StepCoverage coverage) {
       for (int target = 0; target < network.targets(); target++) {
-        int cell = cells.at(network.oracle().targetX(target), network.oracle().targetY(target));
+        int cell = cells.at(network.targetX(target), network.targetY(target));
         double mean = 0;
         double zero = 1;
         double one = 0;
         for (int camera = 0; camera < network.cameras(); camera++) {
           int view = network.seeing(camera);
           boolean looks = network.online(camera) && view >= 0;
-          double chance = looks ? network.oracle().chance(camera, view, target) : 0;
+          double chance = looks ? network.chance(camera, view, target) : 0;
           mean += chance;
           one = one * (1 - chance) + zero * chance;
           zero *= 1 - chance;

@@ -1,4 +1,4 @@
-package org.hificamsim.core.engine;
+package org.hificamsim.worlds;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,6 +1,5 @@
 package org.hificamsim.core.engine;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -27,8 +26,8 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** Grids and threads change nothing but the time: all comes out as from the plain loop. */
-class BigNetworkTest {
+/** Checks that a grid changes the time that looking takes, and nothing else. */
+class GridTest {
   private static final int CAMERAS = 25;
   private static final int TARGETS = 40;
   private static final int STEPS = 12;
@@ -54,29 +53,24 @@ class BigNetworkTest {
     double side = random.nextDouble(0.3, 12);
     World plain = scenario.world(seed);
     World binned = scenario.world(seed);
-    ObservedNetwork expected = inOneList(plain, Visibility.of(detection));
-    try (Workers workers = Workers.of(1 + random.nextInt(3))) {
-      ObservedNetwork observed =
-          new ObservedNetwork(binned, Visibility.of(detection), workers, side);
-      assertTrue(observed.grid().cells() > 1);
-      for (int step = 0; step < STEPS; step++) {
-        long drawn = random.nextLong();
-        advance(plain, expected, step, new SplittableRandom(drawn));
-        advance(binned, observed, step, new SplittableRandom(drawn));
-        assertSame(expected, observed);
-      }
+    TestNetwork expected = inOneList(plain, Visibility.of(detection));
+    TestNetwork observed = new TestNetwork(binned, Visibility.of(detection), side);
+    assertTrue(observed.grid().cells() > 1);
+    for (int step = 0; step < STEPS; step++) {
+      long drawn = random.nextLong();
+      advance(plain, expected, step, new SplittableRandom(drawn));
+      advance(binned, observed, step, new SplittableRandom(drawn));
+      assertSame(expected, observed);
     }
   }
 
-  private static ObservedNetwork inOneList(World world, Visibility visibility) {
-    ObservedNetwork network =
-        new ObservedNetwork(world, visibility, Workers.CALLER, Double.POSITIVE_INFINITY);
+  private static TestNetwork inOneList(World world, Visibility visibility) {
+    TestNetwork network = new TestNetwork(world, visibility, Double.POSITIVE_INFINITY);
     assertEquals(1, network.grid().cells());
     return network;
   }
 
-  private static void advance(
-      World world, ObservedNetwork network, int step, SplittableRandom random) {
+  private static void advance(World world, TestNetwork network, int step, SplittableRandom random) {
     world.fireEvents(step);
     network.beginStep(step);
     network.locate();
@@ -87,7 +81,7 @@ class BigNetworkTest {
     world.moveTargets();
   }
 
-  private static void assertSame(ObservedNetwork expected, ObservedNetwork observed) {
+  private static void assertSame(TestNetwork expected, TestNetwork observed) {
     for (int camera = 0; camera < expected.cameras(); camera++) {
       assertEquals(expected.detected(camera), observed.detected(camera), "camera " + camera);
     }
@@ -103,7 +97,7 @@ class BigNetworkTest {
     World world = scenario(random).world(seed);
     double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
     Visibility visibility = Visibility.of(Detection.of(model(which, random)));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, side);
+    TestNetwork network = new TestNetwork(world, visibility, side);
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
     network.locate();
@@ -136,7 +130,7 @@ class BigNetworkTest {
     for (DetectionModel model :
         List.of(new GeometricDetection(), new CamSimVisibilityDetection())) {
       Visibility visibility = Visibility.of(Detection.of(model));
-      ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, 2.5);
+      TestNetwork network = new TestNetwork(world, visibility, 2.5);
       assertEquals(64, network.grid().cells());
       network.locate();
       network.observe();
@@ -146,7 +140,7 @@ class BigNetworkTest {
 
   private static int cells(World world) {
     Visibility visibility = Visibility.of(Detection.of(new GeometricDetection()));
-    return new ObservedNetwork(world, visibility, Workers.CALLER).grid().cells();
+    return new TestNetwork(world, visibility).grid().cells();
   }
 
   @Test
@@ -154,44 +148,6 @@ class BigNetworkTest {
     assertEquals(1, cells(strewn(20, 20, 100).world()));
     assertTrue(cells(strewn(300, 200, 100).world()) > 100);
     assertEquals(1, cells(strewn(300, 200, 5).world()));
-  }
-
-  @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
-  void anyNumberOfThreadsRunsTheSame(@ForAll long seed) {
-    List<int[]> one = run(seed, 1);
-    assertEquals(100, one.size());
-    for (int threads : new int[] {2, 3, 7}) {
-      List<int[]> several = run(seed, threads);
-      for (int step = 0; step < one.size(); step++) {
-        assertArrayEquals(one.get(step), several.get(step), threads + " threads, step " + step);
-      }
-    }
-  }
-
-  private static List<int[]> run(long seed, int threads) {
-    List<int[]> record = new ArrayList<>();
-    StepListener recorder =
-        (network, coverage) -> {
-          int[] row = new int[network.targets() + 1];
-          for (int target = 0; target < network.targets(); target++) {
-            row[target] = network.coverage(target);
-          }
-          row[network.targets()] = (int) coverage.detections();
-          record.add(row);
-        };
-    World world = strewn(60, 80, 60).world(seed);
-    try (Workers workers = Workers.of(threads)) {
-      new Simulation(
-              world,
-              Detection.of(new CamSimRangeDetection()),
-              new WidestPolicy(),
-              Cooperation.NONE,
-              seed,
-              List.of(recorder),
-              workers)
-          .run(100);
-    }
-    return record;
   }
 
   private static TestScenario strewn(int cameras, int targets, double field) {

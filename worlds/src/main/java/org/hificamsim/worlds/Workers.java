@@ -1,4 +1,4 @@
-package org.hificamsim.core.engine;
+package org.hificamsim.worlds;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;

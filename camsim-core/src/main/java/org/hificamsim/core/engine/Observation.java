@@ -1,0 +1,47 @@
+package org.hificamsim.core.engine;
+
+import java.util.Arrays;
+
+/** What the cameras detected in the step: counted anew each step, by camera and by target. */
+public final class Observation {
+  private final Sight sight;
+  private final int[] detected;
+  private final int[] coverage;
+  private final long[] found;
+  private final int[] gridCounts;
+
+  Observation(Sight sight, int cameras, int targets) {
+    this.sight = sight;
+    this.detected = new int[cameras];
+    this.coverage = new int[targets];
+    this.found = new long[targets + 1];
+    this.gridCounts = new int[targets];
+  }
+
+  /** Lets every online camera look at the targets, each through the view that it sees through. */
+  public void look() {
+    Arrays.fill(gridCounts, 0);
+    sight.look(detected, gridCounts, found);
+    Arrays.fill(coverage, 0);
+    for (int i = 0; i < sight.grid().count(); i++) {
+      coverage[sight.grid().point(i)] = gridCounts[i];
+    }
+  }
+
+  /** How many targets each camera detects, 0 while offline; one entry for each camera. */
+  public int[] detected() {
+    return detected;
+  }
+
+  /** How many cameras detect each target; one entry for each target. */
+  public int[] coverage() {
+    return coverage;
+  }
+
+  /** Adds the phantoms that a detection by chance reports; they cover no target. */
+  void addPhantoms() {
+    for (int camera = 0; camera < detected.length; camera++) {
+      detected[camera] += sight.phantoms(camera);
+    }
+  }
+}
