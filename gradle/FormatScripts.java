@@ -10,15 +10,18 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Formats JavaScript files with Prettier, which V8 runs inside the JVM.
  *
  * <p>The arguments are {@code check} or {@code write}, Prettier's folder on the class path, the
  * file with its options, and the scripts. {@code check} changes nothing and names each file that
- * has another format. The exit code is 1 if there is such a file.
+ * has another format. The exit code is 1 if there is such a file, or a line that is too long.
  */
 public final class FormatScripts {
+  private static final int LONGEST_LINE = 100;
+
   private final V8Runtime engine;
   private final String options;
 
@@ -44,10 +47,23 @@ public final class FormatScripts {
         } else if (!formatted.equals(source)) {
           faults.add(script + " has another format; `gradle format` rewrites it");
         }
+        faults.addAll(longLines(script, formatted));
       }
     }
     faults.forEach(System.err::println);
     System.exit(faults.isEmpty() ? 0 : 1);
+  }
+
+  /** The lines that Prettier cannot break: comments, texts and templates. */
+  private static List<String> longLines(Path script, String formatted) {
+    List<String> lines = formatted.lines().toList();
+    return IntStream.range(0, lines.size())
+        .filter(index -> lines.get(index).length() > LONGEST_LINE)
+        .mapToObj(
+            index ->
+                "%s:%d has %d characters, expected at most %d"
+                    .formatted(script, index + 1, lines.get(index).length(), LONGEST_LINE))
+        .toList();
   }
 
   private static String resource(String name) throws IOException {

@@ -51,7 +51,7 @@ class BeliefPageTest {
     assertTrue(note.contains("sent what it saw in one message, and in"), note);
     assertTrue(note.contains("all others received it"), note);
     Object without = browser.run(PIXELS);
-    browser.find("[name=believes]").sendKeys(" ");
+    browser.find("[name=beliefs]").sendKeys(" ");
     Object shown = browser.run(PIXELS);
     assertNotEquals(without, shown);
     browser.run("const {belief} = hificamsim.run; belief[20] = belief[20].slice(0, 412)");
@@ -78,8 +78,7 @@ class BeliefPageTest {
               + " received it')");
       assertFalse(
           (boolean)
-              browser.run(
-                  "return document.querySelector('[name=believes]').offsetParent === null"));
+              browser.run("return document.querySelector('[name=beliefs]').offsetParent === null"));
       browser.leave();
     }
   }

@@ -15,7 +15,7 @@ return [...surface.canvas.getContext('2d').getImageData(...at, 1, 1).data].join(
       """
 const {field} = hificamsim.player, {map, surface: {canvas}} = field, box = canvas.getBoundingClientRect();
 canvas.dispatchEvent(new PointerEvent('pointermove', {clientX: box.left + map.x(arguments[0]), clientY: box.top + map.y(arguments[1])}));
-return field.tip.hidden ? '' : field.tip.textContent;
+return field.tooltip.element.hidden ? '' : field.tooltip.element.textContent;
 """;
 
   private FieldScripts() {}

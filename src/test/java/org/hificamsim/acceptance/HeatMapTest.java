@@ -183,7 +183,7 @@ class HeatMapTest {
     done("run", passing, "--record", "--steps", 150, "--out", out);
     browser.open(out.resolve("report.html").toUri() + "#100");
     assertEquals(205L, browser.run("return hificamsim.run.setup.targets.length"));
-    assertEquals(6L, browser.run("return hificamsim.run.most"));
+    assertEquals(6L, browser.run("return hificamsim.run.mostTargets"));
     assertEquals(
         true,
         browser.run("const {field} = hificamsim.player; return field.size === field.surface.unit"));

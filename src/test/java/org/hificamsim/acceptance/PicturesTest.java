@@ -122,7 +122,7 @@ class PicturesTest {
   void aFolderWithoutARecordingIsReportedInOneLine() {
     Cli report = Cli.run("report", folder, "--png", folder.resolve("a.png"));
     assertEquals(2, report.exit());
-    assertTrue(report.err().contains("run --record"), report.err());
+    assertTrue(report.err().contains("'run' with --record"), report.err());
     assertEquals(1, report.err().lines().count());
   }
 }

@@ -42,7 +42,7 @@ class RunPageTest {
   @Test
   void showsTheNumbersOfTheTablesAtEveryStepLookedAt() throws IOException {
     open(run);
-    String hidden = "return document.querySelector('[name=believes]').offsetParent === null";
+    String hidden = "return document.querySelector('[name=beliefs]').offsetParent === null";
     assertTrue((boolean) browser.run(hidden), "the policy has no beliefs to show");
     List<String> steps = Files.readAllLines(run.resolve("steps.csv"));
     for (int step : new int[] {0, 1, 57, 123, STEPS - 1}) {
@@ -104,12 +104,18 @@ class RunPageTest {
     assertEquals(
         true,
         browser.run(
-            "const {field} = hificamsim.player, {width, height} = field.surface;field.nearest = ()"
-                + " => ({target: 0});const box = field.element.getBoundingClientRect();return [[1,"
-                + " 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(at => { "
-                + " field.pointer = at; field.hover();  const tip ="
-                + " field.tip.getBoundingClientRect();  return tip.left >= box.left && tip.right <="
-                + " box.right    && tip.top >= box.top && tip.bottom <= box.bottom;})"));
+            """
+const {field} = hificamsim.player, {width, height} = field.surface;
+const box = field.element.getBoundingClientRect();
+field.pointer.nearest = () => ({target: 0});
+return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(corner => {
+  field.pointer.place = corner;
+  field.describe();
+  const tip = field.tooltip.element.getBoundingClientRect();
+  return tip.left >= box.left && tip.right <= box.right
+      && tip.top >= box.top && tip.bottom <= box.bottom;
+});
+"""));
   }
 
   @Test
@@ -193,7 +199,7 @@ class RunPageTest {
             + " {deltaY: -400, clientX: 300, clientY: 300}))");
     assertEquals(Math.E * before, ((Number) browser.run(across)).doubleValue(), 1e-6);
     browser.run("document.querySelector('canvas.field').focus()");
-    String left = "return hificamsim.player.field.closer.left";
+    String left = "return hificamsim.player.field.magnifier.left";
     double from = ((Number) browser.run(left)).doubleValue();
     browser.press(Keys.ARROW_RIGHT);
     assertTrue(((Number) browser.run(left)).doubleValue() < from);

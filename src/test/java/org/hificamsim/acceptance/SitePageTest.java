@@ -133,7 +133,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
     Object y = browser.run(place.formatted(north));
     Object before = browser.run(FieldScripts.COLOUR, x, y);
     assertEquals("", browser.run(FieldScripts.TOLD, x, y));
-    browser.find("[name=zones]").sendKeys(" ");
+    browser.find("[name=density-zones]").sendKeys(" ");
     assertNotEquals(before, browser.run(FieldScripts.COLOUR, x, y));
     double density = ((Number) browser.run(place.formatted("view.density / 5"))).doubleValue();
     String told = (String) browser.run(FieldScripts.TOLD, x, y);
@@ -158,7 +158,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   @Test
   void isReadableAtAllWidths() throws IOException {
     open();
-    browser.find("[name=zones]").sendKeys(" ");
+    browser.find("[name=density-zones]").sendKeys(" ");
     Accessibility.checkWidths(browser);
   }
 
@@ -229,7 +229,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
           .perform();
       browser.until(
           "const {poses, step} = hificamsim.runs[0], last = poses[0].at(-1);"
-              + "return hificamsim.players[0].field.grabbed && last.step > 0 && !last.preview"
+              + "return hificamsim.players[0].field.pointer.cameraDrag && last.step > 0 && !last.preview"
               + "    && step.at(-1) > last.step");
       browser.until(SCORE_IS_THAT_OF_THE_TARGETS);
       assertTrue(browser.text(".readout .k_min").contains("k_min"));

@@ -143,7 +143,7 @@ class ViewPageTest {
         .moveByOffset(-20, 20)
         .release()
         .perform();
-    browser.until("return !hificamsim.editing");
+    browser.until("return !hificamsim.edits.sending");
     browser.press(Keys.ARROW_RIGHT);
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
     assertEquals(x - 60.0, number(place, "map.x(pose.x))"), 1);
@@ -157,7 +157,7 @@ class ViewPageTest {
         "const {field} = hificamsim.players[0], {map, surface: {canvas}} = field;"
             + "const run = hificamsim.runs[0], pose = run.pose(2, run.count - 1);"
             + "const box = canvas.getBoundingClientRect(), told = [];"
-            + "canvas.setPointerCapture = () => {}; field.on.drag = (camera, x, y) =>"
+            + "canvas.setPointerCapture = () => {}; field.pointer.on.drag = (camera, x, y) =>"
             + "  told.push([camera, Math.round(map.x(x) - map.x(pose.x)),"
             + "    Math.round(map.y(y) - map.y(pose.y))].join(' '));"
             + "const fire = (name, right, down) => canvas.dispatchEvent(new PointerEvent(name, {"
@@ -265,16 +265,16 @@ class ViewPageTest {
   void theChosenCameraIsMovedAndTurnedWithKeysAlone() {
     pause();
     browser.findAll(".rows button").get(2).click();
-    double x = number("return ", "hificamsim.pose(2).x");
-    double y = number("return ", "hificamsim.pose(2).y");
+    double x = number("return ", "hificamsim.edits.pose(2).x");
+    double y = number("return ", "hificamsim.edits.pose(2).y");
     browser.press("w", "a", "a", "W");
     browser.press("e", "E", "q");
-    browser.until("return !hificamsim.editing");
+    browser.until("return !hificamsim.edits.sending");
     browser.press(Keys.ARROW_RIGHT);
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
-    assertEquals(x - 0.6, number("return ", "hificamsim.pose(2).x"), 1e-9);
-    assertEquals(y + 3.3, number("return ", "hificamsim.pose(2).y"), 1e-9);
-    assertEquals(30, number("return ", "hificamsim.pose(2).heading * 180 / Math.PI"), 1e-9);
+    assertEquals(x - 0.6, number("return ", "hificamsim.edits.pose(2).x"), 1e-9);
+    assertEquals(y + 3.3, number("return ", "hificamsim.edits.pose(2).y"), 1e-9);
+    assertEquals(30, number("return ", "hificamsim.edits.pose(2).heading * 180 / Math.PI"), 1e-9);
     assertTrue(
         browser.find("[role=status]").getDomProperty("textContent").endsWith("heading 30 degrees"));
     browser.press(Keys.ARROW_LEFT); // still steps
@@ -288,16 +288,16 @@ class ViewPageTest {
     type("x", "3.25");
     type("y", "-1");
     type("heading", "45");
-    browser.until("return !hificamsim.editing");
+    browser.until("return !hificamsim.edits.sending");
     browser.press(Keys.TAB); // away from the field, which keeps the arrows to itself
     step(1);
     assertEquals(3.25, number("return ", "hificamsim.runs[0].poses[4].at(-1).pose.x"));
     assertEquals(-1, number("return ", "hificamsim.runs[0].poses[4].at(-1).pose.y"));
-    assertEquals(45, number("return ", "hificamsim.pose(4).heading * 180 / Math.PI"), 1e-9);
+    assertEquals(45, number("return ", "hificamsim.edits.pose(4).heading * 180 / Math.PI"), 1e-9);
     type("x", "99");
-    browser.until("return !hificamsim.editing");
+    browser.until("return !hificamsim.edits.sending");
     step(1);
-    assertEquals(15, number("return ", "hificamsim.pose(4).x"), "as near as the field reaches");
+    assertEquals(15, number("return ", "hificamsim.edits.pose(4).x"), "as near as the field reaches");
   }
 
   @Test
@@ -319,7 +319,7 @@ class ViewPageTest {
             + before);
     double added = share();
     browser.run(
-        "hificamsim.players[0].select(0); hificamsim.move(0, 0.5, 0.5); hificamsim.turn(0, 225)");
+        "hificamsim.players[0].select(0); hificamsim.edits.move(0, 0.5, 0.5); hificamsim.edits.turn(0, 225)");
     browser.until(
         "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) < "
             + added);
@@ -351,7 +351,7 @@ class ViewPageTest {
     browser.until("return hificamsim.runs[0].setup.cameras.length === 15");
     assertEquals("added-1", browser.text(".agent h2"));
     type("x", "1.5");
-    browser.until("return !hificamsim.editing");
+    browser.until("return !hificamsim.edits.sending");
     Path saved = folder.resolve("cluster-random-edited.xml");
     Files.deleteIfExists(saved);
     browser.downloadTo(folder);
@@ -401,7 +401,7 @@ class ViewPageTest {
     pause();
     String top = "return document.querySelector('canvas.field').getBoundingClientRect().top";
     Object before = browser.run(top);
-    browser.run("hificamsim.tell('something is wrong')");
+    browser.run("hificamsim.showFault('something is wrong')");
     assertTrue(browser.find(".messages [role=alert]").isDisplayed());
     assertEquals(before, browser.run(top));
   }
@@ -495,12 +495,12 @@ class ViewPageTest {
   private static void pause() {
     browser.until("return hificamsim.playhead.playing");
     browser.run(
-        "hificamsim.told = null; hificamsim.state = function (state) {"
-            + "  this.told = state; Object.getPrototypeOf(this).state.call(this, state); }");
+        "hificamsim.shown = null; hificamsim.showState = function (state) {"
+            + "  this.shown = state; Object.getPrototypeOf(this).showState.call(this, state); }");
     browser.find(".controls .play").click();
     browser.until(
-        "const {told, runs, waiting} = hificamsim;"
-            + "return told && !told.running && told.next === runs[0].steps && !waiting");
+        "const {shown, runs, waiting} = hificamsim;"
+            + "return shown && !shown.running && shown.next === runs[0].steps && !waiting");
   }
 
   private static double number(String before, String expression) {

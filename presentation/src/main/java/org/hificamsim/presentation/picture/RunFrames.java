@@ -152,7 +152,7 @@ public final class RunFrames {
     Map<String, Object> columns = new HashMap<>();
     columns.put("step", frames.stream().mapToLong(Frame::step).toArray());
     columns.put("frame", look.tracks() ? index : frames.size() - 1);
-    columns.put("most", Math.max(1, most));
+    columns.put("mostTargets", Math.max(1, most));
     columns.put("online", lists(frames, Frame::online));
     columns.put("level", lists(frames, Frame::level));
     columns.put("seeing", lists(frames, Frame::seeing));

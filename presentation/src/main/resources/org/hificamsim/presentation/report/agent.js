@@ -1,20 +1,23 @@
-// What the chosen camera does and knows: a bar of its estimate for each zoom level, or each view.
-import {el, say} from './dom.js';
+// What the selected camera does and knows, with a bar for its estimate of each zoom level or view.
+import {el, setText} from './dom.js';
 import {PoseForm} from './pose-form.js';
 import {ViewTable} from './view-table.js';
 import {viewName, viewOf} from './views.js';
-import {told} from './belief.js';
+import {sentMessages} from './belief.js';
 import {decimals, metres} from './numbers.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
-  gain: 'Gain: what a view adds to those that all others chose, over the steps to come, where targets are believed. ',
+  gain:
+    'Gain: what a view adds to those that all others chose, over the steps to come, ' +
+    'where targets are believed. ',
   'mean reward': 'Reward: targets detected at that level. ',
 };
 
 export class AgentPanel {
   /**
-   * @param edit what {@link PoseForm} needs; nothing where cameras cannot be moved
+   * @param edit what {@link PoseForm} needs, `hold(camera, view)` and `held(camera)`; nothing if
+   *   cameras cannot be changed
    */
   constructor(run, edit) {
     this.run = run;
@@ -43,10 +46,11 @@ export class AgentPanel {
 
   select(camera) {
     this.camera = camera;
-    say(this.title, this.run.setup.cameras[camera].name);
+    setText(this.title, this.run.setup.cameras[camera].name);
     const {pose} = this.run.setup.cameras[camera];
-    const inRows = !pose.pans; // estimates: otherwise in the table of views
-    const [estimated, counted] = [inRows && this.run.estimated, inRows && this.counted];
+    const oneDirection = !pose.pans; // otherwise the estimates are in the table of views
+    const estimated = oneDirection && this.run.estimated;
+    const counted = oneDirection && this.counted;
     const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text =>
       el('th', {scope: 'col'}, text),
     );
@@ -56,9 +60,9 @@ export class AgentPanel {
       ...(estimated ? [el('th', {scope: 'col', class: 'wide'}, estimated)] : []),
       ...(counted ? [el('th', {scope: 'col'}, 'times used')] : []),
     );
-    const hold = inRows && this.edit?.hold;
+    const canHold = oneDirection && this.edit;
     this.rows = pose.levels.map((level, i) =>
-      levelRow(i, estimated, counted, hold && (() => hold(this.camera, i))),
+      levelRow(i, estimated, counted, canHold && (() => this.edit.hold(this.camera, i))),
     );
     this.showViews(pose);
     this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
@@ -66,14 +70,17 @@ export class AgentPanel {
     this.show(this.frame || 0);
   }
 
-  /** Makes the table of a camera that can turn, and the choice to leave its views to the policy again. */
+  /**
+   * Shows the table of a camera that can turn, and the button that leaves its views to the policy.
+   */
   showViews(pose) {
-    const hold = this.edit?.hold;
-    this.table = pose.pans ? new ViewTable(pose, hold && (view => hold(this.camera, view))) : null;
-    this.free = hold
+    const {edit} = this;
+    const hold = edit && (view => edit.hold(this.camera, view));
+    this.table = pose.pans ? new ViewTable(pose, hold) : null;
+    this.free = edit
       ? el(
           'button',
-          {type: 'button', class: 'free', hidden: true, onclick: () => hold(this.camera, -1)},
+          {type: 'button', class: 'free', hidden: true, onclick: () => hold(-1)},
           'leave its views to the policy',
         )
       : null;
@@ -94,41 +101,41 @@ export class AgentPanel {
     const view = run.level[camera][frame];
     const blind = run.seen(camera, frame) < 0;
     const online = run.online[camera][frame];
-    say(
+    const detects = `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets`;
+    const moves = blind ? '; on its way to its view, sees nothing' : '';
+    setText(
       this.facts,
-      `x ${metres(pose.x)}, y ${metres(pose.y)}` +
-        (online
-          ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets${blind ? '; on its way to its view, sees nothing' : ''}`
-          : '; not online'),
+      `x ${metres(pose.x)}, y ${metres(pose.y)}${online ? detects + moves : '; not online'}`,
     );
     this.form?.show(camera, pose);
-    if (pose !== this.pose) this.describe(pose);
+    if (pose !== this.pose) this.showLevels(pose);
     this.rows.forEach((row, i) =>
       row.element.classList.toggle('now', Boolean(online) && i === view % pose.levels.length),
     );
     if (this.free) this.free.hidden = !this.edit.held(camera);
     if (this.table) this.showTable(frame, online ? view : -1, blind);
-    else if (run.estimated) this.estimates(frame);
-    say(this.note, this.remark());
+    else if (run.estimated) this.showEstimates(frame);
+    setText(this.note, this.remark());
   }
 
   showTable(frame, view, blind) {
     const {run, camera} = this;
-    const of = lists => (run.estimated ? lists[camera].map(list => list[frame]) : null);
-    this.table.show(view, blind, of(run.estimates), this.counted ? of(run.counts) : null);
+    const inFrame = lists => (run.estimated ? lists[camera].map(list => list[frame]) : null);
+    const counts = this.counted ? inFrame(run.counts) : null;
+    this.table.show(view, blind, inFrame(run.estimates), counts);
   }
 
-  describe(pose) {
+  showLevels(pose) {
     this.pose = pose;
     pose.levels.forEach((level, i) => {
       const {viewingAngle} = viewOf(pose, i);
-      say(
+      setText(
         this.rows[i].radius,
         pose.lenses
           ? `${decimals((viewingAngle * 180) / Math.PI, 1)}°`
           : `${decimals(level.radius, 3)} m`,
       );
-      say(
+      setText(
         this.rows[i].range,
         level.detected.map(({from, to}) => `${decimals(from)}–${decimals(to)} m`).join(', ') ||
           'nowhere',
@@ -136,8 +143,11 @@ export class AgentPanel {
     });
   }
 
-  /** The longest bar is the largest absolute value of this camera now; a negative value's bar is hatched. */
-  estimates(frame) {
+  /**
+   * Shows a bar for each level; the longest is the largest absolute value, negative ones are
+   * hatched.
+   */
+  showEstimates(frame) {
     const values = this.run.estimates[this.camera].map(list => list[frame]);
     const largest = Math.max(1e-12, ...values.filter(Number.isFinite).map(Math.abs));
     values.forEach((value, i) => {
@@ -146,52 +156,53 @@ export class AgentPanel {
       const count = this.run.counts[this.camera][i][frame];
       row.bar.style.transform = `scaleX(${known ? Math.abs(value) / largest : 0})`;
       row.bar.classList.toggle('negative', known && value < 0);
-      say(row.value, known ? decimals(value, 4) : '–');
-      say(row.count, Number.isFinite(count) && count !== null ? String(count) : '–');
+      setText(row.value, known ? decimals(value, 4) : '–');
+      setText(row.count, Number.isFinite(count) && count !== null ? String(count) : '–');
     });
   }
 
   remark() {
     const {policy, targetSize, onAxis} = this.run.setup;
-    const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.${this.lens()}`;
+    const target = `a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}`;
+    const range = `"detects at" is for ${target}.${this.lens()}`;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
-    return (MEANING[this.run.estimated] || '') + this.best() + this.said() + range;
+    return (MEANING[this.run.estimated] || '') + this.bestViews() + this.messages() + range;
   }
 
-  /** The three views of most gain, the best first. */
-  best() {
+  /** The three views with the largest gain, the best first. */
+  bestViews() {
     const {run, camera, frame} = this;
     if (run.estimated !== 'gain') return '';
     const gains = run.estimates[camera]
       .map((list, view) => [list[frame], view])
       .filter(([gain]) => Number.isFinite(gain));
     const three = gains
-      .sort((one, other) => other[0] - one[0])
+      .sort(([a], [b]) => b - a)
       .slice(0, 3)
       .map(([gain, view]) => `${viewName(run.pose(camera, frame), view)}: ${decimals(gain, 3)}`);
     return three.length ? `Most: ${three.join('; ')}. ` : '';
   }
 
-  /** What the camera sent to whom in this step. */
-  said() {
+  /** The messages that the camera sent in this step, and who received them. */
+  messages() {
     const {run, camera, frame} = this;
-    const said = run.online[camera][frame] && told(run, frame, camera);
-    if (!said) return '';
+    const sent = run.online[camera][frame] && sentMessages(run, frame, camera);
+    if (!sent) return '';
     const others = run.online.filter((list, i) => list[frame] && i !== camera).length;
-    const names = said.hearers.map(i => run.setup.cameras[i].name);
-    const heard = names.length === others ? 'all others' : names.join(', ') || 'nobody';
-    const more = said.messages > 1 ? `, and in ${said.messages - 1} more what it chooses` : '';
-    return `In this step it sent ${said.messages ? 'what it saw in one message' : 'no message of what it saw'}${more}; ${heard} received it. `;
+    const names = sent.receivers.map(i => run.setup.cameras[i].name);
+    const receivers = names.length === others ? 'all others' : names.join(', ') || 'nobody';
+    const first = sent.messages ? 'what it saw in one message' : 'no message of what it saw';
+    const more = sent.messages > 1 ? `, and in ${sent.messages - 1} more what it chooses` : '';
+    return `In this step it sent ${first}${more}; ${receivers} received it. `;
   }
 
-  /** The focal length by level and the mount height, as the settings have them. */
+  /** The focal length of each level and the mount height, as the settings have them. */
   lens() {
     const {focal_lengths: lengths = [], mount_height: height} = this.run.lens ?? {};
     const levels = this.run.setup.cameras[this.camera].pose.levels.length;
+    const millimetres = lengths.map(length => decimals(1000 * length, 1)).join(', ');
     const focal =
-      lengths.length === levels
-        ? ` Focal length by level, from 0: ${lengths.map(length => decimals(1000 * length, 1)).join(', ')} mm.`
-        : '';
+      lengths.length === levels ? ` Focal length by level, from 0: ${millimetres} mm.` : '';
     return focal + (height ? ` Mounted ${decimals(height, 3)} m over the targets.` : '');
   }
 }

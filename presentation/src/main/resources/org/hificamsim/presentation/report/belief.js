@@ -1,22 +1,31 @@
-// What cameras believe, and which messages they sent, in a frame: the numbers of the record BeliefFrame, of which old recordings have no messages.
+// The numbers of the record BeliefFrame: what cameras believe in a frame, and the messages that
+// they sent. Recordings of older versions have no messages. Rhino runs this file too: see scene.js.
 
-/** Parts of the field along each side. */
-export const PARTS = 20;
+/** The number of parts of the field along each side. */
+export const PARTS_PER_SIDE = 20;
 
-const WORD = 32; // cameras in a number
+/** The numbers of one target: x, y, weight and spread. */
+export const TARGET_NUMBERS = 4;
 
-/** Where the numbers of the field's parts begin. */
-export const partsFrom = run => 4 * run.setup.targets.length;
+const CAMERAS_PER_NUMBER = 32; // receivers are bits
 
-/** How many messages a camera sent, and the cameras that received them; nothing where that is not known. */
-export function told(run, frame, camera) {
+/** The index of the first number of the field's parts. */
+export const partsOffset = run => TARGET_NUMBERS * run.setup.targets.length;
+
+/**
+ * Returns how many messages a camera sent in a frame and which cameras received them; null if that
+ * is not known.
+ */
+export function sentMessages(run, frame, camera) {
   const belief = run.belief[frame];
-  const from = partsFrom(run) + PARTS * PARTS;
-  if (!belief || belief.length <= from) return null;
-  const cameras = run.setup.cameras.map((one, i) => i);
-  const first = from + cameras.length + camera * Math.ceil(cameras.length / WORD);
-  const hearers = cameras.filter(
-    i => Math.floor(belief[first + Math.floor(i / WORD)] / 2 ** (i % WORD)) % 2,
-  );
-  return {messages: belief[from + camera], hearers};
+  const offset = partsOffset(run) + PARTS_PER_SIDE * PARTS_PER_SIDE;
+  if (!belief || belief.length <= offset) return null;
+  const cameras = run.setup.cameras.map((spec, i) => i);
+  const numbersPerSender = Math.ceil(cameras.length / CAMERAS_PER_NUMBER);
+  const first = offset + cameras.length + camera * numbersPerSender;
+  const receivers = cameras.filter(i => {
+    const bits = belief[first + Math.floor(i / CAMERAS_PER_NUMBER)];
+    return Math.floor(bits / 2 ** (i % CAMERAS_PER_NUMBER)) % 2;
+  });
+  return {messages: belief[offset + camera], receivers};
 }

@@ -1,27 +1,28 @@
-// What a simulation runs under: detection model, threshold and policy, to be chosen while it runs.
-import {el, say} from './dom.js';
+// The form of what a simulation runs under: detection model, threshold and policy.
+import {el, setText} from './dom.js';
 import {spelled} from './names.js';
 import {decimals} from './numbers.js';
 
-let forms = 0;
+let formCount = 0;
 
 export class ChoiceForm {
   /**
    * @param data what LivePage wrote
-   * @param choose called with `{detection, threshold, policy}`, the threshold null for the model's own
+   * @param onChoose is called with `{detection, threshold, policy}`; a threshold of null is the
+   *   model's own
    */
-  constructor(data, choose) {
-    const id = `choice-${forms++}`;
+  constructor(data, onChoose) {
+    const id = `choice-${formCount++}`;
     this.policies = data.policies;
     this.detection = el(
       'select',
       {id: `${id}-detection`, name: 'detection'},
-      ...data.detections.map(one => el('option', {value: one, title: one}, spelled(one))),
+      ...data.detections.map(name => el('option', {value: name, title: name}, spelled(name))),
     );
     this.policy = el(
       'select',
       {id: `${id}-policy`, name: 'policy'},
-      ...data.policies.map(one => el('option', {value: one.name, title: one.summary}, one.name)),
+      ...data.policies.map(({name, summary}) => el('option', {value: name, title: summary}, name)),
     );
     this.options = el('input', {
       id: `${id}-options`,
@@ -44,7 +45,7 @@ export class ChoiceForm {
       'form',
       {
         class: 'choice card',
-        onchange: () => choose(this.choice()),
+        onchange: () => onChoose(this.choice()),
         onsubmit: event => event.preventDefault(),
       },
       labelled('detection', this.detection),
@@ -55,15 +56,15 @@ export class ChoiceForm {
     );
   }
 
-  /** Shows what the simulation runs under, but for the field that somebody is filling in. */
+  /** Shows a setup, except in the input that somebody is typing in. */
   show(setup) {
-    const [name, options] = parts(this.policies, setup.policy);
+    const [name, options] = nameAndOptions(this.policies, setup.policy);
     const show = (input, value) =>
       (input === document.activeElement && input.tagName === 'INPUT') || (input.value = value);
     const [model, rule] = setup.detection.split(/@(?=threshold|chance|probability)/);
-    const named = [...this.detection.options].some(one => one.value === setup.detection); // with its own rule
-    show(this.detection, named ? setup.detection : model);
-    this.threshold.disabled = rule !== undefined; // a rule of chance has its own
+    const listed = [...this.detection.options].some(({value}) => value === setup.detection);
+    show(this.detection, listed ? setup.detection : model);
+    this.threshold.disabled = rule !== undefined; // the rule has its own
     show(this.threshold, rule === undefined ? decimals(setup.threshold, 6) : '');
     show(this.policy, name);
     show(this.options, options);
@@ -78,18 +79,19 @@ export class ChoiceForm {
     };
   }
 
-  recent(text) {
-    say(this.mean, text);
+  /** Shows the mean score of the last steps. */
+  showMean(text) {
+    setText(this.mean, text);
   }
 }
 
 const labelled = (text, input) => el('label', {for: input.id}, text, ' ', input);
 
-/** The name and the options of a policy. */
-function parts(policies, text) {
-  const known = policies
+/** Splits the text of a policy into its name and its options. */
+function nameAndOptions(policies, text) {
+  const candidates = policies
     .map(policy => policy.name)
-    .filter(one => text === one || text.startsWith(`${one}:`));
-  const name = known.sort((a, b) => b.length - a.length)[0] ?? text;
+    .filter(name => text === name || text.startsWith(`${name}:`));
+  const name = candidates.sort((a, b) => b.length - a.length)[0] ?? text;
   return [name, text.slice(name.length + 1)];
 }

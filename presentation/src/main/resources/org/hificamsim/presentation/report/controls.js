@@ -1,5 +1,5 @@
-// Play, step, scrub and speed: buttons, a slider and keys for one playhead.
-import {el, say} from './dom.js';
+// The controls of a playhead: buttons, a slider and keys that play, step and change the speed.
+import {el, setText} from './dom.js';
 import {SPEEDS} from './playhead.js';
 
 const ICONS = {
@@ -11,11 +11,12 @@ const ICONS = {
   last: 'M9 1h2v10H9zM1 1v10l7-5z',
 };
 const KEYS =
-  'Keys: space plays and pauses, arrows step (with shift by 10), Home and End jump, + and - change the speed.';
+  'Keys: space plays and pauses, arrows step (with shift by 10), Home and End jump, ' +
+  '+ and - change the speed.';
 
 export class Controls {
   /**
-   * @param run whose steps the playhead's frames are
+   * @param run the run whose frames the playhead shows
    */
   constructor(playhead, run) {
     this.playhead = playhead;
@@ -35,7 +36,7 @@ export class Controls {
       },
     });
     this.step = el('output', {class: 'step', data: {name: 'step'}});
-    this.of = el('span', {class: 'of'});
+    this.total = el('span', {class: 'of'});
     this.speed = el(
       'select',
       {'aria-label': 'steps per second', onchange: () => this.setSpeed()},
@@ -50,7 +51,7 @@ export class Controls {
       this.button('on', 'one step on', () => playhead.move(1)),
       this.button('last', 'last step', () => playhead.move(Infinity)),
       this.slider,
-      el('span', {class: 'count'}, 'step ', this.step, this.of),
+      el('span', {class: 'count'}, 'step ', this.step, this.total),
       this.speed,
     );
     playhead.subscribe(frame => this.show(frame));
@@ -66,7 +67,7 @@ export class Controls {
 
   setSpeed() {
     this.playhead.speed = Number(this.speed.value);
-    this.playhead.tell();
+    this.playhead.notify();
   }
 
   show(frame) {
@@ -75,8 +76,8 @@ export class Controls {
     this.slider.max = String(Math.max(0, playhead.count - 1));
     this.slider.value = String(frame);
     this.slider.setAttribute('aria-valuetext', `step ${step}`);
-    say(this.step, String(step));
-    say(this.of, ` of ${Math.max(0, run.steps - 1)}`);
+    setText(this.step, String(step));
+    setText(this.total, ` of ${Math.max(0, run.steps - 1)}`);
     if (this.playing !== playhead.playing) this.showPlaying(playhead.playing);
     this.speed.value = String(playhead.speed);
   }
@@ -89,16 +90,17 @@ export class Controls {
   }
 
   listen() {
-    onKeys(event => this.action(event));
+    onKeys(event => this.actionOf(event));
   }
 
-  action({key, shiftKey}) {
+  /** Returns what a key does, a function; undefined for nothing. */
+  actionOf({key, shiftKey}) {
     const {playhead} = this;
-    const by = shiftKey ? 10 : 1;
+    const steps = shiftKey ? 10 : 1;
     return {
       ' ': () => playhead.toggle(),
-      ArrowRight: () => playhead.move(by),
-      ArrowLeft: () => playhead.move(-by),
+      ArrowRight: () => playhead.move(steps),
+      ArrowLeft: () => playhead.move(-steps),
       Home: () => playhead.move(-Infinity),
       End: () => playhead.move(Infinity),
       '+': () => playhead.faster(1),
@@ -109,8 +111,8 @@ export class Controls {
 }
 
 /**
- * Keys anywhere on the page, but for those that a focused control has its own use for.
- * @param actionOf what an event asks for: a function, or nothing
+ * Handles keys anywhere on the page, except those that the focused control uses itself.
+ * @param actionOf returns what a key does, a function, or nothing
  */
 export function onKeys(actionOf) {
   document.addEventListener('keydown', event => {
@@ -127,7 +129,7 @@ export function onKeys(actionOf) {
   });
 }
 
-/** An icon, drawn: fonts lack some of them. */
+/** Draws an icon; some fonts lack its character. */
 function drawing(icon) {
   const [svg, path] = ['svg', 'path'].map(tag =>
     document.createElementNS('http://www.w3.org/2000/svg', tag),

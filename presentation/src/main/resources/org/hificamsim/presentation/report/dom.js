@@ -1,6 +1,6 @@
-// Elements. Text goes in as text nodes alone: names from scenario files are not trusted.
+// Creates elements. Text becomes text nodes, because names from scenario files are not trusted.
 
-/** An element; attributes whose name starts with "on" are listeners, `data` is its data set. */
+/** Returns an element. Attributes that start with "on" are listeners, `data` is its data set. */
 export function el(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -13,15 +13,18 @@ export function el(tag, attributes = {}, ...children) {
   return element;
 }
 
-/** Sets an element's text, if it is another one. */
-export function say(element, text) {
+/** Sets an element's text, if it has changed. */
+export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
 /** The page's unit of length in CSS pixels: drawings grow with the text. */
 export const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
 
-/** A canvas that fills its element, with `paint(context, width, height)` in CSS pixels at each change of size. */
+/**
+ * A canvas that is painted by `paint(context, width, height)`, in CSS pixels, after each change
+ * of its size.
+ */
 export class Surface {
   constructor(attributes, paint) {
     this.canvas = el('canvas', attributes);
@@ -45,7 +48,7 @@ export class Surface {
   draw() {
     if (!this.width || !this.height) return;
     const context = this.canvas.getContext('2d');
-    context.resetTransform(); // the last pixels too, within which width and height may end
+    context.resetTransform(); // clears all pixels: width and height may be fractions
     context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.paint(context, this.width, this.height);
@@ -61,16 +64,16 @@ export function onThemeChange(callback) {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', callback);
 }
 
-/** Starts the page with its data; a fault is shown on the page. */
+/** Starts a page with its data; an error is shown on the page. */
 export async function start(page) {
   const root = document.getElementById('page');
   root.replaceChildren();
   try {
     await page(root, JSON.parse(document.getElementById('data').textContent));
-  } catch (fault) {
+  } catch (error) {
     root.append(
-      el('p', {class: 'notice', role: 'alert'}, `This page could not be drawn: ${fault.message}`),
+      el('p', {class: 'notice', role: 'alert'}, `This page could not be drawn: ${error.message}`),
     );
-    throw fault;
+    throw error;
   }
 }

@@ -1,4 +1,4 @@
-// What scenes need that a browser's canvas does in its own way: see paintScene.
+// What a scene needs and a browser's canvas does in its own way: see paintScene.
 
 const layer = document.createElement('canvas');
 

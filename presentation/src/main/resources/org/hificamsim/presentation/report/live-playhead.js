@@ -1,9 +1,10 @@
-// A playhead over steps that are still being made: playing is the simulation's, the past can be scrubbed.
+// A playhead over a simulation that goes on: playing runs the simulation, and known frames can be
+// shown again.
 import {Playhead} from './playhead.js';
 
 export class LivePlayhead extends Playhead {
   /**
-   * @param send hands a command to the simulation
+   * @param send sends a command to the simulation
    */
   constructor(send) {
     super(0);
@@ -22,37 +23,37 @@ export class LivePlayhead extends Playhead {
   pause() {
     if (!this.playing) return;
     this.playing = false;
-    this.tell();
+    this.notify();
     this.send({command: 'pause'});
   }
 
-  /** Steps on from the last frame are made; all others are known. */
+  /** Shows another frame. After the last one, the simulation makes new steps. */
   move(frames) {
     if (frames > 0 && Number.isFinite(frames) && this.atEnd)
       this.send({command: 'step', steps: frames});
     else super.move(frames);
   }
 
-  /** There are more frames now: the last one is shown unless somebody looks at an earlier one. */
+  /** Takes a new number of frames; shows the last one unless an earlier one is being looked at. */
   grow(count) {
     const follow = this.playing || this.atEnd;
     this.count = count;
     if (count) this.show(follow ? count - 1 : this.frame);
   }
 
-  /** What the simulation says. */
-  told({running, perSecond}) {
+  /** Takes the state of the simulation. */
+  update({running, perSecond}) {
     this.playing = running;
-    this.speedTold = perSecond;
+    this.knownSpeed = perSecond;
     this.speed = perSecond;
-    this.tell();
+    this.notify();
   }
 
-  tell() {
-    if (this.speedTold !== undefined && this.speedTold !== this.speed) {
-      this.speedTold = this.speed;
+  notify() {
+    if (this.knownSpeed !== undefined && this.knownSpeed !== this.speed) {
+      this.knownSpeed = this.speed;
       this.send({command: 'speed', perSecond: this.speed});
     }
-    super.tell();
+    super.notify();
   }
 }

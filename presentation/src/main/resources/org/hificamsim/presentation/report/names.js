@@ -1,4 +1,4 @@
-// The names that people read, for those that files have: the latter stand in tooltips.
+// The words that people read for names in files; tooltips have the names themselves.
 import {el} from './dom.js';
 import {decimals, percent} from './numbers.js';
 
@@ -12,10 +12,10 @@ const LAWS = {
   pinhole: 'pinhole law',
 };
 
-/** The name of a file's column or setting in words. */
+/** The name of a column or setting in words. */
 export const words = name => name.replaceAll('_', ' ');
 
-/** A policy, a detection or an objective in words: hifi:orb-lin@chance, covered:k=2. */
+/** A policy, detection or objective, such as hifi:orb-lin@chance or covered:k=2, in words. */
 export function spelled(spec) {
   const [, what, rule] = /^(.*?)(?:@([a-z0-9.].*))?$/.exec(spec);
   const [name, options = ''] = what.split(/:(.*)/);
@@ -29,10 +29,12 @@ export function spelled(spec) {
     .join(', ');
 }
 
-/** A model that was fitted: the detector, the law of its focal length, and the equation of its line. */
+/** A fitted model in words: its detector, the law of its focal length, the chapter of its line. */
 function fitted(family, text) {
   const [, detector, law, line] = /^([^-]+)-(.*?)(-gt)?$/.exec(text) ?? [null, text, ''];
-  return `${detector.toUpperCase()} ${LAWS[law] ?? law}${line ? ', chapter 5' : ''}${family === 'lab' ? ', from the laboratory' : ''}`;
+  const chapter = line ? ', chapter 5' : '';
+  const origin = family === 'lab' ? ', from the laboratory' : '';
+  return `${detector.toUpperCase()} ${LAWS[law] ?? law}${chapter}${origin}`;
 }
 
 /** A number with its unit: shares as percentages. */
@@ -45,36 +47,37 @@ export const withUnit = (value, unit = '') =>
 
 export const isShare = unit => /^share\b/.test(unit);
 
-/** The low and high end of a metric's interval, held to what the metric can be. */
-export const held = (name, unit, {mean, low, high}) =>
+/** The ends of a metric's interval, limited to the values that the metric can have. */
+export const limited = (name, unit, {mean, low, high}) =>
   name === 'regret' || low === ''
     ? {low, high}
     : {low: low < 0 ? 0 : low, high: isShare(unit) && high > Math.max(1, mean) ? 1 : high};
 
-/** What a unit says next to a number that has its percent sign. */
-export const besideUnit = (unit = '') => (isShare(unit) ? unit.replace(/^share ?/, '') : unit);
+/** The part of a unit that is shown after a number with its percent sign. */
+export const unitAfterPercent = (unit = '') =>
+  isShare(unit) ? unit.replace(/^share ?/, '') : unit;
 
-/** The value of a setting in words, whatever it holds. */
-export function told(value) {
+/** The value of a setting, a list or object included, in words. */
+export function settingText(value) {
   if (Array.isArray(value))
     return (
       value
-        .map(told)
-        .join(value.some(one => one !== null && typeof one === 'object') ? '; ' : ' ') || 'none'
+        .map(settingText)
+        .join(value.some(part => part !== null && typeof part === 'object') ? '; ' : ' ') || 'none'
     );
   if (value !== null && typeof value === 'object')
     return Object.entries(value)
-      .map(([name, part]) => `${words(name)} ${told(part)}`)
+      .map(([name, part]) => `${words(name)} ${settingText(part)}`)
       .join(', ');
   return String(value ?? '–');
 }
 
-/** A text with the raw name in its tooltip, where that is another one. */
+/** A text with the raw name in its tooltip, if that differs. */
 export const tipped = (text, raw) => el('span', {title: raw === text ? null : raw}, text);
 
-/** A score per step as a number. */
+/** A score per step as text: a percentage if the objective is a share. */
 export const scoreNumber = (score, {share}) => (share ? percent(score) : decimals(score, 2));
 
-/** A score per step in the objective's own words. */
+/** A score per step after the objective's title. */
 export const scoreText = (score, objective) =>
   `${objective.title}: ${scoreNumber(score, objective)}`;

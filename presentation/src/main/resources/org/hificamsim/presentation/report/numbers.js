@@ -1,11 +1,11 @@
-// Numbers in words.
+// Numbers as text.
 
-/** A number with at most this many decimals. */
+/** A number with at most `most` decimals, a dash if it is not finite. */
 export function decimals(number, most = 2) {
   return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
 }
 
-/** Metres to the millimetre. */
+/** A length in metres, to the millimetre. */
 export const metres = number => `${number.toFixed(3)} m`;
 
 /** A share as a percentage. */

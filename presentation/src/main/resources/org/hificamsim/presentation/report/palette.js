@@ -1,6 +1,9 @@
-// Shapes, widths and scales that mean something, once for pages and pictures. MEANING has the colours: Java's Palette, put before all scripts.
+// The shapes, widths and colour scales of pages and pictures. Rhino runs this file too: see
+// scene.js. The colours in MEANING are those of Java's Palette, which is put before all scripts.
 
-/** How many cameras cover a target, as colour, shape and width of its trail. */
+/**
+ * The classes of targets by the number of cameras that cover them, with the width of their trails.
+ */
 export const COVER = [
   {label: 'no camera', colour: MEANING.unseen, width: 1.2},
   {label: '1 camera', colour: MEANING.once, width: 2},
@@ -8,7 +11,7 @@ export const COVER = [
   {label: '3 or more', colour: MEANING.often, width: 4.5},
 ];
 
-/** The class of a target that k cameras cover. */
+/** The class of a target that k cameras cover, an index of COVER. */
 export const coverClass = k => Math.min(k, COVER.length - 1);
 
 const CROSS = [
@@ -37,7 +40,7 @@ const SQUARE = [
   [-0.9, 0.9],
 ];
 
-/** Adds the outline of a class's shape to the path: a cross, a triangle, a square or a circle. */
+/** Adds the shape of a cover class to the path: a cross, a triangle, a square or a circle. */
 export function shape(path, kind, x, y, r) {
   const corners = [CROSS, TRIANGLE, SQUARE][kind];
   if (corners) {
@@ -51,8 +54,12 @@ export function shape(path, kind, x, y, r) {
   }
 }
 
-/** Zones of pixel density, IEC 62676-4:2025 as vendors report them, nearest first; `least` in pixels per metre. Pale is far: one shade differs from the next for every eye. */
-export const ZONES = [
+/**
+ * The density zones of IEC 62676-4:2025, as vendors report them, the nearest first; `least` in
+ * pixels per metre. The farther, the paler: people with colour blindness can tell the shades
+ * apart.
+ */
+export const DENSITY_ZONES = [
   {name: 'validate', least: 500, colour: '#2e0f28'},
   {name: 'characterise', least: 250, colour: '#56204a'},
   {name: 'perceive', least: 125, colour: '#96487a'},
@@ -61,7 +68,7 @@ export const ZONES = [
   {name: 'overview', least: 20, colour: '#f5e1ee'},
 ];
 
-// Dark to light: viridis, which people with colour blindness read alike.
+// Viridis, from dark to light; people with colour blindness can read it.
 const SCALE = [
   [68, 1, 84],
   [59, 82, 139],
@@ -70,12 +77,14 @@ const SCALE = [
   [253, 231, 37],
 ];
 
-/** The colour of a scale as [red, green, blue]; `share` is 0 for the least (the narrowest zoom level) and 1 for the most. */
+/** The colour of a share of the scale, 0 to 1, as [red, green, blue]. */
 export function scaleColour(share) {
-  const at = Math.min(Math.max(share, 0), 1) * (SCALE.length - 1);
-  const low = Math.min(Math.floor(at), SCALE.length - 2);
-  return SCALE[low].map((from, i) => Math.round(from + (at - low) * (SCALE[low + 1][i] - from)));
+  const position = Math.min(Math.max(share, 0), 1) * (SCALE.length - 1);
+  const low = Math.min(Math.floor(position), SCALE.length - 2);
+  return SCALE[low].map((from, i) =>
+    Math.round(from + (position - low) * (SCALE[low + 1][i] - from)),
+  );
 }
 
-/** Where a level lies between the narrowest and the widest, 0 to 1. */
+/** The position of a zoom level between the narrowest, 0, and the widest, 1. */
 export const levelShare = (level, levels) => (levels > 1 ? level / (levels - 1) : 1);

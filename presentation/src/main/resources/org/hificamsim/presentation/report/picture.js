@@ -1,41 +1,37 @@
-// Scenes as Java's FieldScript asks for them: the numbers of a run come as Java's arrays, all else as JSON. Rhino runs this file: see scene.js.
-import {
-  fit,
-  hatch,
-  HEAT,
-  heightFor,
-  LAYERS,
-  legend,
-  MAP_LAYERS,
-  NEVER,
-  paintScene,
-  PLAN_LAYERS,
-  paintTracks,
-} from './scene.js';
+// What Java's FieldScript calls to paint scenes. The numbers of a run are Java arrays, everything
+// else is JSON. Rhino runs this file: see scene.js.
+import {hatch} from './hatch.js';
+import {HEAT_OPACITY, NEVER_COVERED} from './heat-layer.js';
+import {legend} from './legend.js';
+import {fit, heightFor} from './map.js';
 import {scaleColour} from './palette.js';
+import {paintTracks} from './path-layers.js';
+import {LAYERS, MAP_LAYERS, paintScene, PLAN_LAYERS} from './scene.js';
 
-const TRACK_POINTS = 200000;
+const MOST_TRACK_POINTS = 200000;
 
-/** How high a field is in a picture of this width. */
+/** The height of a field in a picture of this width. */
 export const height = (setup, width) => heightFor(setup.field, width);
 
-/** What the signs in a picture mean: see legend. */
-export const signs = (setup, colours, zoned, host) =>
-  legend({run: {setup}, colours, zoned, host, unit: 1});
+/** The legend of a picture: see legend.js. */
+export const signs = (setup, colours, densityCamera, host) =>
+  legend({run: {setup}, colours, densityCamera, host, unit: 1});
 
-/** Some colours of a heat map's scale, from the least to the most, as they are seen on white. */
+/** Colours of a heat map's scale, from the least value to the greatest, as they look on white. */
 export const scale = count =>
   Array.from({length: count}, (none, i) =>
-    scaleColour((i + 0.5) / count).map(part => Math.round(255 - HEAT * (255 - part))),
+    scaleColour((i + 0.5) / count).map(part => Math.round(255 - HEAT_OPACITY * (255 - part))),
   );
 
-/** How a heat map fills what no camera ever covers. */
-export const never = host => hatch(host, NEVER, 1);
+/** The fill style of cells that no camera ever covers. */
+export const never = host => hatch(host, NEVER_COVERED, 1);
 
 /**
- * Paints a frame, or a heat map or the cells of a plan where there are such.
- * @param columns of the run: `frame`, the one that is shown, `most`, and the lists `step`, `online`, ...
- * @param zoned the camera whose pixel densities are shown, -1 for none
+ * Paints a frame of a run, or else a heat map or the cells of a plan.
+ * @param columns of the run: `frame`, the one that is shown, `mostTargets`, and the lists `step`,
+ *   `online`, ...
+ * @param densityCamera the camera whose density zones are shown, -1 for none
+ * @param tracked whether tracks are shown
  */
 export function paint(
   host,
@@ -47,7 +43,7 @@ export function paint(
   poses,
   images,
   opacity,
-  zoned,
+  densityCamera,
   tracked,
   heat,
   values,
@@ -60,14 +56,14 @@ export function paint(
     unit: 1,
     colours,
     selected: -1,
-    zoned,
+    densityCamera,
     heat: heat && {...JSON.parse(heat), values},
     floor: (setup.floor ?? []).map(({area}, i) => ({area, image: images[i]})),
     opacity,
     host,
     trails: true,
   };
-  const every = 1 + Math.floor((count * setup.targets.length) / TRACK_POINTS);
+  const every = 1 + Math.floor((count * setup.targets.length) / MOST_TRACK_POINTS);
   if (tracked) scene.tracks = () => paintTracks(host, scene, 0, every);
   paintScene(host, scene, scene.heat?.classes ? PLAN_LAYERS : heat ? MAP_LAYERS : LAYERS);
 }

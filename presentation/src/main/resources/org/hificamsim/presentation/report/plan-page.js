@@ -1,8 +1,9 @@
-// The page of a plan of cameras: the floor plan, how good the plan is, and its tables.
+// The page of a plan of cameras: the floor plan, what the plan achieves, and its tables.
+import {card, madeWith} from './cards.js';
 import {el} from './dom.js';
 import {rowsOf, sortable} from './table.js';
 
-/** The page; `data` is what PlanSheet wrote. */
+/** Builds the page; `data` is what PlanSheet wrote. */
 export async function planPage(root, data) {
   root.append(el('header', {}, el('h1', {}, data.title)));
   const [met, ...facts] = data.facts;
@@ -29,7 +30,8 @@ export async function planPage(root, data) {
         {href: 'plan.svg'},
         picture(
           data.floor,
-          'The floor plan to scale with the cameras, what they look at, and the cells by how they are seen',
+          'The floor plan to scale with the cameras, what they look at, ' +
+            'and the cells by how they are seen',
         ),
       ),
     ),
@@ -71,17 +73,9 @@ export async function planPage(root, data) {
       ),
     ),
   );
-  root.append(
-    card(
-      'Made with',
-      el('pre', {tabindex: 0}, data.command),
-      el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`),
-    ),
-  );
+  root.append(madeWith(data));
   root.dataset.ready = '';
 }
 
 const picture = (src, alt) =>
   el('div', {class: 'pictures'}, el('figure', {class: 'wide'}, el('img', {src, alt})));
-const card = (title, ...children) =>
-  el('section', {class: 'card'}, el('h2', {}, title), ...children);

@@ -1,4 +1,4 @@
-// One run as it is looked at: the field, the numbers, what an agent knows, and all of it over time.
+// The parts that show one run: the field, its numbers, the selected camera, and charts over time.
 import {el} from './dom.js';
 import {FieldView} from './field.js';
 import {Readout} from './readout.js';
@@ -11,9 +11,11 @@ export class Player {
   /**
    * @param run recorded or growing
    * @param playhead may be shared with other players
-   * @param options `middle`: an element between the field and the timeline; `edit`: what can be done to cameras and walls, as {@link PoseForm}, {@link ViewTable}
-   *   and {@link WallForm} say;
-   *   `heat(figure)` when one of `figures` of the heat map is chosen, if there can be one; `ceiling()`: how far the axis of k_min reaches at least
+   * @param options `middle`: an element between the field and the timeline;
+   *   `edit`: what can be done to cameras and walls, as {@link PoseForm}, {@link ViewTable} and
+   *   {@link WallForm} say;
+   *   `heat(figure)` when one of `figures` of the heat map is chosen, if there can be a heat map;
+   *   `ceiling()`: the value that the axis of k_min reaches at least
    */
   constructor(run, playhead, options = {}) {
     this.run = run;
@@ -21,21 +23,20 @@ export class Player {
     const {edit} = options;
     const on = {
       select: camera => this.select(camera),
-      drag: edit?.move,
+      drag: edit && ((camera, x, y) => edit.move(camera, x, y)),
       ceiling: options.ceiling,
       objective: run.objective,
       pick: target => this.targets?.choose(target),
       heat: options.heat,
       figures: options.figures,
       line: ends => edit.wall(...ends),
-      lining: ends => this.walls.show(ends),
+      drawing: ends => this.walls.show(ends),
     };
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run, options.edit);
     this.timeline = new Timeline(playhead, on);
-    this.walls =
-      edit && new WallForm(run.setup, {...edit, drawing: draws => this.field.drawLines(draws)});
+    this.walls = edit && new WallForm(run.setup, edit, on => this.field.setDrawing(on));
     this.targets = edit && new TargetForm(run.setup, edit);
     if (edit)
       this.agent.element.append(
@@ -54,7 +55,7 @@ export class Player {
     playhead.subscribe(frame => this.show(frame));
   }
 
-  /** Shows a camera's estimates; a click off all cameras changes nothing. */
+  /** Selects a camera in all parts; -1, a click that hit no camera, changes nothing. */
   select(camera) {
     if (camera < 0) return;
     this.field.set('selected', camera);
@@ -62,7 +63,7 @@ export class Player {
     this.timeline.select(camera);
   }
 
-  /** Takes note of frames that were pushed to the run. */
+  /** Shows frames that were added to the run. */
   grew() {
     this.timeline.load(this.run);
     this.show(this.playhead.frame);

@@ -1,12 +1,13 @@
-// Which frame is shown, and the clock that moves it; one for all players that are to keep in step.
+// The frame that is shown, and the clock that moves it. Players with the same playhead keep in
+// step.
 
 export const SPEEDS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
-const MAX_PAUSE = 250;
+const MAX_TICK = 250; // milliseconds; after a longer pause of the page, playing goes on from there
 
 export class Playhead {
   /**
-   * @param count frames
-   * @param every steps from one frame to the next
+   * @param count the number of frames
+   * @param every the number of steps from one frame to the next
    */
   constructor(count = 0, every = 1) {
     this.count = count;
@@ -18,17 +19,17 @@ export class Playhead {
     this.drawn = {frames: 0, milliseconds: 0, slowest: 0};
   }
 
-  /** Calls back with the frame whenever anything about the playhead changes. */
+  /** Calls a listener with the frame whenever the frame, the speed or playing changes. */
   subscribe(listener) {
     this.listeners.push(listener);
     listener(this.frame);
   }
 
-  /** Shows another frame, as near to it as there is one. */
+  /** Shows a frame, or the nearest one that exists. */
   show(frame) {
     this.frame = Math.max(0, Math.min(Math.round(frame), this.count - 1));
     this.exact = this.frame;
-    this.tell();
+    this.notify();
   }
 
   move(frames) {
@@ -47,38 +48,38 @@ export class Playhead {
     this.playing = true;
     this.exact = this.frame;
     this.before = performance.now();
-    this.tell();
+    this.notify();
     requestAnimationFrame(now => this.tick(now));
   }
 
   pause() {
     if (!this.playing) return;
     this.playing = false;
-    this.tell();
+    this.notify();
   }
 
-  /** The next faster or slower speed. */
-  faster(by) {
-    const at = SPEEDS.findIndex(speed => speed >= this.speed);
-    this.speed = SPEEDS[Math.max(0, Math.min(at + by, SPEEDS.length - 1))];
-    this.tell();
+  /** Changes to a speed some places further in SPEEDS; negative numbers make it slower. */
+  faster(steps) {
+    const index = SPEEDS.findIndex(speed => speed >= this.speed);
+    this.speed = SPEEDS[Math.max(0, Math.min(index + steps, SPEEDS.length - 1))];
+    this.notify();
   }
 
   tick(now) {
     if (!this.playing) return;
-    const passed = Math.max(0, Math.min(now - this.before, MAX_PAUSE));
+    const passed = Math.max(0, Math.min(now - this.before, MAX_TICK));
     this.before = now;
     this.exact = Math.min(this.exact + (passed * this.speed) / (1000 * this.every), this.count - 1);
     const frame = Math.floor(this.exact);
     if (frame !== this.frame) {
       this.frame = frame;
       if (frame === this.count - 1) this.playing = false;
-      this.tell();
+      this.notify();
     }
     if (this.playing) requestAnimationFrame(then => this.tick(then));
   }
 
-  tell() {
+  notify() {
     const start = performance.now();
     this.listeners.forEach(listener => listener(this.frame));
     const took = performance.now() - start;

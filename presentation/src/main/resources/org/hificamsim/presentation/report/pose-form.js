@@ -1,19 +1,17 @@
-// Where the chosen camera stands and which way it looks, to be typed or stepped; and a camera more or less.
+// The form of the selected camera's place and heading, which also adds and removes cameras.
 import {el} from './dom.js';
 import {decimals} from './numbers.js';
 
-const QUARTER = 90;
+/** Converts a heading in radians to degrees, from 0 to 360. */
+export const degrees = heading => rounded(((((heading * 180) / Math.PI) % 360) + 360) % 360);
 
-/** A heading in degrees, from 0 to 360; radians in. */
-export const degrees = heading =>
-  tidy(((((heading * 2 * QUARTER) / Math.PI) % (4 * QUARTER)) + 4 * QUARTER) % (4 * QUARTER));
-
-/** To a thousandth: a millimetre, for metres. */
-export const tidy = number => Math.round(number * 1000) / 1000;
+/** Rounds to a thousandth; metres to a millimetre. */
+export const rounded = number => Math.round(number * 1000) / 1000;
 
 export class PoseForm {
   /**
-   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`, `removeCamera(camera)`, `suggest(camera)`, -1 for one more
+   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`, which
+   *   copies a camera, `removeCamera(camera)`, and `suggest(camera)`, -1 for a new camera
    */
   constructor(edit) {
     this.x = field('x', 'm', () => this.move());
@@ -21,7 +19,7 @@ export class PoseForm {
     this.heading = field(
       'heading',
       '°',
-      () => this.known(this.heading) && edit.turn(this.camera, Number(this.heading.value)),
+      () => this.isNumber(this.heading) && edit.turn(this.camera, Number(this.heading.value)),
     );
     this.edit = edit;
     this.element = el(
@@ -52,15 +50,15 @@ export class PoseForm {
   }
 
   move() {
-    if (this.known(this.x) && this.known(this.y))
+    if (this.isNumber(this.x) && this.isNumber(this.y))
       this.edit.move(this.camera, Number(this.x.value), Number(this.y.value));
   }
 
-  known(input) {
+  isNumber(input) {
     return input.value.trim() !== '' && Number.isFinite(Number(input.value));
   }
 
-  /** Shows a camera's pose, but for the field that somebody is filling in. */
+  /** Shows a camera's pose, except in the input that somebody is typing in. */
   show(camera, pose) {
     const values = [
       [this.x, pose.x],

@@ -1,9 +1,9 @@
-// One page in the order of one reader or another; the browser remembers who reads.
+// The order of a page's parts for different readers; the browser remembers the choice.
 import {el} from './dom.js';
 
 const KEY = 'hificamsim-reader';
 
-/** What was remembered; a browser may refuse to. */
+/** Returns the remembered reader; null if there is none or the browser refuses. */
 function remembered() {
   try {
     return localStorage.getItem(KEY);
@@ -16,13 +16,13 @@ function remember(name) {
   try {
     localStorage.setItem(KEY, name);
   } catch {
-    // the choice holds for this page alone
+    // the choice is for this page alone
   }
 }
 
 export class Readers {
   /**
-   * @param orders elements by the name of a reader, the first one's unless another was chosen
+   * @param orders lists of elements by the name of the reader; the first is the default
    */
   constructor(orders) {
     this.orders = orders;

@@ -1,5 +1,5 @@
-// The numbers of the step that is shown: a row of steps.csv.
-import {el, say} from './dom.js';
+// Shows the numbers of a step: a row of steps.csv, and its score.
+import {el, setText} from './dom.js';
 import {scoreNumber} from './names.js';
 import {decimals} from './numbers.js';
 
@@ -39,7 +39,8 @@ export class Readout {
   show(frame) {
     if (!this.run.count) return;
     const row = this.run.row(frame);
-    if (this.run.scored) say(this.score, scoreNumber(this.run.score[frame], this.run.objective));
-    for (const [name] of NUMBERS) say(this.values[name], decimals(row[name], 3));
+    if (this.run.scored)
+      setText(this.score, scoreNumber(this.run.score[frame], this.run.objective));
+    for (const [name] of NUMBERS) setText(this.values[name], decimals(row[name], 3));
   }
 }

@@ -1,15 +1,16 @@
-// Unpacks a run of replay.json: series of whole numbers, each as differences in LEB128, deflated, in Base64.
+// Unpacks the runs of a recording: series of whole numbers, written as differences in LEB128,
+// deflated, in Base64.
 import {inflate} from './inflate.js';
 import {Run} from './run.js';
 
-/** Reads one series after the other. */
+/** Reads series one after the other. */
 export class SeriesReader {
   constructor(bytes) {
     this.bytes = bytes;
     this.at = 0;
   }
 
-  /** The next number, zigzag undone; beyond 31 bits by arithmetic, since shifts end there. */
+  /** Reads a zigzag number; by arithmetic, because shifts are limited to 32 bits. */
   number() {
     let code = 0;
     let factor = 1;
@@ -22,7 +23,7 @@ export class SeriesReader {
     }
   }
 
-  /** The next series, each number as `convert` gives it. */
+  /** Reads the next series and converts each of its numbers. */
   series(count, convert) {
     const numbers = new Array(count);
     let sum = 0;
@@ -36,6 +37,8 @@ export class SeriesReader {
 
 const plain = code => code;
 const scaled = perUnit => code => code / perUnit;
+
+/** Converts 0 to NaN; all other numbers are zigzag plus 1. */
 export const optional = perUnit => code => {
   if (code === 0) return NaN;
   const zigzag = code - 1;
@@ -44,7 +47,7 @@ export const optional = perUnit => code => {
 
 const transposed = series => series[0].map((first, frame) => series.map(list => list[frame]));
 
-/** The run that the record PackedRun holds. */
+/** Returns the run of a record PackedRun. */
 export async function unpack(setup, packed) {
   const run = new Run(setup, packed.estimated);
   const reader = new SeriesReader(await inflate(packed.data));

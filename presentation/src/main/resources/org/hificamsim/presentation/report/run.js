@@ -1,7 +1,7 @@
-// A run as far as it is known: the set-up, and a list by frame for each quantity. It may still grow.
+// The frames of a run that are known so far: its setup, and a list by frame for each quantity.
 import {poseAt, seenAt, viewCount} from './views.js';
 
-/** Says which share of the steps is shown. */
+/** Tells which share of the steps is shown. */
 export const thinned = (run, every) =>
   `This run has ${run.steps} steps; the page shows one in ${every}`;
 
@@ -9,8 +9,8 @@ const lists = count => Array.from({length: count}, () => []);
 
 export class Run {
   /**
-   * @param setup as the record Setup of the simulator
-   * @param estimated what the agents' estimates are; empty where they have none
+   * @param setup the record Setup
+   * @param estimated what the agents estimate; empty if they estimate nothing
    * @param objective what a step is scored by: the record ObjectiveWords
    */
   constructor(setup, estimated = '', objective = null) {
@@ -30,21 +30,21 @@ export class Run {
     this.x = lists(targets);
     this.y = lists(targets);
     this.coverage = lists(targets);
-    this.seeing = setup.slow ? lists(cameras) : []; // the view through which a camera sees, -1 while it moves blindly
+    this.seeing = setup.slow ? lists(cameras) : []; // the view that a camera has, -1 while it turns
     this.estimates = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.counts = setup.cameras.map(camera => lists(viewCount(camera.pose)));
-    this.belief = []; // by frame, as the record BeliefFrame; nothing where cameras believe nothing
+    this.belief = []; // by frame: the record BeliefFrame, if there is one
     this.poses = setup.cameras.map(camera => [{step: -1, pose: camera.pose}]);
     this.kMin = [];
-    this.highest = 0;
-    this.most = 1; // targets at the same time
+    this.highestKMin = 0;
+    this.mostTargets = 1; // present at the same time
     this.targets = [];
     this.covered = [[], [], [], []];
     this.sum = [];
-    this.score = []; // what the objective makes of a frame; empty where that is not known
+    this.score = []; // by frame; empty if it is not known
   }
 
-  /** Adds a frame of a live run: the record Frame, and the records Move of the steps since the frame before. */
+  /** Adds a record Frame of a live run, and the records Move of the steps since the last frame. */
   push(frame, moves = [], score = NaN) {
     this.score.push(score);
     this.step.push(frame.step);
@@ -63,16 +63,19 @@ export class Run {
     this.measure(this.count++);
   }
 
-  /** Goes on under another set-up of the same cameras and targets: what agents knew is forgotten. */
-  become(setup, estimated) {
+  /**
+   * Takes another setup of the same cameras and targets for the steps to come. Estimates of the
+   * agents so far are deleted, because another policy made them.
+   */
+  changeSetup(setup, estimated) {
     this.setup = setup;
     if (estimated === this.estimated && !estimated) return;
     this.estimated = estimated;
-    for (const all of [this.estimates, this.counts])
-      all.forEach(levels => levels.forEach(list => list.fill(NaN)));
+    for (const cameras of [this.estimates, this.counts])
+      cameras.forEach(views => views.forEach(list => list.fill(NaN)));
   }
 
-  /** Shows a camera in another pose from the last frame on, until the simulation says what it is. */
+  /** Shows a camera in another pose from the last frame on, until the simulation confirms it. */
   preview(camera, change) {
     const poses = this.poses[camera];
     const last = poses[poses.length - 1];
@@ -84,12 +87,12 @@ export class Run {
     });
   }
 
-  /** Shows a camera where it was before somebody asked for what was refused. */
+  /** Shows a camera again where it was before a change that the simulation refused. */
   forgetPreview(camera) {
     if (this.poses[camera]?.at(-1).preview) this.poses[camera].pop();
   }
 
-  /** Leaves out every other frame, but not the last one. */
+  /** Removes every other frame, but not the last one. */
   thin() {
     const rest = (this.count - 1) % 2;
     const half = list => list.filter((value, i) => i % 2 === rest);
@@ -108,13 +111,13 @@ export class Run {
     ])
       this[name] = this[name].map(half);
     for (const name of ['estimates', 'counts'])
-      this[name] = this[name].map(levels => levels.map(half));
+      this[name] = this[name].map(views => views.map(half));
     for (const name of ['kMin', 'targets', 'sum', 'score']) this[name] = half(this[name]);
     this.count = this.step.length;
     this.every *= 2;
   }
 
-  /** Notes that a camera stands, looks or sees otherwise from a step on. */
+  /** Adds the pose that a camera has from a step on. */
   move({step, camera, pose}) {
     this.poses[camera].push({step, pose});
   }
@@ -133,11 +136,11 @@ export class Run {
       least = Math.min(least, k);
       classes[Math.min(k, 3)]++;
     }
-    this.most = Math.max(this.most, targets);
+    this.mostTargets = Math.max(this.mostTargets, targets);
     this.targets[frame] = targets;
     this.sum[frame] = sum;
     this.kMin[frame] = targets ? least : 0;
-    this.highest = Math.max(this.highest, this.kMin[frame]);
+    this.highestKMin = Math.max(this.highestKMin, this.kMin[frame]);
     classes.forEach((number, i) => (this.covered[i][frame] = number));
   }
 
@@ -156,28 +159,28 @@ export class Run {
     };
   }
 
-  /** Whether there is a score of its own to be shown, next to k_min. */
+  /** Whether a score is shown in addition to k_min. */
   get scored() {
     return Boolean(this.objective && !this.objective.kMin && this.score.length);
   }
 
-  /** Where a camera is in a frame. */
+  /** The pose of a camera in a frame. */
   pose(camera, frame) {
     return poseAt(this, camera, frame);
   }
 
-  /** The view through which a camera sees in a frame; -1 while it moves blindly. */
+  /** The view that a camera has in a frame; -1 while it turns and sees nothing. */
   seen(camera, frame) {
     return seenAt(this, camera, frame);
   }
 
-  /** The camera that has detected most. */
+  /** The camera with the most detections. */
   busiest() {
     const sums = this.detected.map(list => list.reduce((sum, number) => sum + number, 0));
     return sums.indexOf(Math.max(...sums));
   }
 
-  /** The frame of a step, or the last one before it. */
+  /** The frame of a step, or the last frame before it. */
   frameAt(step) {
     let low = 0;
     let high = this.count - 1;

@@ -1,25 +1,25 @@
-// Obstacles in words, and the one at a place.
-import {outline} from './scene.js';
+// Describes obstacles, and finds the one at a place.
 import {decimals} from './numbers.js';
+import {outline} from './obstacle-layer.js';
 
 const NEAR = 6; // pixels
 
-/** What an obstacle is called. */
+/** The kind of an obstacle and how much light it lets through. */
 export const named = ({kind, transmittance}) =>
   `${kind}, ${transmittance ? `lets ${decimals(100 * transmittance, 1)} % through` : 'solid'}`;
 
-/** An obstacle and where it is. */
+/** An obstacle in words, with its place. */
 export function located(obstacle) {
-  const at = (x, y) => `(${decimals(x)}, ${decimals(y)})`;
+  const point = (x, y) => `(${decimals(x)}, ${decimals(y)})`;
   const {kind, x1, y1, x2, y2, x, y, points} = obstacle;
   const place =
     kind === 'wall'
-      ? `from ${at(x1, y1)} to ${at(x2, y2)}`
-      : `at ${kind === 'pillar' ? at(x, y) : at(points[0].x, points[0].y)}`;
+      ? `from ${point(x1, y1)} to ${point(x2, y2)}`
+      : `at ${kind === 'pillar' ? point(x, y) : point(points[0].x, points[0].y)}`;
   return `${named(obstacle)}, ${place} m`;
 }
 
-/** The obstacle at a place in pixels, if there is one. */
+/** Returns the obstacle at a place in pixels, undefined if there is none. */
 export function obstacleAt(context, obstacles, map, unit, x, y) {
   context.save();
   context.resetTransform();

@@ -1,11 +1,11 @@
-// Means over a window of neighbours: what a noisy curve tends to.
+// Moving means, which show where a noisy curve tends to.
 
-/** This many entries are shown as they are. */
-export const SHOWN_RAW = 400;
+/** The greatest number of entries that are shown as they are. */
+export const MOST_RAW = 400;
 
 const PARTS = 100;
 
-/** The mean of each entry and of `half` neighbours on either side, as far as there are some. */
+/** The mean of each entry and up to `half` neighbours on either side. */
 export function movingMean(values, half) {
   const sums = [0];
   for (const value of values) sums.push(sums[sums.length - 1] + value);
@@ -16,6 +16,6 @@ export function movingMean(values, half) {
   });
 }
 
-/** The moving mean over a hundredth of all entries; of few entries, the entries. */
+/** The moving mean over a hundredth of all entries; few entries stay as they are. */
 export const smoothed = values =>
-  values.length > SHOWN_RAW ? movingMean(values, Math.ceil(values.length / PARTS / 2)) : values;
+  values.length > MOST_RAW ? movingMean(values, Math.ceil(values.length / PARTS / 2)) : values;

@@ -1,9 +1,9 @@
-// Tables that a click, or Enter, on a column's head sorts; again for the other way round.
+// Tables that are sorted by a click on a column's head, and in the other direction by a second one.
 import {el} from './dom.js';
 
 const AS_WORDS = new Intl.Collator('en', {numeric: true});
 
-/** Missing values come last, numbers by size, others as words. */
+/** Compares texts: numbers by value, others as words, missing ones last. */
 function order(a, b) {
   if (a === '' || b === '') return (a === '') - (b === '');
   const [x, y] = [Number(a), Number(b)];
@@ -11,13 +11,14 @@ function order(a, b) {
 }
 
 /**
- * A table.
- * @param caption what it is
- * @param columns each {name, label?, title?, show?}: `show(text, row)` is what stands in the cell, the text itself if missing
+ * Returns a table.
+ * @param caption of the table
+ * @param columns each {name, label?, title?, show?}: `show(text, row)` returns what is in the cell;
+ *   without it, that is the text
  * @param rows each an object of texts by column name
- * @param captioned class of the caption: `unseen` where a heading says the same
+ * @param captionClass `unseen` if a heading says the same as the caption
  */
-export function sortable(caption, columns, rows, captioned) {
+export function sortable(caption, columns, rows, captionClass) {
   const body = el('tbody');
   const heads = columns.map((column, i) =>
     el(
@@ -53,7 +54,7 @@ export function sortable(caption, columns, rows, captioned) {
   return el(
     'table',
     {class: 'sortable'},
-    el('caption', {class: captioned}, caption),
+    el('caption', {class: captionClass}, caption),
     el('thead', {}, el('tr', {}, ...heads)),
     body,
   );
@@ -80,6 +81,9 @@ function line(columns, row) {
 
 const isNumber = text => text !== '' && !Number.isNaN(Number(text));
 
-/** Rows as objects by column name. */
+/** Returns the rows of a table {columns, rows} as objects by column name. */
 export const rowsOf = table =>
   table.rows.map(cells => Object.fromEntries(table.columns.map((name, i) => [name, cells[i]])));
+
+/** The different texts of a column, in the order of the rows. */
+export const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];

@@ -1,4 +1,4 @@
-// The target that was clicked or is chosen by its name, to be taken away.
+// The form that removes a target, which is clicked in the field or chosen by its name.
 import {el} from './dom.js';
 
 export class TargetForm {

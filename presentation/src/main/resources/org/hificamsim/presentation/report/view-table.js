@@ -1,12 +1,14 @@
-// The views of a camera that can turn: a row for each zoom level, a column for each pan angle and tilt.
-import {el, say} from './dom.js';
+// The table of the views of a camera that can turn, with a row for each zoom level and a column for
+// each pan angle and tilt.
+import {el, setText} from './dom.js';
 import {decimals} from './numbers.js';
 import {directionName, viewName} from './views.js';
 
 export class ViewTable {
   /**
    * @param pose of the camera
-   * @param hold called with the view that is chosen by hand, -1 to leave it to the policy; nothing where cameras cannot be commanded
+   * @param hold is called with a view in which the camera is to stay; nothing if views cannot
+   *   be chosen
    */
   constructor(pose, hold) {
     const {levels, pans} = pose;
@@ -50,9 +52,10 @@ export class ViewTable {
   }
 
   /**
-   * @param chosen the view that was chosen; -1 for none
-   * @param blind whether the camera is still on its way to it
-   * @param estimates by view, and how many observations each rests on; nothing where none are kept
+   * @param chosen the view that was chosen, -1 for none
+   * @param blind whether the camera is still turning to it
+   * @param estimates by view; nothing if there are none
+   * @param counts the number of observations of each estimate, or nothing
    */
   show(chosen, blind, estimates, counts) {
     const largest = Math.max(1e-12, ...(estimates ?? []).filter(Number.isFinite).map(Math.abs));
@@ -65,16 +68,17 @@ export class ViewTable {
       else element.removeAttribute('aria-current');
       bar.style.transform = `scaleX(${known ? Math.abs(value) / largest : 0})`;
       bar.classList.toggle('negative', known && value < 0);
-      say(text, known ? short(value) : i === chosen ? (blind ? '○' : '●') : '·');
+      setText(text, known ? threeDigits(value) : i === chosen ? (blind ? '○' : '●') : '·');
       const count = counts?.[i];
-      element.title = `${element.dataset.named}${known ? `: ${decimals(value, 4)}` : ''}${Number.isFinite(count) ? `, used ${count} times` : ''}`;
+      const estimate = known ? `: ${decimals(value, 4)}` : '';
+      const used = Number.isFinite(count) ? `, used ${count} times` : '';
+      element.title = `${element.dataset.named}${estimate}${used}`;
       button?.setAttribute('aria-label', `hold ${element.title}`);
     });
   }
 }
 
-/** Three digits. */
-const short = value => String(Number(value.toPrecision(3)));
+const threeDigits = value => String(Number(value.toPrecision(3)));
 
 function cell(view, named, hold) {
   const bar = el('i', {class: 'bar'});

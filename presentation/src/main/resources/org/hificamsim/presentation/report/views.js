@@ -1,11 +1,12 @@
-// What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls. Rhino runs this file too: see scene.js.
+// What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls.
+// Rhino runs this file too: see scene.js.
 import {signed} from './numbers.js';
-import {ZONES} from './palette.js';
+import {DENSITY_ZONES} from './palette.js';
 
-/** How many views a camera in this pose can choose. */
+/** The number of views that a camera in this pose can choose. */
 export const viewCount = ({levels, pans}) => levels.length * (pans?.length || 1);
 
-/** One of a camera's views: its zoom level, and direction and opening angle in radians. */
+/** Returns what a camera has in one of its views; angles in radians. */
 export function viewOf(pose, view) {
   const zoom = view % pose.levels.length;
   const pan = pose.pans?.[Math.floor(view / pose.levels.length)] ?? 0;
@@ -22,15 +23,15 @@ export function viewOf(pose, view) {
     heading: pose.heading + pan,
     viewingAngle: lens?.viewingAngle ?? pose.viewingAngle,
     density: lens?.density ?? 0,
-    ground: pose.grounds?.[view % pose.grounds.length], // of a camera with a height
-    reach: lens && detected ? detected : level.radius, // a lens reaches as far as it detects
+    ground: pose.grounds?.[view % pose.grounds.length], // in the picture, of a camera with a height
+    reach: lens && detected ? detected : level.radius, // a lens has no other limit
   };
 }
 
 const tiltName = radians =>
   signed(Math.abs(radians)).replace('+', '') + (radians < 0 ? ' up' : ' down');
 
-/** The i-th direction of a camera in words; empty where it has one alone. */
+/** The i-th direction of a camera in words; empty if it has only one. */
 export const directionName = ({pans, tilts}, i) =>
   [pans && signed(pans[i]), tilts && tiltName(tilts[i])].filter(Boolean).join(', ');
 
@@ -40,23 +41,23 @@ export const viewName = (pose, view) =>
     .filter(Boolean)
     .join(', ');
 
-/** Where a camera of a run is in a frame. */
+/** The pose of a camera of a run in a frame. */
 export function poseAt({poses, step}, camera, frame) {
   let last = poses[camera].length - 1;
   while (last > 0 && poses[camera][last].step > step[frame]) last--;
   return poses[camera][last].pose;
 }
 
-/** The view through which a camera of a run sees in a frame; -1 while it moves blindly. */
+/** The view in which a camera of a run sees in a frame; -1 while it turns and sees nothing. */
 export const seenAt = ({seeing, level}, camera, frame) => (seeing[camera] ?? level[camera])[frame];
 
-/** What a camera of a run sees in a frame, or will see once it has moved. */
+/** The view of a camera of a run in a frame: the one it has, or else the one it is turning to. */
 export function viewAt(run, camera, frame) {
   const seen = seenAt(run, camera, frame);
   return viewOf(poseAt(run, camera, frame), seen < 0 ? run.level[camera][frame] : seen);
 }
 
-/** Adds a sector or a full circle about a camera to the path; headings run clockwise from +y, which is upwards. */
+/** Adds a sector or a full circle about a camera to the path. Headings are clockwise from +y. */
 export function sector(path, map, {x, y, heading, viewingAngle}, radius) {
   const [cx, cy, r] = [map.x(x), map.y(y), map.scale * radius];
   if (viewingAngle >= 2 * Math.PI) {
@@ -70,20 +71,20 @@ export function sector(path, map, {x, y, heading, viewingAngle}, radius) {
   }
 }
 
-/** Adds the part of a view between two distances to the path; to be filled `evenodd`. */
+/** Adds the part of a view between two distances to the path, to be filled by rule `evenodd`. */
 export function band(path, map, view, from, to) {
   sector(path, map, view, to);
   if (from > 0) sector(path, map, view, from);
 }
 
-/** Adds corners, x and y in turn in metres, to the path as a ring. */
+/** Adds a ring to the path; its corners are x and y in turn, in metres. */
 export function ring(path, map, corners) {
   for (let i = 0; i < corners.length; i += 2)
     path[i ? 'lineTo' : 'moveTo'](map.x(corners[i]), map.y(corners[i + 1]));
   path.closePath();
 }
 
-/** The corners of what a view has of the ground, x and y in turn in metres. */
+/** The corners of the ground that is in the picture, x and y in turn, in metres. */
 function trapezoid({x, y, heading, ground}) {
   const [sine, cosine] = [Math.sin(heading), Math.cos(heading)];
   return ground.map((metres, i) =>
@@ -91,9 +92,9 @@ function trapezoid({x, y, heading, ground}) {
   );
 }
 
-/** Draws where nothing solid is between the camera and what is drawn, and where its picture has the ground. */
+/** Calls `draw` with the path clipped to the ground in the picture that no wall hides. */
 export function inSight(context, map, view, draw) {
-  if (view.ground && !view.ground.length) return; // it sees no ground
+  if (view.ground && !view.ground.length) return; // all of the picture is above the ground
   const rings = [view.visible, view.ground && trapezoid(view)].filter(corners => corners);
   if (!rings.length) return draw();
   context.save();
@@ -106,7 +107,7 @@ export function inSight(context, map, view, draw) {
   context.restore();
 }
 
-/** Adds the border of a view to the path: a trapezoid of the ground, or a sector. */
+/** Adds the border of a view to the path: its sector, and the ground that is in the picture. */
 export function border(path, map, view) {
   if (view.ground) ring(path, map, trapezoid(view));
   sector(path, map, view, view.reach);
@@ -121,14 +122,16 @@ export function fillDetected(context, map, view) {
   });
 }
 
-/** The pixel density at a place in a view, pixels per metre; NaN where it is not in the picture or not known. */
+/** The pixels per metre at a place; NaN outside the picture, or if the density is not known. */
 export function densityAt(view, x, y) {
   const [right, up] = [x - view.x, y - view.y];
-  const off = Math.atan2(right, up) - view.heading;
-  const away = Math.abs(off - 2 * Math.PI * Math.round(off / (2 * Math.PI)));
-  return view.density && away <= view.viewingAngle / 2 ? view.density / Math.hypot(right, up) : NaN;
+  const turn = Math.atan2(right, up) - view.heading;
+  const offAxis = Math.abs(turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI)));
+  return view.density && offAxis <= view.viewingAngle / 2
+    ? view.density / Math.hypot(right, up)
+    : NaN;
 }
 
-/** What may be done at a density. */
-export const zoneAt = density =>
-  ZONES.find(({least}) => density >= least)?.name ?? 'less than overview';
+/** The name of the density zone of a density, pixels per metre. */
+export const densityZoneAt = density =>
+  DENSITY_ZONES.find(({least}) => density >= least)?.name ?? 'less than overview';

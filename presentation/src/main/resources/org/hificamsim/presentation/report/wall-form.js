@@ -1,4 +1,4 @@
-// Walls, to be drawn with the mouse or typed, and taken away.
+// The form of walls, which are drawn with the mouse or typed, and removed.
 import {el} from './dom.js';
 import {located} from './site.js';
 import {decimals} from './numbers.js';
@@ -7,9 +7,11 @@ const ENDS = ['x1', 'y1', 'x2', 'y2'];
 
 export class WallForm {
   /**
-   * @param edit `wall(x1, y1, x2, y2)` in metres, `remove(obstacle)`, `drawing(on)`: whether pressing in the field begins a wall
+   * @param edit `wall(x1, y1, x2, y2)` in metres, `removeObstacle(obstacle)`
+   * @param onDrawing is called with whether pressing in the field begins a wall
    */
-  constructor({obstacles = []}, edit) {
+  constructor({obstacles = []}, edit, onDrawing) {
+    this.onDrawing = onDrawing;
     this.edit = edit;
     this.inputs = ENDS.map(name =>
       el('input', {type: 'number', step: 'any', name, required: true}),
@@ -27,7 +29,7 @@ export class WallForm {
     this.list = el(
       'select',
       {name: 'obstacle', 'aria-label': 'obstacle to remove'},
-      ...obstacles.map((one, i) => el('option', {value: i}, located(one))),
+      ...obstacles.map((obstacle, i) => el('option', {value: i}, located(obstacle))),
     );
     const add = el(
       'form',
@@ -35,14 +37,18 @@ export class WallForm {
       ...this.inputs.map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
       el('button', {class: 'add-wall'}, 'add a wall'),
     );
-    const rest = obstacles.length
+    const removal = obstacles.length
       ? el(
           'p',
           {},
           this.list,
           el(
             'button',
-            {type: 'button', class: 'remove', onclick: () => edit.remove(Number(this.list.value))},
+            {
+              type: 'button',
+              class: 'remove',
+              onclick: () => edit.removeObstacle(Number(this.list.value)),
+            },
             'remove',
           ),
         )
@@ -53,13 +59,13 @@ export class WallForm {
       el('summary', {}, 'walls'),
       this.draw,
       add,
-      rest,
+      removal,
     );
   }
 
   setDrawing(on) {
     this.draw.setAttribute('aria-pressed', String(on));
-    this.edit.drawing(on);
+    this.onDrawing(on);
   }
 
   add(event) {

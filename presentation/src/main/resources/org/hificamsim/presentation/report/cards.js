@@ -1,0 +1,46 @@
+// Parts that several pages have: cards with a title, how the page was made, and drawings.
+import {el} from './dom.js';
+
+export const card = (title, ...children) =>
+  el('section', {class: 'card'}, el('h2', {}, title), ...children);
+
+/** The command that made a page, and the version. */
+export const madeWith = ({command, version}) =>
+  card(
+    'Made with',
+    el('pre', {tabindex: 0}, command),
+    el('p', {class: 'note'}, `HiFi-CamSim ${version}`),
+  );
+
+/** A part that is built when it is opened. */
+export function foldedCard(title, build) {
+  const details = el(
+    'details',
+    {class: 'card', ontoggle: () => details.childElementCount === 1 && details.append(build())},
+    el('summary', {}, title),
+  );
+  return details;
+}
+
+/** A selection with its label; `nameOf` gives the text of a value. */
+export function labelledSelect(name, values, chosen, onchange, nameOf = value => value) {
+  const select = el(
+    'select',
+    {onchange, 'aria-label': name},
+    ...values.map(value => el('option', {value, title: value}, nameOf(value))),
+  );
+  select.value = chosen;
+  select.label = el('label', {}, `${name} `, select);
+  return select;
+}
+
+/** Returns an SVG element. Attributes that start with "on" are listeners. */
+export function svg(tag, attributes, ...children) {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith('on')) element.addEventListener(name.slice(2), value);
+    else element.setAttribute(name, value);
+  }
+  element.append(...children);
+  return element;
+}

@@ -1,0 +1,209 @@
+// The score over time of a scenario's cases: policies by colour, detection models by dashes,
+// intervals as bands, and yardsticks with their names at the end of their lines.
+import {card, labelledSelect} from './cards.js';
+import {el, onThemeChange, rem, style} from './dom.js';
+import {spelled} from './names.js';
+import {decimals, percent} from './numbers.js';
+import {distinct, rowsOf} from './table.js';
+import {OPTIMAL} from './yardsticks.js';
+
+/** The lines of detection models, and their pieces in the legend. */
+const DASHES = [
+  {line: [], piece: 'solid'},
+  {line: [8, 4], piece: 'dashed'},
+  {line: [2, 4], piece: 'dotted'},
+  {line: [10, 3, 2, 3], piece: 'double'},
+];
+const DECIMALS = 4;
+const HEIGHT = 26; // rem
+
+export function scoreOverTime({levels, colours, settings, yardsticks}) {
+  const cases = casesOf(rowsOf(levels));
+  const scenarios = distinct(cases, 'scenario');
+  const scenario = labelledSelect('scenario', scenarios, scenarios[0], () => draw());
+  const box = el('div', {
+    class: 'lines',
+    role: 'img',
+    'aria-label': 'score over time by case; the tables have the numbers',
+  });
+  const detections = distinct(cases, 'detection');
+  const banded = cases.some(({parts}) => parts[0].low !== '');
+  let plot;
+
+  function draw() {
+    const shown = cases.filter(entry => entry.scenario === scenario.value);
+    const bands = shown.map(({parts}) => bandOf(parts));
+    const lines = yardstickLines(yardsticks, settings, scenario.value, detections);
+    const greatest = Math.max(
+      ...bands.flatMap(band => band?.high ?? []),
+      ...lines.map(({score}) => score),
+    );
+    const {score_words: title, score_unit: unit} =
+      settings?.find(entry => entry.scenario === scenario.value) ?? {};
+    const share = unit === 'share';
+    const top = high => 1.05 * Math.max(high, greatest) || 1;
+    const named = lines.length || shown.some(({policy}) => policy === OPTIMAL);
+    plot?.destroy();
+    plot = new uPlot(
+      {
+        width: box.clientWidth || 600,
+        height: HEIGHT * rem(),
+        padding: [8, (named ? 5.5 : 1) * rem(), 0, 0],
+        cursor: {drag: {x: true, y: false}},
+        scales: {
+          x: {time: false},
+          y: {range: (chart, low, high) => [0, share ? Math.min(1, top(high)) : top(high)]},
+        },
+        axes: [
+          axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step'}),
+          axis({
+            size: 3.5 * rem(),
+            space: 2 * rem(),
+            label: title ?? 'k_min (cameras)',
+            values: (chart, ticks) => ticks.map(tick => (share ? percent(tick) : tick)),
+          }),
+        ],
+        hooks: {
+          drawAxes: [chart => drawBands(chart, bands)],
+          draw: [chart => nameYardsticks(chart, shown, lines)],
+        },
+        series: [{label: 'step'}, ...shown.map(entry => series(entry, share))],
+        legend: {markers: {dash: (chart, i) => dashOf(shown[i - 1]?.detection).piece}},
+      },
+      [
+        shown[0].parts.map(({step}) => Number(step)),
+        ...shown.map(({parts}) => parts.map(({score}) => Number(score))),
+      ],
+      box,
+    );
+  }
+
+  const dashOf = detection => DASHES[Math.max(0, detections.indexOf(detection)) % DASHES.length];
+  const series = ({policy, detection}, share) => ({
+    label: `${spelled(policy)}; ${spelled(detection)}`,
+    stroke: policy === OPTIMAL ? () => style('--ink') : colours[policy],
+    width: 0.12 * rem(),
+    dash: dashOf(detection).line,
+    points: {show: false},
+    value: (chart, value) =>
+      value == null ? '' : share ? percent(value) : decimals(value, DECIMALS),
+  });
+  new ResizeObserver(() =>
+    requestAnimationFrame(() => {
+      if (!plot) draw();
+      else if (box.clientWidth) plot.setSize({width: box.clientWidth, height: HEIGHT * rem()});
+    }),
+  ).observe(box);
+  onThemeChange(() => plot?.redraw());
+  const note =
+    'Mean over the seeds' +
+    (banded ? ', with its 95 % interval as a band' : '') +
+    '; a point is one of fifty equal parts of the run, or a step where there are fewer. ' +
+    'Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
+  return card(
+    'Score over time',
+    el('p', {class: 'pick'}, scenario.label),
+    box,
+    el('p', {class: 'note'}, note),
+  );
+}
+
+/** Groups rows by their case; those of a case follow each other. */
+function casesOf(rows) {
+  const cases = [];
+  const isSame = (row, entry) =>
+    ['scenario', 'detection', 'policy'].every(name => row[name] === entry[name]);
+  for (const row of rows) {
+    if (!cases.length || !isSame(row, cases.at(-1))) {
+      const {scenario, detection, policy} = row;
+      cases.push({scenario, detection, policy, parts: []});
+    }
+    cases.at(-1).parts.push(row);
+  }
+  return cases;
+}
+
+/** The interval of a case by part of the run; null if it has none. */
+const bandOf = parts =>
+  parts[0].low === ''
+    ? null
+    : {
+        low: parts.map(({low}) => Math.max(0, Number(low))),
+        high: parts.map(({high}) => Number(high)),
+      };
+
+function drawBands({ctx, data: [x], series, valToPos}, bands) {
+  ctx.save();
+  ctx.globalAlpha = 0.15;
+  bands.forEach((band, i) => {
+    if (!band || !series[i + 1].show) return;
+    const addPoint = (value, j) =>
+      ctx.lineTo(valToPos(x[j], 'x', true), valToPos(value, 'y', true));
+    ctx.fillStyle = series[i + 1].stroke();
+    ctx.beginPath();
+    band.high.forEach(addPoint);
+    for (let j = band.low.length - 1; j >= 0; j--) addPoint(band.low[j], j);
+    ctx.fill();
+  });
+  ctx.restore();
+}
+
+/**
+ * The yardsticks that have no curve, as horizontal lines: the mean score per step over the seeds.
+ */
+function yardstickLines(yardsticks, settings, scenario, detections) {
+  if (!yardsticks || !settings) return [];
+  const rows = rowsOf(yardsticks).filter(
+    row => row.scenario === scenario && row.yardstick !== OPTIMAL,
+  );
+  const steps = settings.find(entry => entry.scenario === scenario)?.steps;
+  return distinct(rows, 'yardstick').flatMap(name =>
+    distinct(rows, 'detection').map(detection => {
+      const scores = rows
+        .filter(row => row.yardstick === name && row.detection === detection)
+        .map(row => Number(row.score) / steps);
+      return {
+        name,
+        score: scores.reduce((sum, score) => sum + score, 0) / scores.length,
+        dash: DASHES[detections.indexOf(detection) % DASHES.length].line,
+      };
+    }),
+  );
+}
+
+/** Writes the names of yardsticks at the ends of their lines, lower where they would overlap. */
+function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, lines) {
+  ctx.save();
+  ctx.font = `${0.8 * rem() * devicePixelRatio}px sans-serif`;
+  ctx.textBaseline = 'middle';
+  ctx.textAlign = 'left';
+  ctx.fillStyle = ctx.strokeStyle = style('--ink');
+  const curves = shown.flatMap(({policy}, i) =>
+    policy === OPTIMAL && series[i + 1].show && data[i + 1].at(-1) != null
+      ? [{name: policy, score: data[i + 1].at(-1)}]
+      : [],
+  );
+  let last = -Infinity;
+  for (const {name, score, dash} of [...curves, ...lines].sort((a, b) => b.score - a.score)) {
+    const y = valToPos(score, 'y', true);
+    if (dash) {
+      ctx.setLineDash(dash.length ? dash : [1, 0]);
+      ctx.strokeRect(bbox.left, y, bbox.width, 0);
+    }
+    last = Math.max(y, last + rem() * devicePixelRatio);
+    ctx.fillText(name, bbox.left + bbox.width + 5, last);
+  }
+  ctx.restore();
+}
+
+const axis = more => ({
+  stroke: () => style('--faint'),
+  font: font(),
+  labelSize: 1.4 * rem(),
+  labelFont: font(),
+  grid: {stroke: () => style('--grid'), width: 1},
+  ticks: {stroke: () => style('--grid'), width: 1, size: 4},
+  ...more,
+});
+
+const font = () => `${0.8 * rem()}px sans-serif`;

@@ -1,0 +1,119 @@
+// The tables of a comparison as its files have them, its pictures, and its settings.
+import {card} from './cards.js';
+import {el} from './dom.js';
+import {inflate} from './inflate.js';
+import {settingText, spelled, words} from './names.js';
+import {decimals, percent} from './numbers.js';
+import {rowsOf, sortable} from './table.js';
+
+const TITLES = {
+  'choices.csv': 'What each detection model’s choice of policy achieves',
+  'aggregate.csv': 'All scenarios together',
+  'improvement.csv': 'Probability that one policy beats another',
+  'pairs.csv': 'Differences between policies, paired by seed',
+  'rungs.csv': 'What is lost where each rung chooses the policy',
+  'ladder.csv': 'What each rung predicts of the policies',
+  'ladder.svg': 'Each scenario',
+  'cost.svg': 'All scenarios, and what a step costs',
+};
+
+/** The labels of a ladder's columns, whose scores are those of each scenario's objective. */
+const LABELS = {
+  mean_k_min: 'mean score of a step',
+  regret: 'score lost',
+  regret_low: 'low',
+  regret_high: 'high',
+  share: 'of the best',
+  share_low: 'low',
+  share_high: 'high',
+  tau_low: 'low',
+  tau_high: 'high',
+};
+const STATISTICS = {iqm: 'interquartile mean', optimality_gap: 'optimality gap'};
+
+/** The columns whose texts are shown in words. */
+const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung)$/;
+const SHARE = /^share(_|$)/;
+const LONG_NUMBER = /^-?\d+\.(\d{5,}|\d+E-\d+)$/;
+const DECIMALS = 4;
+const WIDE_PICTURE = 800; // points; too small to be read next to another picture
+
+/** The title of a table or picture by the name of its file. */
+export const titleOf = name =>
+  TITLES[name] ?? name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
+
+/** A table as its file has it; `names` has the titles of metrics. */
+export function fileTable(table, names = {}) {
+  const columns = table.columns.map(name => ({
+    name,
+    label: LABELS[name] ?? names[name]?.title ?? words(name),
+    title: name,
+    show: text => cellText(name, text, names),
+  }));
+  return el(
+    'div',
+    {class: 'scroll'},
+    cutNotice(table),
+    sortable(titleOf(table.name), columns, rowsOf(table), 'unseen'),
+  );
+}
+
+function cellText(column, text, names) {
+  if (SHARE.test(column) && text !== '') return percent(Number(text));
+  if (SPELLED.test(column)) return spelled(text);
+  if (LONG_NUMBER.test(text)) return decimals(Number(text), DECIMALS);
+  return names[text]?.title ?? STATISTICS[text] ?? text;
+}
+
+/** A notice that a table has not all rows of its file; null if it has. */
+export const cutNotice = ({rows, count, name}) =>
+  rows.length < count
+    ? el('p', {class: 'notice'}, `The first ${rows.length} of ${count} rows; ${name} has all.`)
+    : null;
+
+/** The pictures of a comparison, those that fit into the page. */
+export async function pictureCard(pictures) {
+  const figures = await Promise.all(pictures.map(picture));
+  return card('Pictures', el('div', {class: 'pictures'}, ...figures));
+}
+
+async function picture({name, data}) {
+  if (!data) return el('p', {class: 'note'}, `${name} is left out, so that this file stays small.`);
+  const image = new Blob([await inflate(data)], {type: 'image/svg+xml'});
+  return el(
+    'figure',
+    {},
+    el('img', {
+      src: URL.createObjectURL(image),
+      alt: titleOf(name),
+      onload: ({target}) =>
+        target.parentElement.classList.toggle('wide', target.naturalWidth > WIDE_PICTURE),
+    }),
+    el('figcaption', {title: name}, titleOf(name)),
+  );
+}
+
+/** The settings of all cases: those that are the same once, the others in a table. */
+export function settingsCard(cases) {
+  const names = [...new Set(cases.flatMap(Object.keys))];
+  const isSame = name => new Set(cases.map(settings => settingText(settings[name]))).size === 1;
+  const different = names.filter(name => !isSame(name));
+  const columns = different.map(name => ({
+    name,
+    label: words(name),
+    title: name,
+    show: text => (SPELLED.test(name) ? spelled(text) : text),
+  }));
+  const rows = cases.map(settings =>
+    Object.fromEntries(different.map(name => [name, settingText(settings[name])])),
+  );
+  const same = names.filter(isSame).map(name => {
+    const value = el('b', {}, settingText(cases[0][name]));
+    return el('span', {class: 'setting', title: name}, `${words(name)}: `, value);
+  });
+  return card(
+    'Settings',
+    el('p', {}, ...same),
+    el('div', {class: 'scroll'}, sortable('settings.json', columns, rows)),
+  );
+}

@@ -1,0 +1,88 @@
+// The numbers of a whole run, its settings, and how to run it again.
+import {el} from './dom.js';
+import {limited, settingText, spelled, tipped, unitAfterPercent, withUnit, words} from './names.js';
+
+/** Returns the elements `wholeRun`, `settings` and `made`. */
+export function details({summary, names, objective, command, version}) {
+  const repeated = summary.repeat > 1;
+  const metrics = Object.entries(summary.metrics).sort(
+    ([a], [b]) => (b === 'score') - (a === 'score'),
+  );
+  names.score.unit = scoreUnit(objective);
+  const shown = metrics.map(([name, figure]) => [
+    name,
+    {...figure, ...limited(name, names[name].unit, figure)},
+  ]);
+  const rows = shown.map(([name, {mean, low, high}]) =>
+    row(
+      name,
+      names[name].title,
+      `${name}: ${names[name].meaning}`,
+      el('td', {data: {name: `summary-${name}`}}, withUnit(mean, names[name].unit)),
+      repeated
+        ? el(
+            'td',
+            {},
+            low === high
+              ? ''
+              : `${withUnit(low, names[name].unit)} to ${withUnit(high, names[name].unit)}`,
+          )
+        : null,
+      el('td', {class: 'unit'}, unitAfterPercent(names[name].unit)),
+    ),
+  );
+  const settings = Object.entries(summary.settings).flatMap(([name, value]) =>
+    name === 'optics'
+      ? value.map(opticsRow)
+      : [row(name, words(name), name, settingCell(name, value))],
+  );
+  return {
+    wholeRun: table(
+      'Whole run',
+      ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value']), 'unit'],
+      rows,
+    ),
+    settings: table('Settings', ['setting', 'value'], settings),
+    made: el(
+      'div',
+      {},
+      el('h2', {}, 'Made with'),
+      el('pre', {tabindex: 0}, command),
+      el('p', {class: 'note'}, `HiFi-CamSim ${version}`),
+    ),
+  };
+}
+
+const scoreUnit = ({share, text}) =>
+  share ? 'shares x steps' : text.startsWith('sum') ? 'detections' : 'cameras x steps';
+
+/** A row of the setting `optics`: the name of the optics, and its values. */
+const opticsRow = ({name, ...parts}) =>
+  row('optics', `optics ${name}`, 'optics', el('td', {}, settingText(parts)));
+
+/** A setting that is written as an option is shown in words, with the option in the tooltip. */
+const settingCell = (name, value) =>
+  el(
+    'td',
+    {},
+    /^(detection|policy|objective)$/.test(name)
+      ? tipped(spelled(value), value)
+      : settingText(value),
+  );
+
+export const row = (name, text, title, ...cells) =>
+  el('tr', {data: {row: name}}, el('th', {scope: 'row', title}, text), ...cells);
+
+export function table(title, columns, rows) {
+  return el(
+    'div',
+    {tabindex: 0},
+    el('h2', {}, title),
+    el(
+      'table',
+      {},
+      el('thead', {}, el('tr', {}, ...columns.map(column => el('th', {scope: 'col'}, column)))),
+      el('tbody', {}, ...rows),
+    ),
+  );
+}

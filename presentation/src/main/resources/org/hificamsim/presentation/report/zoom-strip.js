@@ -1,0 +1,160 @@
+// The zoom level of each camera over time, one row for each camera.
+import {scrub} from './chart.js';
+import {el, setText, style, Surface} from './dom.js';
+import {decimals} from './numbers.js';
+import {levelShare, scaleColour} from './palette.js';
+import {viewName, viewOf} from './views.js';
+
+export class ZoomStrip {
+  constructor(playhead, on) {
+    this.playhead = playhead;
+    this.on = on;
+    this.value = el('span', {class: 'value'});
+    this.surface = new Surface(
+      {role: 'img', 'aria-label': 'zoom level of each camera over time'},
+      (context, width, height) => this.paint(context, width, height),
+    );
+    this.line = el('div', {class: 'playhead'});
+    this.rows = el('div', {class: 'rows', role: 'group', 'aria-label': 'cameras'});
+    this.box = el('div', {class: 'strip'}, this.surface.canvas, this.line);
+    this.element = el(
+      'figure',
+      {class: 'chart zooms'},
+      el('figcaption', {}, 'zoom of each camera', key(), this.value),
+      el('div', {class: 'strip-scroll'}, el('div', {class: 'strip-box'}, this.rows, this.box)),
+    );
+    scrub(this.box, playhead, x => this.frameAt(x));
+    this.box.addEventListener('pointermove', event => this.hover(event));
+    this.box.addEventListener('pointerleave', () => setText(this.value, ''));
+    this.box.addEventListener('click', event => this.on.select(this.cameraAt(event)));
+  }
+
+  load(run) {
+    if (this.run?.setup !== run.setup) this.writeNames(run);
+    this.run = run;
+    this.surface.draw();
+  }
+
+  writeNames(run) {
+    this.rows.replaceChildren(
+      ...run.setup.cameras.map((camera, i) =>
+        el(
+          'button',
+          {
+            type: 'button',
+            title: camera.name,
+            'aria-pressed': 'false',
+            onclick: () => this.on.select(i),
+          },
+          camera.name,
+        ),
+      ),
+    );
+    this.element.dataset.rows = run.setup.cameras.length;
+    this.element.style.setProperty('--rows', run.setup.cameras.length);
+  }
+
+  select(camera) {
+    [...this.rows.children].forEach((row, i) =>
+      row.setAttribute('aria-pressed', String(i === camera)),
+    );
+  }
+
+  frameAt(x) {
+    const first = this.run.step[0];
+    const last = this.run.step[this.run.count - 1];
+    return this.run.frameAt(first + (x / this.surface.width) * (last - first));
+  }
+
+  cameraAt(event) {
+    const box = this.box.getBoundingClientRect();
+    const row = Math.floor(
+      ((event.clientY - box.top) / box.height) * this.run.setup.cameras.length,
+    );
+    return Math.max(0, Math.min(row, this.run.setup.cameras.length - 1));
+  }
+
+  hover(event) {
+    if (!this.run.count) return;
+    const frame = this.frameAt(event.clientX - this.box.getBoundingClientRect().left);
+    const camera = this.cameraAt(event);
+    const view = this.run.level[camera][frame];
+    const pose = this.run.pose(camera, frame);
+    const {zoom, viewingAngle} = viewOf(pose, view);
+    const extent = pose.lenses
+      ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide`
+      : `radius ${decimals(pose.levels[zoom].radius, 3)} m`;
+    const text = this.run.online[camera][frame]
+      ? `${viewName(pose, view)}, ${extent}, detects ${this.run.detected[camera][frame]}`
+      : 'not online';
+    setText(
+      this.value,
+      `${this.run.setup.cameras[camera].name}, step ${this.run.step[frame]}: ${text}`,
+    );
+  }
+
+  /** Each column of pixels has the mean level of its frames. */
+  paint(context, width, height) {
+    const {run} = this;
+    if (!run?.count) return;
+    const cameras = run.setup.cameras.length;
+    const columns = this.surface.canvas.width;
+    const image = new ImageData(columns, cameras);
+    const first = run.step[0];
+    const perColumn = (run.step[run.count - 1] - first + 1) / columns;
+    for (let column = 0; column < columns; column++) {
+      const from = run.frameAt(first + column * perColumn);
+      const to = Math.max(from, run.frameAt(first + (column + 1) * perColumn - 1e-9));
+      for (let camera = 0; camera < cameras; camera++) {
+        paintCell(image, column, camera, meanLevel(run, camera, from, to));
+      }
+    }
+    const rows = document.createElement('canvas');
+    [rows.width, rows.height] = [columns, cameras];
+    rows.getContext('2d').putImageData(image, 0, 0);
+    context.imageSmoothingEnabled = false;
+    context.drawImage(rows, 0, 0, width, height);
+    context.fillStyle = style('--paper');
+    for (let camera = 1; camera < cameras; camera++)
+      context.fillRect(0, (camera * height) / cameras - 0.5, width, 1);
+    this.show(this.frame || 0);
+  }
+
+  show(frame) {
+    this.frame = frame;
+    if (!this.run?.count || !this.surface.width) return;
+    const first = this.run.step[0];
+    const last = this.run.step[this.run.count - 1];
+    const x =
+      last > first ? ((this.run.step[frame] - first) / (last - first)) * this.surface.width : 0;
+    this.line.style.transform = `translateX(${x}px)`;
+  }
+}
+
+/** The mean position between the narrowest and the widest level, 0 to 1; NaN if never online. */
+function meanLevel(run, camera, from, to) {
+  const levels = run.level[camera];
+  const most = run.setup.cameras[camera].pose.levels.length;
+  let sum = 0;
+  let count = 0;
+  for (let frame = from; frame <= to; frame++) {
+    if (!run.online[camera][frame]) continue;
+    sum += levelShare(levels[frame] % most, most);
+    count++;
+  }
+  return sum / count;
+}
+
+function paintCell(image, column, row, share) {
+  if (Number.isNaN(share)) return;
+  image.data.set([...scaleColour(share), 255], 4 * (row * image.width + column));
+}
+
+function key() {
+  const stops = [0, 0.25, 0.5, 0.75, 1].map(share => {
+    const swatch = el('i', {class: 'swatch'});
+    swatch.style.background = `rgb(${scaleColour(share).join()})`;
+    return swatch;
+  });
+  return el('span', {class: 'key'}, 'narrow', ...stops, 'wide');
+}
