@@ -67,10 +67,9 @@ final class ViewCommand implements Callable<Integer> {
     LiveRun run =
         new LiveRun(
             catalogue,
-            scenario,
+            new LiveRun.ShownScenario(scenario, FloorPictures.of(file, scenario)),
             choice,
             asked.seed(),
-            FloorPictures.of(file, scenario),
             Optional.of(new SitePlanner(catalogue, PlaceCommand.detections(catalogue))));
     String page = LivePage.html(catalogue, scenario.name(), detection);
     try (LiveSession session = new LiveSession(run);

@@ -19,8 +19,9 @@ public final class Browsers {
   private Browsers() {}
 
   /**
-   * Opens an address if there is a desktop, otherwise does nothing. The browser is handed a file
-   * that only this user can read: others who list the machine's processes do not see the address.
+   * Opens an address if there is a desktop, otherwise does nothing. The browser is given a file
+   * that only this user can read, so that the list of processes does not show the address to
+   * others.
    */
   public static void open(String address) {
     try {
@@ -34,11 +35,11 @@ public final class Browsers {
             .start();
       }
     } catch (IOException e) {
-      // the address has been printed
+      // the user opens the printed address
     }
   }
 
-  /** What the file holds: a page that goes on to the address. */
+  /** Returns the content of that file: a page that redirects to the address. */
   public static String page(String address) {
     return PAGE.formatted(address);
   }

@@ -17,152 +17,152 @@ import java.util.Locale;
 import org.hificamsim.core.InputException;
 
 /**
- * What the page may ask for, each by the name of its record in lower case. {@link LiveRun} and
- * {@link LiveSession} say what the values are.
+ * A command of the page, whose name in JSON is that of its record in lower case. {@link LiveRun}
+ * and {@link LiveSession} describe the values.
  */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "command")
 public sealed interface Command {
   /**
-   * Does it; on the session's thread.
+   * Executes the command, on the session's thread.
    *
-   * @throws InputException when a value is wrong; nothing has changed then
+   * @throws InputException if a value is wrong; the session is unchanged then
    */
-  void obey(LiveSession session);
+  void execute(LiveSession session);
 
   record Run() implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.run();
     }
   }
 
   record Pause() implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.pause();
     }
   }
 
   record Step(int steps) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.steps(steps);
+    public void execute(LiveSession session) {
+      session.runSteps(steps);
     }
   }
 
   record Speed(int perSecond) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.speed(perSecond);
+    public void execute(LiveSession session) {
+      session.setSpeed(perSecond);
     }
   }
 
   record Restart(long seed, boolean keepCameras) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.renew(run -> run.restart(seed, keepCameras));
     }
   }
 
   record Drag(int camera, double x, double y) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.change(run -> run.drag(camera, x, y));
     }
   }
 
   record Turn(int camera, double heading) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.change(run -> run.turn(camera, heading));
     }
   }
 
   record Add(int like, double x, double y) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.renew(run -> run.add(like, x, y));
+    public void execute(LiveSession session) {
+      session.renew(run -> run.addCopy(like, x, y));
     }
   }
 
   record Hold(int camera, int view) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.change(run -> run.hold(camera, view));
     }
   }
 
   record Wall(double x1, double y1, double x2, double y2) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.renew(run -> run.edit(now -> now.wall(x1, y1, x2, y2)));
+    public void execute(LiveSession session) {
+      session.renew(run -> run.edit(scenario -> scenario.addWall(x1, y1, x2, y2)));
     }
   }
 
   record Remove(int obstacle) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.renew(run -> run.edit(now -> now.removeObstacle(obstacle)));
+    public void execute(LiveSession session) {
+      session.renew(run -> run.edit(scenario -> scenario.removeObstacle(obstacle)));
     }
   }
 
   record RemoveCamera(int camera) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.renew(run -> run.edit(now -> now.removeCamera(camera)));
+    public void execute(LiveSession session) {
+      session.renew(run -> run.edit(scenario -> scenario.removeCamera(camera)));
     }
   }
 
   record RemoveTarget(int target) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.renew(run -> run.edit(now -> now.removeTarget(target)));
+    public void execute(LiveSession session) {
+      session.renew(run -> run.edit(scenario -> scenario.removeTarget(target)));
     }
   }
 
   record Suggest(int camera) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.renew(run -> run.suggest(camera));
     }
   }
 
   record Undo() implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.renew(LiveRun::undo);
     }
   }
 
   record Redo() implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.renew(LiveRun::redo);
     }
   }
 
   record Choose(int side, String detection, Double threshold, String policy) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.choose(side, new LiveChoice(detection, threshold, policy));
     }
   }
 
   record Compare(boolean on) implements Command {
     @Override
-    public void obey(LiveSession session) {
+    public void execute(LiveSession session) {
       session.renew(run -> run.compare(on));
     }
   }
 
   record Heat(boolean on) implements Command {
     @Override
-    public void obey(LiveSession session) {
-      session.change(run -> run.heat(on));
+    public void execute(LiveSession session) {
+      session.change(run -> run.recordHeat(on));
     }
   }
 
-  /** How commands are read: nothing is left out, added or converted; a threshold may be null. */
+  /** Rejects missing, unknown and converted values, and nulls except that of a threshold. */
   ObjectMapper STRICT =
       JsonMapper.builder()
           .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
@@ -183,21 +183,21 @@ public sealed interface Command {
   /**
    * Reads a command.
    *
-   * @throws InputException when the text is anything else
+   * @throws InputException if the text is not a valid command
    */
   static Command read(byte[] json) {
     try {
       Command command = STRICT.readValue(json, Command.class);
       if (command == null) {
-        throw new InputException("null, expected a command");
+        throw new InputException("the command is null, expected an object");
       }
       return command;
     } catch (InvalidNullException e) {
       throw new InputException(e.getPropertyName() + " is null, expected a value", e);
     } catch (JsonProcessingException e) {
-      throw new InputException("no command: " + e.getOriginalMessage(), e);
+      throw new InputException("the command cannot be read: " + e.getOriginalMessage(), e);
     } catch (IOException e) {
-      throw new InputException("no command: " + e.getMessage(), e);
+      throw new InputException("the command cannot be read: " + e.getMessage(), e);
     }
   }
 }

@@ -20,76 +20,77 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
 
-/** A scenario that has been changed since it was read, with what undo and redo need. */
+/** A scenario with the changes that somebody has made to it, which can be undone and redone. */
 final class EditedScenario {
-  private static final String ADDED = "added-";
-  private static final int MOST_UNDONE = 200;
+  private static final String ADDED_PREFIX = "added-";
+  private static final int MOST_UNDO_STEPS = 200;
 
   private final Scenario original;
-  private final Deque<Scenario> past = new ArrayDeque<>();
-  private final Deque<Scenario> undone = new ArrayDeque<>();
-  private Scenario now;
-  private String moved = "";
+  private final Deque<Scenario> undoSteps = new ArrayDeque<>();
+  private final Deque<Scenario> redoSteps = new ArrayDeque<>();
+  private Scenario current;
+
+  /** The camera that the last change moved or turned; empty if the change was another one. */
+  private String lastMoved = "";
 
   EditedScenario(Scenario original) {
     this.original = original;
-    this.now = original;
+    this.current = original;
   }
 
-  /** The scenario as it is now. */
-  Scenario now() {
-    return now;
+  /** The scenario with all changes. */
+  Scenario current() {
+    return current;
   }
 
-  /** Makes it the one that was read again. */
-  void forget() {
-    become("", original);
+  /** Restores the scenario that was read, as a change that can be undone. */
+  void reset() {
+    apply("", original);
   }
 
   /**
-   * Notes a change.
+   * Makes a change that can be undone. Moves and turns of one camera in a row are one change.
    *
-   * @param move the camera that is moved or turned, empty for other changes: however long one
-   *     camera is dragged, it is one change
+   * @param moved the camera that is moved or turned; empty for other changes
    */
-  private void become(String move, Scenario changed) {
-    if (move.isEmpty() || !move.equals(moved)) {
-      past.push(now);
+  private void apply(String moved, Scenario changed) {
+    if (moved.isEmpty() || !moved.equals(lastMoved)) {
+      undoSteps.push(current);
     }
-    if (past.size() > MOST_UNDONE) {
-      past.removeLast();
+    if (undoSteps.size() > MOST_UNDO_STEPS) {
+      undoSteps.removeLast();
     }
-    undone.clear();
-    moved = move;
-    now = changed;
+    redoSteps.clear();
+    lastMoved = moved;
+    current = changed;
   }
 
-  /** Takes the last change back. */
+  /** Undoes the last change. */
   void undo() {
-    step(past, undone, "undo");
+    step(undoSteps, redoSteps, "undo");
   }
 
-  /** Makes the change again that was taken back last. */
+  /** Redoes the change that was undone last. */
   void redo() {
-    step(undone, past, "redo");
+    step(redoSteps, undoSteps, "redo");
   }
 
-  private void step(Deque<Scenario> from, Deque<Scenario> to, String what) {
+  private void step(Deque<Scenario> from, Deque<Scenario> to, String action) {
     if (from.isEmpty()) {
-      throw new InputException("no change, expected one to " + what);
+      throw new InputException("there is no change to " + action);
     }
-    to.push(now);
-    now = from.pop();
-    moved = "";
+    to.push(current);
+    current = from.pop();
+    lastMoved = "";
   }
 
-  /** Moves a camera; refuses a place that is not in the field, or in a solid obstacle. */
+  /** Moves a camera to a place in the field that is not in a solid obstacle. */
   void move(String name, double x, double y) {
     checkPlace(x, y);
     change(name, camera -> camera.with(CameraSpec.X, x).with(CameraSpec.Y, y));
   }
 
-  /** Turns a camera; degrees. */
+  /** Turns a camera to a heading in degrees. */
   void turn(String name, double heading) {
     if (!Double.isFinite(heading)) {
       throw new InputException("heading is %s, expected degrees".formatted(heading));
@@ -98,102 +99,112 @@ final class EditedScenario {
   }
 
   private void change(String name, UnaryOperator<CameraSpec> change) {
-    become(
+    apply(
         name,
-        now.withCameras(camera -> camera.name().equals(name) ? change.apply(camera) : camera));
+        current.withCameras(camera -> camera.name().equals(name) ? change.apply(camera) : camera));
   }
 
-  /** Adds a camera that is like another one but for its place, after those of the start. */
-  void add(String like, double x, double y) {
+  /** Adds a copy of a camera at another place, after the cameras of the start. */
+  void addCopy(String original, double x, double y) {
     checkPlace(x, y);
     CameraSpec added =
-        camera(like)
+        camera(original)
             .orElseThrow()
             .with(CameraSpec.NAME, freeName())
             .with(CameraSpec.X, x)
             .with(CameraSpec.Y, y);
-    List<CameraSpec> more = new ArrayList<>(now.cameras());
-    more.add(added);
-    become("", now.with(Scenario.CAMERAS, more));
+    addCamera(added);
   }
 
-  /** Puts a camera in the place of the one of its name; or one more, under a free name. */
-  void put(CameraSpec camera, boolean more) {
-    List<CameraSpec> all = new ArrayList<>(now.cameras());
-    all.add(camera.with(CameraSpec.NAME, freeName()));
-    become(
+  /** Adds a camera under a free name. */
+  void add(CameraSpec camera) {
+    addCamera(camera.with(CameraSpec.NAME, freeName()));
+  }
+
+  private void addCamera(CameraSpec camera) {
+    List<CameraSpec> cameras = new ArrayList<>(current.cameras());
+    cameras.add(camera);
+    apply("", current.with(Scenario.CAMERAS, cameras));
+  }
+
+  /** Replaces the camera of the same name. */
+  void replace(CameraSpec replacement) {
+    apply(
         "",
-        more
-            ? now.with(Scenario.CAMERAS, all)
-            : now.withCameras(one -> one.name().equals(camera.name()) ? camera : one));
+        current.withCameras(
+            camera -> camera.name().equals(replacement.name()) ? replacement : camera));
   }
 
-  /** Takes a camera away, with the events that it has. */
+  /** Removes a camera and its events. */
   void removeCamera(int number) {
-    String name = element(now.everyCamera().toList(), number, "camera").name();
+    String name = element(current.everyCamera().toList(), number, "camera").name();
     Scenario rest = without(Scenario.CAMERAS, number, ScenarioEvent.AddCamera.class);
     List<ScenarioEvent> events =
         rest.events().stream()
             .filter(event -> !event.existingCamera().equals(Optional.of(name)))
             .toList();
-    become("", rest.with(Scenario.EVENTS, events));
+    apply("", rest.with(Scenario.EVENTS, events));
   }
 
-  /** Takes a target away. */
+  /** Removes a target. */
   void removeTarget(int number) {
-    element(now.everyTarget().toList(), number, "target");
-    become("", without(Scenario.TARGETS, number, ScenarioEvent.AddTarget.class));
+    element(current.everyTarget().toList(), number, "target");
+    apply("", without(Scenario.TARGETS, number, ScenarioEvent.AddTarget.class));
   }
 
-  /** Adds a solid wall after the other obstacles, where it hits no camera and no target. */
-  void wall(double x1, double y1, double x2, double y2) {
+  /** Adds a solid wall, which must hit no camera and no target, after the other obstacles. */
+  void addWall(double x1, double y1, double x2, double y2) {
     checkInField(x1, y1);
     checkInField(x2, y2);
     if (x1 == x2 && y1 == y2) {
       throw InputException.of("both ends of the wall are (%s, %s), expected two places", x1, y1);
     }
     Obstacle wall = new Obstacle.Wall(x1, y1, x2, y2, 0);
-    places()
+    freePlaces()
         .filter(place -> wall.contains(place.x(), place.y()))
         .findFirst()
         .ifPresent(
             place -> {
               throw InputException.of(
-                  "the wall is expected off all cameras and targets, and one stands at (%s, %s)",
+                  "the wall hits a camera or a target at (%s, %s), expected a wall away from all of"
+                      + " them",
                   place.x(), place.y());
             });
-    List<Obstacle> more = new ArrayList<>(now.obstacles());
-    more.add(wall);
-    become("", now.with(Scenario.OBSTACLES, more));
+    List<Obstacle> obstacles = new ArrayList<>(current.obstacles());
+    obstacles.add(wall);
+    apply("", current.with(Scenario.OBSTACLES, obstacles));
   }
 
-  /** Takes an obstacle away. */
+  /** Removes an obstacle. */
   void removeObstacle(int number) {
-    element(now.obstacles(), number, "obstacle");
-    become("", now.with(Scenario.OBSTACLES, without(now.obstacles(), number)));
+    element(current.obstacles(), number, "obstacle");
+    apply("", current.with(Scenario.OBSTACLES, without(current.obstacles(), number)));
   }
 
-  private static <T> T element(List<T> all, int number, String what) {
-    if (number < 0 || number >= all.size()) {
-      throw InputException.of("%s is %s, expected one of the %s, from 0", what, number, all.size());
+  private static <T> T element(List<T> elements, int number, String name) {
+    if (number < 0 || number >= elements.size()) {
+      throw InputException.of(
+          "%s is %s, expected one of the %s, from 0", name, number, elements.size());
     }
-    return all.get(number);
+    return elements.get(number);
   }
 
   /**
-   * Without an element of the start, or the event that adds one later.
+   * Returns the scenario without an element, or without the event that adds it.
    *
-   * @param number counts first the ones of the start, then those that events add
+   * @param number of the element; those of the start come first, then those that events add
+   * @param addition the events that add such elements
    */
   private <T> Scenario without(
-      Property<Scenario, List<T>> list, int number, Class<? extends ScenarioEvent> adds) {
-    List<T> start = now.get(list);
+      Property<Scenario, List<T>> list, int number, Class<? extends ScenarioEvent> addition) {
+    List<T> start = current.get(list);
     if (number < start.size()) {
-      return now.with(list, without(start, number));
+      return current.with(list, without(start, number));
     }
     ScenarioEvent event =
-        now.events().stream().filter(adds::isInstance).toList().get(number - start.size());
-    return now.with(Scenario.EVENTS, without(now.events(), now.events().indexOf(event)));
+        current.events().stream().filter(addition::isInstance).toList().get(number - start.size());
+    List<ScenarioEvent> events = current.events();
+    return current.with(Scenario.EVENTS, without(events, events.indexOf(event)));
   }
 
   private static <T> List<T> without(List<T> list, int number) {
@@ -202,61 +213,62 @@ final class EditedScenario {
     return rest;
   }
 
-  /** The names of targets whose way from waypoint to waypoint leads through a solid obstacle. */
-  List<String> blocked() {
-    Obstacles solid = new Obstacles(now.obstacles());
-    return now.everyTarget()
+  /** The names of targets whose waypoints lead them through a solid obstacle. */
+  List<String> blockedTargets() {
+    Obstacles solid = new Obstacles(current.obstacles());
+    return current
+        .everyTarget()
         .filter(target -> isBlocked(target.waypoints(), solid))
         .map(TargetSpec::name)
         .toList();
   }
 
-  private static boolean isBlocked(List<Waypoint> way, Obstacles obstacles) {
-    return IntStream.range(0, way.size())
+  private static boolean isBlocked(List<Waypoint> waypoints, Obstacles obstacles) {
+    return IntStream.range(0, waypoints.size())
         .anyMatch(
             i -> {
-              Waypoint from = way.get(i);
-              Waypoint to = way.get((i + 1) % way.size());
+              Waypoint from = waypoints.get(i);
+              Waypoint to = waypoints.get((i + 1) % waypoints.size());
               return obstacles.transmittance(from.x(), from.y(), to.x(), to.y()) == 0;
             });
   }
 
-  /** Where a scenario file may have nothing solid: cameras and the starts and ways of targets. */
-  private Stream<Point> places() {
+  /** The places that must not be in anything solid: those of cameras, targets and waypoints. */
+  private Stream<Point> freePlaces() {
     return Stream.concat(
-        now.everyCamera().map(camera -> new Point(camera.x(), camera.y())),
-        now.everyTarget().flatMap(EditedScenario::places));
+        current.everyCamera().map(camera -> new Point(camera.x(), camera.y())),
+        current.everyTarget().flatMap(EditedScenario::places));
   }
 
   private static Stream<Point> places(TargetSpec target) {
     return Stream.concat(
         Stream.of(new Point(target.x(), target.y())),
-        target.waypoints().stream().map(point -> new Point(point.x(), point.y())));
+        target.waypoints().stream().map(waypoint -> new Point(waypoint.x(), waypoint.y())));
   }
 
   private String freeName() {
     int number = 1;
-    while (camera(ADDED + number).isPresent()) {
+    while (camera(ADDED_PREFIX + number).isPresent()) {
       number++;
     }
-    return ADDED + number;
+    return ADDED_PREFIX + number;
   }
 
-  /** The camera of a name. */
+  /** The camera of this name, if there is one. */
   Optional<CameraSpec> camera(String name) {
-    return now.everyCamera().filter(camera -> camera.name().equals(name)).findFirst();
+    return current.everyCamera().filter(camera -> camera.name().equals(name)).findFirst();
   }
 
   private void checkPlace(double x, double y) {
     checkInField(x, y);
-    if (new Obstacles(now.obstacles()).containing(x, y).isPresent()) {
+    if (new Obstacles(current.obstacles()).containing(x, y).isPresent()) {
       throw InputException.of(
-          "x is %s and y is %s, expected a place off all solid obstacles", x, y);
+          "x is %s and y is %s, expected a place outside all solid obstacles", x, y);
     }
   }
 
   private void checkInField(double x, double y) {
-    Field field = now.field();
+    Field field = current.field();
     if (!field.contains(x, y) || Double.isNaN(x) || Double.isNaN(y)) {
       throw InputException.of("x is %s and y is %s, expected a place in the field", x, y);
     }

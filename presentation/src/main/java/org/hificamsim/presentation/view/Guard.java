@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Who may ask for what: pages that this server has sent, on this machine, and nobody else. The
- * token keeps out other users and programs of the machine, the host name DNS rebinding, the origin
- * other sites in the same browser.
+ * Accepts requests only from pages that this server has sent, on this machine. The token keeps out
+ * other users and programs of the machine, the check of the host DNS rebinding, and the check of
+ * the origin other sites in the same browser.
  */
 final class Guard {
   private static final int TOKEN_BYTES = 24;
@@ -33,23 +33,23 @@ final class Guard {
   }
 
   /**
-   * What is wrong with a request; null when nothing is. A window may be sent here from elsewhere,
-   * as by the file that opens it: the page shows itself to nobody else.
+   * Returns what is wrong with a request, null if nothing is. A navigation may come from another
+   * origin, because the file that opens the page does: only the user sees its answer.
    */
   String objection(HttpExchange exchange) {
     Headers headers = exchange.getRequestHeaders();
-    if (!hosts.contains(only(headers.get("Host")))) {
+    if (!hosts.contains(single(headers.get("Host")))) {
       return "another host";
     }
-    String origin = only(headers.get("Origin"));
-    boolean posts = exchange.getRequestMethod().equals("POST");
-    boolean own = origin.equals("http://" + only(headers.get("Host")));
-    if (posts ? !own : !(own || origin.isEmpty())) {
+    String origin = single(headers.get("Origin"));
+    boolean isPost = exchange.getRequestMethod().equals("POST");
+    boolean sameOrigin = origin.equals("http://" + single(headers.get("Host")));
+    if (isPost ? !sameOrigin : !(sameOrigin || origin.isEmpty())) {
       return "another origin";
     }
-    String site = only(headers.get("Sec-Fetch-Site"));
-    boolean opens = !posts && only(headers.get("Sec-Fetch-Mode")).equals("navigate");
-    if (!opens && !Set.of("", "same-origin", "none").contains(site)) {
+    String site = single(headers.get("Sec-Fetch-Site"));
+    boolean isNavigation = !isPost && single(headers.get("Sec-Fetch-Mode")).equals("navigate");
+    if (!isNavigation && !Set.of("", "same-origin", "none").contains(site)) {
       return "another site";
     }
     return hasToken(exchange.getRequestURI().getRawPath()) ? null : "no token";
@@ -61,8 +61,8 @@ final class Guard {
     return MessageDigest.isEqual(given, token.getBytes(StandardCharsets.UTF_8));
   }
 
-  /** The one value of a header; empty when there is none or more than one. */
-  private static String only(List<String> values) {
+  /** The only value of a header; empty if it has none or several. */
+  private static String single(List<String> values) {
     return values == null || values.size() != 1 ? "" : values.get(0);
   }
 }

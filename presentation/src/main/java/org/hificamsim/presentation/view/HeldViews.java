@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** A policy some of whose cameras are held in views that somebody has chosen. */
+/** A policy whose choice is overridden for the cameras that somebody holds in a view. */
 final class HeldViews implements ZoomPolicy {
   private final ZoomPolicy policy;
   private final Map<String, Integer> held;

@@ -9,85 +9,88 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.ObjectiveWords;
 
 /**
- * What a session shows: its simulations, their last steps, and how it goes on. Each page reads what
- * is new to it, in its own time.
+ * What a session shows to pages: its simulations, their last steps, and its state. Each page reads
+ * what is new to it, at its own pace.
  *
- * <p>There are as many steps as there is room for: when it is full, every other one but the latest
- * is left out, so that the shape of a curve stays; the first and the last are always there, and no
- * move is lost. A page that is slow gets fewer steps.
+ * <p>The number of steps is limited. When the limit is reached, every other one of the older steps
+ * is removed, so that curves keep their shape. The first and the last step always stay, and no move
+ * is lost. A slow page gets fewer steps.
  */
 final class LiveFeed {
   private static final int MAX_STEPS = 4000;
   private static final int MIN_STEPS = 50;
   private static final long MAX_NUMBERS = 1 << 21;
-  private static final int LATEST = 100; // none of which is left out
+
+  /** The number of latest steps that are never removed. */
+  private static final int LATEST = 100;
+
   private static final int STEPS_PER_EVENT = 200;
   private static final long HEARTBEAT = TimeUnit.SECONDS.toNanos(1);
 
-  /** A comment, which pages ignore: writing it shows whether anybody is there. */
-  private static final String NOTHING = ":\n\n";
+  /** A comment, which pages ignore; writing it fails once the page is closed. */
+  private static final String COMMENT = ":\n\n";
 
   private static final String NO_HEAT = "[]";
 
-  /** One simulation. */
+  /** The setup of one simulation. */
   record SideMessage(Setup setup, String estimated, ObjectiveWords objective) {}
 
   /**
-   * What runs.
+   * The setups of all simulations.
    *
-   * @param fresh whether the steps sent before are to be forgotten
+   * @param fresh whether pages are to forget the steps that were sent before
    */
   private record SetupMessage(boolean fresh, List<SideMessage> sides) {}
 
-  private final int most;
+  private final int maxSteps;
   private List<SideMessage> sides = List.of();
   private List<LiveStep> steps = new ArrayList<>();
   private String state = "";
   private String heat = NO_HEAT;
-  private int beginnings;
-  private int choices;
+  private int beginCount;
+  private int choiceCount;
 
   /**
-   * @param most steps, 2 or more
+   * @param maxSteps the limit of steps, 2 or more
    */
-  LiveFeed(int most) {
-    this.most = most;
+  LiveFeed(int maxSteps) {
+    this.maxSteps = maxSteps;
   }
 
-  /** A feed with room for the steps of a scenario, so that a large one needs no more memory. */
+  /** A feed whose limit of steps is lower for a large scenario, so that its memory is bounded. */
   static LiveFeed of(Setup setup) {
     long fit = MAX_NUMBERS / Math.max(1, setup.numbersPerFrame());
     return new LiveFeed((int) Math.max(MIN_STEPS, Math.min(MAX_STEPS, fit)));
   }
 
-  /** Shows other simulations: the steps so far are forgotten. */
+  /** Shows new simulations, and removes the steps of the old ones. */
   synchronized void begin(List<SideMessage> newSides) {
     sides = newSides;
-    beginnings++;
+    beginCount++;
     steps.clear();
     heat = NO_HEAT;
   }
 
-  /** Has a simulation go on under another choice: its estimates so far were another policy's. */
+  /** Shows a new choice of a simulation, and removes its estimates, which another policy made. */
   synchronized void choose(int side, List<SideMessage> newSides) {
     sides = newSides;
-    choices++;
+    choiceCount++;
     steps.replaceAll(step -> step.withoutEstimates(side));
   }
 
   synchronized void add(LiveStep step) {
     steps.add(step);
-    if (steps.size() > most) {
+    if (steps.size() > maxSteps) {
       thin();
     }
   }
 
   private void thin() {
-    int latest = steps.size() - Math.min(LATEST, most / 2);
+    int latest = steps.size() - Math.min(LATEST, maxSteps / 2);
     List<LiveStep> kept = new ArrayList<>();
     for (int i = 0; i < steps.size(); i++) {
       if (i % 2 != 0 && i < latest) {
-        steps.set(i + 1, steps.get(i + 1).after(steps.get(i)));
+        steps.set(i + 1, steps.get(i + 1).withMovesOf(steps.get(i)));
       } else {
         kept.add(steps.get(i));
       }
@@ -95,29 +98,29 @@ final class LiveFeed {
     steps = kept;
   }
 
-  synchronized void state(String json) {
+  synchronized void showState(String json) {
     state = json;
   }
 
-  synchronized void heat(String json) {
+  synchronized void showHeat(String json) {
     heat = json;
   }
 
-  /** The steps, in order. */
+  /** The steps that have not been removed, in order. */
   synchronized List<LiveStep> steps() {
     return List.copyOf(steps);
   }
 
-  /** How far one page has read. */
+  /** One page's position in the feed. */
   final class Reader {
-    private int begun;
-    private int chosen;
-    private long step;
+    private int knownBegins;
+    private int knownChoices;
+    private long lastStep;
     private String knownState;
     private String knownHeat;
-    private long sent;
+    private long lastSent;
 
-    /** Server-sent events with what is new to the page; at least a comment every second. */
+    /** Returns server-sent events with what is new to the page; at least a comment every second. */
     String take() {
       StringBuilder news = new StringBuilder();
       synchronized (LiveFeed.this) {
@@ -132,33 +135,33 @@ final class LiveFeed {
           add(news, "heat", heat);
         }
       }
-      if (news.isEmpty() && System.nanoTime() - sent > HEARTBEAT) {
-        news.append(NOTHING);
+      if (news.isEmpty() && System.nanoTime() - lastSent > HEARTBEAT) {
+        news.append(COMMENT);
       }
-      sent = news.isEmpty() ? sent : System.nanoTime();
+      lastSent = news.isEmpty() ? lastSent : System.nanoTime();
       return news.toString();
     }
 
     private void addSetup(StringBuilder news) {
-      boolean fresh = begun != beginnings;
-      if (fresh || chosen != choices) {
+      boolean fresh = knownBegins != beginCount;
+      if (fresh || knownChoices != choiceCount) {
         add(news, "setup", ReplayJson.of(new SetupMessage(fresh, sides)));
-        begun = beginnings;
-        chosen = choices;
+        knownBegins = beginCount;
+        knownChoices = choiceCount;
       }
       if (fresh) {
-        step = -1;
+        lastStep = -1;
         knownState = "";
         knownHeat = NO_HEAT;
       }
     }
 
     private void addSteps(StringBuilder news) {
-      List<LiveStep> unread = steps.stream().dropWhile(one -> one.number() <= step).toList();
+      List<LiveStep> unread = steps.stream().dropWhile(step -> step.number() <= lastStep).toList();
       for (int from = 0; from < unread.size(); from += STEPS_PER_EVENT) {
         int to = Math.min(from + STEPS_PER_EVENT, unread.size());
         add(news, "steps", ReplayJson.of(unread.subList(from, to)));
-        step = unread.get(to - 1).number();
+        lastStep = unread.get(to - 1).number();
       }
     }
 

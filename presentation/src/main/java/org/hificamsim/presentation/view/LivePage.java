@@ -21,8 +21,8 @@ public final class LivePage {
   /**
    * The page as HTML.
    *
-   * @param scenario its name
-   * @param detection of the start; offered in addition to the catalogue
+   * @param scenario name
+   * @param detection that the session starts with; offered in addition to the catalogue's
    */
   public static String html(Catalogue catalogue, String scenario, String detection) {
     List<String> detections = new ArrayList<>(catalogue.detections().names());
@@ -31,8 +31,8 @@ public final class LivePage {
     }
     List<Map<String, String>> policies =
         catalogue.policies().entries().stream()
-            .filter(entry -> live(catalogue, entry.name()))
-            .map(LivePage::described)
+            .filter(entry -> isLive(catalogue, entry.name()))
+            .map(LivePage::describe)
             .toList();
     List<Map<String, String>> figures =
         Arrays.stream(HeatFigure.values())
@@ -52,12 +52,12 @@ public final class LivePage {
     }
   }
 
-  /** Whether a policy can be viewed live: none that looks at the whole run first. */
-  private static boolean live(Catalogue catalogue, String policy) {
+  /** Whether a policy can be viewed live: not if it looks at the whole run before it begins. */
+  private static boolean isLive(Catalogue catalogue, String policy) {
     return !(catalogue.policies().create(policy) instanceof HindsightZoomPolicy);
   }
 
-  private static Map<String, String> described(Registry.Entry<?> entry) {
+  private static Map<String, String> describe(Registry.Entry<?> entry) {
     return Map.of("name", entry.name(), "summary", entry.summary());
   }
 }

@@ -20,134 +20,137 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.DetectionSpec;
 
 /**
- * One or two simulations of the same targets, in step. The targets are the same because each world
- * has the same seed and targets move without regard to cameras. Equal commands between equal steps
- * give equal steps. A command with a wrong value throws an {@link InputException}, and nothing has
- * changed then. Not for several threads.
+ * One or two simulations of the same targets that make their steps together. The targets are the
+ * same because each world has the same seed and targets move without regard to cameras. The same
+ * commands at the same steps give the same results. A command with a wrong value throws an {@link
+ * InputException} and leaves the run unchanged. Not thread-safe.
  */
 public final class LiveRun {
+  /**
+   * A scenario as it is shown.
+   *
+   * @param floor pictures under the field
+   */
+  public record ShownScenario(Scenario scenario, List<Setup.Floor> floor) {}
+
   private final Catalogue catalogue;
   private final EditedScenario scenario;
-  private final String firstName;
-  private final DetectionSpec first;
+  private final String initialDetection;
+  private final DetectionSpec initialSpec;
   private final List<LiveChoice> choices = new ArrayList<>();
   private final List<Setup.Floor> floor;
   private final Map<String, Integer> held = new HashMap<>();
   private final Optional<Planner> planner;
   private List<LiveSide> sides = new ArrayList<>();
   private List<Planner.Share> shares = List.of();
-  private Scenario shared; // of which these are
+  private Scenario scenarioOfShares; // null if the shares are out of date
   private long seed;
   private long next;
-  private boolean heat;
+  private boolean recordsHeat;
   private boolean paused;
 
   /**
    * @param choice of the first simulation; its detection may be a model file
-   * @param floor pictures under the field
    * @param planner suggests cameras; empty for no suggestions
-   * @throws InputException when the choice is wrong or does not suit the scenario
+   * @throws InputException if the choice is wrong or does not suit the scenario
    */
   public LiveRun(
       Catalogue catalogue,
-      Scenario scenario,
+      ShownScenario shown,
       LiveChoice choice,
       long seed,
-      List<Setup.Floor> floor,
       Optional<Planner> planner) {
     this.planner = planner;
-    this.floor = List.copyOf(floor);
+    this.floor = List.copyOf(shown.floor());
     this.catalogue = catalogue;
-    this.scenario = new EditedScenario(scenario);
-    this.firstName = choice.detection();
-    this.first = DetectionSpec.parse(firstName, catalogue::detection);
+    this.scenario = new EditedScenario(shown.scenario());
+    this.initialDetection = choice.detection();
+    this.initialSpec = DetectionSpec.parse(initialDetection, catalogue::detection);
     choices.add(choice);
     restart(seed, true);
   }
 
   /** Runs one step in each simulation. */
   public LiveStep step() {
-    List<LiveStep.Side> done = new ArrayList<>();
+    List<LiveStep.Side> results = new ArrayList<>();
     for (LiveSide side : sides) {
-      done.add(side.step());
+      results.add(side.step());
     }
     next++;
-    return new LiveStep(done);
+    return new LiveStep(results);
   }
 
   /**
    * Begins again with the same choices.
    *
    * @param newSeed of targets and policies
-   * @param keepEdits whether cameras and walls stay as they were put; else all is as the scenario
-   *     says
+   * @param keepEdits whether the changes of cameras, targets and walls stay
    */
   public void restart(long newSeed, boolean keepEdits) {
     if (!keepEdits) {
-      scenario.forget();
+      scenario.reset();
       held.clear();
     }
     seed = newSeed;
     next = 0;
-    begin(() -> world(0));
+    begin(() -> worldAfter(0));
   }
 
   private void begin(Supplier<World> world) {
-    sides = new ArrayList<>(choices.stream().map(choice -> side(world.get(), choice)).toList());
+    sides = new ArrayList<>(choices.stream().map(choice -> newSide(world.get(), choice)).toList());
   }
 
-  /** Puts a camera elsewhere in every simulation; seen from the next step on. */
+  /** Moves a camera in every simulation; takes effect in the next step. */
   public void drag(int camera, double x, double y) {
-    scenario.move(online(camera), x, y);
+    scenario.move(onlineName(camera), x, y);
     sides.forEach(side -> side.world().moveCamera(camera, x, y));
-    heat(heat);
+    recordHeat(recordsHeat);
   }
 
   /**
-   * Turns a camera in every simulation; seen from the next step on.
+   * Turns a camera in every simulation; takes effect in the next step.
    *
    * @param heading degrees, 0 is +y and 90 is +x
    */
   public void turn(int camera, double heading) {
-    scenario.turn(online(camera), heading);
+    scenario.turn(onlineName(camera), heading);
     sides.forEach(side -> side.world().turnCamera(camera, Math.toRadians(heading)));
-    heat(heat);
+    recordHeat(recordsHeat);
   }
 
   /**
-   * Makes a heat map of each simulation from the next step on, or none any more. It begins again
-   * whenever somebody changes what cameras see.
+   * Begins a heat map of each simulation with the next step, or stops recording. A heat map begins
+   * again whenever somebody changes what cameras see.
    */
-  public void heat(boolean on) {
-    heat = on;
-    sides.forEach(side -> side.heat(on));
+  public void recordHeat(boolean on) {
+    recordsHeat = on;
+    sides.forEach(side -> side.recordHeat(on));
   }
 
-  /** Whether there is a heat map. */
-  public boolean heat() {
-    return heat;
+  /** Whether heat maps are recorded. */
+  public boolean recordsHeat() {
+    return recordsHeat;
   }
 
-  /** The heat map of each simulation; none before the first step of each. */
+  /** The heat map of each simulation; empty before the first recorded step. */
   List<PackedHeat> heats() {
     return sides.stream().flatMap(side -> side.heat().stream()).toList();
   }
 
   /**
-   * Adds a camera to every simulation, as if it had been there from the start: the targets go on,
-   * learning begins again. It comes after the cameras of the start. The next step says where every
-   * camera is.
-   *
-   * @param like number of the camera that has its kind and heading
+   * Adds a copy of a camera to every simulation, after the cameras of the start, as if it had been
+   * there from the start. Targets stay where they are; learning begins again. The next step has the
+   * poses of all cameras.
    */
-  public void add(int like, double x, double y) {
-    scenario.add(online(like), x, y);
+  public void addCopy(int original, double x, double y) {
+    scenario.addCopy(onlineName(original), x, y);
     rebuild();
   }
 
   /**
-   * Adds or takes away something in every simulation, as if it had been so from the start: targets
-   * are where they would be then, learning begins again. The next step says where every camera is.
+   * Changes the scenario of every simulation, as if it had been so from the start: targets are
+   * where they would be then, and learning begins again. The next step has the poses of all
+   * cameras.
    */
   void edit(Consumer<EditedScenario> change) {
     change.accept(scenario);
@@ -155,48 +158,53 @@ public final class LiveRun {
   }
 
   /**
-   * Puts a camera where it sees the most that others do not.
+   * Moves a camera to the place where it sees the most that others do not see.
    *
-   * @param camera its number; -1 for one more
+   * @param camera its number; -1 to add a camera there
    */
   void suggest(int camera) {
-    Optional<CameraSpec> moved = camera == -1 ? Optional.empty() : scenario.camera(online(camera));
-    CameraSpec found =
+    Optional<CameraSpec> moved =
+        camera == -1 ? Optional.empty() : scenario.camera(onlineName(camera));
+    CameraSpec suggestion =
         planner
-            .orElseThrow(() -> new InputException("nothing plans cameras here"))
-            .suggest(scenario.now(), detection(choices.get(0)), moved);
-    scenario.put(found, moved.isEmpty());
-    rebuildAsWritten();
+            .orElseThrow(() -> new InputException("cameras cannot be suggested here"))
+            .suggest(scenario.current(), detection(choices.get(0)), moved);
+    if (moved.isPresent()) {
+      scenario.replace(suggestion);
+    } else {
+      scenario.add(suggestion);
+    }
+    rebuildFromScenario();
   }
 
-  /** What cameras can see of each zone where they are now; nothing where it is not known. */
+  /** The share of each zone that the cameras can see from where they are; empty if not known. */
   List<Planner.Share> shares() {
-    if (planner.isPresent() && !scenario.now().equals(shared)) {
-      shared = scenario.now();
+    if (planner.isPresent() && !scenario.current().equals(scenarioOfShares)) {
+      scenarioOfShares = scenario.current();
       try {
-        shares = planner.get().shares(shared, detection(choices.get(0)));
+        shares = planner.get().shares(scenarioOfShares, detection(choices.get(0)));
       } catch (InputException e) {
-        shares = List.of(); // by chance
+        shares = List.of(); // detection is by chance
       }
     }
     return shares;
   }
 
-  /** Takes the last change of cameras, targets or walls back; learning begins again. */
+  /** Undoes the last change of cameras, targets or walls; learning begins again. */
   public void undo() {
     scenario.undo();
-    rebuildAsWritten();
+    rebuildFromScenario();
   }
 
-  /** Makes the change again that was taken back last. */
+  /** Redoes the change that was undone last; learning begins again. */
   public void redo() {
     scenario.redo();
-    rebuildAsWritten();
+    rebuildFromScenario();
   }
 
-  /** What is odd about the scenario as it is now; perhaps nothing. */
+  /** A warning about the changed scenario; empty if there is none. */
   String warning() {
-    List<String> blocked = scenario.blocked();
+    List<String> blocked = scenario.blockedTargets();
     return blocked.isEmpty()
         ? ""
         : "the way of target %s leads through a solid obstacle: it walks through%s"
@@ -206,12 +214,12 @@ public final class LiveRun {
   }
 
   /**
-   * Has a camera stay in a view in every simulation, from the next step on.
+   * Holds a camera in a view in every simulation, from the next step on.
    *
-   * @param view -1 to leave it to the policies again
+   * @param view -1 to let the policies choose again
    */
   public void hold(int camera, int view) {
-    String name = online(camera);
+    String name = onlineName(camera);
     int views = sides.get(0).world().cameras().views(camera);
     if (view < -1 || view >= views) {
       throw InputException.of("view is %s, expected one from 0 to %s, or -1", view, views - 1);
@@ -221,7 +229,7 @@ public final class LiveRun {
     } else {
       held.put(name, view);
     }
-    heat(heat);
+    recordHeat(recordsHeat);
   }
 
   /** The cameras that are held in a view. */
@@ -233,69 +241,74 @@ public final class LiveRun {
         .toList();
   }
 
-  /** Whether a change of what is there makes the last step again, and not the next one. */
-  void paused(boolean now) {
-    paused = now;
+  /** Sets whether changes of the scenario repeat the last step instead of making the next one. */
+  void setPaused(boolean newPaused) {
+    paused = newPaused;
   }
 
   private void rebuild() {
     World before = sides.get(0).world();
-    again();
-    begin(() -> worldAs(before));
+    stepBackIfPaused();
+    begin(() -> worldLike(before));
   }
 
-  /** The same with cameras where the scenario has them. */
-  private void rebuildAsWritten() {
-    again();
-    begin(() -> world(next));
+  /** Begins again with cameras where the scenario has them. */
+  private void rebuildFromScenario() {
+    stepBackIfPaused();
+    begin(() -> worldAfter(next));
   }
 
-  /** While nobody lets time pass, the step that is shown comes next again. */
-  private void again() {
+  /** Repeats the step that is shown if the session is paused, so that no time passes. */
+  private void stepBackIfPaused() {
     next = Math.max(0, next - (paused ? 1 : 0));
   }
 
-  /** The name of a camera that is online. */
-  private String online(int camera) {
+  /**
+   * Returns the name of a camera.
+   *
+   * @throws InputException if it is not online
+   */
+  private String onlineName(int camera) {
     Cameras cameras = sides.get(0).world().cameras();
     if (camera < 0 || camera >= cameras.count() || !cameras.online(camera)) {
-      throw new InputException("camera is %s, expected one that is online".formatted(camera));
+      throw new InputException(
+          "camera is %s, expected the number of one that is online".formatted(camera));
     }
     return cameras.name(camera);
   }
 
   /**
-   * Gives a simulation another model, threshold or policy: the targets go on, learning begins
-   * again.
+   * Gives a simulation another model, threshold or policy. Targets stay where they are; learning
+   * begins again.
    */
   public void choose(int side, LiveChoice choice) {
     if (side < 0 || side >= sides.size()) {
       throw InputException.of("side is %s, expected one from 0 to %s", side, sides.size() - 1);
     }
-    sides.set(side, side(sides.get(side).world(), choice));
+    sides.set(side, newSide(sides.get(side).world(), choice));
     choices.set(side, choice);
-    shared = null;
+    scenarioOfShares = null;
   }
 
   /**
    * Adds a second simulation of the same targets, with the first one's choice, or removes it. The
-   * next step says where every camera is.
+   * next step has the poses of all cameras.
    */
   public void compare(boolean on) {
     if (on && sides.size() == 1) {
-      World world = worldAs(sides.get(0).world());
-      sides.add(side(world, choices.get(0)));
+      World world = worldLike(sides.get(0).world());
+      sides.add(newSide(world, choices.get(0)));
       choices.add(choices.get(0));
     } else if (!on && sides.size() == 2) {
       sides.remove(1);
       choices.remove(1);
     }
-    sides.forEach(LiveSide::tellPosesAgain);
+    sides.forEach(LiveSide::sendAllPoses);
   }
 
-  /** A new world after this many steps. */
-  private World world(long steps) {
-    World world = new World(scenario.now(), catalogue.movements(), seed);
+  /** Returns a new world after this many steps. */
+  private World worldAfter(long steps) {
+    World world = new World(scenario.current(), catalogue.movements(), seed);
     for (long step = 0; step < steps; step++) {
       world.fireEvents(step);
       world.moveTargets();
@@ -303,9 +316,9 @@ public final class LiveRun {
     return world;
   }
 
-  /** A new world of the same step, with cameras where they are in another one. */
-  private World worldAs(World other) {
-    World world = world(next);
+  /** Returns a new world before the next step, with cameras where they are in another one. */
+  private World worldLike(World other) {
+    World world = worldAfter(next);
     Map<String, Integer> numbers = new HashMap<>();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       numbers.put(world.cameras().name(camera), camera);
@@ -321,21 +334,22 @@ public final class LiveRun {
     return world;
   }
 
-  private LiveSide side(World world, LiveChoice choice) {
-    LiveSide side =
-        new LiveSide(world, catalogue, detection(choice), choice.policy(), seed, next, floor, held);
-    side.heat(heat);
+  private LiveSide newSide(World world, LiveChoice choice) {
+    LiveSide.Shared shared = new LiveSide.Shared(catalogue, seed, next, floor, held);
+    LiveSide side = new LiveSide(world, detection(choice), choice.policy(), shared);
+    side.recordHeat(recordsHeat);
     return side;
   }
 
   private Detection detection(LiveChoice choice) {
-    return spec(choice.detection()).detection(choice.asked(scenario.now()), scenario.now());
+    Scenario current = scenario.current();
+    return spec(choice.detection()).detection(choice.settings(current), current);
   }
 
-  /** A page may name what the catalogue has, and the file that the session began with. */
+  /** Accepts the names of the catalogue, and the model file that the session began with. */
   private DetectionSpec spec(String name) {
-    return name.equals(firstName)
-        ? first
+    return name.equals(initialDetection)
+        ? initialSpec
         : DetectionSpec.parse(name, catalogue.detections()::create);
   }
 
@@ -352,8 +366,8 @@ public final class LiveRun {
     return seed;
   }
 
-  /** The scenario with its cameras and walls as they were put. */
+  /** The scenario with all changes. */
   Scenario scenario() {
-    return scenario.now();
+    return scenario.current();
   }
 }

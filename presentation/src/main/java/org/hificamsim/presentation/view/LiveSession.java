@@ -14,27 +14,29 @@ import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.runs.RunFault;
 
 /**
- * A live run on a thread of its own: it steps by the clock and does what commands say between two
- * steps, in their order. Everything that touches the run goes through its queue; pages are shown
- * its feed.
+ * Runs a live run on a thread of its own: makes steps on schedule and executes commands between
+ * them, in order. Everything that touches the run goes through the session's queue; pages read its
+ * feed.
  */
 public final class LiveSession implements AutoCloseable {
   private static final int MAX_PER_SECOND = 1000;
   private static final int MAX_STEPS = 1000;
 
-  /** A heat map is shown so often while the simulation runs. */
-  private static final long BETWEEN_HEATS = TimeUnit.MILLISECONDS.toNanos(500);
+  /** The time between two heat maps while the simulation runs, nanoseconds. */
+  private static final long HEAT_INTERVAL = TimeUnit.MILLISECONDS.toNanos(500);
 
-  private static final long LATEST = TimeUnit.MILLISECONDS.toNanos(200);
+  /** The delay up to which late steps are made up for, nanoseconds. */
+  private static final long MAX_DELAY = TimeUnit.MILLISECONDS.toNanos(200);
 
   /**
-   * How it runs.
+   * The state of the session.
    *
+   * @param next the number of the next step
    * @param fault why it has stopped; empty unless a policy or model failed
-   * @param held cameras that somebody holds in a view
-   * @param heat whether there is a heat map
-   * @param shares what cameras can see of each zone
-   * @param warning what is odd about the scenario as it was edited
+   * @param held the cameras that somebody holds in a view
+   * @param heat whether a heat map is recorded
+   * @param shares the share of each zone that cameras can see
+   * @param warning about the edited scenario; may be empty
    */
   private record StateMessage(
       boolean running,
@@ -50,57 +52,57 @@ public final class LiveSession implements AutoCloseable {
   private final LiveRun run;
   private final LiveFeed feed;
   private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();
-  private final Thread thread = new Thread(this::work, "simulation");
+  private final Thread thread = new Thread(this::loop, "simulation");
   private final CompletableFuture<Object> end = new CompletableFuture<>();
   private boolean running;
   private int perSecond = 10;
-  private long due;
+  private long stepDue;
   private String fault = "";
   private long heatDue;
 
-  /** A session that is paused after the first step. */
+  /** Starts a session, which is paused after the first step. */
   public LiveSession(LiveRun run) {
     this.run = run;
     this.feed = LiveFeed.of(run.sides().get(0).setup());
-    renew(begun -> {});
+    renew(unchanged -> {});
     showState();
     thread.setDaemon(true);
     thread.start();
   }
 
-  /** What pages are shown. */
+  /** What pages read. */
   LiveFeed feed() {
     return feed;
   }
 
   /**
-   * Has a command done.
+   * Executes a command after those that were submitted before.
    *
-   * @return completes when it has been done; exceptionally with an {@link InputException} when a
-   *     value is wrong, with {@link SessionEnded} when nothing is done any more
+   * @return completes when the command has been executed; exceptionally with an {@link
+   *     InputException} if a value is wrong, with {@link SessionEnded} if the session has ended
    */
   public CompletableFuture<Object> submit(Command command) {
-    return inTurn(
+    return enqueue(
         () -> {
-          command.obey(this);
+          command.execute(this);
           showState();
           showHeat();
           return null;
         });
   }
 
-  /** The scenario with its cameras and walls as commands have put them, as XML. */
+  /** The scenario with the changes of all commands so far, as XML. */
   CompletableFuture<Object> scenario() {
-    return inTurn(() -> ScenarioWriter.write(run.scenario()));
+    return enqueue(() -> ScenarioWriter.write(run.scenario()));
   }
 
-  private CompletableFuture<Object> inTurn(Supplier<Object> task) {
+  private CompletableFuture<Object> enqueue(Supplier<Object> task) {
     CompletableFuture<Object> done = new CompletableFuture<>();
     queue.add(() -> attempt(task, done));
     return CompletableFuture.anyOf(done, end);
   }
 
-  /** Any other error leaves nobody knows what behind: it ends the session. */
+  /** Other errors may leave the run inconsistent, so they are not caught and end the session. */
   private static void attempt(Supplier<Object> task, CompletableFuture<Object> done) {
     try {
       done.complete(task.get());
@@ -109,15 +111,15 @@ public final class LiveSession implements AutoCloseable {
     }
   }
 
-  /** Completes with {@link SessionEnded}, whose cause is the error that has broken it, if any. */
+  /** Completes with {@link SessionEnded}, whose cause is the error that ended it, if one did. */
   CompletableFuture<Object> end() {
     return end;
   }
 
-  private void work() {
+  private void loop() {
     try {
       while (!end.isDone()) {
-        next();
+        executeNext();
       }
     } catch (InterruptedException e) {
       close();
@@ -126,20 +128,21 @@ public final class LiveSession implements AutoCloseable {
     }
   }
 
-  private void next() throws InterruptedException {
-    long wait = running ? due - System.nanoTime() : Long.MAX_VALUE;
+  /** Executes the next command, or makes the next step when it is due. */
+  private void executeNext() throws InterruptedException {
+    long wait = running ? stepDue - System.nanoTime() : Long.MAX_VALUE;
     Runnable task = queue.poll(Math.max(0, wait), TimeUnit.NANOSECONDS);
     if (task != null) {
       task.run();
     } else if (running) {
-      stepByTheClock();
+      stepOnSchedule();
     }
   }
 
-  /** What could not be done in time is not made up for. */
-  private void stepByTheClock() {
+  /** Makes a step. After a long delay, the steps that were missed are not made up for. */
+  private void stepOnSchedule() {
     long now = System.nanoTime();
-    due = Math.max(due, now - LATEST) + TimeUnit.SECONDS.toNanos(1) / perSecond;
+    stepDue = Math.max(stepDue, now - MAX_DELAY) + TimeUnit.SECONDS.toNanos(1) / perSecond;
     step();
     if (now - heatDue >= 0) {
       showHeat();
@@ -157,20 +160,20 @@ public final class LiveSession implements AutoCloseable {
     }
   }
 
-  /** Does step after step, until paused. */
+  /** Makes steps until the session is paused. */
   void run() {
     running = true;
     fault = "";
-    due = System.nanoTime();
+    stepDue = System.nanoTime();
   }
 
   void pause() {
     running = false;
   }
 
-  /** Does some steps at once, 1 to 1000. */
-  void steps(int steps) {
-    between("steps", steps, 1, MAX_STEPS);
+  /** Makes 1 to 1000 steps at once. */
+  void runSteps(int steps) {
+    checkRange("steps", steps, 1, MAX_STEPS);
     running = false;
     fault = "";
     for (int i = 0; i < steps && fault.isEmpty(); i++) {
@@ -178,21 +181,21 @@ public final class LiveSession implements AutoCloseable {
     }
   }
 
-  /** Sets how many steps a second are done, 1 to 1000. */
-  void speed(int newPerSecond) {
-    between("perSecond", newPerSecond, 1, MAX_PER_SECOND);
+  /** Sets the steps per second, 1 to 1000. */
+  void setSpeed(int newPerSecond) {
+    checkRange("perSecond", newPerSecond, 1, MAX_PER_SECOND);
     perSecond = newPerSecond;
-    due = System.nanoTime();
+    stepDue = System.nanoTime();
   }
 
-  /** Does something to the run that is seen from the next step on. */
+  /** Changes the run; the change takes effect in the next step. */
   void change(Consumer<LiveRun> change) {
     change.accept(run);
   }
 
-  /** Does something to the run by which it begins again; the first step follows at once. */
+  /** Makes a change after which the run begins again, and its first step. */
   void renew(Consumer<LiveRun> change) {
-    run.paused(!running);
+    run.setPaused(!running);
     change.accept(run);
     fault = "";
     feed.begin(sides());
@@ -212,7 +215,7 @@ public final class LiveSession implements AutoCloseable {
   }
 
   private void showState() {
-    feed.state(
+    feed.showState(
         ReplayJson.of(
             new StateMessage(
                 running,
@@ -221,31 +224,33 @@ public final class LiveSession implements AutoCloseable {
                 run.seed(),
                 fault,
                 run.held(),
-                run.heat(),
+                run.recordsHeat(),
                 run.shares(),
                 Place.printable(run.warning()))));
   }
 
   private void showHeat() {
-    feed.heat(ReplayJson.of(run.heats()));
-    heatDue = System.nanoTime() + BETWEEN_HEATS;
+    feed.showHeat(ReplayJson.of(run.heats()));
+    heatDue = System.nanoTime() + HEAT_INTERVAL;
   }
 
-  private static void between(String name, int value, int least, int most) {
+  private static void checkRange(String name, int value, int least, int most) {
     if (value < least || value > most) {
       throw InputException.of(
           "%s is %s, expected a whole number from %s to %s", name, value, least, most);
     }
   }
 
-  /** Ends the thread; no command is done any more. */
+  /** Ends the thread; further commands are not executed. */
   @Override
   public void close() {
     end.completeExceptionally(new SessionEnded());
     thread.interrupt();
   }
 
-  /** No command is done any more: the session was closed, or an error, the cause, has broken it. */
+  /**
+   * Thrown to commands after the end of a session; the cause is the error that ended it, if any.
+   */
   static final class SessionEnded extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

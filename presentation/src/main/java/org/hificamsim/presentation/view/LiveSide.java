@@ -21,37 +21,40 @@ import org.hificamsim.presentation.report.ObjectiveWords;
 import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.heat.HeatRecorder;
 
-/** A simulation that is watched step by step: a world under one choice of model and policy. */
+/** One of a live run's simulations: a world under one choice of model and policy. */
 final class LiveSide {
+  /**
+   * What all simulations of a live run share.
+   *
+   * @param seed of the world and the policies
+   * @param next the step that comes next
+   * @param held the views, by the camera's name, that policies do not choose; may change later
+   */
+  record Shared(
+      Catalogue catalogue,
+      long seed,
+      long next,
+      List<Setup.Floor> floor,
+      Map<String, Integer> held) {}
+
   private final World world;
   private final Setup setup;
   private final Snapshots snapshots;
   private final Simulation simulation;
   private final Detection detection;
-  private HeatRecorder heat;
-  private long heatFrom;
-  private LiveStep.Side last;
+  private HeatRecorder heat; // null unless a heat map is recorded
+  private long firstHeatStep;
+  private LiveStep.Side lastStep;
 
   /**
-   * @param world as the steps before {@code next} have left it
-   * @param seed of the world, and of the policy
+   * @param world after the steps before the next one
    * @param policySpec name and options
-   * @param next the step that comes next
-   * @param held views by name of cameras that their policy does not choose, now or later
-   * @throws InputException when the policy is unknown or does not suit the scenario
+   * @throws InputException if the policy is unknown or does not suit the scenario
    */
-  LiveSide(
-      World world,
-      Catalogue catalogue,
-      Detection detection,
-      String policySpec,
-      long seed,
-      long next,
-      List<Setup.Floor> floor,
-      Map<String, Integer> held) {
+  LiveSide(World world, Detection detection, String policySpec, Shared shared) {
     this.world = world;
     this.detection = detection;
-    ZoomPolicy policy = catalogue.policies().create(policySpec);
+    ZoomPolicy policy = shared.catalogue().policies().create(policySpec);
     if (policy instanceof HindsightZoomPolicy) {
       throw InputException.of(
           "policy '%s' looks at the whole run first: it cannot be viewed live", policy.name());
@@ -60,45 +63,48 @@ final class LiveSide {
       throw InputException.of(
           "policy '%s' turns cameras to any angle: it cannot be viewed live", policySpec);
     }
-    this.setup = Setup.of(world, detection, policySpec, seed, floor);
+    this.setup = Setup.of(world, detection, policySpec, shared.seed(), shared.floor());
     this.snapshots = new Snapshots(setup, detection, policy);
-    snapshots.forgetPoses(); // pages may know them from another simulation
+    snapshots.forgetPoses(); // pages may have those of another simulation
     this.simulation =
-        new Simulation(world, detection, HeldViews.hold(policy, held), seed, List.of(this::record))
-            .continuingAt(next);
+        new Simulation(
+                world,
+                detection,
+                HeldViews.hold(policy, shared.held()),
+                shared.seed(),
+                List.of(this::record))
+            .continuingAt(shared.next());
   }
 
   /** Runs one step. */
   LiveStep.Side step() {
     simulation.step();
-    return last;
+    return lastStep;
   }
 
   private void record(OracleView network, StepCoverage coverage) {
     List<Move> moves = snapshots.moves(network);
-    last = new LiveStep.Side(snapshots.take(network), moves, coverage.score());
+    lastStep = new LiveStep.Side(snapshots.take(network), moves, coverage.score());
     if (heat != null) {
-      heatFrom = heat.steps() == 0 ? network.step() : heatFrom;
+      firstHeatStep = heat.steps() == 0 ? network.step() : firstHeatStep;
       heat.stepped(network, coverage);
     }
   }
 
-  /** Begins a heat map with the next step, or makes none any more. */
-  void heat(boolean on) {
+  /** Begins a new heat map with the next step, or stops recording. */
+  void recordHeat(boolean on) {
     heat = on ? new HeatRecorder(world, detection, FieldCells.USUAL) : null;
   }
 
-  /** The heat map of the steps since it was begun, if there are any. */
+  /** The heat map; empty if none is recorded or no step has been made since its beginning. */
   Optional<PackedHeat> heat() {
     return heat == null || heat.steps() == 0
         ? Optional.empty()
-        : Optional.of(PackedHeat.of(heat.map(), heatFrom, heat.steps()));
+        : Optional.of(PackedHeat.of(heat.map(), firstHeatStep, heat.steps()));
   }
 
-  /**
-   * Has the next step tell where every camera is, for those who have forgotten the steps before.
-   */
-  void tellPosesAgain() {
+  /** Lets the next step include the poses of all cameras, for pages that have no earlier steps. */
+  void sendAllPoses() {
     snapshots.forgetPoses();
   }
 
@@ -110,12 +116,12 @@ final class LiveSide {
     return setup;
   }
 
-  /** What a step is scored by. */
+  /** The objective by which a step is scored. */
   ObjectiveWords objective() {
     return ObjectiveWords.of(world.scenario().objective());
   }
 
-  /** What the agents' estimates are; empty where they have none. */
+  /** What the agents estimate; empty if they estimate nothing. */
   String estimated() {
     return snapshots.estimated(simulation.network());
   }

@@ -6,24 +6,25 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 
-/** Says how much of a site its cameras could see, and where one would see more. */
+/** Computes how much of a scenario its cameras can see, and suggests cameras that see more. */
 public interface Planner {
   /** The share of a zone's demand that is met, in [0, 1]. */
   record Share(String zone, double met) {}
 
   /**
-   * What the cameras can see of each zone, in some view of theirs.
+   * Returns the share of each zone that the cameras can see, each in any of its views.
    *
-   * @param detection where a zone has none of its own
-   * @throws org.hificamsim.core.InputException where places are seen by chance
+   * @param detection of zones that have none of their own
+   * @throws org.hificamsim.core.InputException if detection is by chance
    */
-  List<Share> shares(Scenario site, Detection detection);
+  List<Share> shares(Scenario scenario, Detection detection);
 
   /**
-   * A camera that sees the most that others do not, found in a second or two.
+   * Returns a camera at the place where it sees the most that others do not see. Takes a second or
+   * two.
    *
-   * @param moved one of the site, which is returned elsewhere; empty for one more
-   * @throws org.hificamsim.core.InputException where none sees more, or the camera has no lens
+   * @param moved the camera to be moved; empty for a new camera
+   * @throws org.hificamsim.core.InputException if no place is better, or the camera has no lens
    */
-  CameraSpec suggest(Scenario site, Detection detection, Optional<CameraSpec> moved);
+  CameraSpec suggest(Scenario scenario, Detection detection, Optional<CameraSpec> moved);
 }

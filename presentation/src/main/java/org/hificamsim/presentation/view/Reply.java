@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 
-/** Sends answers, all with the headers that keep them on this page. */
+/** Sends answers, with the headers that keep other sites from reading them. */
 final class Reply {
   private static final Map<String, String> HEADERS =
       Map.of(
@@ -18,15 +18,15 @@ final class Reply {
 
   private Reply() {}
 
-  /** One line of text. */
+  /** Sends one line of text. */
   static void line(HttpExchange exchange, int status, String text) throws IOException {
     send(exchange, status, "text/plain", (text + "\n").getBytes(StandardCharsets.UTF_8));
   }
 
   /**
-   * Bytes of this type; the head alone where that is asked for.
+   * Sends a body, or only its headers if the request is a HEAD.
    *
-   * @param type of a text in UTF-8
+   * @param type of the body, which is text in UTF-8
    */
   static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
     if (exchange.getRequestMethod().equals("HEAD")) {
@@ -38,7 +38,7 @@ final class Reply {
     }
   }
 
-  /** The head of an answer whose body follows; a length of 0 for one that is not known. */
+  /** Sends the headers of an answer; a length of 0 means that it is not known. */
   static void begin(HttpExchange exchange, int status, String type, long length)
       throws IOException {
     HEADERS.forEach(exchange.getResponseHeaders()::set);
@@ -46,12 +46,12 @@ final class Reply {
     exchange.sendResponseHeaders(status, length);
   }
 
-  /** One line of text, if the answer is not under way already and somebody waits for it. */
+  /** Sends one line of text, unless the answer has been begun or nobody waits for it. */
   static void lineIfPossible(HttpExchange exchange, int status, String text) {
     try {
       line(exchange, status, text);
     } catch (IOException e) {
-      // the reader has gone
+      // the page was closed
     }
   }
 }

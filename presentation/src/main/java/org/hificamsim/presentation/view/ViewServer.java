@@ -26,33 +26,33 @@ import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.RunFault;
 
 /**
- * The page of a session, its steps as server-sent events, and its commands, on the loopback device
- * alone. It ends when no page has been open for some seconds after one was.
+ * Serves the page of a session, its steps as server-sent events, and its commands, on the loopback
+ * device only. It ends some seconds after the last page was closed.
  */
 public final class ViewServer implements AutoCloseable {
-  private static final String STREAM = "text/event-stream";
-  private static final int MAX_BODY = 4096;
+  private static final String EVENT_STREAM = "text/event-stream";
+  private static final int MAX_BODY_BYTES = 4096;
   private static final int MAX_PAGES = 8;
 
-  /** One more is closed at once. */
+  /** Further connections are closed at once. */
   private static final int MAX_CONNECTIONS = 128;
 
-  /** A thread for each connection: one whose request never ends must not keep others out. */
-  private static final int MAX_REQUESTS = 2 * MAX_CONNECTIONS;
+  /** More than connections, so that requests that never end do not block others. */
+  private static final int MAX_THREADS = 2 * MAX_CONNECTIONS;
 
-  private static final long IDLE_THREAD = 10;
+  private static final long IDLE_THREAD_SECONDS = 10;
   private static final int WAITING_CONNECTIONS = 32;
-  private static final long MAX_COMMAND = 60;
+  private static final long MAX_COMMAND_SECONDS = 60;
 
-  /** Milliseconds that answers have to get through when the server closes. */
-  private static final long LAST_ANSWERS = 500;
+  /** The time for unfinished answers when the server closes. */
+  private static final long CLOSING_MILLIS = 500;
 
-  /** The least time between two events, ms; each has the steps since the one before. */
-  private static final long BETWEEN_EVENTS = 25;
+  /** The time between two events, each of which has the steps since the last one. */
+  private static final long EVENT_MILLIS = 25;
 
   static {
     System.setProperty("sun.net.httpserver.maxReqTime", "2"); // seconds, for a whole request
-    System.setProperty("sun.net.httpserver.timerMillis", "200"); // between two looks for such
+    System.setProperty("sun.net.httpserver.timerMillis", "200"); // how often that is checked
     System.setProperty("jdk.httpserver.maxConnections", Integer.toString(MAX_CONNECTIONS));
     System.setProperty("sun.net.httpserver.nodelay", "true");
   }
@@ -63,24 +63,24 @@ public final class ViewServer implements AutoCloseable {
   private final ExecutorService threads =
       new ThreadPoolExecutor(
           0,
-          MAX_REQUESTS,
-          IDLE_THREAD,
+          MAX_THREADS,
+          IDLE_THREAD_SECONDS,
           TimeUnit.SECONDS,
-          new SynchronousQueue<>(), // one request more is not answered
+          new SynchronousQueue<>(), // no further request waits
           Parallel.daemons("view"));
   private final Guard guard;
   private final Executor afterGrace;
   private final CompletableFuture<Object> closed = new CompletableFuture<>();
-  private int pages; // that are open
-  private int visits; // pages that have ever been
+  private int openPages;
+  private int pagesEverOpened;
 
   /**
    * Opens the port.
    *
    * @param html the page
-   * @param port 0 for any that is free
-   * @param grace how long after the last page was closed the server ends
-   * @throws InputException when the port is in use
+   * @param port 0 for any free port
+   * @param grace the time from closing the last page to the end of the server
+   * @throws InputException if the port is in use
    */
   public ViewServer(LiveSession session, String html, int port, Duration grace) throws IOException {
     this.session = session;
@@ -105,7 +105,7 @@ public final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** Where the page is. */
+  /** The address of the page. */
   public String address() {
     return "http://127.0.0.1:" + server.getAddress().getPort() + "/" + guard.token() + "/";
   }
@@ -113,7 +113,7 @@ public final class ViewServer implements AutoCloseable {
   /**
    * Waits until the page has been closed.
    *
-   * @throws Error what broke the simulation, if that ended it
+   * @throws Error that ended the simulation, if one did
    */
   public void awaitEnd() throws InterruptedException {
     try {
@@ -125,18 +125,18 @@ public final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** Whatever happens, the exchange is closed last: nothing can be sent after that. */
+  /** Answers a request, and closes the exchange after any answer to an exception has been sent. */
   private void handle(HttpExchange exchange) {
     try (exchange) {
-      answerOrTell(exchange);
+      answerOrReport(exchange);
     } catch (IOException e) {
-      // the reader has gone
+      // the page was closed
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
   }
 
-  private void answerOrTell(HttpExchange exchange) throws IOException, InterruptedException {
+  private void answerOrReport(HttpExchange exchange) throws IOException, InterruptedException {
     try {
       String objection = guard.objection(exchange);
       if (objection != null) {
@@ -158,19 +158,19 @@ public final class ViewServer implements AutoCloseable {
     String request = exchange.getRequestMethod() + " " + path;
     switch (request) {
       case "GET /", "HEAD /" -> Reply.send(exchange, 200, "text/html", page);
-      case "HEAD /events" -> Reply.send(exchange, 200, STREAM, new byte[0]);
-      case "GET /events" -> events(exchange);
-      case "GET /scenario.xml", "HEAD /scenario.xml" -> scenario(exchange);
-      case "POST /command" -> command(exchange);
+      case "HEAD /events" -> Reply.send(exchange, 200, EVENT_STREAM, new byte[0]);
+      case "GET /events" -> sendEvents(exchange);
+      case "GET /scenario.xml", "HEAD /scenario.xml" -> sendScenario(exchange);
+      case "POST /command" -> submitCommand(exchange);
       default -> Reply.line(exchange, 404, "nothing here");
     }
   }
 
-  private void command(HttpExchange exchange) throws IOException, InterruptedException {
-    byte[] body = exchange.getRequestBody().readNBytes(MAX_BODY + 1);
+  private void submitCommand(HttpExchange exchange) throws IOException, InterruptedException {
+    byte[] body = exchange.getRequestBody().readNBytes(MAX_BODY_BYTES + 1);
     String type = exchange.getRequestHeaders().getFirst("Content-Type");
-    if (body.length > MAX_BODY) {
-      Reply.line(exchange, 413, "more than " + MAX_BODY + " bytes");
+    if (body.length > MAX_BODY_BYTES) {
+      Reply.line(exchange, 413, "more than " + MAX_BODY_BYTES + " bytes");
     } else if (!"application/json".equals(type)) {
       Reply.line(exchange, 415, "expected application/json");
     } else {
@@ -179,7 +179,7 @@ public final class ViewServer implements AutoCloseable {
     }
   }
 
-  private void scenario(HttpExchange exchange) throws IOException, InterruptedException {
+  private void sendScenario(HttpExchange exchange) throws IOException, InterruptedException {
     String xml = (String) await(session.scenario());
     exchange.getResponseHeaders().set("Content-Disposition", "attachment");
     Reply.send(exchange, 200, "application/xml", xml.getBytes(StandardCharsets.UTF_8));
@@ -187,9 +187,9 @@ public final class ViewServer implements AutoCloseable {
 
   private static Object await(Future<Object> answer) throws InterruptedException {
     try {
-      return answer.get(MAX_COMMAND, TimeUnit.SECONDS);
+      return answer.get(MAX_COMMAND_SECONDS, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
-      throw new InputException("the step before takes longer than a minute", e);
+      throw new InputException("the last step takes longer than a minute", e);
     } catch (ExecutionException e) {
       if (e.getCause() instanceof Error error) {
         throw error;
@@ -198,54 +198,54 @@ public final class ViewServer implements AutoCloseable {
     }
   }
 
-  private void events(HttpExchange exchange) throws IOException, InterruptedException {
-    if (!opened()) {
+  private void sendEvents(HttpExchange exchange) throws IOException, InterruptedException {
+    if (!openPage()) {
       Reply.line(exchange, 503, "too many pages are open");
       return;
     }
     try {
       LiveFeed.Reader reader = session.feed().new Reader();
-      Reply.begin(exchange, 200, STREAM, 0);
+      Reply.begin(exchange, 200, EVENT_STREAM, 0);
       OutputStream out = exchange.getResponseBody();
       while (!closed.isDone()) {
         out.write(reader.take().getBytes(StandardCharsets.UTF_8));
         out.flush();
-        TimeUnit.MILLISECONDS.sleep(BETWEEN_EVENTS);
+        TimeUnit.MILLISECONDS.sleep(EVENT_MILLIS);
       }
     } finally {
-      gone();
+      closePage();
     }
   }
 
-  private synchronized boolean opened() {
-    if (pages == MAX_PAGES) {
+  private synchronized boolean openPage() {
+    if (openPages == MAX_PAGES) {
       return false;
     }
-    pages++;
-    visits++;
+    openPages++;
+    pagesEverOpened++;
     return true;
   }
 
-  /** Ends the server unless a page is open after the grace, or was in between. */
-  private synchronized void gone() {
-    pages--;
-    int known = visits;
-    afterGrace.execute(() -> endUnlessVisited(known));
+  /** Ends the server after the grace, unless another page is opened before. */
+  private synchronized void closePage() {
+    openPages--;
+    int known = pagesEverOpened;
+    afterGrace.execute(() -> endUnlessOpenedSince(known));
   }
 
-  private synchronized void endUnlessVisited(int known) {
-    if (pages == 0 && visits == known) {
+  private synchronized void endUnlessOpenedSince(int known) {
+    if (openPages == 0 && pagesEverOpened == known) {
       closed.complete(null);
     }
   }
 
-  /** Ends the streams, lets answers that are under way get through, and closes the port. */
+  /** Ends the streams, waits for unfinished answers, and closes the port. */
   @Override
   public void close() {
     closed.complete(null);
     threads.shutdown();
     try {
-      threads.awaitTermination(LAST_ANSWERS, TimeUnit.MILLISECONDS);
+      threads.awaitTermination(CLOSING_MILLIS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

@@ -27,13 +27,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What the server does when others hold it up, and when the simulation breaks. */
+/** The server when clients block it, and when the simulation fails. */
 @Timeout(60)
 class BrokenViewTest {
-  /** Far less than a half-sent request may take. */
+  /** Much less than the time that an incomplete request may take. */
   private static final Duration SOON = Duration.ofSeconds(4);
 
-  private static final int MANY = 100;
+  private static final int INCOMPLETE_REQUESTS = 100;
 
   private final HttpClient client = HttpClient.newHttpClient();
   private final List<Socket> sockets = new ArrayList<>();
@@ -45,16 +45,15 @@ class BrokenViewTest {
   void start() throws IOException {
     Catalogue catalogue = Catalogue.load();
     catalogue.policies().register("exhausting", "no memory after step 3", Exhausting::new);
-    catalogue.policies().register("unready", "cannot be made", () -> missing());
+    catalogue.policies().register("unready", "cannot be created", () -> missing());
     LiveChoice choice = new LiveChoice("geometric", null, "exhausting");
     session =
         new LiveSession(
             new LiveRun(
                 catalogue,
-                Scenarios.read("cluster-random"),
+                new LiveRun.ShownScenario(Scenarios.read("cluster-random"), List.of()),
                 choice,
                 0,
-                List.of(),
                 Optional.empty()));
     server = new ViewServer(session, "<p>the page</p>", 0, Duration.ofSeconds(1));
     address = URI.create(server.address());
@@ -74,9 +73,9 @@ class BrokenViewTest {
   }
 
   @Test
-  void halfSentRequestsKeepNobodyWaitingAndAreGivenUp() throws Exception {
-    for (int i = 0; i < MANY; i++) {
-      sockets.add(halfSent());
+  void closesIncompleteRequestsWithoutBlockingOthers() throws Exception {
+    for (int i = 0; i < INCOMPLETE_REQUESTS; i++) {
+      sockets.add(incompleteRequest());
     }
     assertEquals(200, send(HttpRequest.newBuilder(address)).statusCode());
     assertEquals(204, command("pause").statusCode());
@@ -85,14 +84,14 @@ class BrokenViewTest {
     assertEquals(-1, answer.read());
   }
 
-  private Socket halfSent() throws IOException {
+  private Socket incompleteRequest() throws IOException {
     Socket socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort());
     socket.getOutputStream().write("GET /none HTTP/1.1\r\nHo".getBytes(StandardCharsets.UTF_8));
     return socket;
   }
 
   @Test
-  void aCommandThatFailsIsAnsweredAndTheSessionGoesOn() throws Exception {
+  void reportsFailedCommandAndGoesOn() throws Exception {
     HttpResponse<String> answer =
         command(
             "choose\",\"side\":0,\"detection\":\"geometric\",\"threshold\":null,\"policy\":\"unready");
@@ -103,24 +102,24 @@ class BrokenViewTest {
   }
 
   @Test
-  void anErrorInAStepEndsTheSessionAndAnswersEveryCommandAtOnce() throws Exception {
+  void endsSessionOnErrorInStep() throws Exception {
     HttpResponse<String> answer = steps(10);
     assertEquals(503, answer.statusCode());
     assertEquals("the session has ended: OutOfMemoryError: in a test\n", answer.body());
     assertEquals(503, steps(1).statusCode());
-    OutOfMemoryError told = assertThrows(OutOfMemoryError.class, () -> server.awaitEnd());
-    assertEquals("in a test", told.getMessage());
+    OutOfMemoryError error = assertThrows(OutOfMemoryError.class, () -> server.awaitEnd());
+    assertEquals("in a test", error.getMessage());
   }
 
   @Test
-  void anErrorBetweenCommandsEndsTheSessionToo() throws Exception {
+  void endsSessionOnErrorBetweenCommands() throws Exception {
     assertEquals(204, command("run").statusCode());
     assertThrows(OutOfMemoryError.class, () -> server.awaitEnd());
     assertEquals(503, command("pause").statusCode());
   }
 
   @Test
-  void noCommandWaitsForASessionThatIsClosed() {
+  void rejectsCommandsAfterSessionIsClosed() {
     session.close();
     assertThrows(
         ExecutionException.class,

@@ -10,9 +10,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -34,7 +36,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Simulations side by side, as commands change them. */
+/** A live run, and what commands change in it. */
 class LiveRunTest {
   private static final LiveChoice CHOICE = new LiveChoice("hifi:orb-lin", null, "epsilon-greedy");
   private final Catalogue catalogue = Catalogue.load();
@@ -42,13 +44,17 @@ class LiveRunTest {
   @TempDir private Path folder;
 
   private LiveRun live(String scenario, long seed) {
-    return new LiveRun(
-        catalogue, Scenarios.read(scenario), CHOICE, seed, List.of(), Optional.empty());
+    return live(Scenarios.read(scenario), CHOICE, seed);
+  }
+
+  private LiveRun live(Scenario scenario, LiveChoice choice, long seed) {
+    LiveRun.ShownScenario shown = new LiveRun.ShownScenario(scenario, List.of());
+    return new LiveRun(catalogue, shown, choice, seed, Optional.empty());
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "lattice-scripted"})
-  void stepsAsARunDoes(String name) {
+  void makesSameStepsAsSimulation(String name) {
     Scenario scenario = Scenarios.read(name);
     World world = new World(scenario, catalogue.movements(), 5);
     Detection detection = Detection.of(catalogue.detection("hifi:orb-lin"));
@@ -71,55 +77,55 @@ class LiveRunTest {
     for (int step = 0; step < 200; step++) {
       Frame frame = frame(live.step(), 0);
       assertEquals(step, frame.step());
-      assertEquals(expected.get(step), java.util.Arrays.stream(frame.coverage()).boxed().toList());
+      assertEquals(expected.get(step), Arrays.stream(frame.coverage()).boxed().toList());
     }
   }
 
   @Test
-  void aHeatMapIsOfTheStepsSinceItWasAskedForAndChangesNone() {
+  void recordsHeatMapFromNextStepWithoutChangingSteps() {
     LiveRun live = live("cluster-random", 5);
-    LiveRun bare = live("cluster-random", 5);
+    LiveRun withoutHeat = live("cluster-random", 5);
     steps(live, 10);
-    steps(bare, 10);
-    assertEquals(List.of(), live.heats(), "nobody asked");
-    live.heat(true);
-    assertEquals(List.of(), live.heats(), "from the next step on");
+    steps(withoutHeat, 10);
+    assertEquals(List.of(), live.heats(), "not recorded");
+    live.recordHeat(true);
+    assertEquals(List.of(), live.heats(), "before the next step");
     for (int step = 0; step < 20; step++) {
-      assertEquals(ReplayJson.of(bare.step()), ReplayJson.of(live.step()));
+      assertEquals(ReplayJson.of(withoutHeat.step()), ReplayJson.of(live.step()));
     }
     assertEquals(1, live.heats().size());
     assertEquals(10, live.heats().get(0).first());
     assertEquals(20, live.heats().get(0).steps());
     live.drag(0, 3, 3);
-    assertEquals(List.of(), live.heats(), "of another network");
+    assertEquals(List.of(), live.heats(), "began again");
     live.compare(true);
     live.step();
     assertEquals(List.of(1L, 1L), live.heats().stream().map(PackedHeat::steps).toList());
-    live.heat(false);
+    live.recordHeat(false);
     live.step();
     assertEquals(List.of(), live.heats());
   }
 
   @Test
-  void twoModelsSeeTheSameTargetsAlsoWhenTheSecondComesLater() {
+  void showsSameTargetsToSimulationAddedLater() {
     LiveRun live = live("cluster-random", 3);
     steps(live, 70);
     live.compare(true);
     live.choose(1, new LiveChoice("geometric", null, "zoom-out"));
     boolean differs = false;
-    for (int step = 70; step < 200; step++) {
-      LiveStep both = live.step();
-      assertEquals(step, frame(both, 0).step());
-      assertEquals(step, frame(both, 1).step());
-      assertArrayEquals(frame(both, 0).x(), frame(both, 1).x());
-      assertArrayEquals(frame(both, 0).y(), frame(both, 1).y());
-      differs |= !java.util.Arrays.equals(frame(both, 0).coverage(), frame(both, 1).coverage());
+    for (int number = 70; number < 200; number++) {
+      LiveStep step = live.step();
+      assertEquals(number, frame(step, 0).step());
+      assertEquals(number, frame(step, 1).step());
+      assertArrayEquals(frame(step, 0).x(), frame(step, 1).x());
+      assertArrayEquals(frame(step, 0).y(), frame(step, 1).y());
+      differs |= !Arrays.equals(frame(step, 0).coverage(), frame(step, 1).coverage());
     }
     assertTrue(differs);
   }
 
   @Test
-  void anotherChoiceLeavesTheTargetsOnTheirWay() {
+  void keepsTargetsOnNewChoice() {
     LiveRun changed = live("ring-random", 1);
     LiveRun same = live("ring-random", 1);
     for (int step = 0; step < 100; step++) {
@@ -135,7 +141,7 @@ class LiveRunTest {
   }
 
   @Test
-  void aDraggedCameraStandsThereInBothFromTheNextStepOn() {
+  void movesCameraInBothSimulations() {
     LiveRun live = live("lattice-random", 0);
     live.compare(true);
     steps(live, 2);
@@ -155,17 +161,17 @@ class LiveRunTest {
   }
 
   @Test
-  void comparingTellsWhereEveryCameraIsInEachSimulation() {
+  void sendsAllPosesAfterComparing() {
     LiveRun live = live("cluster-random", 0);
     steps(live, 2);
     live.drag(2, 0, 0);
     steps(live, 2);
     live.compare(true);
-    LiveStep both = live.step();
-    List<Move> moves = both.sides().get(0).moves();
+    LiveStep step = live.step();
+    List<Move> moves = step.sides().get(0).moves();
     assertEquals(14, moves.size());
     assertEquals(0, moves.get(2).pose().x());
-    assertEquals(ReplayJson.of(moves), ReplayJson.of(both.sides().get(1).moves()));
+    assertEquals(ReplayJson.of(moves), ReplayJson.of(step.sides().get(1).moves()));
     live.compare(false);
     assertEquals(
         ReplayJson.of(moves.get(2).pose()),
@@ -173,14 +179,14 @@ class LiveRunTest {
   }
 
   @Test
-  void aTurnedCameraLooksThereInBothAlsoInOneThatComesLaterAndAfterARestart() {
+  void keepsHeadingInAddedSimulationAndAfterRestart() {
     LiveRun live = live("lattice-random", 0);
     steps(live, 2);
     live.turn(1, 30);
     assertEquals(Math.toRadians(30), live.step().sides().get(0).moves().get(0).pose().heading());
     live.compare(true);
-    LiveStep both = live.step();
-    assertEquals(Math.toRadians(30), both.sides().get(1).moves().get(1).pose().heading());
+    LiveStep step = live.step();
+    assertEquals(Math.toRadians(30), step.sides().get(1).moves().get(1).pose().heading());
     live.restart(0, true);
     assertEquals(Math.toRadians(30), live.step().sides().get(0).moves().get(1).pose().heading());
     assertThrows(InputException.class, () -> live.turn(1, Double.NaN));
@@ -189,14 +195,14 @@ class LiveRunTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "tutorial-camsim"})
-  void anAddedCameraIsThereAsFromTheStartAndTheTargetsGoOn(String name) {
+  void addsCameraWithoutChangingTargets(String name) {
     LiveRun live = live(name, 4);
     LiveRun same = live(name, 4);
     steps(live, 30);
     steps(same, 30);
     int starts = live.scenario().cameras().size();
     live.drag(0, 1, 2);
-    live.add(0, 3, -4);
+    live.addCopy(0, 3, -4);
     List<CameraSpec> cameras = live.scenario().cameras();
     assertEquals("added-1", cameras.get(starts).name());
     assertEquals(1, cameras.get(0).x());
@@ -209,7 +215,7 @@ class LiveRunTest {
       assertEquals(step, frame.step());
       assertTrue(frame.online()[starts]);
     }
-    live.add(starts, 0, 0);
+    live.addCopy(starts, 0, 0);
     assertEquals("added-2", live.scenario().cameras().get(starts + 1).name());
     live.restart(4, false);
     assertEquals(starts, live.scenario().cameras().size());
@@ -217,15 +223,15 @@ class LiveRunTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-scripted", "tutorial-camsim"})
-  void theEditedScenarioIsReadBackAndRunsAsItDidHere(String name) {
+  void writesEditedScenarioThatRunsTheSame(String name) {
     LiveRun live = live(name, 7);
     live.drag(1, 0.125, -0.5);
     live.turn(1, 77.5);
-    live.add(0, 2, 2);
+    live.addCopy(0, 2, 2);
     Path file = folder.resolve("edited.xml");
     assertDoesNotThrow(() -> Files.writeString(file, ScenarioWriter.write(live.scenario())));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
-    LiveRun other = new LiveRun(catalogue, read, CHOICE, 7, List.of(), Optional.empty());
+    LiveRun other = live(read, CHOICE, 7);
     live.restart(7, true);
     for (int step = 0; step < 60; step++) {
       assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
@@ -233,34 +239,33 @@ class LiveRunTest {
   }
 
   @Test
-  void aWallHidesTargetsFromTheNextStepOnUntilItIsRemoved() {
-    LiveRun live =
-        new LiveRun(
-            catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0, List.of(), Optional.empty());
-    int sure = detections(live, 60);
+  void hidesTargetsBehindWallUntilRemoved() {
+    LiveRun live = live(Scenarios.read("ring-scripted"), zoomOut(), 0);
+    int withoutWalls = detections(live, 60);
     live.restart(0, true);
-    Scenario scenario = live.scenario();
-    List<CameraSpec> cameras = scenario.cameras();
+    Scenario original = live.scenario();
+    List<CameraSpec> cameras = original.cameras();
     for (CameraSpec camera : cameras) {
       live.edit(
-          now ->
-              now.wall(camera.x() + 0.01, camera.y() - 0.02, camera.x() + 0.01, camera.y() + 0.02));
+          scenario ->
+              scenario.addWall(
+                  camera.x() + 0.01, camera.y() - 0.02, camera.x() + 0.01, camera.y() + 0.02));
     }
     assertEquals(cameras.size(), live.sides().get(0).setup().obstacles().size());
-    int walled = detections(live, 60);
-    assertTrue(walled < sure && walled > 0, walled + " of " + sure);
+    int withWalls = detections(live, 60);
+    assertTrue(withWalls < withoutWalls && withWalls > 0, withWalls + " of " + withoutWalls);
     for (int i = 0; i < cameras.size(); i++) {
-      live.edit(now -> now.removeObstacle(0));
+      live.edit(scenario -> scenario.removeObstacle(0));
     }
     live.restart(0, true);
-    assertEquals(sure, detections(live, 60));
-    assertEquals(scenario, live.scenario());
+    assertEquals(withoutWalls, detections(live, 60));
+    assertEquals(original, live.scenario());
   }
 
   private static int detections(LiveRun live, int steps) {
     int sum = 0;
     for (int i = 0; i < steps; i++) {
-      sum += java.util.Arrays.stream(frame(live.step(), 0).detected()).sum();
+      sum += Arrays.stream(frame(live.step(), 0).detected()).sum();
     }
     return sum;
   }
@@ -272,39 +277,43 @@ class LiveRunTest {
     "NaN, 0, 0, 0, in the field",
     "0, Infinity, 0, 0, in the field"
   })
-  void aWrongWallIsRefused(double x1, double y1, double x2, double y2, String told) {
+  void rejectsInvalidWalls(double x1, double y1, double x2, double y2, String expected) {
     LiveRun live = live("ring-random", 0);
     Scenario before = live.scenario();
     InputException refused =
-        assertThrows(InputException.class, () -> live.edit(now -> now.wall(x1, y1, x2, y2)));
-    assertTrue(refused.getMessage().contains(told), refused.getMessage());
-    assertThrows(InputException.class, () -> live.edit(now -> now.removeObstacle(0)));
+        assertThrows(
+            InputException.class, () -> live.edit(scenario -> scenario.addWall(x1, y1, x2, y2)));
+    assertTrue(refused.getMessage().contains(expected), refused.getMessage());
+    assertThrows(InputException.class, () -> live.edit(scenario -> scenario.removeObstacle(0)));
     assertEquals(before, live.scenario());
   }
 
   @Test
-  void noCameraStandsInAWall() {
+  void rejectsCamerasInWalls() {
     LiveRun live = live("ring-random", 0);
     CameraSpec first = live.scenario().cameras().get(0);
     assertThrows(
         InputException.class,
-        () -> live.edit(now -> now.wall(first.x(), first.y() - 0.1, first.x(), first.y() + 0.1)));
-    live.edit(now -> now.wall(0.123, -1, 0.123, 1));
+        () ->
+            live.edit(
+                scenario ->
+                    scenario.addWall(first.x(), first.y() - 0.1, first.x(), first.y() + 0.1)));
+    live.edit(scenario -> scenario.addWall(0.123, -1, 0.123, 1));
     assertThrows(InputException.class, () -> live.drag(0, 0.123, 0.5));
-    assertThrows(InputException.class, () -> live.add(0, 0.123, 0.5));
+    assertThrows(InputException.class, () -> live.addCopy(0, 0.123, 0.5));
   }
 
   @Test
-  void changesAreTakenBackAndMadeAgainOneByOne() {
+  void undoesAndRedoesChangesOneByOne() {
     LiveRun live = live("cluster-scripted", 0);
     Scenario before = live.scenario();
     live.drag(2, 1, 1);
     live.drag(2, 2, 1);
     live.turn(2, 30);
     Scenario moved = live.scenario();
-    live.edit(now -> now.removeCamera(0));
-    live.edit(now -> now.removeTarget(1));
-    live.edit(now -> now.wall(-3, -3, -2, -3));
+    live.edit(scenario -> scenario.removeCamera(0));
+    live.edit(scenario -> scenario.removeTarget(1));
+    live.edit(scenario -> scenario.addWall(-3, -3, -2, -3));
     assertEquals(before.cameras().size() - 1, live.scenario().cameras().size());
     assertEquals(before.everyTarget().count() - 1, live.step().sides().get(0).frame().x().length);
     Scenario after = live.scenario();
@@ -312,10 +321,10 @@ class LiveRunTest {
     live.undo();
     live.undo();
     assertEquals(moved, live.scenario());
-    assertEquals(2, pose(live, 2));
+    assertEquals(2, nextX(live, 2));
     live.undo();
     assertEquals(before, live.scenario(), "dragging and turning one camera is one change");
-    assertEquals(before.cameras().get(2).x(), pose(live, 2));
+    assertEquals(before.cameras().get(2).x(), nextX(live, 2));
     assertThrows(InputException.class, live::undo);
     for (int i = 0; i < 4; i++) {
       live.redo();
@@ -323,33 +332,33 @@ class LiveRunTest {
     assertEquals(after, live.scenario());
     assertThrows(InputException.class, live::redo);
     live.undo();
-    live.edit(now -> now.removeTarget(0));
+    live.edit(scenario -> scenario.removeTarget(0));
     assertThrows(InputException.class, live::redo, "another change was made since");
-    assertThrows(InputException.class, () -> live.edit(now -> now.removeCamera(99)));
-    assertThrows(InputException.class, () -> live.edit(now -> now.removeTarget(-1)));
+    assertThrows(InputException.class, () -> live.edit(scenario -> scenario.removeCamera(99)));
+    assertThrows(InputException.class, () -> live.edit(scenario -> scenario.removeTarget(-1)));
   }
 
-  /** Where a camera is in the next step, x. */
-  private static double pose(LiveRun live, int camera) {
+  /** Makes a step, and returns the x coordinate of a camera. */
+  private static double nextX(LiveRun live, int camera) {
     return live.step().sides().get(0).moves().get(camera).pose().x();
   }
 
   @Test
-  void whilePausedAChangeMakesTheSameStepAgain() {
+  void repeatsStepForChangesWhilePaused() {
     LiveRun live = live("cluster-scripted", 0);
     steps(live, 10);
-    live.paused(true);
-    live.edit(now -> now.wall(-3, -3, -2, -3));
+    live.setPaused(true);
+    live.edit(scenario -> scenario.addWall(-3, -3, -2, -3));
     assertEquals(9, live.step().number());
     live.undo();
     assertEquals(9, live.step().number());
-    live.paused(false);
+    live.setPaused(false);
     live.redo();
     assertEquals(10, live.step().number());
   }
 
   @Test
-  void aWayThroughAWallIsWarnedOfUntilTheWallIsGone() {
+  void warnsOfBlockedTargetUntilWallIsRemoved() {
     LiveRun live = live("cluster-scripted", 0);
     assertEquals("", live.warning());
     TargetSpec target = live.scenario().everyTarget().findFirst().orElseThrow();
@@ -358,8 +367,8 @@ class LiveRunTest {
     double x = (from.x() + to.x()) / 2;
     double y = (from.y() + to.y()) / 2;
     live.edit(
-        now ->
-            now.wall(
+        scenario ->
+            scenario.addWall(
                 x - 0.1 * (to.y() - from.y()),
                 y + 0.1 * (to.x() - from.x()),
                 x + 0.1 * (to.y() - from.y()),
@@ -370,47 +379,36 @@ class LiveRunTest {
   }
 
   @Test
-  void aHeldCameraStaysInItsViewWhateverItsPolicyChooses() {
-    Scenario hall = Scenarios.hall();
-    LiveRun live =
-        new LiveRun(
-            catalogue,
-            hall,
-            new LiveChoice("hifi:orb-lin", null, "random"),
-            0,
-            List.of(),
-            Optional.empty());
+  void holdsCameraInView() {
+    LiveRun live = live(Scenarios.hall(), new LiveChoice("hifi:orb-lin", null, "random"), 0);
     live.compare(true);
     live.hold(1, 7);
-    for (int step = 0; step < 30; step++) {
-      LiveStep both = live.step();
-      assertEquals(7, frame(both, 0).level()[1]);
-      assertEquals(7, frame(both, 1).level()[1]);
+    for (int i = 0; i < 30; i++) {
+      LiveStep step = live.step();
+      assertEquals(7, frame(step, 0).level()[1]);
+      assertEquals(7, frame(step, 1).level()[1]);
     }
     assertEquals(List.of(1), live.held());
-    live.add(0, 20, 10);
+    live.addCopy(0, 20, 10);
     assertEquals(7, frame(live.step(), 0).level()[1], "another camera changes nothing");
     live.hold(1, -1);
-    assertTrue(
-        java.util.stream.IntStream.range(0, 30)
-            .anyMatch(step -> frame(live.step(), 0).level()[1] != 7));
+    assertTrue(IntStream.range(0, 30).anyMatch(step -> frame(live.step(), 0).level()[1] != 7));
     assertThrows(InputException.class, () -> live.hold(1, 25));
     assertThrows(InputException.class, () -> live.hold(1, -2));
     assertThrows(InputException.class, () -> live.hold(9, 0));
   }
 
   @Test
-  void wallsAndOpticsAreReadBackFromWhatIsSaved() throws Exception {
-    LiveRun live =
-        new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of(), Optional.empty());
-    live.edit(now -> now.wall(25, 15, 28.5, 15));
-    live.edit(now -> now.removeObstacle(1));
+  void writesWallsAndOpticsOfEditedScenario() throws Exception {
+    LiveRun live = live(Scenarios.hall(), zoomOut(), 7);
+    live.edit(scenario -> scenario.addWall(25, 15, 28.5, 15));
+    live.edit(scenario -> scenario.removeObstacle(1));
     live.turn(0, 45);
     Path file = folder.resolve("edited.xml");
     Files.writeString(file, ScenarioWriter.write(live.scenario()));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
     assertEquals(live.scenario().with(Scenario.NAME, read.name()), read);
-    LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7, List.of(), Optional.empty());
+    LiveRun other = live(read, zoomOut(), 7);
     live.restart(7, true);
     for (int step = 0; step < 30; step++) {
       assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
@@ -418,16 +416,12 @@ class LiveRunTest {
   }
 
   @Test
-  void draggingChangesWhatIsDetected() {
-    LiveRun live =
-        new LiveRun(
-            catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
-    LiveRun still =
-        new LiveRun(
-            catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of(), Optional.empty());
+  void detectsTargetsAtDraggedCamera() {
+    LiveRun live = live(Scenarios.read("ring-random"), zoomOut(), 0);
+    LiveRun unchanged = live(Scenarios.read("ring-random"), zoomOut(), 0);
     steps(live, 10);
-    steps(still, 10);
-    Frame before = frame(still.step(), 0);
+    steps(unchanged, 10);
+    Frame before = frame(unchanged.step(), 0);
     live.drag(0, before.x()[0], before.y()[0]);
     Frame after = frame(live.step(), 0);
     assertArrayEquals(before.x(), after.x());
@@ -440,7 +434,7 @@ class LiveRunTest {
   }
 
   @Test
-  void aDetectionMayBringAThresholdOfItsOwn() {
+  void prefersThresholdOfDetection() {
     LiveRun live = live("cluster-random", 0);
     live.choose(0, new LiveChoice("geometric@0.25", 0.5, "zoom-out"));
     assertEquals(0.25, live.sides().get(0).setup().threshold());
@@ -448,19 +442,19 @@ class LiveRunTest {
   }
 
   @Test
-  void equalCommandsAtEqualStepsGiveEqualFrames() {
+  void givesSameFramesForSameCommands() {
     Consumer<LiveRun> commands =
         live -> {
           live.drag(2, 1, 1);
           live.choose(0, new LiveChoice("hifi:sift-lin", 0.05, "softmax"));
           live.compare(true);
         };
-    List<String> once = played(commands);
-    assertEquals(once, played(commands));
-    assertEquals(60, once.size());
+    List<String> frames = framesAfter(commands);
+    assertEquals(frames, framesAfter(commands));
+    assertEquals(60, frames.size());
   }
 
-  private List<String> played(Consumer<LiveRun> commands) {
+  private List<String> framesAfter(Consumer<LiveRun> commands) {
     LiveRun live = live("cluster-random", 9);
     List<String> frames = new ArrayList<>();
     for (int step = 0; step < 60; step++) {
@@ -485,8 +479,7 @@ class LiveRunTest {
         "geometric | | best-fixed | cannot be viewed live",
         "scenarios/model.json | | zoom-out | unknown detection 'scenarios/model.json'",
       })
-  void aWrongChoiceChangesNothing(
-      String detection, Double threshold, String policy, String expected) {
+  void rejectsInvalidChoices(String detection, Double threshold, String policy, String expected) {
     LiveRun live = live("cluster-random", 0);
     InputException wrong =
         assertThrows(
@@ -498,13 +491,13 @@ class LiveRunTest {
 
   @ParameterizedTest
   @CsvSource({"-1,0,0", "99,0,0", "0,1e9,0", "0,NaN,0", "0,0,Infinity"})
-  void aWrongPlaceIsRefused(int camera, double x, double y) {
+  void rejectsInvalidPlaces(int camera, double x, double y) {
     LiveRun live = live("cluster-random", 0);
     assertThrows(InputException.class, () -> live.drag(camera, x, y));
   }
 
   @Test
-  void aFullFeedKeepsTheShapeTheLastStepAndWhereEachCameraWent() {
+  void keepsLastStepAndAllMovesInFullFeed() {
     LiveRun live = live("lattice-random", 0);
     LiveFeed feed = new LiveFeed(10);
     for (int step = 0; step < 100; step++) {
@@ -512,22 +505,22 @@ class LiveRunTest {
         live.drag(0, step / 100.0, 0);
       }
       feed.add(live.step());
-      List<LiveStep> all = feed.steps();
-      assertTrue(all.size() <= 10);
-      assertEquals(step, frame(all.get(all.size() - 1), 0).step());
+      List<LiveStep> kept = feed.steps();
+      assertTrue(kept.size() <= 10);
+      assertEquals(step, frame(kept.get(kept.size() - 1), 0).step());
     }
-    List<Double> moved =
+    List<Double> positions =
         feed.steps().stream()
             .flatMap(step -> step.sides().get(0).moves().stream())
             .filter(move -> move.camera() == 0)
             .map(move -> move.pose().x())
             .toList();
-    assertEquals(0.98, moved.get(moved.size() - 1));
+    assertEquals(0.98, positions.get(positions.size() - 1));
     assertTrue(
         feed.steps().stream()
             .map(step -> step.sides().get(0).moves())
             .allMatch(moves -> moves.stream().map(Move::camera).distinct().count() == moves.size()),
-        "a step that is kept has one move of a camera, however many were left out before it");
+        "one move of a camera per step");
   }
 
   private static Frame frame(LiveStep step, int side) {

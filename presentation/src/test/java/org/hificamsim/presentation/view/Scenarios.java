@@ -5,7 +5,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.movement.Movements;
 
-/** The scenarios of the project. */
+/** Reads scenarios of the project. */
 final class Scenarios {
   private Scenarios() {}
 
@@ -13,7 +13,7 @@ final class Scenarios {
     return from("scenarios/" + name + ".xml");
   }
 
-  /** One with optics, pans that take time, walls, a polygon and pillars. */
+  /** A scenario with optics, pans that take time, walls, a polygon and pillars. */
   static Scenario hall() {
     return from("src/test/resources/seen/hall.xml");
   }

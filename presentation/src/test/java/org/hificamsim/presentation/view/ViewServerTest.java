@@ -40,7 +40,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Whom the server answers, what it refuses, and when it ends. */
+/** The requests that the server answers and rejects, and when it ends. */
 class ViewServerTest {
   private static final Duration GRACE = Duration.ofMillis(600);
 
@@ -56,10 +56,9 @@ class ViewServerTest {
     LiveRun run =
         new LiveRun(
             catalogue,
-            Scenarios.read("cluster-random"),
+            new LiveRun.ShownScenario(Scenarios.read("cluster-random"), List.of()),
             new LiveChoice("hifi:orb-lin", null, "sarsa"),
             0,
-            List.of(),
             Optional.empty());
     session = new LiveSession(run);
     server = new ViewServer(session, "<p>the page</p>", 0, GRACE);
@@ -85,7 +84,7 @@ class ViewServerTest {
   }
 
   @Test
-  void thePageIsThereForWhoeverHasTheAddress() throws Exception {
+  void sendsPageToAddressWithToken() throws Exception {
     HttpResponse<String> page = get(address);
     assertEquals(200, page.statusCode());
     assertEquals("<p>the page</p>", page.body());
@@ -95,7 +94,7 @@ class ViewServerTest {
   }
 
   @Test
-  void theTokenIsLongAndNewEachTime() {
+  void makesLongNewTokens() {
     Set<String> tokens = new HashSet<>();
     for (int i = 0; i < 100; i++) {
       tokens.add(new Guard(80).token());
@@ -106,18 +105,19 @@ class ViewServerTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"/", "/events", "/command", "/0123/", "/%2e%2e/", "/favicon.ico"})
-  void nothingIsThereWithoutTheToken(String path) throws Exception {
+  void rejectsRequestsWithoutToken(String path) throws Exception {
     HttpResponse<String> answer = get(address.resolve(path));
     assertEquals(403, answer.statusCode());
     assertEquals("refused: no token\n", answer.body());
   }
 
   @Test
-  void aTokenThatIsNearlyRightIsWrong() throws Exception {
+  void rejectsSimilarTokens() throws Exception {
     String token = address.getPath().substring(1, address.getPath().length() - 1);
     String last = token.endsWith("0") ? "1" : "0";
-    String near = token.substring(0, token.length() - 1) + last;
-    for (String wrong : List.of(near, token + "0", token.substring(1), "g" + token.substring(1))) {
+    String similar = token.substring(0, token.length() - 1) + last;
+    for (String wrong :
+        List.of(similar, token + "0", token.substring(1), "g" + token.substring(1))) {
       assertEquals(403, get(address.resolve("/" + wrong + "/")).statusCode());
     }
   }
@@ -131,9 +131,9 @@ class ViewServerTest {
         "127.0.0.1:PORT\r\nHost: a.b",
         ""
       })
-  void anotherHostIsRefused(String host) throws Exception {
-    String named = host.replace("PORT", Integer.toString(address.getPort()));
-    String request = "GET " + address.getPath() + " HTTP/1.1\r\nHost: " + named + "\r\n\r\n";
+  void rejectsOtherHosts(String host) throws Exception {
+    String ownHost = host.replace("PORT", Integer.toString(address.getPort()));
+    String request = "GET " + address.getPath() + " HTTP/1.1\r\nHost: " + ownHost + "\r\n\r\n";
     String status = raw(request);
     assertTrue(status.contains(" 403 ") || status.contains(" 400 "), status);
   }
@@ -147,14 +147,14 @@ class ViewServerTest {
     "http://localhost:PORT, 403",
     "http://127.0.0.1:PORT, 204",
   })
-  void commandsOfOtherOriginsAreRefused(String origin, int status) throws Exception {
-    String named = origin.replace("PORT", Integer.toString(address.getPort()));
-    HttpRequest.Builder request = post("{\"command\":\"pause\"}").setHeader("Origin", named);
+  void rejectsCommandsOfOtherOrigins(String origin, int status) throws Exception {
+    String ownOrigin = origin.replace("PORT", Integer.toString(address.getPort()));
+    HttpRequest.Builder request = post("{\"command\":\"pause\"}").setHeader("Origin", ownOrigin);
     assertEquals(status, send(request).statusCode());
   }
 
   @Test
-  void commandsWithoutAnOriginAndStreamsForOthersAreRefused() throws Exception {
+  void rejectsCommandsWithoutOriginAndForeignStreams() throws Exception {
     HttpRequest.Builder bare =
         HttpRequest.newBuilder(address.resolve("command"))
             .header("Content-Type", "application/json")
@@ -204,7 +204,7 @@ class ViewServerTest {
         "{\"command\":\"choose\",\"side\":0,\"detection\":\"/etc/passwd\",\"threshold\":null,\"policy\":\"zoom-out\"}"
             + " | unknown detection '/etc/passwd'",
       })
-  void wrongCommandsAreReportedInOneLine(String body, String expected) throws Exception {
+  void reportsInvalidCommandsInOneLine(String body, String expected) throws Exception {
     HttpResponse<String> answer = send(post(body));
     assertEquals(400, answer.statusCode(), answer.body());
     assertEquals(1, answer.body().lines().count(), answer.body());
@@ -214,7 +214,7 @@ class ViewServerTest {
   }
 
   @Test
-  void largeAndForeignBodiesAreRefused() throws Exception {
+  void rejectsLargeBodiesAndOtherTypes() throws Exception {
     assertEquals(413, send(post(" ".repeat(5000))).statusCode());
     HttpRequest.Builder form =
         post("{\"command\":\"pause\"}").setHeader("Content-Type", "text/plain");
@@ -225,7 +225,7 @@ class ViewServerTest {
 
   @ParameterizedTest
   @CsvSource({"POST,''", "GET,command", "POST,events", "GET,other", "PUT,command", "GET,../../x"})
-  void thereIsNothingElse(String method, String path) throws Exception {
+  void answersNotFoundForOtherRequests(String method, String path) throws Exception {
     HttpRequest.Builder request =
         HttpRequest.newBuilder(URI.create(address + path))
             .header("Origin", origin())
@@ -235,7 +235,7 @@ class ViewServerTest {
 
   @ParameterizedTest
   @CsvSource({"'', 15", "events, 0", "scenario.xml,"})
-  void theHeadAloneIsSentToWhoeverAsksForIt(String path, String length) throws Exception {
+  void answersHeadRequestsWithoutBody(String path, String length) throws Exception {
     HttpResponse<String> head =
         send(
             HttpRequest.newBuilder(URI.create(address + path))
@@ -243,39 +243,39 @@ class ViewServerTest {
     assertEquals(200, head.statusCode());
     assertEquals("", head.body());
     assertEquals("no-store", head.headers().firstValue("Cache-Control").orElseThrow());
-    String said = head.headers().firstValue("Content-Length").orElseThrow();
-    assertTrue(length == null ? Integer.parseInt(said) > 1000 : said.equals(length), said);
+    String sent = head.headers().firstValue("Content-Length").orElseThrow();
+    assertTrue(length == null ? Integer.parseInt(sent) > 1000 : sent.equals(length), sent);
   }
 
   @Test
-  void halfOpenConnectionsKeepNobodyOut() throws Exception {
+  void limitsHalfOpenConnections() throws Exception {
     assertEquals(204, send(post("{\"command\":\"pause\"}")).statusCode());
     List<Socket> halfOpen = new ArrayList<>();
     for (int i = 0; i < 150; i++) {
-      Socket one = new Socket(InetAddress.getLoopbackAddress(), address.getPort());
-      halfOpen.add(one);
+      Socket socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort());
+      halfOpen.add(socket);
       try {
-        one.getOutputStream().write("POST / HTTP/1.1\r\n".getBytes(StandardCharsets.UTF_8));
+        socket.getOutputStream().write("POST / HTTP/1.1\r\n".getBytes(StandardCharsets.UTF_8));
       } catch (SocketException e) {
-        // one more than the limit
+        // above the limit
       }
     }
     long start = System.nanoTime();
     assertEquals(204, send(post("{\"command\":\"pause\"}")).statusCode());
     assertTrue(System.nanoTime() - start < TimeUnit.SECONDS.toNanos(2));
-    for (Socket one : halfOpen) {
-      one.setSoTimeout(5000);
+    for (Socket socket : halfOpen) {
+      socket.setSoTimeout(5000);
       try {
-        assertEquals(-1, one.getInputStream().read(), "closed in a while");
+        assertEquals(-1, socket.getInputStream().read(), "closed after some time");
       } catch (SocketException e) {
         // reset
       }
-      one.close();
+      socket.close();
     }
   }
 
   @Test
-  void noOtherDeviceListens() throws Exception {
+  void listensOnLoopbackDeviceOnly() throws Exception {
     for (NetworkInterface device : Collections.list(NetworkInterface.getNetworkInterfaces())) {
       device
           .inetAddresses()
@@ -293,7 +293,7 @@ class ViewServerTest {
   }
 
   @Test
-  void aPageIsToldTheSetUpTheStepsSoFarAndThoseThatFollow() throws Exception {
+  void sendsSetupPastStepsAndNewSteps() throws Exception {
     send(post("{\"command\":\"step\",\"steps\":30}"));
     try (Page page = new Page()) {
       JsonNode setup = page.next("setup");
@@ -307,7 +307,7 @@ class ViewServerTest {
   }
 
   @Test
-  void theScenarioIsHandedOutWithItsCamerasAsTheyWerePut() throws Exception {
+  void sendsScenarioWithChangedCameras() throws Exception {
     send(post("{\"command\":\"drag\",\"camera\":0,\"x\":0.5,\"y\":-0.25}"));
     assertEquals(
         204, send(post("{\"command\":\"turn\",\"camera\":0,\"heading\":12}")).statusCode());
@@ -321,18 +321,18 @@ class ViewServerTest {
   }
 
   @Test
-  void everyOpenPageIsToldTheSame() throws Exception {
-    try (Page one = new Page();
-        Page two = new Page()) {
+  void sendsStepsToEveryOpenPage() throws Exception {
+    try (Page first = new Page();
+        Page second = new Page()) {
       send(post("{\"command\":\"speed\",\"perSecond\":500}"));
       send(post("{\"command\":\"run\"}"));
-      assertTrue(one.stepsUntil(100) >= 100);
-      assertTrue(two.stepsUntil(100) >= 100);
+      assertTrue(first.stepsUntil(100) >= 100);
+      assertTrue(second.stepsUntil(100) >= 100);
     }
   }
 
   @Test
-  void tooManyPagesAreRefused() throws Exception {
+  void limitsOpenPages() throws Exception {
     Page[] pages = new Page[8];
     for (int i = 0; i < pages.length; i++) {
       pages[i] = new Page();
@@ -345,14 +345,14 @@ class ViewServerTest {
   }
 
   @Test
-  void endsSomeTimeAfterTheLastPageWasClosed() throws Exception {
+  void endsAfterLastPageIsClosed() throws Exception {
     assertFalse(ended.await(2 * GRACE.toMillis(), TimeUnit.MILLISECONDS), "before any page");
     new Page().close();
     assertTrue(ended.await(10, TimeUnit.SECONDS));
   }
 
   @Test
-  void goesOnWhenThePageIsLoadedAgain() throws Exception {
+  void continuesWhenPageIsReloaded() throws Exception {
     Page first = new Page();
     first.next("setup");
     first.close();
@@ -364,15 +364,15 @@ class ViewServerTest {
   }
 
   @Test
-  void aPortInUseIsReported() {
-    InputException fault =
+  void reportsPortInUse() {
+    InputException error =
         assertThrows(
             InputException.class, () -> new ViewServer(session, "", address.getPort(), GRACE));
-    assertTrue(fault.getMessage().startsWith("port is " + address.getPort()), fault.getMessage());
+    assertTrue(error.getMessage().startsWith("port is " + address.getPort()), error.getMessage());
     assertNotEquals(0, address.getPort());
   }
 
-  /** An event stream as a page reads it, in HTTP 1.0, which has no chunks. */
+  /** Reads the event stream like a page, by HTTP 1.0, which has no chunks. */
   private final class Page implements AutoCloseable {
     private final Socket socket;
     private final BufferedReader lines;
@@ -389,19 +389,19 @@ class ViewServerTest {
       lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
     }
 
-    /** The data of the next event of that name. */
-    JsonNode next(String wanted) throws IOException {
+    /** Returns the data of the next event of this name. */
+    JsonNode next(String wantedName) throws IOException {
       while (true) {
         String line = lines.readLine();
         if (line.startsWith("event: ")) {
           name = line.substring("event: ".length());
-        } else if (line.startsWith("data: ") && name.equals(wanted)) {
+        } else if (line.startsWith("data: ") && name.equals(wantedName)) {
           return new ObjectMapper().readTree(line.substring("data: ".length()));
         }
       }
     }
 
-    /** Reads until this step has been sent; returns the last one sent. */
+    /** Reads until this step has been sent, and returns the last step. */
     long stepsUntil(long step) throws IOException {
       long last = -1;
       while (last < step) {
@@ -436,7 +436,7 @@ class ViewServerTest {
     return client.send(request.build(), HttpResponse.BodyHandlers.ofString());
   }
 
-  /** The status line of what the server answers to these bytes. */
+  /** Sends a text as it is, and returns the status line of the answer. */
   private String raw(String request) throws IOException {
     try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort())) {
       socket.setSoTimeout(5000);
