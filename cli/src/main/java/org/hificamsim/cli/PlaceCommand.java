@@ -31,6 +31,7 @@ import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
 import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.CameraKind;
+import org.hificamsim.placement.site.Candidates;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.MountPoints;
@@ -145,7 +146,7 @@ final class PlaceCommand implements Callable<Integer> {
     }
     Goal goal = goal();
     Numbers.within("--time", time, 0, 1e9);
-    if (refine && (goal.isAll() || instance.isPresent())) {
+    if (refine && (goal.isFullCover() || instance.isPresent())) {
       throw new InputException("--refine is for a site with --cameras N or --budget EUR");
     }
     if (instance.isPresent()) {
@@ -158,12 +159,12 @@ final class PlaceCommand implements Callable<Integer> {
     Interrupt interrupt = new Interrupt(time);
     Optional<Refinement> refinement =
         Optional.of(problem).filter(p -> refine).map(p -> refinement(p.demand().site(), interrupt));
-    SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isAll()), refinement);
+    SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
-          InstanceFile.write(writer, problem.left(), instanceForm());
+          InstanceFile.write(writer, problem.remaining(), instanceForm());
         }
       }
       ManifestFile.write(output, screen.words(), started, 0);
@@ -184,10 +185,11 @@ final class PlaceCommand implements Callable<Integer> {
     return new Effort(
         settings.settings().seed(),
         ROUNDS,
-        exact ? Optional.of(ExactMethod.found()) : Optional.empty(),
-        () -> interrupt.isDue(SEARCHED * part),
-        () -> interrupt.isDue(TRIED * part),
-        () -> interrupt.isDue(part));
+        exact ? Optional.of(ExactMethod.onClassPath()) : Optional.empty(),
+        new Effort.Limits(
+            () -> interrupt.isDue(SEARCHED * part),
+            () -> interrupt.isDue(TRIED * part),
+            () -> interrupt.isDue(part)));
   }
 
   private Refinement refinement(Scenario site, Interrupt interrupt) {
@@ -202,7 +204,7 @@ final class PlaceCommand implements Callable<Integer> {
     }
     cameras.ifPresent(n -> Numbers.inRange("--cameras", n, 1, MAX_CAMERAS));
     budget.ifPresent(price -> Numbers.within("--budget", price, 1e-9, 1e12));
-    return cameras.map(n -> new Goal(n)).or(() -> budget.map(Goal::new)).orElse(Goal.ALL);
+    return cameras.map(n -> new Goal(n)).or(() -> budget.map(Goal::new)).orElse(Goal.FULL_COVER);
   }
 
   private PlacementProblem problem(Goal goal) throws IOException {
@@ -220,18 +222,16 @@ final class PlaceCommand implements Callable<Integer> {
             site,
             grid,
             redundancy,
-            detection,
-            detections(catalogue),
+            new Demand.Detections(detection, detections(catalogue)),
             of == Of.TRACKS ? Optional.of(Visits.of(site, grid, catalogue)) : Optional.empty());
     CoverageReading read = Spelling.require(CoverageReading.class, "--reading", reading);
     return PlacementProblem.of(
-        all,
-        places(site, 1),
-        CameraKind.catalogue(kinds, site),
-        read,
-        kept(site),
-        goal,
-        cameras.isPresent(),
+        new PlacementProblem.Request(
+            all,
+            new Candidates.Options(places(site, 1), CameraKind.catalogue(kinds, site)),
+            read,
+            kept(site),
+            new PlacementProblem.SiteGoal(goal, cameras.isPresent())),
         catalogue,
         threads.count());
   }
@@ -311,17 +311,14 @@ final class PlaceCommand implements Callable<Integer> {
     facts.stream().skip(1).forEach(fact -> screen.say("  %s", fact));
     screen.say(
         "  %d candidates, %d samples, cells of %.2f m, %.1f s",
-        plan.problem().candidates().all().size(),
-        all.samples().size(),
+        plan.problem().candidates().list().size(),
+        all.points().size(),
         all.cells().width(),
-        plan.plan().seconds());
-    for (Demand.Watched zone : all.zones()) {
+        plan.coverPlan().seconds());
+    for (Demand.ZoneDemand zone : all.zones()) {
       screen.say(
           "  zone %s: %.2f %% by %s, k = %d",
-          zone.name(),
-          100 * all.share(zone, plan.counts(), false),
-          zone.detection().name(),
-          zone.k());
+          zone.name(), 100 * all.share(zone, plan.counts()), zone.detection().name(), zone.k());
     }
     List<BlindSpot> spots = plan.blindSpots();
     spots.stream().limit(SPOTS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
@@ -339,7 +336,7 @@ final class PlaceCommand implements Callable<Integer> {
 
   private int solve(Path path, Goal goal) throws IOException {
     CoverInstance read = InstanceFile.read(path, instanceForm());
-    CoverInstance all = goal.isAll() ? read.coverable() : read;
+    CoverInstance all = goal.isFullCover() ? read.coverable() : read;
     Effort effort = effort(new Interrupt(time));
     CoverPlan plan = CoverSearch.solve(all, goal, effort, watcher(false));
     screen.say(
@@ -348,7 +345,7 @@ final class PlaceCommand implements Callable<Integer> {
         all.candidates(),
         all.price(plan.chosen()),
         all.worth(all.counts(plan.chosen())),
-        all.samples());
+        all.points());
     screen.say(
         "score %.2f, bound %.2f, gap %.3f %%, %.1f s",
         plan.score(), plan.bound(), 100 * plan.gap(), plan.seconds());

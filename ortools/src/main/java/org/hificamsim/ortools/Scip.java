@@ -20,106 +20,129 @@ import org.hificamsim.placement.cover.ExactMethod;
 import org.hificamsim.placement.cover.Goal;
 
 /**
- * The mixed-integer solver SCIP, which comes with OR-Tools. A candidate is taken or not; how often
- * a sample is seen is a real number, so that the linear relaxation is strong and small. Samples
- * that the same candidates see, as often, are one. One thread: the same every time.
+ * The mixed-integer solver SCIP, which comes with OR-Tools. A candidate is chosen or not; how often
+ * a point is covered is a real number, which keeps the linear relaxation strong and small. Points
+ * that the same candidates cover, and that need the same number of them, are one row. SCIP runs on
+ * one thread, so that its result is always the same.
  */
 public final class Scip implements ExactMethod {
-  private static final long POLL = 50_000_000; // nanoseconds
-  private static final int PATIENCE = 40; // times
-  private static final double TOLERANCE = 1e-6; // of the solver, as a share
+  private static final long POLL_NANOSECONDS = 50_000_000;
 
-  /** Samples that the same candidates see. */
+  /** How often SCIP is asked to stop before its thread is abandoned. */
+  private static final int MAX_STOP_REQUESTS = 40;
+
+  /** The solver's tolerance, as a share of the score. */
+  private static final double TOLERANCE = 1e-6;
+
+  /** Points that the same candidates cover. */
   private record Row(List<Integer> candidates, int needs) {}
 
   @Override
-  public Found solve(
+  public Result solve(
       CoverInstance instance, Goal goal, int[] start, double bound, BooleanSupplier stop) {
     Loader.loadNativeLibraries();
     MPSolver solver = MPSolver.createSolver("SCIP");
-    MPVariable[] taken = build(solver, instance, goal, start);
+    MPVariable[] chosen = build(solver, instance, goal, start);
     MPSolver.ResultStatus status = solve(solver, stop);
     int[] best = start;
-    double its = bound;
+    double newBound = bound;
     if (status == MPSolver.ResultStatus.OPTIMAL || status == MPSolver.ResultStatus.FEASIBLE) {
       int[] plan =
-          IntStream.range(0, taken.length).filter(j -> taken[j].solutionValue() > 0.5).toArray();
-      best = better(instance, goal, plan, start) ? plan : start;
-      double score = goal.score(instance, best);
-      double found = solver.objective().bestBound();
-      double margin = TOLERANCE * Math.max(1, Math.abs(score));
-      double loose = Math.abs(found - score) <= margin ? 0 : goal.isAll() ? -margin : margin;
-      found = loose == 0 ? score : found + loose;
-      its = goal.isAll() ? Math.max(bound, found) : Math.min(bound, found);
+          IntStream.range(0, chosen.length)
+              .filter(candidate -> chosen[candidate].solutionValue() > 0.5)
+              .toArray();
+      best = isBetter(instance, goal, plan, start) ? plan : start;
+      double solverBound = safeBound(goal, goal.score(instance, best), solver);
+      newBound = goal.isFullCover() ? Math.max(bound, solverBound) : Math.min(bound, solverBound);
     }
-    return new Found(best, its);
+    return new Result(best, newBound);
   }
 
-  private static boolean better(CoverInstance instance, Goal goal, int[] plan, int[] than) {
-    double difference = goal.score(instance, plan) - goal.score(instance, than);
-    return goal.isAll() ? difference < 0 : difference > 0 && goal.affords(instance.price(plan));
+  /** The solver's bound, loosened by its tolerance, or the score itself if it is that close. */
+  private static double safeBound(Goal goal, double score, MPSolver solver) {
+    double solverBound = solver.objective().bestBound();
+    double margin = TOLERANCE * Math.max(1, Math.abs(score));
+    if (Math.abs(solverBound - score) <= margin) {
+      return score;
+    }
+    return goal.isFullCover() ? solverBound - margin : solverBound + margin;
   }
 
-  /** Returns a variable for each candidate. */
+  private static boolean isBetter(CoverInstance instance, Goal goal, int[] plan, int[] start) {
+    double difference = goal.score(instance, plan) - goal.score(instance, start);
+    return goal.isFullCover()
+        ? difference < 0
+        : difference > 0 && goal.affords(instance.price(plan));
+  }
+
+  /** Adds the problem to the solver; returns a variable for each candidate. */
   private static MPVariable[] build(
       MPSolver solver, CoverInstance instance, Goal goal, int[] start) {
-    MPVariable[] taken = solver.makeBoolVarArray(instance.candidates());
-    double[] hints = new double[taken.length];
-    Arrays.stream(start).forEach(j -> hints[j] = 1);
+    MPVariable[] chosen = solver.makeBoolVarArray(instance.candidates());
+    double[] hints = new double[chosen.length];
+    Arrays.stream(start).forEach(candidate -> hints[candidate] = 1);
     MPObjective objective = solver.objective();
-    objective.setOptimizationDirection(!goal.isAll());
+    objective.setOptimizationDirection(!goal.isFullCover());
     MPConstraint spent = solver.makeConstraint(0, goal.budget());
-    for (int j = 0; j < taken.length; j++) {
-      if (goal.isAll()) {
-        objective.setCoefficient(taken[j], instance.prices()[j]);
+    for (int candidate = 0; candidate < chosen.length; candidate++) {
+      double price = instance.prices()[candidate];
+      if (goal.isFullCover()) {
+        objective.setCoefficient(chosen[candidate], price);
       } else {
-        spent.setCoefficient(taken[j], instance.prices()[j]);
+        spent.setCoefficient(chosen[candidate], price);
       }
     }
-    List<MPVariable> all = new ArrayList<>(Arrays.asList(taken));
+    List<MPVariable> variables = new ArrayList<>(Arrays.asList(chosen));
     DoubleStream.Builder values = DoubleStream.builder();
     Arrays.stream(hints).forEach(values);
     rows(instance)
         .forEach(
-            (row, unit) -> {
-              MPConstraint seen =
-                  solver.makeConstraint(goal.isAll() ? row.needs : 0, Double.POSITIVE_INFINITY);
-              row.candidates.forEach(j -> seen.setCoefficient(taken[j], 1));
-              if (!goal.isAll()) {
+            (row, unitWorth) -> {
+              double least = goal.isFullCover() ? row.needs : 0;
+              MPConstraint covered = solver.makeConstraint(least, Double.POSITIVE_INFINITY);
+              row.candidates.forEach(candidate -> covered.setCoefficient(chosen[candidate], 1));
+              if (!goal.isFullCover()) {
                 MPVariable times = solver.makeNumVar(0, row.needs, "");
-                seen.setCoefficient(times, -1);
-                objective.setCoefficient(times, unit);
-                all.add(times);
-                values.add(
-                    Math.min(row.needs, row.candidates.stream().mapToDouble(j -> hints[j]).sum()));
+                covered.setCoefficient(times, -1);
+                objective.setCoefficient(times, unitWorth);
+                variables.add(times);
+                double hint =
+                    row.candidates.stream().mapToDouble(candidate -> hints[candidate]).sum();
+                values.add(Math.min(row.needs, hint));
               }
             });
-    solver.setHint(all.toArray(MPVariable[]::new), values.build().toArray());
-    return taken;
+    solver.setHint(variables.toArray(MPVariable[]::new), values.build().toArray());
+    return chosen;
   }
 
-  /** The rows of an instance that count, with what each time that one is seen is worth. */
+  /** Returns the rows that count, with the worth of covering each row once. */
   private static Map<Row, Double> rows(CoverInstance instance) {
-    List<List<Integer>> seenBy = new ArrayList<>();
-    IntStream.range(0, instance.samples()).forEach(any -> seenBy.add(new ArrayList<>()));
-    for (int j = 0; j < instance.candidates(); j++) {
-      for (int sample : instance.columns()[j]) {
-        seenBy.get(sample).add(j);
+    List<List<Integer>> coveringCandidates = new ArrayList<>();
+    for (int point = 0; point < instance.points(); point++) {
+      coveringCandidates.add(new ArrayList<>());
+    }
+    for (int candidate = 0; candidate < instance.candidates(); candidate++) {
+      for (int point : instance.covered()[candidate]) {
+        coveringCandidates.get(point).add(candidate);
       }
     }
     Map<Row, Double> rows = new LinkedHashMap<>();
-    for (int s = 0; s < seenBy.size(); s++) {
-      int needs = Math.min(instance.needs()[s], seenBy.get(s).size());
+    for (int point = 0; point < coveringCandidates.size(); point++) {
+      List<Integer> candidates = coveringCandidates.get(point);
+      int needs = Math.min(instance.needs()[point], candidates.size());
       if (needs > 0) {
-        rows.merge(new Row(seenBy.get(s), needs), instance.units()[s], Double::sum);
+        rows.merge(new Row(candidates, needs), instance.unitWorths()[point], Double::sum);
       }
     }
     return rows;
   }
 
-  /** On a thread that is left alone where SCIP, amid a large linear program, does not stop. */
+  /**
+   * Solves on a thread of its own, which is abandoned if SCIP, within a large linear program, does
+   * not stop.
+   */
   private static MPSolver.ResultStatus solve(MPSolver solver, BooleanSupplier stop) {
-    CompletableFuture<MPSolver.ResultStatus> end =
+    CompletableFuture<MPSolver.ResultStatus> result =
         CompletableFuture.supplyAsync(
             solver::solve,
             task -> {
@@ -127,13 +150,14 @@ public final class Scip implements ExactMethod {
               thread.setDaemon(true);
               thread.start();
             });
-    for (int waited = 0; waited < PATIENCE && !end.isDone(); ) {
-      LockSupport.parkNanos(POLL);
+    int stopRequests = 0;
+    while (stopRequests < MAX_STOP_REQUESTS && !result.isDone()) {
+      LockSupport.parkNanos(POLL_NANOSECONDS);
       if (stop.getAsBoolean()) {
-        solver.interruptSolve(); // again, as it may not have begun
-        waited++;
+        solver.interruptSolve(); // repeated, because a request before the start is lost
+        stopRequests++;
       }
     }
-    return end.getNow(MPSolver.ResultStatus.NOT_SOLVED);
+    return result.getNow(MPSolver.ResultStatus.NOT_SOLVED);
   }
 }

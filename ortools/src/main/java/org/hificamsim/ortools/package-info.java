@@ -1,2 +1,2 @@
-/** The exact method of {@code place}: SCIP, of OR-Tools. */
+/** The exact method of {@code place}: the solver SCIP from OR-Tools. */
 package org.hificamsim.ortools;

@@ -31,7 +31,7 @@ import org.hificamsim.placement.cover.SmallInstances;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The exact method beside all plans of small instances, alone, and in the command. */
+/** Compares SCIP with all plans of small instances and with CP-SAT, and runs it in the command. */
 class ScipTest {
   private static final int CASES = 60;
   private static final Path SCENARIOS = Path.of(System.getProperty("hificamsim.root"), "scenarios");
@@ -39,43 +39,46 @@ class ScipTest {
   @TempDir private Path folder;
 
   private static Effort exact() {
-    return new Effort(1, 0, Optional.of(new Scip()), () -> true, () -> false, () -> false);
+    return new Effort(
+        1, 0, Optional.of(new Scip()), new Effort.Limits(() -> true, () -> false, () -> false));
   }
 
   private static CoverPlan solve(CoverInstance instance, Goal goal) {
     return CoverSearch.solve(instance, goal, exact(), (score, bound) -> {});
   }
 
-  /** The method without search, bound or reduction before it. */
-  private static double alone(CoverInstance instance, Goal goal) {
-    int[] start = goal.isAll() ? IntStream.range(0, instance.candidates()).toArray() : new int[0];
-    double bound = goal.isAll() ? 0 : instance.total();
-    ExactMethod.Found found = new Scip().solve(instance, goal, start, bound, () -> false);
+  /** The score that SCIP finds without a search, bound or reduction before it. */
+  private static double scoreAlone(CoverInstance instance, Goal goal) {
+    int[] start =
+        goal.isFullCover() ? IntStream.range(0, instance.candidates()).toArray() : new int[0];
+    double bound = goal.isFullCover() ? 0 : instance.totalWorth();
+    ExactMethod.Result found = new Scip().solve(instance, goal, start, bound, () -> false);
     assertEquals(goal.score(instance, found.chosen()), found.bound(), 1e-6);
     return goal.score(instance, found.chosen());
   }
 
-  /** The best score by CP-SAT, of whole numbers. */
-  private static double cpSat(CoverInstance instance, Goal goal) {
+  /** The best score that CP-SAT finds, for whole numbers. */
+  private static double scoreOfCpSat(CoverInstance instance, Goal goal) {
     CpModel model = new CpModel();
-    BoolVar[] taken = new BoolVar[instance.candidates()];
-    Arrays.setAll(taken, j -> model.newBoolVar("x"));
+    BoolVar[] chosen = new BoolVar[instance.candidates()];
+    Arrays.setAll(chosen, candidate -> model.newBoolVar("x"));
     LinearExprBuilder worth = LinearExpr.newBuilder();
-    for (int s = 0; s < instance.samples(); s++) {
-      int sample = s;
-      IntVar times =
-          model.newIntVar(goal.isAll() ? instance.needs()[s] : 0, instance.needs()[s], "y");
-      LinearExprBuilder seen = LinearExpr.newBuilder();
-      IntStream.range(0, taken.length)
-          .filter(j -> Arrays.binarySearch(instance.columns()[j], sample) >= 0)
-          .forEach(j -> seen.add(taken[j]));
-      model.addLessOrEqual(times, seen);
-      worth.addTerm(times, (long) instance.units()[s]);
+    for (int i = 0; i < instance.points(); i++) {
+      int point = i;
+      int needs = instance.needs()[point];
+      IntVar times = model.newIntVar(goal.isFullCover() ? needs : 0, needs, "y");
+      LinearExprBuilder covered = LinearExpr.newBuilder();
+      IntStream.range(0, chosen.length)
+          .filter(candidate -> Arrays.binarySearch(instance.covered()[candidate], point) >= 0)
+          .forEach(candidate -> covered.add(chosen[candidate]));
+      model.addLessOrEqual(times, covered);
+      worth.addTerm(times, (long) instance.unitWorths()[point]);
     }
     LinearExprBuilder price = LinearExpr.newBuilder();
-    IntStream.range(0, taken.length)
-        .forEach(j -> price.addTerm(taken[j], (long) instance.prices()[j]));
-    if (goal.isAll()) {
+    IntStream.range(0, chosen.length)
+        .forEach(
+            candidate -> price.addTerm(chosen[candidate], (long) instance.prices()[candidate]));
+    if (goal.isFullCover()) {
       model.minimize(price);
     } else {
       model.addLessOrEqual(price, (long) goal.budget());
@@ -88,14 +91,14 @@ class ScipTest {
   }
 
   @Test
-  void findsWhatCpSatFindsAlone() {
+  void findsTheSameScoreAsCpSat() {
     SplittableRandom random = new SplittableRandom(5);
     for (int i = 0; i < 12; i++) {
       CoverInstance instance = SmallInstances.random(random, 60, 40, i % 2 == 0).coverable();
-      Goal goal = i % 3 == 0 ? Goal.ALL : new Goal(3 + random.nextInt(6));
+      Goal goal = i % 3 == 0 ? Goal.FULL_COVER : new Goal(3 + random.nextInt(6));
       CoverPlan plan = solve(instance, goal);
       assertTrue(plan.isProven(), "" + i);
-      assertEquals(cpSat(instance, goal), plan.score(), 1e-6, "" + i);
+      assertEquals(scoreOfCpSat(instance, goal), plan.score(), 1e-6, "" + i);
     }
   }
 
@@ -104,47 +107,49 @@ class ScipTest {
     SplittableRandom random = new SplittableRandom(11);
     for (int i = 0; i < CASES; i++) {
       CoverInstance instance = SmallInstances.random(random, 12, 9, i % 2 == 0).coverable();
-      Goal goal = i % 3 == 0 ? Goal.ALL : new Goal(1 + random.nextInt(6));
+      Goal goal = i % 3 == 0 ? Goal.FULL_COVER : new Goal(1 + random.nextInt(6));
       double best = SmallInstances.best(instance, goal);
       CoverPlan plan = solve(instance, goal);
       assertTrue(plan.isProven(), "" + i);
       assertEquals(best, plan.score(), 1e-6, "" + i);
-      assertEquals(best, alone(instance, goal), 1e-6, "" + i);
+      assertEquals(best, scoreAlone(instance, goal), 1e-6, "" + i);
     }
   }
 
   @Test
-  void provesOddWeightsAndClosesWhatMultipliersLeave() {
+  void provesFractionalWorthsThatMultipliersDoNot() {
     SplittableRandom random = new SplittableRandom(2);
     CoverInstance plain = SmallInstances.random(random, 60, 40, false).coverable();
-    double[] odd = random.doubles(60).toArray();
-    CoverInstance instance = new CoverInstance(odd, plain.needs(), plain.columns(), plain.prices());
+    double[] fractional = random.doubles(60).toArray();
+    CoverInstance instance =
+        new CoverInstance(fractional, plain.needs(), plain.covered(), plain.prices());
     CoverPlan plan = solve(instance, new Goal(9));
     assertTrue(plan.isProven(), plan.bound() + " " + plan.score());
-    assertTrue(plan.relaxed() > plan.bound() + 1e-6);
+    assertTrue(plan.multiplierBound().value() > plan.bound() + 1e-6);
     assertArrayEquals(plan.chosen(), solve(instance, new Goal(9)).chosen());
   }
 
   @Test
-  void stopsAtOnceWithThePlanItHad() {
+  void keepsItsPlanWhenStoppedAtOnce() {
     CoverInstance instance =
         SmallInstances.random(new SplittableRandom(3), 400, 300, false).coverable();
-    Effort stopped = new Effort(1, 0, Optional.of(new Scip()), () -> true, () -> true, () -> true);
-    CoverPlan plan = CoverSearch.solve(instance, Goal.ALL, stopped, (score, bound) -> {});
+    Effort.Limits noTime = new Effort.Limits(() -> true, () -> true, () -> true);
+    Effort stopped = new Effort(1, 0, Optional.of(new Scip()), noTime);
+    CoverPlan plan = CoverSearch.solve(instance, Goal.FULL_COVER, stopped, (score, bound) -> {});
     int[] counts = instance.counts(plan.chosen());
-    assertTrue(IntStream.range(0, 400).allMatch(s -> counts[s] >= instance.needs()[s]));
+    assertTrue(IntStream.range(0, 400).allMatch(point -> counts[point] >= instance.needs()[point]));
     assertTrue(plan.bound() <= plan.score());
     plan = CoverSearch.solve(instance, new Goal(9), stopped, (score, bound) -> {});
-    assertTrue(plan.bound() >= plan.score() && plan.relaxed() >= plan.bound());
+    assertTrue(plan.bound() >= plan.score() && plan.multiplierBound().value() >= plan.bound());
   }
 
   @Test
-  void theCommandSaysThatAPlanIsProvenAndTheCheckProvesItAgain() throws IOException {
+  void commandProvesPlanAndVerifiesIt() throws IOException {
     Path plan = folder.resolve("plan");
     Path site = SCENARIOS.resolve("corridor.xml");
     String words = "--cameras 3 --catalogue site --cells 24 --candidates every=4 --method exact";
-    String said = run("place " + site + " " + words + " --out " + plan);
-    assertTrue(said.contains("proven: no plan of these candidates is better"), said);
+    String output = run("place " + site + " " + words + " --out " + plan);
+    assertTrue(output.contains("proven: no plan of these candidates is better"), output);
     Path summary = plan.resolve("summary.json");
     String text = Files.readString(summary);
     assertTrue(text.contains("\"proven\" : true"), text);

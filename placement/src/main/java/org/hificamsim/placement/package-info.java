@@ -1,2 +1,2 @@
-/** Where to put the cameras. */
+/** Planning where to mount cameras on a site. */
 package org.hificamsim.placement;

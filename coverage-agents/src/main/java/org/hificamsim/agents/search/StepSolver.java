@@ -18,9 +18,7 @@ public final class StepSolver extends Solver {
 
   private static final int TIE_PASSES = 3;
 
-  /**
-   * Effort of the first round: passes of the localSearch search, rounds of prices, search nodes.
-   */
+  /** Effort of the first round: passes of local search, rounds of prices, and search nodes. */
   private static final int FIRST_PASSES = 4;
 
   private static final int FIRST_PRICE_ROUNDS = 16;

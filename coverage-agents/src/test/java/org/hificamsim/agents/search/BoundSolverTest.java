@@ -25,7 +25,7 @@ class BoundSolverTest {
         "sum:cap=99",
         "lexicographic"
       })
-  void isNeverBelowTheBestScoreOfThousandsOfRandomProblems(String text) {
+  void boundIsNeverBelowTheBestScore(String text) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(1);
     CoverageProblem problem = new CoverageProblem(8, 40, 80);
@@ -46,7 +46,7 @@ class BoundSolverTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"})
-  void isNearTheOptimumWhereManyCamerasShareTargets(String text) {
+  void boundIsCloseWhenManyCamerasShareTargets(String text) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(2);
     double optima = 0;
@@ -68,7 +68,7 @@ class BoundSolverTest {
   }
 
   @Test
-  void sumsOfScoresAndGapsOverManyStepsAreNotBelowThoseOfTheOptima() {
+  void sumsOfScoresAndGapsBoundTheSumOfOptima() {
     Objective objective = Objective.parse("covered:k=1");
     SplittableRandom random = new SplittableRandom(3);
     double optima = 0;

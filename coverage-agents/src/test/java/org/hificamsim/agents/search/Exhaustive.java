@@ -6,25 +6,26 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * The reference for any objective that tries every configuration, in the order of preference:
- * {@code sets} by camera, set and target.
+ * The best configuration of a problem, found by trying every configuration in the order of
+ * preference. In all methods, {@code sets} says by camera, set and target whether the set holds the
+ * target.
  */
 record Exhaustive(double score, int[] configuration) {
   static Exhaustive solve(Objective objective, int targets, boolean[][][] sets) {
     int[] tried = new int[sets.length];
     int[] best = tried.clone();
-    int[] most = k(objective, targets, sets, best);
+    int[] bestCoverage = coverage(objective, targets, sets, best);
     do {
-      int[] k = k(objective, targets, sets, tried);
-      if (isBetter(objective, k, most)) {
+      int[] coverage = coverage(objective, targets, sets, tried);
+      if (isBetter(objective, coverage, bestCoverage)) {
         best = tried.clone();
-        most = k;
+        bestCoverage = coverage;
       }
     } while (next(tried, camera -> sets[camera].length));
-    return new Exhaustive(objective.score(most, 0, most.length), best);
+    return new Exhaustive(objective.score(bestCoverage, 0, bestCoverage.length), best);
   }
 
-  /** Counts up with the last camera fastest, so that the first best is the most preferred. */
+  /** Goes on to the next configuration, in the order of preference; returns false at the end. */
   static boolean next(int[] configuration, IntUnaryOperator count) {
     for (int camera = configuration.length - 1; camera >= 0; camera--) {
       if (++configuration[camera] < count.applyAsInt(camera)) {
@@ -36,31 +37,31 @@ record Exhaustive(double score, int[] configuration) {
   }
 
   static double score(Objective objective, int targets, boolean[][][] sets, int[] configuration) {
-    int[] k = k(objective, targets, sets, configuration);
-    return objective.score(k, 0, k.length);
+    int[] coverage = coverage(objective, targets, sets, configuration);
+    return objective.score(coverage, 0, coverage.length);
   }
 
-  private static boolean isBetter(Objective objective, int[] k, int[] than) {
+  private static boolean isBetter(Objective objective, int[] coverage, int[] best) {
     if (!(objective instanceof Objective.Lexicographic)) {
-      return objective.score(k, 0, k.length) > objective.score(than, 0, k.length);
+      return objective.score(coverage, 0, coverage.length) > objective.score(best, 0, best.length);
     }
-    int[] sorted = k.clone();
-    int[] other = than.clone();
+    int[] sorted = coverage.clone();
+    int[] sortedBest = best.clone();
     Arrays.sort(sorted);
-    Arrays.sort(other);
-    return Arrays.compare(sorted, other) > 0;
+    Arrays.sort(sortedBest);
+    return Arrays.compare(sorted, sortedBest) > 0;
   }
 
-  /** Of the targets that count, by target. */
-  private static int[] k(
+  /** The number of cameras that cover each target that counts. */
+  private static int[] coverage(
       Objective objective, int targets, boolean[][][] sets, int[] configuration) {
     return IntStream.range(0, targets)
         .filter(target -> !objective.ofCoverableAlone() || isCoverable(sets, target))
-        .map(target -> k(sets, configuration, target))
+        .map(target -> coverage(sets, configuration, target))
         .toArray();
   }
 
-  private static int k(boolean[][][] sets, int[] configuration, int target) {
+  private static int coverage(boolean[][][] sets, int[] configuration, int target) {
     return (int)
         IntStream.range(0, sets.length)
             .filter(camera -> sets[camera][configuration[camera]][target])

@@ -2,16 +2,18 @@ package org.hificamsim.agents.search;
 
 import java.util.SplittableRandom;
 
-/** Random coverage problems for tests, by camera, set and target. */
+/** Coverage problems for tests; {@code sets} say by camera, set and target what a set holds. */
 final class Problems {
   private Problems() {}
 
-  /** Up to {@code most} sets for each camera, every target in each with that probability. */
+  /**
+   * Draws 1 to {@code maxSets} sets for each camera; a set holds a target with this probability.
+   */
   static boolean[][][] random(
-      SplittableRandom random, int cameras, int most, int targets, double density) {
+      SplittableRandom random, int cameras, int maxSets, int targets, double density) {
     boolean[][][] sets = new boolean[cameras][][];
     for (int camera = 0; camera < cameras; camera++) {
-      sets[camera] = new boolean[1 + random.nextInt(most)][targets];
+      sets[camera] = new boolean[1 + random.nextInt(maxSets)][targets];
       for (boolean[] set : sets[camera]) {
         for (int target = 0; target < targets; target++) {
           set[target] = random.nextDouble() < density;
@@ -21,7 +23,7 @@ final class Problems {
     return sets;
   }
 
-  /** Sets by camera, as bit masks of up to 64 targets. */
+  /** Returns the sets that are given as bit masks of up to 64 targets. */
   static boolean[][][] of(int targets, long[][] masks) {
     boolean[][][] sets = new boolean[masks.length][][];
     for (int camera = 0; camera < masks.length; camera++) {
@@ -55,16 +57,16 @@ final class Problems {
     }
   }
 
-  /** Two halves of so many cameras and targets each, without a target in common. */
-  static CoverageProblem apart(SplittableRandom random, int cameras, int most, int targets) {
-    boolean[][][] half = random(random, cameras, most, targets, 0.4);
+  /** Returns a problem with two halves of cameras, each with its own targets, and equal sets. */
+  static CoverageProblem twoHalves(SplittableRandom random, int cameras, int maxSets, int targets) {
+    boolean[][][] half = random(random, cameras, maxSets, targets, 0.4);
     boolean[][][] sets = new boolean[2 * cameras][][];
     for (int camera = 0; camera < 2 * cameras; camera++) {
-      boolean[][] of = half[camera % cameras];
-      sets[camera] = new boolean[of.length][2 * targets];
-      for (int set = 0; set < of.length; set++) {
+      boolean[][] halfSets = half[camera % cameras];
+      sets[camera] = new boolean[halfSets.length][2 * targets];
+      for (int set = 0; set < halfSets.length; set++) {
         int shift = camera < cameras ? 0 : targets;
-        System.arraycopy(of[set], 0, sets[camera][set], shift, targets);
+        System.arraycopy(halfSets[set], 0, sets[camera][set], shift, targets);
       }
     }
     return problem(2 * targets, sets);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class RemainingSetsTest {
   @Test
-  void supplyCountsCamerasThatCanAndSureThoseThatMust() {
+  void countsCamerasThatCanAndThatMustCover() {
     RemainingSets remaining = remaining(3, new long[][] {{0b011, 0b010}, {0b110}, {0b001, 0b100}});
     assertArrayEquals(new int[] {2, 2, 2}, Arrays.copyOf(remaining.maxCoverage(), 3));
     assertArrayEquals(
@@ -26,7 +26,7 @@ class RemainingSetsTest {
   }
 
   @Test
-  void theLastSetOfACameraIsNotRemovedWithoutAWord() {
+  void removeReportsThatNoSetIsLeft() {
     RemainingSets remaining = remaining(1, new long[][] {{1, 0}});
     assertTrue(remaining.remove(0));
     assertFalse(remaining.isOpen(0));
@@ -38,7 +38,7 @@ class RemainingSetsTest {
   }
 
   @Test
-  void ofIncludedSetsTheFirstThatHoldsThemStays() {
+  void removesIncludedSetsAndKeepsFirstOfEqualOnes() {
     RemainingSets remaining =
         remaining(3, new long[][] {{0b001, 0b011, 0b011, 0b100}, {0b010}, {0b111, 0b101}});
     remaining.removeIncluded();
@@ -48,7 +48,7 @@ class RemainingSetsTest {
   }
 
   @Test
-  void undoRestoresEverythingExactly() {
+  void undoRestoresAllCounts() {
     SplittableRandom random = new SplittableRandom(1);
     for (int trial = 0; trial < 2_000; trial++) {
       boolean[][][] sets = Problems.random(random, 6, 4, 70, 0.5);

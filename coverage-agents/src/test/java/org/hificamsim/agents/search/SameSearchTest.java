@@ -11,9 +11,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The search goes where it went, node by node: where a limit ends it, that decides its result. Who
- * changes a heuristic on purpose sees here what it takes: the numbers are sums over fixed random
- * problems, given as cameras, targets and how many of a hundred targets a set holds.
+ * The search visits the same nodes as before, because these decide the result when a limit ends it.
+ * If you change a heuristic on purpose, these numbers show the effect. They are sums over fixed
+ * random problems, given by the number of cameras, the number of targets, and the percentage of
+ * targets that a set holds.
  */
 class SameSearchTest {
   private static final int TRIALS = 30;
@@ -31,11 +32,11 @@ class SameSearchTest {
     "lexicographic, 12, 24, 20, 3192, 37, 28",
     "lexicographic, 9, 100, 30, 3355, 21, 32"
   })
-  void toTheEndAndWithThreeNodes(
+  void searchVisitsTheSameNodes(
       String text, int cameras, int targets, int percent, long nodes, double score, double gap) {
     Objective objective = Objective.parse(text);
     double[] sums = new double[3];
-    each(
+    forEachProblem(
         cameras,
         targets,
         percent,
@@ -53,13 +54,12 @@ class SameSearchTest {
         String.format(Locale.ROOT, "%.0f %.3f %.3f", sums[0], sums[1], sums[2]));
   }
 
-  /** What one half of the cameras sees has nothing to do with the other. */
   @Test
-  void whereTwoFieldsAreApart() {
+  void searchOfTwoSeparateHalvesVisitsTheSameNodes() {
     SplittableRandom random = new SplittableRandom(1);
     long nodes = 0;
     for (int trial = 0; trial < TRIALS; trial++) {
-      CoverageProblem problem = Problems.apart(random, 10, SETS, 40);
+      CoverageProblem problem = Problems.twoHalves(random, 10, SETS, 40);
       StepSolver solver = new StepSolver(Objective.kMin(), problem, Solver.UNLIMITED);
       solver.solve();
       nodes += solver.nodes();
@@ -68,8 +68,7 @@ class SameSearchTest {
   }
 
   /**
-   * What bounds the value before prices and with them, and what exchanging one set after the other
-   * comes to: in parts of a unit, or as k.
+   * The value bounded by the range alone and by prices, and the value that local search reaches.
    */
   @ParameterizedTest
   @CsvSource({
@@ -79,10 +78,16 @@ class SameSearchTest {
     "covered:k=2, 20, 100, 8, 1949547600, 1645333096, 1401079680",
     "sum:cap=3, 12, 24, 20, 1525043520, 1365093675, 1341259920"
   })
-  void byPricesAndExchanges(
-      String text, int cameras, int targets, int percent, long free, long priced, long reached) {
+  void boundsAndLocalSearchGiveTheSameValues(
+      String text,
+      int cameras,
+      int targets,
+      int percent,
+      long rangeBound,
+      long priceBound,
+      long reached) {
     long[] sums = new long[3];
-    each(
+    forEachProblem(
         cameras,
         targets,
         percent,
@@ -102,13 +107,15 @@ class SameSearchTest {
           stages[0].tunePrices(40);
           sums[1] += stages[0].bound();
         });
-    assertEquals(free + " " + priced + " " + reached, sums[0] + " " + sums[1] + " " + sums[2]);
+    assertEquals(
+        rangeBound + " " + priceBound + " " + reached, sums[0] + " " + sums[1] + " " + sums[2]);
   }
 
-  private static void each(int cameras, int targets, int percent, Consumer<CoverageProblem> work) {
+  private static void forEachProblem(
+      int cameras, int targets, int percent, Consumer<CoverageProblem> test) {
     SplittableRandom random = new SplittableRandom(1);
     for (int trial = 0; trial < TRIALS; trial++) {
-      work.accept(
+      test.accept(
           Problems.problem(
               targets, Problems.random(random, cameras, SETS, targets, percent / 100.0)));
     }

@@ -28,8 +28,7 @@ class StepSolverTest {
     "sum:cap=99, 2000",
     "lexicographic, 2000"
   })
-  void findsTheScoreAndThePreferredConfigurationOfThousandsOfRandomProblems(
-      String text, int trials) {
+  void findsThePreferredBestConfigurationOfSmallProblems(String text, int trials) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(1);
     CoverageProblem problem = new CoverageProblem(8, 40, 80);
@@ -53,7 +52,7 @@ class StepSolverTest {
         "sum:cap=9",
         "lexicographic"
       })
-  void findsThemWhereTargetsTakeSeveralWordsAndLevelsSeveralStages(String text) {
+  void findsThePreferredBestConfigurationOfManyTargets(String text) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(2);
     CoverageProblem problem = new CoverageProblem(9, 40, 150);
@@ -67,7 +66,7 @@ class StepSolverTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "covered:k=2", "sum:cap=3", "lexicographic"})
-  void findsThemWhereThereIsMoreToSearch(String text) {
+  void findsThePreferredBestConfigurationAfterLongSearch(String text) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(3);
     CoverageProblem problem = new CoverageProblem(9, 27, 12);
@@ -80,7 +79,7 @@ class StepSolverTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "covered:k=2", "sum:cap=3", "lexicographic"})
-  void searchesNothingWhereEachCameraHasASetThatHoldsItsOthers(String text) {
+  void needsNoSearchIfOneSetIncludesAllOthers(String text) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(8);
     CoverageProblem problem = new CoverageProblem(6, 24, 10);
@@ -89,10 +88,10 @@ class StepSolverTest {
       int targets = 1 + random.nextInt(10);
       boolean[][][] sets = Problems.random(random, 1 + random.nextInt(6), 4, targets, 0.6);
       for (boolean[][] camera : sets) {
-        boolean[] whole = camera[random.nextInt(camera.length)];
+        boolean[] largest = camera[random.nextInt(camera.length)];
         for (int target = 0; target < targets; target++) {
-          int of = target;
-          whole[target] = Arrays.stream(camera).anyMatch(set -> set[of]);
+          int number = target;
+          largest[target] = Arrays.stream(camera).anyMatch(set -> set[number]);
         }
       }
       assertIsBest(objective, targets, sets, problem, solver);
@@ -100,7 +99,7 @@ class StepSolverTest {
     }
   }
 
-  /** Objectives, problems and what the searches found that were here before this one. */
+  /** The expected scores and configurations are those of an earlier implementation. */
   @ParameterizedTest
   @CsvSource({
     "kmin, 12, 24, 40, 110.0, -595215243",
@@ -116,7 +115,7 @@ class StepSolverTest {
     "lexicographic, 12, 24, 20, 39.0, 992282585",
     "lexicographic, 9, 100, 30, 25.0, 688708491"
   })
-  void findsWhatEarlierSearchesFound(
+  void findsTheSameConfigurationsAsEarlierVersions(
       String text, int cameras, int targets, int percent, double scores, int configurations) {
     Objective objective = Objective.parse(text);
     SplittableRandom random = new SplittableRandom(1);
@@ -138,7 +137,7 @@ class StepSolverTest {
   }
 
   @Test
-  void withoutTargetsEveryCameraTakesItsFirstSet() {
+  void camerasTakeTheirFirstSetWithoutTargets() {
     StepSolver solver = solve("kmin", 0, new long[][] {{0, 0}, {0}});
     assertEquals(0, solver.chosen(0));
     assertEquals(2, solver.chosen(1));
@@ -146,7 +145,7 @@ class StepSolverTest {
   }
 
   @Test
-  void withoutCamerasNothingIsCovered() {
+  void scoreIsZeroWithoutCameras() {
     for (String objective : new String[] {"kmin", "covered", "sum", "lexicographic"}) {
       StepSolver solver = solve(objective, 3, new long[][] {});
       assertEquals(0, solver.score());
@@ -155,7 +154,7 @@ class StepSolverTest {
   }
 
   @Test
-  void aTargetOutOfReachLeavesEveryCameraItsPreference() {
+  void camerasTakeTheirFirstSetIfATargetIsOutOfReach() {
     StepSolver solver = solve("kmin", 2, new long[][] {{0, 1}, {1, 0}});
     assertEquals(0, solver.score());
     assertEquals(0, solver.chosen(0));
@@ -163,7 +162,7 @@ class StepSolverTest {
   }
 
   @Test
-  void aLimitedSearchEnclosesTheBestScoreBetweenItsOwnAndItsBound() {
+  void limitedSearchBoundsTheBestScore() {
     SplittableRandom random = new SplittableRandom(3);
     int unproven = 0;
     for (int trial = 0; trial < 1_500; trial++) {
@@ -184,7 +183,7 @@ class StepSolverTest {
   }
 
   @Test
-  void eachCallHasTheWholeLimitAndCountsItsOwnNodes() {
+  void nodeLimitAppliesToEachCallAnew() {
     SplittableRandom random = new SplittableRandom(7);
     int searched = 0;
     for (int trial = 0; trial < 300; trial++) {
@@ -208,9 +207,9 @@ class StepSolverTest {
     SplittableRandom random = new SplittableRandom(6);
     boolean[][][] sets = new boolean[200][5][40];
     for (boolean[][] camera : sets) {
-      int around = random.nextInt(40);
+      int first = random.nextInt(40);
       for (boolean[] set : camera) {
-        for (int target = around; target < around + 6; target++) {
+        for (int target = first; target < first + 6; target++) {
           set[target % 40] = random.nextBoolean();
         }
       }

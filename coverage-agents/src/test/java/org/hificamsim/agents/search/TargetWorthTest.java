@@ -9,19 +9,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Of six cameras. */
 class TargetWorthTest {
   private static final int CAMERAS = 6;
   private static final long UNIT = new TargetWorth(new long[] {0, 1}, 1).unit();
 
   @Test
-  void aUnitIsWhatSixteenNumbersDivideUnlessSumsGetTooLarge() {
+  void unitIsDivisibleUnlessSumsGetTooLarge() {
     IntStream.rangeClosed(1, 16).forEach(number -> assertEquals(0, UNIT % number));
     assertEquals(1, new TargetWorth(new long[] {0, 1L << 40}, 100).unit());
   }
 
   @Test
-  void itIsFlatFromWhereNoCameraAddsAnything() {
+  void isConstantFromSaturationOn() {
     TargetWorth worth = new TargetWorth(new long[] {0, 0, 1, 1}, 1);
     assertEquals(2, worth.saturation());
     assertEquals("0 0 1 1 1", units(worth, 4));
@@ -31,7 +30,7 @@ class TargetWorthTest {
   }
 
   @Test
-  void itCanBeCutOffAndBeWholeAgain() {
+  void newCutReplacesEarlierOne() {
     TargetWorth worth = new TargetWorth(new long[] {0, 1, 2, 3}, 1);
     worth.cut(1);
     assertEquals("0 1 1 1", units(worth, 3));
@@ -57,41 +56,41 @@ class TargetWorthTest {
 
   @ParameterizedTest
   @MethodSource("worths")
-  void theProfitIsTheMostOfAllNumbersOfCameras(TargetWorth worth) {
+  void profitIsTheGreatestOfAllNumbersOfCameras(TargetWorth worth) {
     for (long price : new long[] {0, 1, UNIT / 3, UNIT / 2, UNIT, 2 * UNIT, UNIT * UNIT}) {
       for (int k = 0; k <= CAMERAS; k++) {
-        for (int most = k; most <= CAMERAS; most++) {
+        for (int max = k; max <= CAMERAS; max++) {
           long profit =
-              IntStream.rangeClosed(k, most)
-                  .mapToLong(y -> worth.of(y) - price * y)
+              IntStream.rangeClosed(k, max)
+                  .mapToLong(bought -> worth.of(bought) - price * bought)
                   .max()
                   .orElseThrow();
-          assertEquals(profit, worth.profit(k, most, price));
+          assertEquals(profit, worth.profit(k, max, price));
         }
-        int bought = worth.demand(k, price);
-        assertEquals(worth.profit(0, k, price), worth.of(bought) - price * bought);
-        assertEquals(bought == 0, worth.profit(0, k, price) == 0, "none rather than for nothing");
+        int demand = worth.demand(k, price);
+        assertEquals(worth.profit(0, k, price), worth.of(demand) - price * demand);
+        assertEquals(demand == 0, worth.profit(0, k, price) == 0, "buys none without profit");
       }
     }
   }
 
   @ParameterizedTest
   @MethodSource("worths")
-  void theSlopeIsTheLeastPriceAtWhichNothingIsGained(TargetWorth worth) {
+  void slopeIsTheLeastPriceWithoutProfit(TargetWorth worth) {
     for (int k = 0; k <= CAMERAS; k++) {
-      for (int supply = k; supply <= CAMERAS; supply++) {
-        long slope = worth.slope(k, supply);
-        assertEquals(worth.of(k) - slope * k, worth.profit(k, supply, slope));
-        boolean gains = worth.profit(k, supply, slope - 1) > worth.of(k) - (slope - 1) * k;
+      for (int max = k; max <= CAMERAS; max++) {
+        long slope = worth.slope(k, max);
+        assertEquals(worth.of(k) - slope * k, worth.profit(k, max, slope));
+        boolean gains = worth.profit(k, max, slope - 1) > worth.of(k) - (slope - 1) * k;
         assertEquals(slope > 0, slope > 0 && gains);
       }
     }
   }
 
-  private static String units(TargetWorth worth, int most) {
+  private static String units(TargetWorth worth, int maxCameras) {
     return String.join(
         " ",
-        LongStream.rangeClosed(0, most)
+        LongStream.rangeClosed(0, maxCameras)
             .mapToObj(k -> Long.toString(worth.of((int) k) / UNIT))
             .toList());
   }

@@ -3,102 +3,120 @@ package org.hificamsim.placement.cover;
 import java.util.Arrays;
 
 /**
- * A covering problem: candidates, each with its price and the samples that it sees.
+ * A covering problem: points that are to be covered, and candidates with their prices and the
+ * points that they cover.
  *
- * @param units by sample: what each time that it is seen is worth, 0 or more
- * @param needs by sample: how many times count, its redundancy k, 0 or more
- * @param columns by candidate: the samples that it sees, rising
+ * @param unitWorths by point, the worth of covering it once, 0 or more
+ * @param needs by point, how many times of covering it count (its redundancy k), 0 or more
+ * @param covered by candidate, the points that it covers, rising
  * @param prices by candidate, above 0
  */
-public record CoverInstance(double[] units, int[] needs, int[][] columns, double[] prices) {
-  /** A number of samples, each worth 1 where it is seen once. */
-  public static CoverInstance of(int samples, int[][] columns, double[] prices) {
-    double[] units = new double[samples];
-    int[] needs = new int[samples];
-    Arrays.fill(units, 1);
+public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, double[] prices) {
+  /** Returns an instance of points that are worth 1 when they are covered once. */
+  public static CoverInstance of(int points, int[][] covered, double[] prices) {
+    double[] unitWorths = new double[points];
+    int[] needs = new int[points];
+    Arrays.fill(unitWorths, 1);
     Arrays.fill(needs, 1);
-    return new CoverInstance(units, needs, columns, prices);
+    return new CoverInstance(unitWorths, needs, covered, prices);
   }
 
-  /** How many samples there are. */
-  public int samples() {
-    return units.length;
+  /** The number of points. */
+  public int points() {
+    return unitWorths.length;
   }
 
-  /** How many candidates there are. */
+  /** The number of candidates. */
   public int candidates() {
-    return columns.length;
+    return covered.length;
   }
 
-  /** How often each sample is seen by these candidates. */
+  /** By point, how often some chosen candidates cover it. */
   public int[] counts(int[] chosen) {
-    int[] counts = new int[samples()];
+    int[] counts = new int[points()];
     for (int candidate : chosen) {
-      for (int sample : columns[candidate]) {
-        counts[sample]++;
+      for (int point : covered[candidate]) {
+        counts[point]++;
       }
     }
     return counts;
   }
 
-  /** What it is worth to see each sample as often as this. */
+  /** Whether every point is covered as often as needed. */
+  boolean isFullyCovered(int[] counts) {
+    boolean full = true;
+    for (int point = 0; point < counts.length; point++) {
+      full &= counts[point] >= needs[point];
+    }
+    return full;
+  }
+
+  /**
+   * The worth of covering the points.
+   *
+   * @param counts by point, how often it is covered
+   */
   public double worth(int[] counts) {
     double worth = 0;
-    for (int sample = 0; sample < counts.length; sample++) {
-      worth += units[sample] * Math.min(needs[sample], counts[sample]);
+    for (int point = 0; point < counts.length; point++) {
+      worth += unitWorths[point] * Math.min(needs[point], counts[point]);
     }
     return worth;
   }
 
-  /** What it adds to see these samples once more, where each is seen as often as this. */
-  public double gain(int[] counts, int[] seen) {
-    return Arrays.stream(seen)
-        .filter(sample -> counts[sample] < needs[sample])
-        .mapToDouble(sample -> units[sample])
+  /**
+   * The worth of covering some points once more.
+   *
+   * @param counts by point, how often it is covered already
+   */
+  public double gain(int[] counts, int[] points) {
+    return Arrays.stream(points)
+        .filter(point -> counts[point] < needs[point])
+        .mapToDouble(point -> unitWorths[point])
         .sum();
   }
 
-  /** What it is worth to see every sample as often as it counts. */
-  public double total() {
+  /** The worth of covering every point as often as needed. */
+  public double totalWorth() {
     return worth(needs);
   }
 
-  /** What these candidates cost. */
+  /** The price of some chosen candidates. */
   public double price(int[] chosen) {
     return Arrays.stream(chosen).mapToDouble(candidate -> prices[candidate]).sum();
   }
 
-  /** What is left to do where samples are seen this often by others, who stay. */
-  public CoverInstance after(int[] counts) {
-    int[] left = new int[needs.length];
-    Arrays.setAll(left, sample -> Math.max(0, needs[sample] - counts[sample]));
-    return new CoverInstance(units, left, columns, prices);
+  /** Returns what remains to be covered when points are already covered this often by others. */
+  public CoverInstance remaining(int[] counts) {
+    int[] remainingNeeds = new int[needs.length];
+    Arrays.setAll(remainingNeeds, point -> Math.max(0, needs[point] - counts[point]));
+    return new CoverInstance(unitWorths, remainingNeeds, covered, prices);
   }
 
-  /** The same without what no candidate can see: a sample needs as many as see it at most. */
+  /** Returns the instance in which no point needs more than all candidates together can do. */
   public CoverInstance coverable() {
-    int[] most = new int[samples()];
-    for (int[] column : columns) {
-      for (int sample : column) {
-        most[sample]++;
+    int[] coveringCandidates = new int[points()];
+    for (int[] points : covered) {
+      for (int point : points) {
+        coveringCandidates[point]++;
       }
     }
-    int[] can = new int[needs.length];
-    Arrays.setAll(can, sample -> Math.min(needs[sample], most[sample]));
-    return new CoverInstance(units, can, columns, prices);
+    int[] possibleNeeds = new int[needs.length];
+    Arrays.setAll(possibleNeeds, point -> Math.min(needs[point], coveringCandidates[point]));
+    return new CoverInstance(unitWorths, possibleNeeds, covered, prices);
   }
 
-  /** The same without candidates that no plan needs, as others see all that they see. */
+  /** Returns the instance without candidates that are {@linkplain Dominance dominated}. */
   public CoverInstance undominated() {
-    return with(Dominance.left(this));
+    return with(Dominance.undominated(this));
   }
 
-  /** The same with these candidates alone. */
+  /** Returns the instance with these candidates only. */
   CoverInstance with(int[] candidates) {
     return new CoverInstance(
-        units,
+        unitWorths,
         needs,
-        Arrays.stream(candidates).mapToObj(one -> columns[one]).toArray(int[][]::new),
-        Arrays.stream(candidates).mapToDouble(one -> prices[one]).toArray());
+        Arrays.stream(candidates).mapToObj(candidate -> covered[candidate]).toArray(int[][]::new),
+        Arrays.stream(candidates).mapToDouble(candidate -> prices[candidate]).toArray());
   }
 }

@@ -1,206 +1,244 @@
 package org.hificamsim.placement.cover;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 
 /**
- * Finds a plan and a bound: candidates that others dominate are left out; greedy by gains and by
- * gains for a price, the better one (Khuller, Moss and Naor 1999: at least half of 1 - 1/e of the
- * best, together with the best single candidate, which exchange finds); exchanges of one candidate
- * for another; and again from the best plan with some of it taken away. The bound is {@link Duals}.
+ * Finds a plan, and a bound on all plans of the same candidates.
+ *
+ * <ol>
+ *   <li>Dominated candidates are left out.
+ *   <li>Two greedy plans, by gain and by gain per price, are made; the better one is at least half
+ *       of 1 - 1/e of the best, together with the best single candidate (Khuller, Moss and Naor
+ *       1999), which an exchange finds.
+ *   <li>Single candidates are exchanged as long as the plan improves.
+ *   <li>Rounds follow in which {@link LagrangianBound} is improved, and a part of the best plan is
+ *       removed and filled again.
+ *   <li>If asked for, an {@link ExactMethod} closes the gap.
+ * </ol>
  */
 public final class CoverSearch {
-  /** Receives a new best plan or bound. */
+  /** Is told about a new best plan or bound. */
   @FunctionalInterface
   public interface Watcher {
-    /** The score and the bound, now. */
+    /** Receives the present score and bound. */
     void improved(double score, double bound);
   }
 
-  private static final int STEPS = 40; // of the bound, between two rounds
-  private static final double LEAST = 1e-3; // of a price, that remains of it
-  private static final double NOISE = 0.1;
-  private static final int KERNEL = 1000; // candidates
-  private static final double LOOSE = 0.03; // a bound that tells a linear solver little, as a share
+  private static final int BOUND_STEPS_PER_ROUND = 40;
+
+  /** A candidate keeps at least this share of its price when the bound makes it cheaper. */
+  private static final double MIN_PRICE_SHARE = 1e-3;
+
+  private static final double PRICE_NOISE = 0.1;
+  private static final int KERNEL_CANDIDATES = 1000;
+
+  /** A greater gap, as a share of the score, shows that linear bounds say little. */
+  private static final double LOOSE_GAP = 0.03;
+
+  /** A refilled plan with less than this share of the best worth is not improved by exchanges. */
+  private static final double MIN_EXCHANGED_SHARE = 0.97;
+
+  private static final double MARGIN = 1e-9;
 
   private final CoverInstance instance;
   private final Goal goal;
   private final SplittableRandom random;
   private final BooleanSupplier stop;
-  private final Chosen plan;
+  private final Selection selection;
   private int[] best = {};
   private double score;
 
-  private CoverSearch(CoverInstance instance, Goal goal, long seed, BooleanSupplier stop) {
+  private CoverSearch(CoverInstance instance, Goal goal, Effort effort) {
     this.instance = instance;
     this.goal = goal;
-    this.random = new SplittableRandom(seed);
-    this.stop = stop;
-    this.plan = new Chosen(instance);
-    this.score = goal.isAll() ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
+    this.random = new SplittableRandom(effort.seed());
+    this.stop = effort::searchEnds;
+    this.selection = new Selection(instance);
+    this.score = goal.isFullCover() ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
   }
 
   /**
-   * Searches.
+   * Searches for a plan.
    *
-   * @param all what is asked where everything is to be seen has to be {@link
-   *     CoverInstance#coverable}
+   * @param all the instance; for full cover it has to be {@link CoverInstance#coverable}
    */
   public static CoverPlan solve(CoverInstance all, Goal goal, Effort effort, Watcher watcher) {
     long started = System.nanoTime();
-    int[] left = Dominance.left(all);
-    CoverInstance instance = all.with(left);
-    CoverSearch search = new CoverSearch(instance, goal, effort.seed(), effort::isEnough);
-    search.first();
-    Duals duals = new Duals(instance, goal, instance.counts(search.best));
-    watcher.improved(search.score, duals.bound());
-    search.rounds(effort.rounds(), duals, watcher);
-    double bound = duals.bound();
-    if (effort.exact().isPresent() && !duals.isClosed(search.score)) {
-      bound = search.close(duals, effort, watcher);
+    int[] undominated = Dominance.undominated(all);
+    CoverInstance instance = all.with(undominated);
+    CoverSearch search = new CoverSearch(instance, goal, effort);
+    search.makeFirstPlan();
+    LagrangianBound relaxation = new LagrangianBound(instance, goal, instance.counts(search.best));
+    watcher.improved(search.score, relaxation.bound());
+    search.improve(effort.idleRounds(), relaxation, watcher);
+    double bound = relaxation.bound();
+    if (effort.exact().isPresent() && !relaxation.proves(search.score)) {
+      bound = search.closeGap(relaxation, effort, watcher);
     }
-    int[] chosen = Arrays.stream(search.best).map(one -> left[one]).toArray();
-    double seconds = (System.nanoTime() - started) / 1e9;
-    return new CoverPlan(chosen, search.score, bound, duals.bound(), duals.proof(), seconds);
+    return new CoverPlan(
+        Arrays.stream(search.best).map(candidate -> undominated[candidate]).toArray(),
+        search.score,
+        bound,
+        new CoverPlan.MultiplierBound(relaxation.bound(), relaxation.bestMultipliers()),
+        (System.nanoTime() - started) / 1e9);
   }
 
   /**
-   * Goes on exactly with what the bound leaves; where that is much, with what the bound makes the
-   * best of it first, to find a better plan (kernel search: Angelelli, Mansini and Speranza 2010).
+   * Continues exactly with the candidates that a better plan may contain. If there are many, the
+   * candidates that the bound finds most promising come first, to find a better plan (kernel
+   * search: Angelelli, Mansini and Speranza 2010).
    *
    * @return the new bound
    */
-  private double close(Duals duals, Effort effort, Watcher watcher) {
-    double before = duals.bound();
-    int[] open = duals.open(score, best);
-    if (open.length > 2 * KERNEL) {
-      exactly(duals.kernel(KERNEL, best), before, effort, effort.most());
+  private double closeGap(LagrangianBound relaxation, Effort effort, Watcher watcher) {
+    double before = relaxation.bound();
+    int[] open = relaxation.openCandidates(score, best);
+    if (open.length > 2 * KERNEL_CANDIDATES) {
+      int[] kernel = relaxation.cheapestCandidates(KERNEL_CANDIDATES, best);
+      solveExactly(kernel, before, effort, effort.limits().kernel());
       watcher.improved(score, before);
-      open = duals.open(score, best);
+      open = relaxation.openCandidates(score, best);
     }
-    double bound =
-        goal.tightened(exactly(open, before, effort, effort.stop()), goal.quantum(instance));
+    double exactBound = solveExactly(open, before, effort, effort.limits().all());
+    double bound = goal.tightened(exactBound, goal.scoreStep(instance));
     watcher.improved(score, bound);
-    boolean passed = goal.isAll() ? bound > score : bound < score;
-    if (passed && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
+    boolean scoreIsBetter = goal.isBetter(score, bound);
+    if (scoreIsBetter && Math.abs(bound - score) > 1e-6 * Math.max(1, Math.abs(score))) {
       throw new IllegalStateException("a plan scores " + score + " beyond its bound " + bound);
     }
-    return passed ? score : bound; // by rounding
+    return scoreIsBetter ? score : bound; // better by rounding
   }
 
-  /** Solves for these candidates alone, which the best plan is among; returns the bound. */
-  private double exactly(int[] open, double bound, Effort effort, BooleanSupplier enough) {
-    int[] start = Arrays.stream(best).map(one -> Arrays.binarySearch(open, one)).toArray();
-    CoverInstance some = instance.with(open);
-    boolean loose = Math.abs(bound - score) > LOOSE * Math.abs(score);
+  /** Solves the problem of some candidates, which include the best plan; returns their bound. */
+  private double solveExactly(int[] candidates, double bound, Effort effort, BooleanSupplier end) {
+    int[] start =
+        Arrays.stream(best).map(candidate -> Arrays.binarySearch(candidates, candidate)).toArray();
+    CoverInstance part = instance.with(candidates);
+    boolean loose = Math.abs(bound - score) > LOOSE_GAP * Math.abs(score);
     ExactMethod method =
-        loose && Enumeration.suits(some, goal) ? new Enumeration() : effort.exact().orElseThrow();
-    ExactMethod.Found found = method.solve(some, goal, start, bound, enough);
-    keep(Arrays.stream(found.chosen()).map(one -> open[one]).toArray());
-    return found.bound();
+        loose && Enumeration.suits(part, goal) ? new Enumeration() : effort.exact().orElseThrow();
+    ExactMethod.Result result = method.solve(part, goal, start, bound, end);
+    keep(Arrays.stream(result.chosen()).map(number -> candidates[number]).toArray());
+    return result.bound();
   }
 
-  private void first() {
-    Greedy.fill(plan, instance, goal, any -> 1);
+  private void makeFirstPlan() {
+    new Greedy(instance, goal, selection, candidate -> 1).fill();
     finish();
-    plan.set(new int[0]);
-    Greedy.fill(plan, instance, goal, one -> instance.prices()[one]);
+    selection.set(new int[0]);
+    new Greedy(instance, goal, selection, candidate -> instance.prices()[candidate]).fill();
     finish();
-    plan.set(best);
+    selection.set(best);
     exchange();
   }
 
-  private void rounds(int patience, Duals duals, Watcher watcher) {
-    int idle = 0;
-    while (idle < patience && !stop.getAsBoolean() && !duals.isClosed(score)) {
-      double before = duals.bound();
-      if (!duals.isSpent()) {
-        duals.improve(STEPS, score, stop);
+  private void improve(int maxIdleRounds, LagrangianBound relaxation, Watcher watcher) {
+    int idleRounds = 0;
+    while (idleRounds < maxIdleRounds && !stop.getAsBoolean() && !relaxation.proves(score)) {
+      double before = relaxation.bound();
+      if (!relaxation.isExhausted()) {
+        relaxation.improve(BOUND_STEPS_PER_ROUND, score, stop);
       }
-      boolean better = again(duals);
-      idle = better || !duals.isSpent() ? 0 : idle + 1;
-      if (better || duals.bound() != before) {
-        watcher.improved(score, duals.bound());
+      boolean better = refillBest(relaxation);
+      idleRounds = better || !relaxation.isExhausted() ? 0 : idleRounds + 1;
+      if (better || relaxation.bound() != before) {
+        watcher.improved(score, relaxation.bound());
       }
     }
   }
 
-  /** From the best plan with some of it taken away; returns whether it became better. */
-  private boolean again(Duals duals) {
-    plan.set(best);
-    int away = 1 + random.nextInt(Math.max(1, best.length / 2));
-    for (int i = 0; i < away && best.length > 0; i++) {
-      int one = best[random.nextInt(best.length)];
-      if (plan.has(one)) {
-        plan.remove(one);
+  /** Removes a random part of the best plan and fills it again; returns whether it improved. */
+  private boolean refillBest(LagrangianBound relaxation) {
+    selection.set(best);
+    int removals = 1 + random.nextInt(Math.max(1, best.length / 2));
+    for (int i = 0; i < removals && best.length > 0; i++) {
+      int candidate = best[random.nextInt(best.length)];
+      if (selection.has(candidate)) {
+        selection.remove(candidate);
       }
     }
     double[] weights = instance.prices().clone();
-    for (int one = 0; goal.isAll() && one < weights.length; one++) { // what the bound makes of them
-      double price = Math.max(LEAST * weights[one], duals.reducedPrice(one));
-      weights[one] = price * (1 + NOISE * random.nextDouble());
+    for (int candidate = 0; goal.isFullCover() && candidate < weights.length; candidate++) {
+      double least = MIN_PRICE_SHARE * weights[candidate];
+      double price = Math.max(least, relaxation.reducedPrice(candidate));
+      weights[candidate] = price * (1 + PRICE_NOISE * random.nextDouble());
     }
-    Greedy.fill(plan, instance, goal, one -> weights[one]);
+    new Greedy(instance, goal, selection, candidate -> weights[candidate]).fill();
     double before = score;
     finish();
-    if (!goal.isAll() && score == before && plan.worth() > 0.97 * score) {
+    boolean promising = selection.worth() > MIN_EXCHANGED_SHARE * score;
+    if (!goal.isFullCover() && score == before && promising) {
       exchange();
     }
     return score != before;
   }
 
-  /** Leaves out what the plan does not need, the dearest first, and keeps it if it is the best. */
+  /**
+   * Removes redundant candidates, the most expensive first, and keeps the plan if it is the best.
+   */
   private void finish() {
-    IntStream.of(plan.candidates())
-        .boxed()
-        .sorted((one, other) -> Double.compare(instance.prices()[other], instance.prices()[one]))
-        .filter(one -> goal.isAll() && plan.isRedundant(one)) // each when its turn comes
-        .forEach(plan::remove);
-    keep(plan.candidates());
+    if (goal.isFullCover()) {
+      IntStream.of(selection.candidates())
+          .boxed()
+          .sorted(Comparator.comparingDouble(candidate -> -instance.prices()[candidate]))
+          .forEachOrdered(this::removeIfRedundant);
+    }
+    keep(selection.candidates());
+  }
+
+  private void removeIfRedundant(int candidate) {
+    if (selection.isRedundant(candidate)) {
+      selection.remove(candidate);
+    }
   }
 
   private void keep(int[] candidates) {
-    double found = goal.score(instance, candidates);
-    boolean better = goal.isAll() ? found < score - 1e-9 : found > score + 1e-9 * Math.abs(score);
-    boolean allowed = goal.isAll() ? isWhole(candidates) : goal.affords(instance.price(candidates));
+    double newScore = goal.score(instance, candidates);
+    boolean better =
+        goal.isFullCover()
+            ? newScore < score - MARGIN
+            : newScore > score + MARGIN * Math.abs(score);
+    boolean allowed =
+        goal.isFullCover()
+            ? instance.isFullyCovered(instance.counts(candidates))
+            : goal.affords(instance.price(candidates));
     if (allowed && (better || best.length == 0)) {
       best = candidates;
-      score = found;
+      score = newScore;
     }
   }
 
-  private boolean isWhole(int[] candidates) {
-    int[] counts = instance.counts(candidates);
-    return IntStream.range(0, counts.length).allMatch(s -> counts[s] >= instance.needs()[s]);
-  }
-
-  /** Puts another candidate in the place of one, while the plan becomes better. */
+  /** Replaces one candidate after the other by a better one until the plan improves no more. */
   private void exchange() {
-    for (boolean better = !goal.isAll(); better && !stop.getAsBoolean(); ) {
+    boolean better = !goal.isFullCover();
+    while (better && !stop.getAsBoolean()) {
       better = false;
-      for (int out : plan.candidates()) {
-        better |= exchange(out);
+      for (int candidate : selection.candidates()) {
+        better |= exchange(candidate);
       }
     }
-    keep(plan.candidates());
+    keep(selection.candidates());
   }
 
-  private boolean exchange(int out) {
-    double before = plan.worth();
-    plan.remove(out);
-    int in = out;
-    double most = plan.gain(out) * (1 + 1e-9);
-    for (int j = 0; j < instance.candidates(); j++) {
-      boolean possible = !plan.has(j) && goal.affords(plan.price() + instance.prices()[j]);
-      double gain = possible ? plan.gain(j) : 0;
-      if (gain > most) {
-        most = gain;
-        in = j;
+  private boolean exchange(int candidate) {
+    double before = selection.worth();
+    selection.remove(candidate);
+    int replacement = candidate;
+    double greatestGain = selection.gain(candidate) * (1 + MARGIN);
+    for (int other = 0; other < instance.candidates(); other++) {
+      double price = selection.price() + instance.prices()[other];
+      boolean possible = !selection.has(other) && goal.affords(price);
+      double gain = possible ? selection.gain(other) : 0;
+      if (gain > greatestGain) {
+        greatestGain = gain;
+        replacement = other;
       }
     }
-    plan.add(in);
-    return in != out && plan.worth() > before;
+    selection.add(replacement);
+    return replacement != candidate && selection.worth() > before;
   }
 }

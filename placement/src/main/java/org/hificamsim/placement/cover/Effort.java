@@ -6,24 +6,27 @@ import java.util.function.BooleanSupplier;
 /**
  * How a plan is searched for, and for how long.
  *
- * @param rounds without a better plan after which the search ends
- * @param enough ends the search, where an exact method goes on
- * @param most ends an exact method's search for a better plan among few candidates
- * @param stop ends all at the next opportunity; there is a plan whatever it says
+ * @param seed of the search's random choices
+ * @param idleRounds number of rounds without a better plan after which the search ends
+ * @param exact a method that closes the gap after the search
  */
-public record Effort(
-    long seed,
-    int rounds,
-    Optional<ExactMethod> exact,
-    BooleanSupplier enough,
-    BooleanSupplier most,
-    BooleanSupplier stop) {
-  /** Search alone. */
-  public static Effort of(long seed, int rounds, BooleanSupplier stop) {
-    return new Effort(seed, rounds, Optional.empty(), stop, stop, stop);
+public record Effort(long seed, int idleRounds, Optional<ExactMethod> exact, Limits limits) {
+  /**
+   * When each part of the work has to end.
+   *
+   * @param search the search, if an exact method follows
+   * @param kernel the exact method's work on the most promising candidates
+   * @param all everything; a plan is found even if this is true at once
+   */
+  public record Limits(BooleanSupplier search, BooleanSupplier kernel, BooleanSupplier all) {}
+
+  /** Returns the effort of a search without an exact method. */
+  public static Effort searchOnly(long seed, int idleRounds, BooleanSupplier stop) {
+    return new Effort(seed, idleRounds, Optional.empty(), new Limits(stop, stop, stop));
   }
 
-  boolean isEnough() {
-    return stop.getAsBoolean() || (exact.isPresent() && enough.getAsBoolean());
+  /** Whether the search has to end. */
+  boolean searchEnds() {
+    return limits.all().getAsBoolean() || (exact.isPresent() && limits.search().getAsBoolean());
   }
 }

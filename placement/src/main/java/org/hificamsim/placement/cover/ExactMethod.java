@@ -6,30 +6,30 @@ import java.util.ServiceLoader;
 import java.util.function.BooleanSupplier;
 import org.hificamsim.core.InputException;
 
-/** Closes the gap between a plan and its bound, given time; found on the class path. */
+/** Closes the gap between a plan and its bound, given enough time. */
 public interface ExactMethod {
   /**
-   * A plan no worse than the one it began with.
+   * A plan that is at least as good as the one given.
    *
    * @param chosen candidates
-   * @param bound no plan has a better score; where everything is to be seen, costs less
+   * @param bound no plan has a greater worth; for full cover, a lower price
    */
-  record Found(int[] chosen, double bound) {}
+  record Result(int[] chosen, double bound) {}
 
   /**
-   * Searches until the plan is proven or it is stopped.
+   * Searches until the plan is proven, or the search is stopped.
    *
-   * @param start a plan that is allowed; where everything is to be seen, it sees everything
-   * @param bound what is known already
+   * @param start a plan within the budget; for full cover, one that covers everything
+   * @param bound a bound that is known already
    */
-  Found solve(CoverInstance instance, Goal goal, int[] start, double bound, BooleanSupplier stop);
+  Result solve(CoverInstance instance, Goal goal, int[] start, double bound, BooleanSupplier stop);
 
   /**
-   * The method on the class path.
+   * Returns the method on the class path.
    *
-   * @throws InputException when there is none
+   * @throws InputException if there is none
    */
-  static ExactMethod found() {
+  static ExactMethod onClassPath() {
     return ServiceLoader.load(ExactMethod.class)
         .findFirst()
         .orElseThrow(

@@ -1,18 +1,19 @@
 package org.hificamsim.placement.cover;
 
 /**
- * What is asked of a plan: to see the most at a price, or to see everything for the least.
+ * The goal of a plan: to cover as much as possible within a budget, or to cover everything at the
+ * lowest price (full cover).
  *
- * @param budget the most that it may cost; infinite where everything is to be seen
+ * @param budget the greatest price of a plan; infinite for full cover
  */
 public record Goal(double budget) {
   private static final double ROUNDING = 1e-9;
 
-  /** To see every sample as often as it counts, for the least. */
-  public static final Goal ALL = new Goal(Double.POSITIVE_INFINITY);
+  /** To cover every point as often as needed, at the lowest price. */
+  public static final Goal FULL_COVER = new Goal(Double.POSITIVE_INFINITY);
 
-  /** Whether everything is to be seen. */
-  public boolean isAll() {
+  /** Whether everything has to be covered. */
+  public boolean isFullCover() {
     return budget == Double.POSITIVE_INFINITY;
   }
 
@@ -21,37 +22,51 @@ public record Goal(double budget) {
     return price <= budget * (1 + ROUNDING);
   }
 
-  /** What a plan is judged by: its price where all is to be seen, else what it is worth. */
+  /** The score of a plan: its price for full cover, otherwise its worth. */
   public double score(CoverInstance instance, int[] plan) {
-    return isAll() ? instance.price(plan) : instance.worth(instance.counts(plan));
+    return isFullCover() ? instance.price(plan) : instance.worth(instance.counts(plan));
   }
 
-  /** The least difference between two scores that differ, 0 where it is not known. */
-  double quantum(CoverInstance instance) {
-    double[] values = isAll() ? instance.prices() : instance.units();
-    double first = values.length == 0 ? 0 : values[0];
+  /** The least difference between two unequal scores, or 0 if it is not known. */
+  double scoreStep(CoverInstance instance) {
+    return isFullCover() ? wholeNumberStep(instance.prices()) : equalStep(instance.unitWorths());
+  }
+
+  private static double wholeNumberStep(double[] values) {
+    boolean allWhole = values.length > 0;
     for (double value : values) {
-      first = isAll() ? (value == Math.rint(value) ? 1 : 0) : value;
-      if (first != (isAll() ? 1 : values[0])) {
+      allWhole &= value == Math.rint(value);
+    }
+    return allWhole ? 1 : 0;
+  }
+
+  private static double equalStep(double[] values) {
+    for (double value : values) {
+      if (value != values[0]) {
         return 0;
       }
     }
-    return first;
+    return values.length == 0 ? 0 : values[0];
   }
 
-  /** A bound moved to the nearest score that there can be. */
-  double tightened(double bound, double quantum) {
-    if (quantum == 0) {
+  /** Moves a bound to the nearest score that is possible. */
+  double tightened(double bound, double scoreStep) {
+    if (scoreStep == 0) {
       return bound;
     }
-    double steps = bound / quantum;
+    double steps = bound / scoreStep;
     double margin = ROUNDING * Math.max(1, Math.abs(steps));
-    return quantum * (isAll() ? Math.ceil(steps - margin) : Math.floor(steps + margin));
+    return scoreStep * (isFullCover() ? Math.ceil(steps - margin) : Math.floor(steps + margin));
   }
 
   /** Whether no plan within a bound is better than a score. */
-  boolean closes(double bound, double score) {
+  boolean isBest(double score, double bound) {
     double margin = ROUNDING * Math.max(1, Math.abs(score));
-    return isAll() ? bound >= score - margin : bound <= score + margin;
+    return isFullCover() ? bound >= score - margin : bound <= score + margin;
+  }
+
+  /** Whether a score is better than another one. */
+  boolean isBetter(double score, double other) {
+    return isFullCover() ? score < other : score > other;
   }
 }

@@ -4,8 +4,8 @@ import java.util.PriorityQueue;
 import java.util.function.IntToDoubleFunction;
 
 /**
- * Takes the candidate with the greatest gain for its price, again and again. Gains only shrink, so
- * that most need not be computed again (Minoux 1978).
+ * Selects the candidate with the greatest gain per price, again and again. Because gains only
+ * shrink, most of them need not be computed again (Minoux 1978).
  */
 final class Greedy {
   private record Entry(int candidate, double ratio) implements Comparable<Entry> {
@@ -16,42 +16,50 @@ final class Greedy {
     }
   }
 
-  private Greedy() {}
+  private final CoverInstance instance;
+  private final Goal goal;
+  private final Selection selection;
+  private final IntToDoubleFunction weights;
+  private final PriorityQueue<Entry> queue = new PriorityQueue<>();
 
   /**
-   * Adds candidates until nothing that can be paid adds anything.
-   *
-   * @param weights by which gains are divided: prices, or 1 for gains alone
+   * @param weights by candidate, the divisor of its gain: its price, or 1 to compare gains only
    */
-  static void fill(Chosen plan, CoverInstance instance, Goal goal, IntToDoubleFunction weights) {
-    PriorityQueue<Entry> queue = new PriorityQueue<>();
-    for (int j = 0; j < instance.candidates(); j++) {
-      offer(queue, plan, goal, j, weights);
+  Greedy(CoverInstance instance, Goal goal, Selection selection, IntToDoubleFunction weights) {
+    this.instance = instance;
+    this.goal = goal;
+    this.selection = selection;
+    this.weights = weights;
+  }
+
+  /** Adds candidates to the selection until none that can be afforded adds anything. */
+  void fill() {
+    for (int candidate = 0; candidate < instance.candidates(); candidate++) {
+      enqueue(candidate);
     }
     while (!queue.isEmpty()) {
       Entry first = queue.poll();
-      if (plan.has(first.candidate)
-          || !goal.affords(plan.price() + instance.prices()[first.candidate])) {
+      int candidate = first.candidate;
+      double price = selection.price() + instance.prices()[candidate];
+      if (selection.has(candidate) || !goal.affords(price)) {
         continue;
       }
-      if (gain(plan, goal, first.candidate) / weights.applyAsDouble(first.candidate)
-          == first.ratio) {
-        plan.add(first.candidate);
+      if (gain(candidate) / weights.applyAsDouble(candidate) == first.ratio) {
+        selection.add(candidate);
       } else {
-        offer(queue, plan, goal, first.candidate, weights);
+        enqueue(candidate);
       }
     }
   }
 
-  private static void offer(
-      PriorityQueue<Entry> queue, Chosen plan, Goal goal, int j, IntToDoubleFunction weights) {
-    double gain = plan.has(j) ? 0 : gain(plan, goal, j);
+  private void enqueue(int candidate) {
+    double gain = selection.has(candidate) ? 0 : gain(candidate);
     if (gain > 0) {
-      queue.add(new Entry(j, gain / weights.applyAsDouble(j)));
+      queue.add(new Entry(candidate, gain / weights.applyAsDouble(candidate)));
     }
   }
 
-  private static double gain(Chosen plan, Goal goal, int candidate) {
-    return goal.isAll() ? plan.missingOf(candidate) : plan.gain(candidate);
+  private double gain(int candidate) {
+    return goal.isFullCover() ? selection.missingPoints(candidate) : selection.gain(candidate);
   }
 }

@@ -4,25 +4,27 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * Set cover instances as files of whole numbers between blanks, of the two forms that OR-Library
- * has, numbered from 1. {@code scp}: the numbers of samples and candidates, all prices, then for
- * each sample how many candidates see it, and which. {@code candidates}, OR-Library's form of the
- * rail instances and that of camera placement by candidates: the two numbers, then for each
- * candidate its price, how many samples it sees, and which.
+ * Set cover instances as files of whole numbers between blanks, in the two forms of OR-Library.
+ * Points and candidates are numbered from 1, and their numbers come first.
+ *
+ * <p>In the form {@code scp}, all prices follow; then, for each point, the number of candidates
+ * that cover it, and these candidates. In the form {@code candidates}, which OR-Library uses for
+ * the rail instances, there follow for each candidate its price, the number of points that it
+ * covers, and these points.
  */
 public final class InstanceFile {
-  /** How the numbers are ordered. */
+  /** The order of the numbers in a file. */
   public enum Form {
     SCP,
     CANDIDATES
   }
 
-  private static final int MOST = 10_000_000;
+  private static final int MAX_NUMBER = 10_000_000;
 
   private final TextLines lines;
   private int field;
@@ -32,9 +34,10 @@ public final class InstanceFile {
   }
 
   /**
-   * Reads an instance; each sample counts once.
+   * Reads an instance in which each point counts once.
    *
-   * @throws org.hificamsim.core.InputException when it is missing or wrong, with its place
+   * @throws org.hificamsim.core.InputException if the file is missing or wrong, with line and
+   *     column
    */
   public static CoverInstance read(Path file, Form form) throws IOException {
     try (TextLines lines = TextLines.open(file)) {
@@ -43,37 +46,50 @@ public final class InstanceFile {
   }
 
   private CoverInstance instance(Form form) {
-    int samples = next("the number of samples", 1, MOST);
-    int candidates = next("the number of candidates", 1, MOST);
+    int points = next("the number of samples", 1, MAX_NUMBER);
+    int candidates = next("the number of candidates", 1, MAX_NUMBER);
     double[] prices = new double[candidates];
-    List<List<Integer>> columns = new ArrayList<>();
-    for (int j = 0; j < candidates; j++) {
-      prices[j] = form == Form.SCP ? next("a price", 1, MOST) : 0;
-      columns.add(new ArrayList<>());
+    List<List<Integer>> covered = new ArrayList<>();
+    for (int candidate = 0; candidate < candidates; candidate++) {
+      covered.add(new ArrayList<>());
     }
-    for (int i = 0; i < (form == Form.SCP ? samples : candidates); i++) {
-      if (form == Form.CANDIDATES) {
-        prices[i] = next("a price", 1, MOST);
-      }
-      int count = next("a count", 0, form == Form.SCP ? candidates : samples);
-      for (int n = 0; n < count; n++) {
-        if (form == Form.SCP) {
-          columns.get(next("a candidate", 1, candidates) - 1).add(i);
-        } else {
-          columns.get(i).add(next("a sample", 1, samples) - 1);
-        }
-      }
+    if (form == Form.SCP) {
+      readByPoint(points, prices, covered);
+    } else {
+      readByCandidate(points, prices, covered);
     }
     return CoverInstance.of(
-        samples,
-        columns.stream()
-            .map(one -> one.stream().distinct().sorted().mapToInt(Integer::intValue).toArray())
+        points,
+        covered.stream()
+            .map(list -> list.stream().distinct().sorted().mapToInt(Integer::intValue).toArray())
             .toArray(int[][]::new),
         prices);
   }
 
-  private int next(String what, int least, int most) {
-    String expected = "%s, a whole number from %s to %s".formatted(what, least, most);
+  private void readByPoint(int points, double[] prices, List<List<Integer>> covered) {
+    for (int candidate = 0; candidate < prices.length; candidate++) {
+      prices[candidate] = next("a price", 1, MAX_NUMBER);
+    }
+    for (int point = 0; point < points; point++) {
+      int count = next("a count", 0, prices.length);
+      for (int i = 0; i < count; i++) {
+        covered.get(next("a candidate", 1, prices.length) - 1).add(point);
+      }
+    }
+  }
+
+  private void readByCandidate(int points, double[] prices, List<List<Integer>> covered) {
+    for (int candidate = 0; candidate < prices.length; candidate++) {
+      prices[candidate] = next("a price", 1, MAX_NUMBER);
+      int count = next("a count", 0, points);
+      for (int i = 0; i < count; i++) {
+        covered.get(candidate).add(next("a sample", 1, points) - 1);
+      }
+    }
+  }
+
+  private int next(String name, int least, int greatest) {
+    String expected = "%s, a whole number from %s to %s".formatted(name, least, greatest);
     while (field >= lines.count()) {
       if (!lines.nextFields()) {
         throw lines.place(0).error("the file ends, expected " + expected);
@@ -81,48 +97,82 @@ public final class InstanceFile {
       field = 0;
     }
     double value = lines.value(field);
-    if (!(value == Math.rint(value) && value >= least && value <= most)) {
+    if (!(value == Math.rint(value) && value >= least && value <= greatest)) {
       throw lines.place(field).error("'%s', expected %s".formatted(lines.text(field), expected));
     }
     field++;
     return (int) value;
   }
 
-  /** Writes an instance; prices are rounded. In {@code scp} what cannot be seen is left out. */
+  /**
+   * Writes an instance, with prices rounded to whole numbers. The form {@code scp} leaves out
+   * points that no candidate covers.
+   */
   public static void write(Writer out, CoverInstance instance, Form form) throws IOException {
-    int[] needs = instance.coverable().needs();
-    int[] samples =
-        IntStream.range(0, needs.length)
-            .filter(s -> form == Form.CANDIDATES || needs[s] > 0)
-            .toArray();
-    int[] numbers = new int[needs.length];
-    IntStream.range(0, samples.length).forEach(i -> numbers[samples[i]] = i + 1);
-    out.write(samples.length + " " + instance.candidates() + "\n");
-    List<List<Integer>> seen = new ArrayList<>();
-    IntStream.range(0, samples.length).forEach(any -> seen.add(new ArrayList<>()));
-    for (int j = 0; j < instance.candidates(); j++) {
-      int[] column =
-          IntStream.of(instance.columns()[j]).map(s -> numbers[s]).filter(n -> n > 0).toArray();
-      long price = Math.max(1, Math.round(instance.prices()[j]));
-      if (form == Form.SCP) {
-        out.write((j == 0 ? "" : " ") + price);
-        for (int sample : column) {
-          seen.get(sample - 1).add(j + 1);
-        }
-      } else {
-        out.write(price + " " + column.length);
-        for (int sample : column) {
-          out.write(" " + sample);
-        }
-        out.write("\n");
+    int[] numbers = numbers(instance, form);
+    int points = Arrays.stream(numbers).max().orElse(0);
+    out.write(points + " " + instance.candidates() + "\n");
+    if (form == Form.SCP) {
+      writeByPoint(out, instance, numbers, points);
+    } else {
+      writeByCandidate(out, instance, numbers);
+    }
+  }
+
+  /** By point, its number in the file, from 1; 0 if it is left out. */
+  private static int[] numbers(CoverInstance instance, Form form) {
+    int[] possibleNeeds = instance.coverable().needs();
+    int[] numbers = new int[possibleNeeds.length];
+    int count = 0;
+    for (int point = 0; point < numbers.length; point++) {
+      boolean written = form == Form.CANDIDATES || possibleNeeds[point] > 0;
+      count += written ? 1 : 0;
+      numbers[point] = written ? count : 0;
+    }
+    return numbers;
+  }
+
+  private static int[] coveredNumbers(CoverInstance instance, int candidate, int[] numbers) {
+    return Arrays.stream(instance.covered()[candidate])
+        .map(point -> numbers[point])
+        .filter(number -> number > 0)
+        .toArray();
+  }
+
+  private static long price(CoverInstance instance, int candidate) {
+    return Math.max(1, Math.round(instance.prices()[candidate]));
+  }
+
+  private static void writeByCandidate(Writer out, CoverInstance instance, int[] numbers)
+      throws IOException {
+    for (int candidate = 0; candidate < instance.candidates(); candidate++) {
+      int[] covered = coveredNumbers(instance, candidate, numbers);
+      out.write(price(instance, candidate) + " " + covered.length);
+      for (int number : covered) {
+        out.write(" " + number);
+      }
+      out.write("\n");
+    }
+  }
+
+  private static void writeByPoint(Writer out, CoverInstance instance, int[] numbers, int points)
+      throws IOException {
+    List<List<Integer>> coveringCandidates = new ArrayList<>();
+    for (int point = 0; point < points; point++) {
+      coveringCandidates.add(new ArrayList<>());
+    }
+    for (int candidate = 0; candidate < instance.candidates(); candidate++) {
+      out.write((candidate == 0 ? "" : " ") + price(instance, candidate));
+      for (int number : coveredNumbers(instance, candidate, numbers)) {
+        coveringCandidates.get(number - 1).add(candidate + 1);
       }
     }
-    for (int i = 0; form == Form.SCP && i < samples.length; i++) {
-      out.write("\n" + seen.get(i).size());
-      for (int candidate : seen.get(i)) {
+    for (List<Integer> candidates : coveringCandidates) {
+      out.write("\n" + candidates.size());
+      for (int candidate : candidates) {
         out.write(" " + candidate);
       }
     }
-    out.write(form == Form.SCP ? "\n" : "");
+    out.write("\n");
   }
 }

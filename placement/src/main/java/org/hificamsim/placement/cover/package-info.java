@@ -1,2 +1,2 @@
-/** Choosing among candidates that each see some samples: instances, search, bounds. */
+/** Choosing among candidates that each cover some points: instances, search, and bounds. */
 package org.hificamsim.placement.cover;

@@ -23,29 +23,31 @@ import org.hificamsim.data.CsvRow;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
-import org.hificamsim.placement.cover.Duals;
 import org.hificamsim.placement.cover.Effort;
 import org.hificamsim.placement.cover.Goal;
+import org.hificamsim.placement.cover.LagrangianBound;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
-import org.hificamsim.placement.site.SampleSight;
+import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
- * Checks a plan from its folder alone, by the sight of {@code run}: a target stands in each sample,
- * steps are simulated, and what cameras detect is counted; for the plan, and for every candidate,
- * from which the multipliers make the bound again.
+ * Checks a plan from its folder alone. A target stands at each point of the demand, steps are
+ * simulated as in {@code run}, and what cameras detect is counted: for the plan, and for every
+ * candidate, from which the multipliers give the bound again.
  */
 public final class PlanCheck {
   private static final double MARGIN = 1e-6;
-  private static final int TOGETHER = 200; // candidates in one world
+  private static final int CANDIDATES_PER_WORLD = 200;
 
   private final Path file;
   private final JsonNode summary;
   private final List<CsvRow> rows;
   private final Demand demand;
-  private final SampleSight sight;
-  private final boolean any;
+  private final PointSight sight;
+  private final CoverageReading reading;
   private final Effort effort;
 
   private PlanCheck(
@@ -58,21 +60,21 @@ public final class PlanCheck {
     this.effort = effort;
     file = folder.resolve(ResultFolder.SUMMARY);
     summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
-    rows = PlanTables.SAMPLES.read(folder).rows();
+    rows = PlanTables.POINTS.read(folder).rows();
     demand = demand(plan, detections);
-    sight = new SampleSight(demand, catalogue);
-    String reading = summary.path("reading").asText();
-    any = Spelling.require(CoverageReading.class, "reading", reading) == CoverageReading.ANY;
+    sight = new PointSight(demand, catalogue);
+    String name = summary.path("reading").asText();
+    reading = Spelling.require(CoverageReading.class, "reading", name);
   }
 
   /**
    * Checks a folder.
    *
    * @param reader reads a scenario
-   * @param detections finds that of a zone by its name
-   * @param effort may have an exact method, which proves what multipliers do not
-   * @return what was found true, a line each
-   * @throws InputException when something is not as the folder says
+   * @param detections finds the detection that a zone names
+   * @param effort of the exact method, if it has one, which proves what multipliers do not
+   * @return what was confirmed, in lines for people
+   * @throws InputException if anything is not as the folder says
    */
   public static List<String> check(
       Path folder,
@@ -84,152 +86,165 @@ public final class PlanCheck {
     Scenario plan = reader.apply(folder.resolve(PlanFiles.SCENARIO));
     List<CameraSpec> candidates = reader.apply(folder.resolve(PlanFiles.CANDIDATES)).cameras();
     return new PlanCheck(folder, plan, catalogue, detections, effort)
-        .lines(plan.cameras(), candidates);
+        .check(plan.cameras(), candidates);
   }
 
-  /** What the table of samples says. */
+  /** Reads the demand from the table of points. */
   private Demand demand(Scenario plan, Function<String, Detection> detections) {
-    List<Demand.Watched> zones = new ArrayList<>();
-    List<Demand.Sample> samples = new ArrayList<>();
+    List<ZoneDemand> zones = new ArrayList<>();
+    List<DemandPoint> points = new ArrayList<>();
     for (JsonNode zone : summary.path("zones")) {
+      String zoneName = zone.path("name").asText();
       Detection named = detections.apply(zone.path("detection").asText());
       double threshold = zone.path("threshold").asDouble();
-      Detection own = new Detection(named.name(), named.model(), threshold);
-      int first = samples.size();
-      int k = zone.path("k").asInt();
-      while (samples.size() < rows.size()
-          && rows.get(samples.size()).text("zone").equals(zone.path("name").asText())) {
-        CsvRow row = rows.get(samples.size());
+      Detection detection = new Detection(named.name(), named.model(), threshold);
+      int first = points.size();
+      while (points.size() < rows.size() && rows.get(points.size()).text("zone").equals(zoneName)) {
+        CsvRow row = rows.get(points.size());
         double weight = row.number("weight", 0, 1e15, "a weight");
-        samples.add(
-            new Demand.Sample(row.numberOrNaN("x"), row.numberOrNaN("y"), zones.size(), weight));
+        points.add(
+            new DemandPoint(row.numberOrNaN("x"), row.numberOrNaN("y"), zones.size(), weight));
       }
-      zones.add(new Demand.Watched(zone.path("name").asText(), own, k, first, samples.size()));
+      int k = zone.path("k").asInt();
+      zones.add(new ZoneDemand(zoneName, detection, k, first, points.size()));
     }
-    if (samples.size() < rows.size()) {
-      throw rows.get(samples.size()).invalid("zone", "the zones of " + file + ", in their order");
+    if (points.size() < rows.size()) {
+      throw rows.get(points.size()).invalid("zone", "the zones of " + file + ", in their order");
     }
-    return new Demand(plan, null, zones, samples);
+    return new Demand(plan, null, zones, points);
   }
 
-  private List<String> lines(List<CameraSpec> cameras, List<CameraSpec> candidates) {
-    int[] counts = count(seen(cameras));
-    for (int s = 0; s < counts.length; s++) {
-      if (rows.get(s).numberOrNaN("seen") != counts[s]) {
-        throw rows.get(s).invalid("seen", counts[s] + ", the cameras that cover it in a run");
-      }
-    }
-    CoverInstance all = all(candidates);
-    double share = all.worth(counts) / all.total();
+  private List<String> check(List<CameraSpec> cameras, List<CameraSpec> candidates) {
+    int[] counts = counts(seen(cameras));
+    requireCounts(counts);
+    CoverInstance instance = instance(candidates);
+    double share = instance.worth(counts) / instance.totalWorth();
     requireSame("share", share);
     int kept = summary.path("kept").asInt();
-    int[] standing = count(seen(cameras.subList(0, kept)));
-    boolean cover = summary.path("goal").asText().equals("cover");
-    Goal goal = cover ? Goal.ALL : new Goal(summary.path("budget").asDouble());
-    double worth = all.worth(counts) - all.worth(standing);
+    int[] keptCounts = counts(seen(cameras.subList(0, kept)));
+    double keptWorth = instance.worth(keptCounts);
+    boolean fullCover = summary.path("goal").asText().equals("cover");
+    Goal goal = fullCover ? Goal.FULL_COVER : new Goal(summary.path("budget").asDouble());
+    double worth = instance.worth(counts) - keptWorth;
     if (summary.has("unrefined")) {
-      int[] chosen = chosen(cameras.subList(kept, cameras.size()), candidates);
-      worth = all.after(standing).worth(all.counts(chosen));
-      double before = (all.worth(standing) + worth) / all.total();
+      int[] chosen = unrefined(cameras.subList(kept, cameras.size()), candidates);
+      worth = instance.remaining(keptCounts).worth(instance.counts(chosen));
+      double before = (keptWorth + worth) / instance.totalWorth();
       requireSame("share_unrefined", before);
       requireNoBetter("share", share, before, "the share before refinement", goal);
     }
-    double score = cover ? summary.path("price").asDouble() : worth;
+    double score = fullCover ? summary.path("price").asDouble() : worth;
     requireSame("score", score);
+    CoverInstance remaining = instance.remaining(keptCounts);
+    CoverInstance undominated = (fullCover ? remaining.coverable() : remaining).undominated();
     double bound = summary.path("bound").asDouble();
-    double relaxed = summary.path("bound_of_multipliers").asDouble(bound);
-    CoverInstance after = all.after(standing);
-    CoverInstance left = (cover ? after.coverable() : after).undominated();
-    double[] multipliers =
-        rows.stream().mapToDouble(row -> row.number("multiplier", 0, 1e15, "0 or more")).toArray();
-    double proven = Duals.value(left, goal, multipliers);
-    requireNoBetter("bound_of_multipliers", relaxed, proven, "which the multipliers prove", goal);
-    requireNoBetter("bound", bound, score, "the score", goal);
-    String by = "holds";
-    if (Math.abs(bound - relaxed) > MARGIN * Math.max(1, Math.abs(bound))) {
-      by =
-          effort.exact().isPresent()
-              ? proven(left, goal, bound)
-              : "is checked by the method exact alone";
-    }
-    double shown = cover ? bound : 100 * Math.min(1, (all.worth(standing) + bound) / all.total());
+    String verdict = checkBound(undominated, goal, score, bound);
+    double shownBound =
+        fullCover ? bound : 100 * Math.min(1, (keptWorth + bound) / instance.totalWorth());
     return List.of(
         Texts.format("%d cameras meet %.2f %% of the demand", cameras.size(), 100 * share),
         Texts.format(
             "the bound of %.2f%s %s for %d candidates",
-            shown, cover ? "" : " %", by, candidates.size()));
+            shownBound, fullCover ? "" : " %", verdict, candidates.size()));
   }
 
-  /** A bound may be no better than this. */
-  private void requireNoBetter(String name, double said, double least, String why, Goal goal) {
-    double margin = MARGIN * Math.max(1, Math.abs(least));
-    if (goal.isAll() ? said > least + margin : said < least - margin) {
-      throw wrong(name, said, least + ", " + why);
+  private void requireCounts(int[] counts) {
+    for (int number = 0; number < counts.length; number++) {
+      if (rows.get(number).numberOrNaN("seen") != counts[number]) {
+        throw rows.get(number)
+            .invalid("seen", counts[number] + ", the cameras that cover it in a run");
+      }
     }
   }
 
-  /** Solves anew, without the plan, what remains of the problem. */
-  private String proven(CoverInstance left, Goal goal, double bound) {
-    CoverPlan found = CoverSearch.solve(left, goal, effort, (score, its) -> {});
+  /** Returns what is found about the bound, as a part of a sentence. */
+  private String checkBound(CoverInstance undominated, Goal goal, double score, double bound) {
+    double multiplierBound = summary.path("bound_of_multipliers").asDouble(bound);
+    double[] multipliers =
+        rows.stream().mapToDouble(row -> row.number("multiplier", 0, 1e15, "0 or more")).toArray();
+    double proven = LagrangianBound.value(undominated, goal, multipliers);
+    requireNoBetter(
+        "bound_of_multipliers", multiplierBound, proven, "which the multipliers prove", goal);
+    requireNoBetter("bound", bound, score, "the score", goal);
+    if (Math.abs(bound - multiplierBound) <= MARGIN * Math.max(1, Math.abs(bound))) {
+      return "holds";
+    }
+    return effort.exact().isPresent()
+        ? proveExactly(undominated, goal, bound)
+        : "is checked by the method exact alone";
+  }
+
+  /** Solves the problem again, without the plan. */
+  private String proveExactly(CoverInstance undominated, Goal goal, double bound) {
+    CoverPlan found = CoverSearch.solve(undominated, goal, effort, (newScore, newBound) -> {});
     requireNoBetter("bound", bound, found.score(), "of a plan that is better", goal);
     double margin = MARGIN * Math.max(1, Math.abs(bound));
     boolean holds =
-        goal.isAll() ? found.bound() >= bound - margin : found.bound() <= bound + margin;
+        goal.isFullCover() ? found.bound() >= bound - margin : found.bound() <= bound + margin;
     return holds ? "holds" : "is not proven in this time";
   }
 
-  private void requireSame(String name, double found) {
-    double said = summary.path(name).asDouble(Double.NaN);
-    if (!(Math.abs(said - found) <= MARGIN * Math.max(1, Math.abs(found)))) {
-      throw wrong(name, said, found + ", as a run finds it");
+  /** Refuses a bound in the folder that is better than one that was found. */
+  private void requireNoBetter(String name, double value, double limit, String reason, Goal goal) {
+    double margin = MARGIN * Math.max(1, Math.abs(limit));
+    if (goal.isFullCover() ? value > limit + margin : value < limit - margin) {
+      throw wrong(name, value, limit + ", " + reason);
     }
   }
 
-  private InputException wrong(String name, double said, String expected) {
-    return new InputException("%s: %s is %s, expected %s".formatted(file, name, said, expected));
+  private void requireSame(String name, double found) {
+    double value = summary.path(name).asDouble(Double.NaN);
+    if (!(Math.abs(value - found) <= MARGIN * Math.max(1, Math.abs(found)))) {
+      throw wrong(name, value, found + ", as a run finds it");
+    }
   }
 
-  /** The candidates whose cameras were moved: of the same lenses, each in its turn. */
-  private int[] chosen(List<CameraSpec> moved, List<CameraSpec> candidates) {
-    int[] chosen = new int[moved.size()];
+  private InputException wrong(String name, double value, String expected) {
+    return new InputException("%s: %s is %s, expected %s".formatted(file, name, value, expected));
+  }
+
+  /** Returns the candidates of refined cameras, which have the same lenses in the same order. */
+  private int[] unrefined(List<CameraSpec> refined, List<CameraSpec> candidates) {
+    int[] chosen = new int[refined.size()];
     for (int i = 0; i < chosen.length; i++) {
       chosen[i] = summary.path("unrefined").path(i).asInt(-1);
       boolean known = chosen[i] >= 0 && chosen[i] < candidates.size();
-      if (!known || !candidates.get(chosen[i]).optics().equals(moved.get(i).optics())) {
-        throw wrong("unrefined", chosen[i], "a candidate with the lens of " + moved.get(i).name());
+      if (!known || !candidates.get(chosen[i]).optics().equals(refined.get(i).optics())) {
+        throw wrong(
+            "unrefined", chosen[i], "a candidate with the lens of " + refined.get(i).name());
       }
     }
     return chosen;
   }
 
-  /** All that is demanded, by candidate, as a run sees it. */
-  private CoverInstance all(List<CameraSpec> candidates) {
-    int[][] columns = new int[candidates.size()][];
-    double[] prices = new double[columns.length];
+  /** Returns the whole demand, by candidate, as a run sees it. */
+  private CoverInstance instance(List<CameraSpec> candidates) {
+    int[][] covered = new int[candidates.size()][];
+    double[] prices = new double[covered.length];
     boolean byNumber = summary.path("goal").asText().equals("cameras");
-    for (int from = 0; from < columns.length; from += TOGETHER) {
-      int end = Math.min(columns.length, from + TOGETHER);
-      System.arraycopy(seen(candidates.subList(from, end)), 0, columns, from, end - from);
+    for (int from = 0; from < covered.length; from += CANDIDATES_PER_WORLD) {
+      int end = Math.min(covered.length, from + CANDIDATES_PER_WORLD);
+      System.arraycopy(seen(candidates.subList(from, end)), 0, covered, from, end - from);
     }
-    for (int j = 0; j < prices.length; j++) {
-      String kind = candidates.get(j).name().replaceFirst("/\\d+$", "");
-      prices[j] = byNumber ? 1 : summary.path("prices").path(kind).asDouble();
+    for (int candidate = 0; candidate < prices.length; candidate++) {
+      String kind = candidates.get(candidate).name().replaceFirst("/\\d+$", "");
+      prices[candidate] = byNumber ? 1 : summary.path("prices").path(kind).asDouble();
     }
-    return new CoverInstance(demand.units(), demand.needs(), columns, prices);
+    return new CoverInstance(demand.unitWorths(), demand.needs(), covered, prices);
   }
 
-  private int[] count(int[][] columns) {
+  private int[] counts(int[][] covered) {
     int[] counts = new int[rows.size()];
-    Arrays.stream(columns).flatMapToInt(Arrays::stream).forEach(sample -> counts[sample]++);
+    Arrays.stream(covered).flatMapToInt(Arrays::stream).forEach(point -> counts[point]++);
     return counts;
   }
 
-  /** What each camera detects in a run, by the reading: rising. */
+  /** Returns, by camera, the points that it detects in a run according to the reading, rising. */
   private int[][] seen(List<CameraSpec> cameras) {
     boolean[][] seen = new boolean[cameras.size()][rows.size()];
     SeenPairs pairs = new SeenPairs();
-    for (Demand.Watched zone : cameras.isEmpty() ? List.<Demand.Watched>of() : demand.zones()) {
-      Each policy = new Each(any);
+    for (ZoneDemand zone : cameras.isEmpty() ? List.<ZoneDemand>of() : demand.zones()) {
+      LookingPolicy policy = new LookingPolicy(reading == CoverageReading.ANY);
       do {
         Simulation run =
             new Simulation(sight.world(zone, cameras), zone.detection(), policy, 0, List.of());
@@ -239,32 +254,33 @@ public final class PlanCheck {
         for (int i = 0; i < pairs.count(); i++) {
           seen[pairs.camera(i)][zone.first() + pairs.target(i)] = true;
         }
-      } while (policy.goOn());
+      } while (policy.goToNextView());
     }
-    return Arrays.stream(seen)
-        .map(its -> IntStream.range(0, its.length).filter(sample -> its[sample]).toArray())
-        .toArray(int[][]::new);
+    return Arrays.stream(seen).map(PlanCheck::trueIndices).toArray(int[][]::new);
   }
 
-  /**
-   * Cameras stay as they start; or all look at their view of a number, one number after another.
-   */
-  private static final class Each implements ZoomPolicy {
-    private final boolean all;
-    private int view;
-    private int most;
+  private static int[] trueIndices(boolean[] values) {
+    return IntStream.range(0, values.length).filter(index -> values[index]).toArray();
+  }
 
-    Each(boolean all) {
-      this.all = all;
+  /** Leaves cameras at their first views; or turns all cameras to one view number after another. */
+  private static final class LookingPolicy implements ZoomPolicy {
+    private final boolean turning;
+    private int view;
+    private int maxViews;
+
+    LookingPolicy(boolean turning) {
+      this.turning = turning;
     }
 
-    boolean goOn() {
-      return all && ++view < most;
+    /** Goes on to the next view number; returns whether any camera has such a view. */
+    boolean goToNextView() {
+      return turning && ++view < maxViews;
     }
 
     @Override
     public String name() {
-      return "each";
+      return "looking";
     }
 
     @Override
@@ -274,8 +290,8 @@ public final class PlanCheck {
 
     @Override
     public void decide(NetworkView network, int[] views) {
-      for (int camera = 0; camera < views.length && all; camera++) {
-        most = Math.max(most, network.views(camera));
+      for (int camera = 0; camera < views.length && turning; camera++) {
+        maxViews = Math.max(maxViews, network.views(camera));
         views[camera] = Math.min(view, network.views(camera) - 1);
       }
     }

@@ -11,30 +11,36 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.placement.output.PlanTables.Covered;
-import org.hificamsim.placement.output.PlanTables.Planned;
+import org.hificamsim.placement.cover.CoverPlan;
+import org.hificamsim.placement.output.PlanTables.CameraRow;
+import org.hificamsim.placement.output.PlanTables.PointRow;
+import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.PlacementProblem;
 import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.SitePlan.PlannedCamera;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 
-/** Writes a plan: the scenario that runs, and all that is to be said of it. */
+/** Writes the files of a plan: a scenario that runs, its figures, tables, pages and pictures. */
 public final class PlanFiles {
   /** The scenario of the plan. */
   public static final String SCENARIO = "plan.xml";
 
-  /** The site under all candidates at once, from which the bound can be made again. */
+  /** The site with all candidates at once, from which the bound can be computed again. */
   public static final String CANDIDATES = "candidates.xml";
 
   private PlanFiles() {}
 
   /**
-   * Adds the files to a folder's.
+   * Adds the files to a folder.
    *
-   * @param floor of the site
-   * @param command that made the plan
+   * @param floor the floor plan of the site
+   * @param command the words of the command that made the plan
    */
   public static void write(
       OutputFolder folder,
@@ -50,70 +56,75 @@ public final class PlanFiles {
     int[] counts = plan.counts();
     Demand demand = plan.demand();
     PlanTables.CAMERAS.write(
-        folder, IntStream.range(0, plan.cameras().size()).mapToObj(i -> planned(plan, i)));
-    folder.write(CANDIDATES, ScenarioWriter.write(plan.candidates()));
-    PlanTables.SAMPLES.write(
+        folder, IntStream.range(0, plan.planned().size()).mapToObj(i -> cameraRow(plan, i)));
+    folder.write(CANDIDATES, ScenarioWriter.write(plan.candidateScenario()));
+    double[] multipliers = plan.coverPlan().multiplierBound().multipliers();
+    PlanTables.POINTS.write(
         folder,
         IntStream.range(0, counts.length)
             .mapToObj(
-                s -> {
-                  Demand.Sample sample = demand.samples().get(s);
-                  Demand.Watched zone = demand.zones().get(sample.zone());
-                  return new Covered(zone, sample, counts[s], plan.plan().proof()[s]);
+                number -> {
+                  DemandPoint point = demand.points().get(number);
+                  ZoneDemand zone = demand.zones().get(point.zone());
+                  return new PointRow(zone, point, counts[number], multipliers[number]);
                 }));
     PlanTables.CURVE.write(folder, plan.curve().stream());
   }
 
-  static Planned planned(SitePlan plan, int camera) {
-    return new Planned(
-        plan.cameras().get(camera),
-        plan.prices().get(camera),
-        plan.covered()[camera].length,
-        plan.share(plan.countsWithout(camera)));
+  private static CameraRow cameraRow(SitePlan plan, int number) {
+    PlannedCamera planned = plan.planned().get(number);
+    return new CameraRow(
+        planned.camera(),
+        planned.price(),
+        planned.covered().length,
+        plan.share(plan.countsWithout(number)));
   }
 
   private static ObjectNode summary(SitePlan plan) {
     int[] counts = plan.counts();
     Demand demand = plan.demand();
-    boolean all = plan.problem().goal().isAll();
+    PlacementProblem problem = plan.problem();
+    CoverPlan coverPlan = plan.coverPlan();
+    boolean fullCover = problem.goal().isFullCover();
     ObjectNode json = new ObjectMapper().createObjectNode();
     json.put("scenario", demand.site().name());
-    json.put("reading", Spelling.of(plan.problem().reading()));
-    json.put("goal", all ? "cover" : plan.problem().byNumber() ? "cameras" : "budget");
-    if (!all) {
-      json.put("budget", plan.problem().goal().budget());
+    json.put("reading", Spelling.of(problem.request().reading()));
+    json.put(
+        "goal", fullCover ? "cover" : problem.request().goal().byNumber() ? "cameras" : "budget");
+    if (!fullCover) {
+      json.put("budget", problem.goal().budget());
     }
-    json.put("kept", plan.problem().kept().size());
-    json.put("cameras", plan.cameras().size());
+    json.put("kept", problem.kept().size());
+    json.put("cameras", plan.planned().size());
     json.put("price", plan.price());
     ObjectNode prices = json.putObject("prices");
-    plan.problem()
-        .candidates()
-        .all()
-        .forEach(one -> prices.put(one.kind().name(), one.kind().price()));
+    for (Candidate candidate : problem.candidates().list()) {
+      prices.put(candidate.kind().name(), candidate.kind().price());
+    }
     json.put("samples", counts.length);
     json.put("cell", demand.cells().width());
-    json.put("candidates", plan.problem().candidates().all().size());
+    json.put("candidates", problem.candidates().list().size());
     json.put("share", plan.share());
-    if (plan.unrefined().isPresent()) {
-      json.put("share_unrefined", plan.unrefined().get());
-      json.put("gain_of_refinement", plan.share() - plan.unrefined().get());
-      Arrays.stream(plan.plan().chosen()).forEach(json.putArray("unrefined")::add);
+    if (plan.shares().unrefined().isPresent()) {
+      double unrefined = plan.shares().unrefined().get();
+      json.put("share_unrefined", unrefined);
+      json.put("gain_of_refinement", plan.share() - unrefined);
+      Arrays.stream(coverPlan.chosen()).forEach(json.putArray("unrefined")::add);
     }
-    json.put("share_bound", plan.bound());
-    json.put("score", plan.plan().score());
-    json.put("bound", plan.plan().bound());
-    json.put("bound_of_multipliers", plan.plan().relaxed());
-    json.put("gap", plan.plan().gap());
-    json.put("proven", plan.plan().isProven());
-    json.put("share_of_site", plan.today());
+    json.put("share_bound", plan.shares().bound());
+    json.put("score", coverPlan.score());
+    json.put("bound", coverPlan.bound());
+    json.put("bound_of_multipliers", coverPlan.multiplierBound().value());
+    json.put("gap", coverPlan.gap());
+    json.put("proven", coverPlan.isProven());
+    json.put("share_of_site", plan.shares().ofSite());
     ArrayNode zones = json.putArray("zones");
-    for (Demand.Watched zone : demand.zones()) {
-      ObjectNode one = zones.addObject().put("name", zone.name());
-      one.put("detection", zone.detection().name());
-      one.put("threshold", zone.detection().threshold()).put("k", zone.k());
-      one.put("share", demand.share(zone, counts, false));
-      one.put("share_whole", demand.share(zone, counts, true));
+    for (ZoneDemand zone : demand.zones()) {
+      ObjectNode zoneJson = zones.addObject().put("name", zone.name());
+      zoneJson.put("detection", zone.detection().name());
+      zoneJson.put("threshold", zone.detection().threshold()).put("k", zone.k());
+      zoneJson.put("share", demand.share(zone, counts));
+      zoneJson.put("share_whole", demand.shareByK(zone, counts));
     }
     plan.blindSpots().forEach(json.putArray("blind_spots")::addPOJO);
     return json;

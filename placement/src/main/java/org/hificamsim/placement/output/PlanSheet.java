@@ -25,8 +25,12 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.hifi.density.DensityDetections;
 import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.Demand;
-import org.hificamsim.placement.site.SampleSight;
+import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.SitePlan.CurvePoint;
+import org.hificamsim.placement.site.SitePlan.PlannedCamera;
 import org.hificamsim.presentation.picture.PlanPicture;
 import org.hificamsim.presentation.plot.A4Pages;
 import org.hificamsim.presentation.plot.Curve;
@@ -39,19 +43,24 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.Page;
 
-/** A plan to be handed on: a page, a PDF of A4, and the floor plan as SVG. */
+/** A plan to hand on to a client: a page, a PDF of A4 pages, and the floor plan as SVG. */
 final class PlanSheet {
-  private static final int MOST_SPOTS = 25;
+  private static final int MAX_SPOTS = 25;
 
-  private record Listing(String title, List<String> columns, List<List<String>> rows) {}
+  /** The heights of pictures, as shares of the height of a page. */
+  private static final double PLAN_HEIGHT = 0.62;
+
+  private static final double CURVE_HEIGHT = 0.3;
+
+  private record PlanTable(String title, List<String> columns, List<List<String>> rows) {}
 
   private final SitePlan plan;
   private final Demand demand;
   private final int[] counts;
   private final Paintable floor;
-  private final Optional<Paintable> levels;
+  private final Optional<Paintable> detectionLevels;
   private final Figure curve;
-  private final List<Listing> listings;
+  private final List<PlanTable> tables;
 
   PlanSheet(SitePlan plan, Catalogue catalogue, List<Setup.Floor> floor) {
     this.plan = plan;
@@ -61,12 +70,12 @@ final class PlanSheet {
         picture(
             catalogue,
             floor,
-            classes(),
+            coverageClasses(),
             List.of(Palette.UNSEEN, Palette.SEEN_ONCE, Palette.SEEN_OFTEN),
             List.of("seen by no camera", "by fewer than asked for", "as asked for"));
-    this.levels = levels(catalogue, floor);
+    this.detectionLevels = detectionLevels(catalogue, floor);
     this.curve = curve();
-    this.listings = List.of(zones(), cameras(), spots());
+    this.tables = List.of(zoneTable(), cameraTable(), blindSpotTable());
   }
 
   private Paintable picture(
@@ -74,7 +83,7 @@ final class PlanSheet {
       List<Setup.Floor> floor,
       double[] classes,
       List<Color> colors,
-      List<String> signs) {
+      List<String> labels) {
     return new PlanPicture(
         new World(plan.scenario(), catalogue.movements(), 0),
         demand.zones().get(0).detection(),
@@ -83,46 +92,58 @@ final class PlanSheet {
         demand.cells(),
         classes,
         colors,
-        signs);
+        labels);
   }
 
-  /** The highest level of their standard that is reached, where zones ask for one. */
-  private Optional<Paintable> levels(Catalogue catalogue, List<Setup.Floor> floor) {
+  /**
+   * The highest level of a standard that is reached in each cell, if all zones that ask for a level
+   * use the same standard.
+   */
+  private Optional<Paintable> detectionLevels(Catalogue catalogue, List<Setup.Floor> floor) {
     List<String> asked = demand.zones().stream().map(zone -> zone.detection().name()).toList();
     List<String> names =
-        asked.stream().flatMap(one -> DensityDetections.levels(one).stream()).distinct().toList();
-    if (names.isEmpty() || names.size() > Palette.LEVELS.size()) { // of two standards
+        asked.stream()
+            .flatMap(detection -> DensityDetections.levels(detection).stream())
+            .distinct()
+            .toList();
+    boolean oneStandard = names.size() <= Palette.LEVELS.size();
+    if (names.isEmpty() || !oneStandard) {
       return Optional.empty();
     }
-    double[] reached = classes();
-    Arrays.setAll(reached, cell -> 0 * reached[cell]);
+    double[] reached = coverageClasses();
+    Arrays.setAll(reached, cell -> 0 * reached[cell]); // cells without a point stay NaN
     List<Color> colors = new ArrayList<>(List.of(Palette.UNSEEN));
-    List<String> signs = new ArrayList<>(List.of("none"));
+    List<String> labels = new ArrayList<>(List.of("none"));
     for (String name : names) {
-      Detection level = Detection.of(catalogue.detections().create(name));
-      colors.add(Palette.LEVELS.get(signs.size() - 1));
-      signs.add(
-          name.replaceFirst(".*=", "") + (asked.contains(level.name()) ? " (asked for)" : ""));
+      Detection detection = Detection.of(catalogue.detections().create(name));
+      colors.add(Palette.LEVELS.get(labels.size() - 1));
+      String suffix = asked.contains(detection.name()) ? " (asked for)" : "";
+      labels.add(name.replaceFirst(".*=", "") + suffix);
       int[][] seen =
-          new SampleSight(demand.by(level), catalogue)
-              .covered(plan.cameras(), plan.problem().reading());
-      for (int sample : Arrays.stream(seen).flatMapToInt(Arrays::stream).toArray()) {
-        Demand.Sample at = demand.samples().get(sample);
-        reached[demand.cells().at(at.x(), at.y())] = signs.size() - 1;
+          new PointSight(demand.with(detection), catalogue)
+              .covered(plan.cameras(), plan.problem().request().reading());
+      for (int number : Arrays.stream(seen).flatMapToInt(Arrays::stream).toArray()) {
+        DemandPoint point = demand.points().get(number);
+        reached[demand.cells().at(point.x(), point.y())] = labels.size() - 1;
       }
     }
-    return Optional.of(picture(catalogue, floor, reached, colors, signs));
+    return Optional.of(picture(catalogue, floor, reached, colors, labels));
   }
 
-  /** By cell: 0 unseen, 1 seen by fewer cameras than a zone asks for, 2 as all its zones ask. */
-  private double[] classes() {
+  /**
+   * By cell: 0 if it is seen by no camera, 1 if by fewer than one of its zones asks for, 2 if as
+   * all its zones ask, NaN if it is not to be seen.
+   */
+  private double[] coverageClasses() {
     double[] classes = new double[demand.cells().count()];
     Arrays.fill(classes, Double.NaN);
-    for (int s = 0; s < counts.length; s++) {
-      Demand.Sample sample = demand.samples().get(s);
-      int met = counts[s] == 0 ? 0 : counts[s] < demand.zones().get(sample.zone()).k() ? 1 : 2;
-      int cell = demand.cells().at(sample.x(), sample.y());
-      classes[cell] = Double.isNaN(classes[cell]) ? met : Math.min(classes[cell], met);
+    for (int number = 0; number < counts.length; number++) {
+      DemandPoint point = demand.points().get(number);
+      int count = counts[number];
+      int pointClass = count == 0 ? 0 : count < demand.zones().get(point.zone()).k() ? 1 : 2;
+      int cell = demand.cells().at(point.x(), point.y());
+      double before = classes[cell];
+      classes[cell] = Double.isNaN(before) ? pointClass : Math.min(before, pointClass);
     }
     return classes;
   }
@@ -132,17 +153,17 @@ final class PlanSheet {
   }
 
   private Figure curve() {
-    List<SitePlan.Reached> points = plan.curve();
-    double[] cameras = points.stream().mapToDouble(SitePlan.Reached::cameras).toArray();
-    double[] met = points.stream().mapToDouble(one -> 100 * one.share()).toArray();
-    double[] most = points.stream().mapToDouble(one -> 100 * one.bound()).toArray();
-    double top = Math.max(met[met.length - 1], most[most.length - 1]);
+    List<CurvePoint> points = plan.curve();
+    double[] cameras = points.stream().mapToDouble(CurvePoint::cameras).toArray();
+    double[] shares = points.stream().mapToDouble(point -> 100 * point.share()).toArray();
+    double[] bounds = points.stream().mapToDouble(point -> 100 * point.bound()).toArray();
+    double top = Math.max(shares[shares.length - 1], bounds[bounds.length - 1]);
     XyPanel panel =
         new XyPanel("", "new cameras", "% of the demand")
             .x(0, Math.max(1, cameras[cameras.length - 1]))
             .y(0, Math.min(100, 10 * Math.ceil(0.1 + top / 10)))
-            .straight(new Curve(cameras, most), Palette.GREY)
-            .straight(new Curve(cameras, met), Palette.BLUE);
+            .straight(new Curve(cameras, bounds), Palette.GREY)
+            .straight(new Curve(cameras, shares), Palette.BLUE);
     List<LegendEntry> legend =
         List.of(
             new LegendEntry("met by the plan", Palette.BLUE, LegendEntry.Mark.LINE),
@@ -150,7 +171,7 @@ final class PlanSheet {
     return new Figure("", "", legend, List.of(panel), 1, 500, 240);
   }
 
-  private Listing zones() {
+  private PlanTable zoneTable() {
     List<List<String>> rows =
         demand.zones().stream()
             .map(
@@ -160,25 +181,26 @@ final class PlanSheet {
                         zone.detection().name(),
                         Integer.toString(zone.k()),
                         Integer.toString(zone.count()),
-                        percent(demand.share(zone, counts, false)),
-                        percent(demand.share(zone, counts, true)),
-                        percent(unseen(zone, counts))))
+                        percent(demand.share(zone, counts)),
+                        percent(demand.shareByK(zone, counts)),
+                        percent(unseenShare(zone, counts))))
             .toList();
-    return new Listing(
+    return new PlanTable(
         "Zones", List.of("zone", "asks for", "k", "cells", "met", "met by k", "unseen"), rows);
   }
 
-  private static double unseen(Demand.Watched zone, int[] counts) {
-    return Arrays.stream(counts, zone.first(), zone.end()).filter(k -> k == 0).count()
+  private static double unseenShare(ZoneDemand zone, int[] counts) {
+    return Arrays.stream(counts, zone.first(), zone.end()).filter(count -> count == 0).count()
         / Math.max(1.0, zone.count());
   }
 
-  private Listing cameras() {
+  private PlanTable cameraTable() {
     List<List<String>> rows = new ArrayList<>();
-    for (int i = 0; i < plan.cameras().size(); i++) {
-      CameraSpec camera = plan.cameras().get(i);
+    for (int i = 0; i < plan.planned().size(); i++) {
+      PlannedCamera planned = plan.planned().get(i);
+      CameraSpec camera = planned.camera();
       boolean kept = i < plan.problem().kept().size();
-      int[] left = plan.countsWithout(i);
+      int[] countsWithout = plan.countsWithout(i);
       rows.add(
           List.of(
               camera.name(),
@@ -188,12 +210,12 @@ final class PlanSheet {
               Texts.format("%.1f", camera.heading()),
               Texts.format("%.1f", camera.tilt()),
               camera.optics().map(OpticsSpec::name).orElse("own"),
-              kept ? "stays" : Texts.format("%.2f", plan.prices().get(i)),
-              Integer.toString(plan.covered()[i].length),
-              percent(plan.share(left)),
-              blind(left)));
+              kept ? "stays" : Texts.format("%.2f", planned.price()),
+              Integer.toString(planned.covered().length),
+              percent(plan.share(countsWithout)),
+              mostBlindZone(countsWithout)));
     }
-    return new Listing(
+    return new PlanTable(
         "Cameras, and what if one fails",
         List.of(
             "camera",
@@ -210,12 +232,13 @@ final class PlanSheet {
         rows);
   }
 
-  /** The zone of which most is unseen that was not before. */
-  private String blind(int[] left) {
-    ToDoubleFunction<Demand.Watched> lost = zone -> unseen(zone, left) - unseen(zone, counts);
-    Demand.Watched worst =
-        demand.zones().stream().max(Comparator.comparingDouble(lost)).orElseThrow();
-    double share = lost.applyAsDouble(worst);
+  /** The zone that loses most of its cover, with the share that becomes blind; may be empty. */
+  private String mostBlindZone(int[] countsWithout) {
+    ToDoubleFunction<ZoneDemand> lostShare =
+        zone -> unseenShare(zone, countsWithout) - unseenShare(zone, counts);
+    ZoneDemand worst =
+        demand.zones().stream().max(Comparator.comparingDouble(lostShare)).orElseThrow();
+    double share = lostShare.applyAsDouble(worst);
     return share > 0 ? worst.name() + ", " + percent(share) + " of it" : "";
   }
 
@@ -224,20 +247,20 @@ final class PlanSheet {
     return Double.isNaN(z) ? "" : Texts.format("%.1f", z);
   }
 
-  private Listing spots() {
+  private PlanTable blindSpotTable() {
     List<BlindSpot> spots = plan.blindSpots();
-    double small = spots.stream().skip(MOST_SPOTS).mapToDouble(BlindSpot::area).sum();
+    double restArea = spots.stream().skip(MAX_SPOTS).mapToDouble(BlindSpot::area).sum();
     Stream<List<String>> rest =
-        small > 0
+        restArea > 0
             ? Stream.of(
-                List.of(spots.size() - MOST_SPOTS + " more", Texts.format("%.1f", small), "", ""))
+                List.of(spots.size() - MAX_SPOTS + " more", Texts.format("%.1f", restArea), "", ""))
             : Stream.of();
-    return new Listing(
+    return new PlanTable(
         "Seen by no camera",
         List.of("zone", "square metres", "around x, m", "y, m"),
         Stream.concat(
                 spots.stream()
-                    .limit(MOST_SPOTS)
+                    .limit(MAX_SPOTS)
                     .map(
                         spot ->
                             List.of(
@@ -253,7 +276,7 @@ final class PlanSheet {
     return Texts.format("%.1f %%", 100 * share);
   }
 
-  /** Writes {@code index.html}, {@code plan.pdf}, {@code plan.svg}. */
+  /** Writes {@code index.html}, {@code plan.pdf}, {@code plan.svg} and {@code levels.svg}. */
   void write(OutputFolder folder, String command, String version) throws IOException {
     folder.write("index.html", page(command, version).html());
     try (OutputStream out = folder.stream("plan.pdf")) {
@@ -262,9 +285,9 @@ final class PlanSheet {
     try (OutputStream out = folder.stream("plan.svg")) {
       FigureFile.svg(out, floor);
     }
-    if (levels.isPresent()) {
+    if (detectionLevels.isPresent()) {
       try (OutputStream out = folder.stream("levels.svg")) {
-        FigureFile.svg(out, levels.get());
+        FigureFile.svg(out, detectionLevels.get());
       }
     }
   }
@@ -273,17 +296,17 @@ final class PlanSheet {
     A4Pages pages = new A4Pages(title());
     pages.heading(title());
     pages.text(plan.facts());
-    pages.picture(floor, 0.62);
-    if (levels.isPresent()) {
+    pages.picture(floor, PLAN_HEIGHT);
+    if (detectionLevels.isPresent()) {
       pages.heading("Levels reached");
-      pages.picture(levels.get(), 0.62);
+      pages.picture(detectionLevels.get(), PLAN_HEIGHT);
     }
     pages.heading("Coverage over the number of cameras");
-    pages.picture(curve, 0.3);
-    for (Listing listing : listings) {
-      if (!listing.rows.isEmpty()) {
-        pages.heading(listing.title);
-        pages.table(listing.columns, listing.rows);
+    pages.picture(curve, CURVE_HEIGHT);
+    for (PlanTable table : tables) {
+      if (!table.rows.isEmpty()) {
+        pages.heading(table.title);
+        pages.table(table.columns, table.rows);
       }
     }
     return pages.pages();
@@ -293,14 +316,14 @@ final class PlanSheet {
     ObjectNode data = new ObjectMapper().createObjectNode();
     data.put("title", title()).put("command", command).put("version", version);
     data.put("floor", image(floor)).put("curve", image(curve));
-    data.put("levels", levels.isPresent() ? image(levels.get()) : null);
+    data.put("levels", detectionLevels.isPresent() ? image(detectionLevels.get()) : null);
     plan.facts().forEach(data.putArray("facts")::add);
-    ArrayNode tables = data.putArray("tables");
-    for (Listing listing : listings) {
-      ObjectNode table = tables.addObject().put("title", listing.title);
-      listing.columns.forEach(table.putArray("columns")::add);
-      ArrayNode rows = table.putArray("rows");
-      listing.rows.forEach(row -> row.forEach(rows.addArray()::add));
+    ArrayNode tablesJson = data.putArray("tables");
+    for (PlanTable table : tables) {
+      ObjectNode tableJson = tablesJson.addObject().put("title", table.title);
+      table.columns.forEach(tableJson.putArray("columns")::add);
+      ArrayNode rows = tableJson.putArray("rows");
+      table.rows.forEach(row -> row.forEach(rows.addArray()::add));
     }
     return new Page(title(), "plan-page.js", "planPage", data.toString());
   }

@@ -1,2 +1,2 @@
-/** Plans as files: tables, pages, pictures; and the check that they say what is true. */
+/** Plans as files: tables, pages and pictures; and the check that what they say is true. */
 package org.hificamsim.placement.output;

@@ -9,63 +9,72 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.Texts;
+import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
  * A connected part of a zone that no camera covers.
  *
  * @param area square metres
- * @param x of its middle, metres
- * @param y of its middle, metres
+ * @param x of its centre, metres
+ * @param y of its centre, metres
  */
 public record BlindSpot(String zone, double area, double x, double y) {
-  /** All of a plan, the largest first. */
+  /** Returns all blind spots, the largest first. */
   static List<BlindSpot> of(Demand demand, int[] counts) {
     List<BlindSpot> spots = new ArrayList<>();
-    for (Demand.Watched zone : demand.zones()) {
-      FieldCells cells = demand.cells();
-      Map<Integer, Demand.Sample> blind = new HashMap<>(); // by cell
-      BitSet left = new BitSet();
-      for (int s = zone.first(); s < zone.end(); s++) {
-        Demand.Sample sample = demand.samples().get(s);
-        if (counts[s] == 0) {
-          blind.put(cells.at(sample.x(), sample.y()), sample);
-          left.set(cells.at(sample.x(), sample.y()));
-        }
-      }
-      while (!left.isEmpty()) {
-        List<Demand.Sample> part = part(left, cells.columns()).stream().map(blind::get).toList();
-        spots.add(
-            new BlindSpot(
-                zone.name(),
-                part.size() * cells.width() * cells.height(),
-                part.stream().mapToDouble(Demand.Sample::x).average().orElseThrow(),
-                part.stream().mapToDouble(Demand.Sample::y).average().orElseThrow()));
-      }
+    for (ZoneDemand zone : demand.zones()) {
+      addSpots(demand, counts, zone, spots);
     }
     spots.sort(Comparator.comparingDouble(spot -> -spot.area));
     return List.copyOf(spots);
   }
 
-  /** Takes the first cell, and all that are connected with it, away. */
-  private static List<Integer> part(BitSet left, int columns) {
+  private static void addSpots(
+      Demand demand, int[] counts, ZoneDemand zone, List<BlindSpot> spots) {
+    FieldCells cells = demand.cells();
+    Map<Integer, DemandPoint> pointByCell = new HashMap<>();
+    BitSet blindCells = new BitSet();
+    for (int number = zone.first(); number < zone.end(); number++) {
+      if (counts[number] == 0) {
+        DemandPoint point = demand.points().get(number);
+        int cell = cells.at(point.x(), point.y());
+        pointByCell.put(cell, point);
+        blindCells.set(cell);
+      }
+    }
+    while (!blindCells.isEmpty()) {
+      List<DemandPoint> points =
+          removeFirstPart(blindCells, cells.columns()).stream().map(pointByCell::get).toList();
+      spots.add(
+          new BlindSpot(
+              zone.name(),
+              points.size() * cells.width() * cells.height(),
+              points.stream().mapToDouble(DemandPoint::x).average().orElseThrow(),
+              points.stream().mapToDouble(DemandPoint::y).average().orElseThrow()));
+    }
+  }
+
+  /** Removes the first cell and all that are connected with it, and returns them. */
+  private static List<Integer> removeFirstPart(BitSet cells, int columns) {
     List<Integer> part = new ArrayList<>();
-    Deque<Integer> waiting = new ArrayDeque<>(List.of(left.nextSetBit(0)));
-    left.clear(waiting.peek());
+    Deque<Integer> waiting = new ArrayDeque<>(List.of(cells.nextSetBit(0)));
+    cells.clear(waiting.peek());
     while (!waiting.isEmpty()) {
       int cell = waiting.pop();
       part.add(cell);
       int column = cell % columns;
-      int[] next = {
+      int[] neighbours = {
         column > 0 ? cell - 1 : -1,
         column < columns - 1 ? cell + 1 : -1,
         cell - columns,
         cell + columns
       };
-      for (int one : next) {
-        if (one >= 0 && left.get(one)) {
-          left.clear(one);
-          waiting.push(one);
+      for (int neighbour : neighbours) {
+        if (neighbour >= 0 && cells.get(neighbour)) {
+          cells.clear(neighbour);
+          waiting.push(neighbour);
         }
       }
     }

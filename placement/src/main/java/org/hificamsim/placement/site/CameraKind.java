@@ -18,34 +18,38 @@ import org.hificamsim.data.CsvRow;
 /**
  * A kind of camera that can be bought.
  *
- * @param optics a lens, which may turn
- * @param price in whatever the catalogue counts in, above 0
+ * @param optics the lens, which may pan and zoom
+ * @param price in the currency of the catalogue, above 0
  */
 public record CameraKind(String name, OpticsSpec optics, double price) {
-  /** The catalogue that comes with the program: generic lenses, prices of the order of 2025. */
+  /** The name of the built-in catalogue: generic lenses, with approximate prices of 2025. */
   public static final String GENERIC = "generic";
 
-  /** The kinds of cameras that the scenario itself has, each at the price of 1. */
-  public static final String OF_SITE = "site";
+  /** The name of the catalogue of all kinds that the scenario has, each at the price of 1. */
+  public static final String SITE = "site";
 
   private static final List<String> COLUMNS =
       List.of("name", "pixels", "hfov_min", "hfov_max", "pan", "price");
-  private static final int LEVELS = 4; // of a lens that zooms
-  private static final double PAN_STEP = 15; // degrees
+
+  /** The number of zoom levels of a lens that zooms. */
+  private static final int ZOOM_LEVELS = 4;
+
+  private static final double PAN_STEP_DEGREES = 15;
+  private static final double ALL_ROUND_DEGREES = 180;
 
   /**
-   * A catalogue by its name, or a file of them.
+   * Returns the catalogue with a name, or reads it from a file.
    *
-   * @throws InputException when it is missing or wrong, with its place
+   * @throws InputException if the file is missing or wrong, with line and column
    */
   public static List<CameraKind> catalogue(String name, Scenario site) throws IOException {
-    if (name.equals(OF_SITE)) {
+    if (name.equals(SITE)) {
       return of(site.name(), site.everyCamera());
     }
     return name.equals(GENERIC) ? generic() : read(Path.of(name));
   }
 
-  /** The kinds of some cameras, each at the price of 1. */
+  /** Returns the kinds of some cameras, each at the price of 1. */
   static List<CameraKind> of(String site, Stream<CameraSpec> cameras) {
     List<CameraKind> kinds =
         cameras
@@ -93,13 +97,16 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
     double widest = number(row, "hfov_max", narrowest, 179);
     double pan = number(row, "pan", 0, 180);
     int pixels = (int) number(row, "pixels", 1, 100_000);
-    int levels = widest > narrowest ? LEVELS : 1;
+    int levels = widest > narrowest ? ZOOM_LEVELS : 1;
     Stream<Double> angles =
-        Stream.iterate(0, i -> i < levels, i -> i + 1)
-            .map(i -> narrowest * Math.pow(widest / narrowest, i / Math.max(1.0, levels - 1)))
+        Stream.iterate(0, level -> level < levels, level -> level + 1)
+            .map(level -> level / Math.max(1.0, levels - 1))
+            .map(part -> narrowest * Math.pow(widest / narrowest, part))
             .map(angle -> Math.rint(10 * angle) / 10);
-    double most = pan == 180 ? pan - PAN_STEP : pan; // all round, each heading once
-    Stream<Double> pans = Stream.iterate(-pan, angle -> angle <= most, angle -> angle + PAN_STEP);
+    boolean allRound = pan == ALL_ROUND_DEGREES;
+    double lastPan = allRound ? pan - PAN_STEP_DEGREES : pan; // -180 and 180 are the same
+    Stream<Double> pans =
+        Stream.iterate(-pan, angle -> angle <= lastPan, angle -> angle + PAN_STEP_DEGREES);
     OpticsSpec lens =
         new OpticsSpec(name)
             .with(OpticsSpec.PIXELS, pixels)
@@ -108,7 +115,8 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
     return pan == 0 ? lens : lens.with(OpticsSpec.PAN_SPEED, 100).with(OpticsSpec.ZOOM_TIME, 3);
   }
 
-  private static double number(CsvRow row, String column, double least, double most) {
-    return row.number(column, least, most, "a number from %s to %s".formatted(least, most));
+  private static double number(CsvRow row, String column, double least, double greatest) {
+    String expected = "a number from %s to %s".formatted(least, greatest);
+    return row.number(column, least, greatest, expected);
   }
 }

@@ -15,176 +15,189 @@ import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 
 /**
- * Cameras that could be mounted, with the samples that each covers: every kind at every place in
- * every heading and, where the fixed view counts, at every zoom level. Those that cover nothing are
- * left out.
+ * The cameras that could be mounted, with the points of the demand that each covers: every kind at
+ * every mount point in every heading and, if the fixed view counts, at every zoom level. Cameras
+ * that cover nothing are left out.
  *
- * @param all in the order of places
- * @param columns by candidate: the samples that it covers, rising
+ * @param list in the order of mount points
+ * @param covered by candidate, the points that it covers, rising
  */
-public record Candidates(List<Candidate> all, int[][] columns) {
+public record Candidates(List<Candidate> list, int[][] covered) {
   /** Degrees from one heading to the next. */
-  static final int TURN = 15;
+  static final int HEADING_STEP = 15;
 
-  /** Degrees below the horizon, where the site has heights. */
+  /** Degrees below the horizon, on sites with heights. */
   private static final List<Double> TILTS = List.of(0.0, 15.0, 30.0);
 
-  /** How high new cameras hang where a site with heights does not say, metres. */
-  private static final double HIGH = 3;
+  /** The height of new cameras on a site with heights that does not give one, metres. */
+  private static final double DEFAULT_HEIGHT = 3;
 
-  /**
-   * A camera that could be mounted.
-   *
-   * @param z metres; empty in a flat world, and where it is the site's own
-   * @param tilt degrees
-   * @param heading degrees, from -180
-   */
-  public record Candidate(
-      CameraKind kind,
-      OpticsSpec optics,
-      Point at,
-      Optional<Double> z,
-      double tilt,
-      double heading) {
-    /** The same through a lens, elsewhere, at a tilt, turned. */
-    Candidate moved(OpticsSpec through, Point to, double downwards, double turn) {
-      return new Candidate(kind, through, to, z, downwards, angle(heading, turn));
+  /** A camera that could be mounted. */
+  public record Candidate(CameraKind kind, OpticsSpec optics, Mount mount) {
+    /** Returns the candidate on another mount. */
+    Candidate on(Mount newMount) {
+      return new Candidate(kind, optics, newMount);
     }
 
-    /** The camera as a scenario has it. */
+    /** Returns the camera as an element of a scenario. */
     public CameraSpec camera(String name) {
-      return new CameraSpec(name, at.x(), at.y(), optics.reach().orElse(0))
-          .with(CameraSpec.Z, z)
-          .with(CameraSpec.TILT, tilt)
-          .with(CameraSpec.HEADING, heading)
+      Point position = mount.position();
+      return new CameraSpec(name, position.x(), position.y(), optics.reach().orElse(0))
+          .with(CameraSpec.Z, mount.z())
+          .with(CameraSpec.TILT, mount.tilt())
+          .with(CameraSpec.HEADING, mount.heading())
           .with(CameraSpec.VIEWING_ANGLE, Collections.max(optics.anglesOfView()))
           .with(CameraSpec.OPTICS, optics);
     }
   }
 
-  private record Found(Candidate candidate, int[] covered) {}
+  /**
+   * What can be mounted where.
+   *
+   * @param points where cameras can be mounted
+   * @param kinds of cameras
+   */
+  public record Options(List<Point> points, List<CameraKind> kinds) {}
 
-  /** All candidates of a site. */
+  private record CoveringCandidate(Candidate candidate, int[] covered) {}
+
+  /** Returns all candidates of a site. */
   public static Candidates of(
-      List<Point> places,
-      List<CameraKind> kinds,
-      CoverageReading reading,
-      SampleSight sight,
-      int threads) {
-    List<Found> found =
-        Parallel.map(places, threads, at -> at(at, kinds, reading, sight)).stream()
+      Options options, CoverageReading reading, PointSight sight, int threads) {
+    List<CoveringCandidate> candidates =
+        Parallel.map(options.points, threads, point -> at(point, options.kinds, reading, sight))
+            .stream()
             .flatMap(List::stream)
             .toList();
     return new Candidates(
-        found.stream().map(Found::candidate).toList(),
-        found.stream().map(Found::covered).toArray(int[][]::new));
+        candidates.stream().map(CoveringCandidate::candidate).toList(),
+        candidates.stream().map(CoveringCandidate::covered).toArray(int[][]::new));
   }
 
-  /** By candidate: what it costs. */
+  /** By candidate, its price. */
   public double[] prices() {
-    return all.stream().mapToDouble(one -> one.kind.price()).toArray();
+    return list.stream().mapToDouble(candidate -> candidate.kind.price()).toArray();
   }
 
-  private static List<Found> at(
-      Point at, List<CameraKind> kinds, CoverageReading reading, SampleSight sight) {
-    Scenario site = sight.site();
-    Optional<Double> z =
-        site.hasHeights() && site.mountHeight().isEmpty() ? Optional.of(HIGH) : Optional.empty();
-    List<Candidate> scouts = new ArrayList<>(); // of each kind, at each tilt, all round
-    for (CameraKind kind : kinds) {
-      OpticsSpec turned = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
-      boolean still = reading == CoverageReading.FIXED;
-      OpticsSpec round = still ? turned.with(OpticsSpec.TILTS, List.of(0.0)) : turned;
-      boolean tilts = site.hasHeights() && round.law() == OpticsLaw.PINHOLE;
-      for (double tilt : tilts ? TILTS : List.of(0.0)) {
-        scouts.add(new Candidate(kind, round, at, z, tilt, 0));
-      }
-    }
+  private static List<CoveringCandidate> at(
+      Point point, List<CameraKind> kinds, CoverageReading reading, PointSight sight) {
+    List<Candidate> scouts = scouts(point, kinds, reading, sight.site());
     int[][][] seen =
-        sight.seen(
+        sight.seenByView(
             IntStream.range(0, scouts.size())
-                .mapToObj(i -> scouts.get(i).camera("scout " + i))
+                .mapToObj(number -> scouts.get(number).camera("scout " + number))
                 .toList());
     return IntStream.range(0, scouts.size())
         .boxed()
-        .flatMap(i -> ofScout(scouts.get(i), reading, seen[i]))
-        .filter(one -> one.covered.length > 0)
+        .flatMap(number -> ofScout(scouts.get(number), reading, seen[number]))
+        .filter(candidate -> candidate.covered.length > 0)
         .toList();
   }
 
+  /** Returns a camera of each kind, at each tilt, that can look in every heading. */
+  private static List<Candidate> scouts(
+      Point point, List<CameraKind> kinds, CoverageReading reading, Scenario site) {
+    boolean ownHeight = site.hasHeights() && site.mountHeight().isEmpty();
+    Optional<Double> z = ownHeight ? Optional.of(DEFAULT_HEIGHT) : Optional.empty();
+    List<Candidate> scouts = new ArrayList<>();
+    for (CameraKind kind : kinds) {
+      OpticsSpec panning = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
+      boolean fixed = reading == CoverageReading.FIXED;
+      OpticsSpec optics = fixed ? panning.with(OpticsSpec.TILTS, List.of(0.0)) : panning;
+      boolean tilts = site.hasHeights() && optics.law() == OpticsLaw.PINHOLE;
+      for (double tilt : tilts ? TILTS : List.of(0.0)) {
+        scouts.add(new Candidate(kind, optics, new Mount(point, z, tilt, 0)));
+      }
+    }
+    return scouts;
+  }
+
   private static List<Double> headings() {
-    return IntStream.range(-180 / TURN, 180 / TURN).mapToObj(i -> (double) TURN * i).toList();
+    return IntStream.range(-180 / HEADING_STEP, 180 / HEADING_STEP)
+        .mapToObj(number -> (double) HEADING_STEP * number)
+        .toList();
   }
 
-  /** The pan angle of a camera's view in a heading. */
-  private static double angle(double heading, double pan) {
-    double angle = (heading + pan + 540) % 360 - 180;
-    return Math.rint(angle * 1e6) / 1e6;
-  }
-
-  /** All angles at which a kind looks in some heading, rising. */
+  /** All angles at which a kind looks, in any heading, rising. */
   private static List<Double> angles(OpticsSpec optics, CoverageReading reading) {
     return reading == CoverageReading.FIXED
         ? headings()
         : headings().stream()
-            .flatMap(heading -> optics.pans().stream().map(pan -> angle(heading, pan)))
+            .flatMap(heading -> optics.pans().stream().map(pan -> Mount.sum(heading, pan)))
             .distinct()
             .sorted()
             .toList();
   }
 
-  private static Stream<Found> ofScout(Candidate scout, CoverageReading reading, int[][] seen) {
-    OpticsSpec optics = scout.kind.optics();
-    int levels = optics.anglesOfView().size();
-    if (reading == CoverageReading.FIXED) {
-      return headings().stream()
-          .flatMap(
-              heading ->
-                  IntStream.range(0, levels)
-                      .mapToObj(
-                          level ->
-                              new Found(
-                                  scout.moved(fixed(optics, level), scout.at, scout.tilt, heading),
-                                  seen[headings().indexOf(heading) * levels + level])));
-    }
-    TreeMap<Double, int[]> byAngle = new TreeMap<>();
-    List<Double> angles = angles(optics, reading);
-    int each = levels * optics.tilts().size();
-    for (int i = 0; i < angles.size(); i++) {
-      int first = i * each;
-      byAngle.put(
-          angles.get(i),
-          SampleSight.union(IntStream.range(first, first + each).mapToObj(v -> seen[v])));
-    }
-    boolean round = angles(optics, CoverageReading.ANY).size() == optics.pans().size();
-    return (round ? List.of(0.0) : headings())
-        .stream()
-            .map(
-                heading ->
-                    new Found(
-                        scout.moved(optics, scout.at, scout.tilt, heading),
-                        SampleSight.union(
-                            optics.pans().stream().map(p -> byAngle.get(angle(heading, p))))));
+  /**
+   * Returns the candidates of a scout's kind, point and tilt.
+   *
+   * @param seen by view of the scout, the points that it sees
+   */
+  private static Stream<CoveringCandidate> ofScout(
+      Candidate scout, CoverageReading reading, int[][] seen) {
+    return reading == CoverageReading.FIXED ? fixed(scout, seen) : turning(scout, seen);
   }
 
-  /** The same lens at one of its levels. */
-  private static OpticsSpec fixed(OpticsSpec optics, int level) {
+  /** Returns a candidate for each heading and zoom level. */
+  private static Stream<CoveringCandidate> fixed(Candidate scout, int[][] seen) {
+    OpticsSpec optics = scout.kind.optics();
+    List<Double> headings = headings();
+    int levels = optics.anglesOfView().size();
+    return IntStream.range(0, headings.size() * levels)
+        .mapToObj(
+            view -> {
+              Mount mount = scout.mount.turnedBy(headings.get(view / levels));
+              OpticsSpec fixedOptics = atLevel(optics, view % levels);
+              return new CoveringCandidate(
+                  new Candidate(scout.kind, fixedOptics, mount), seen[view]);
+            });
+  }
+
+  /** Returns a candidate for each heading, which can pan and zoom; one if it looks all round. */
+  private static Stream<CoveringCandidate> turning(Candidate scout, int[][] seen) {
+    OpticsSpec optics = scout.kind.optics();
+    List<Double> angles = angles(optics, CoverageReading.ANY);
+    int viewsPerAngle = optics.anglesOfView().size() * optics.tilts().size();
+    TreeMap<Double, int[]> seenByAngle = new TreeMap<>();
+    for (int i = 0; i < angles.size(); i++) {
+      int first = i * viewsPerAngle;
+      Stream<int[]> views = IntStream.range(first, first + viewsPerAngle).mapToObj(v -> seen[v]);
+      seenByAngle.put(angles.get(i), PointSight.union(views));
+    }
+    boolean allRound = angles.size() == optics.pans().size();
+    List<Double> headings = allRound ? List.of(0.0) : headings();
+    return headings.stream()
+        .map(
+            heading -> {
+              Stream<int[]> inReach =
+                  optics.pans().stream().map(pan -> seenByAngle.get(Mount.sum(heading, pan)));
+              return new CoveringCandidate(
+                  new Candidate(scout.kind, optics, scout.mount.turnedBy(heading)),
+                  PointSight.union(inReach));
+            });
+  }
+
+  /** Returns a lens that stays at one of its levels. */
+  private static OpticsSpec atLevel(OpticsSpec optics, int level) {
     List<Double> angles = optics.anglesOfView();
-    List<Double> vertical = optics.get(OpticsSpec.VERTICAL_ANGLES);
-    OpticsSpec still =
+    List<Double> verticalAngles = optics.get(OpticsSpec.VERTICAL_ANGLES);
+    boolean hasVertical = level < verticalAngles.size();
+    OpticsSpec fixed =
         optics
             .with(OpticsSpec.NAME, "%s at %s degrees".formatted(optics.name(), angles.get(level)))
             .with(OpticsSpec.ANGLES_OF_VIEW, List.of(angles.get(level)))
             .with(
                 OpticsSpec.VERTICAL_ANGLES,
-                level < vertical.size() ? List.of(vertical.get(level)) : vertical)
+                hasVertical ? List.of(verticalAngles.get(level)) : verticalAngles)
             .with(OpticsSpec.PANS, List.of(0.0))
             .with(OpticsSpec.TILTS, List.of(0.0))
             .with(OpticsSpec.ZOOM_TIME, 0)
             .without(OpticsSpec.PAN_SPEED);
-    return optics.reach().isPresent()
-        ? still.with(
-            OpticsSpec.REACH, optics.law().radii(angles, optics.reach().getAsDouble()).get(level))
-        : still;
+    if (optics.reach().isEmpty()) {
+      return fixed;
+    }
+    List<Double> radii = optics.law().radii(angles, optics.reach().getAsDouble());
+    return fixed.with(OpticsSpec.REACH, radii.get(level));
   }
 }

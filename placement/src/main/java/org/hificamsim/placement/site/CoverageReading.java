@@ -1,10 +1,11 @@
 package org.hificamsim.placement.site;
 
-/** What it means that a camera covers a place. */
+/** What it means that a camera covers a point. */
 public enum CoverageReading {
-  /** The fixed view that it was given when it was mounted has it. */
+  /** The point is in the fixed view that the camera got when it was mounted. */
   FIXED("by the fixed view of each camera"),
-  /** Some view that it can turn and zoom to has it: what the network could see, not at once. */
+
+  /** The point is in any view to which the camera can turn and zoom, though not in all at once. */
   ANY("by some view of a camera that turns: what the network could see");
 
   private final String words;
@@ -13,7 +14,7 @@ public enum CoverageReading {
     this.words = words;
   }
 
-  /** The reading in words. */
+  /** The reading in words, for people. */
   public String words() {
     return words;
   }

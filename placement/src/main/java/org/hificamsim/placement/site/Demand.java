@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
@@ -20,104 +19,125 @@ import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * What is demanded: samples, the middles of cells of the field, zone by zone. A cell in two zones
- * is two samples.
+ * What is to be covered: the centres of the cells of each zone. A cell in two zones counts as two
+ * points. (Files and the command line call these points samples.)
  *
- * @param samples in the order of zones
+ * @param points in the order of zones
  */
-public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<Sample> samples) {
-  /** A zone with what it means: its detection, k cameras, and its samples. */
-  public record Watched(String name, Detection detection, int k, int first, int end) {
-    /** How many samples it has. */
+public record Demand(
+    Scenario site, FieldCells cells, List<ZoneDemand> zones, List<DemandPoint> points) {
+  /**
+   * A zone with what it demands.
+   *
+   * @param k number of cameras that every point needs
+   * @param first number of its first point
+   * @param end number after that of its last point
+   */
+  public record ZoneDemand(String name, Detection detection, int k, int first, int end) {
+    /** The number of points. */
     public int count() {
       return end - first;
     }
   }
 
   /**
-   * A place that is to be seen.
+   * A point that is to be covered; coordinates in metres.
    *
    * @param zone the number of its zone
-   * @param weight what seeing it is worth, above 0
+   * @param weight what covering it is worth, above 0
    */
-  public record Sample(double x, double y, int zone, double weight) {}
+  public record DemandPoint(double x, double y, int zone, double weight) {}
 
   /**
-   * The demand of a scenario.
+   * The detections of a site.
    *
-   * @param redundancy how many cameras each place needs, in place of what the zones say
-   * @param detection of the scenario
-   * @param detections finds those of zones by their names
-   * @param visits how often targets were in each cell, which weighs them; empty: all alike
-   * @throws InputException where there is nothing to be seen
+   * @param usual the detection of the scenario
+   * @param byName finds the detection that a zone names
+   */
+  public record Detections(Detection usual, Function<String, Detection> byName) {
+    private Detection of(Zone zone) {
+      Detection detection = zone.detection() == null ? usual : byName.apply(zone.detection());
+      if (!detection.certain()) {
+        throw InputException.of(
+            "zone '%s' is seen by chance, %s, expected a detection by a threshold",
+            zone.name(), detection.name());
+      }
+      return detection;
+    }
+  }
+
+  /**
+   * Returns the demand of a scenario.
+   *
+   * @param redundancy number of cameras that each point needs, in place of what the zones say
+   * @param visits number of targets in each cell over time, as weights; empty for equal weights
+   * @throws InputException if nothing is to be covered
    */
   public static Demand of(
       Scenario site,
       FieldCells cells,
       Optional<Integer> redundancy,
-      Detection detection,
-      Function<String, Detection> detections,
+      Detections detections,
       Optional<double[]> visits) {
+    boolean[] free = freeCells(site, cells);
+    int usualK = site.objective() instanceof Objective.Covered covered ? covered.k() : 1;
     List<Zone> zones = site.zones().isEmpty() ? List.of(Zone.ofField()) : site.zones();
-    int usual = site.objective() instanceof Objective.Covered covered ? covered.k() : 1;
-    Obstacles obstacles = new Obstacles(site.obstacles());
-    boolean[] free = new boolean[cells.count()];
-    for (int cell = 0; cell < free.length; cell++) {
-      free[cell] = obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty();
-    }
-    List<Watched> watched = new ArrayList<>();
-    List<Sample> samples = new ArrayList<>();
+    List<ZoneDemand> zoneDemands = new ArrayList<>();
+    List<DemandPoint> points = new ArrayList<>();
     for (Zone zone : zones) {
-      int first = samples.size();
+      int first = points.size();
       for (int cell = 0; cell < free.length && zone.weight() > 0; cell++) {
         double weight = zone.weight() * (visits.isPresent() ? visits.get()[cell] : 1);
         if (free[cell] && weight > 0 && zone.contains(cells.x(cell), cells.y(cell))) {
-          samples.add(new Sample(cells.x(cell), cells.y(cell), watched.size(), weight));
+          points.add(new DemandPoint(cells.x(cell), cells.y(cell), zoneDemands.size(), weight));
         }
       }
-      Detection own = zone.detection() == null ? detection : detections.apply(zone.detection());
-      requireCertain(zone, own);
-      int k = redundancy.orElse(zone.k() == null ? usual : zone.k());
-      watched.add(new Watched(zone.name(), own, k, first, samples.size()));
-      if (zone.weight() > 0 && samples.size() == first && visits.isEmpty()) {
+      Detection detection = detections.of(zone);
+      int k = redundancy.orElse(zone.k() == null ? usualK : zone.k());
+      zoneDemands.add(new ZoneDemand(zone.name(), detection, k, first, points.size()));
+      if (zone.weight() > 0 && points.size() == first && visits.isEmpty()) {
         throw InputException.of(
             "zone '%s' has no free cell of %s m, expected more %s, or a larger zone",
             zone.name(), cells.width(), setting("cells"));
       }
     }
-    if (samples.isEmpty()) {
+    if (points.isEmpty()) {
       throw new InputException("nothing is to be seen, expected a zone with a weight above 0");
     }
-    return new Demand(site, cells, watched, samples);
+    return new Demand(site, cells, zoneDemands, points);
   }
 
-  /** The same places, each asked for by a detection. */
-  public Demand by(Detection detection) {
-    List<Watched> all =
-        zones.stream()
-            .map(one -> new Watched(one.name, detection, one.k, one.first, one.end))
-            .toList();
-    return new Demand(site, cells, all, samples);
-  }
-
-  private static void requireCertain(Zone zone, Detection detection) {
-    if (!detection.certain()) {
-      throw InputException.of(
-          "zone '%s' is seen by chance, %s, expected a detection by a threshold",
-          zone.name(), detection.name());
+  private static boolean[] freeCells(Scenario site, FieldCells cells) {
+    Obstacles obstacles = new Obstacles(site.obstacles());
+    boolean[] free = new boolean[cells.count()];
+    for (int cell = 0; cell < free.length; cell++) {
+      free[cell] = obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty();
     }
+    return free;
   }
 
-  /** The first target of the most frequent size: what stands in samples is as large. */
-  public static TargetSpec usualTarget(List<TargetSpec> all) {
+  /** Returns the demand for the same points by another detection in all zones. */
+  public Demand with(Detection detection) {
+    List<ZoneDemand> changedZones =
+        zones.stream()
+            .map(zone -> new ZoneDemand(zone.name, detection, zone.k, zone.first, zone.end))
+            .toList();
+    return new Demand(site, cells, changedZones, points);
+  }
+
+  /** Returns the first target of the most frequent size, which stands for all targets. */
+  public static TargetSpec usualTarget(List<TargetSpec> targets) {
     Map<Double, Long> counts =
-        all.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
-    return all.stream().max(Comparator.comparingLong(one -> counts.get(one.size()))).orElseThrow();
+        targets.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
+    return targets.stream()
+        .max(Comparator.comparingLong(target -> counts.get(target.size())))
+        .orElseThrow();
   }
 
-  /** A target that stands at a place, otherwise like another. */
-  public static TargetSpec target(TargetSpec like, int number, double x, double y) {
-    return like.with(TargetSpec.FEATURES, (double) number)
+  /** Returns a target that stands at a point, and is otherwise like another one. */
+  public static TargetSpec targetAt(double x, double y, int number, TargetSpec model) {
+    return model
+        .with(TargetSpec.FEATURES, (double) number)
         .with(TargetSpec.X, x)
         .with(TargetSpec.Y, y)
         .with(TargetSpec.SPEED, 0)
@@ -125,38 +145,51 @@ public record Demand(Scenario site, FieldCells cells, List<Watched> zones, List<
         .with(TargetSpec.WAYPOINTS, List.of());
   }
 
-  /** The samples of a zone. */
-  List<Sample> samplesOf(Watched zone) {
-    return samples.subList(zone.first(), zone.end());
+  /** The points of a zone. */
+  List<DemandPoint> pointsOf(ZoneDemand zone) {
+    return points.subList(zone.first(), zone.end());
   }
 
-  /** By sample: what each time that it is seen is worth. */
-  public double[] units() {
-    return samples.stream().mapToDouble(one -> one.weight() / needs(one)).toArray();
+  /** By point, the worth of each time that it is covered. */
+  public double[] unitWorths() {
+    return points.stream().mapToDouble(point -> point.weight() / needs(point)).toArray();
   }
 
-  /** By sample: how many cameras it needs. */
+  /** By point, the number of cameras that it needs. */
   public int[] needs() {
-    return samples.stream().mapToInt(this::needs).toArray();
+    return points.stream().mapToInt(this::needs).toArray();
   }
 
-  private int needs(Sample sample) {
-    return zones.get(sample.zone()).k();
+  private int needs(DemandPoint point) {
+    return zones.get(point.zone()).k();
   }
 
   /**
-   * The share of a zone's demand that is met where samples are seen by this many cameras.
+   * The share of a zone's demand that is met; points covered by fewer than k cameras count in part.
    *
-   * @param whole whether those that are seen by fewer than k count for nothing
+   * @param counts by point, the number of cameras that cover it
    */
-  public double share(Watched zone, int[] counts, boolean whole) {
-    double all = 0;
+  public double share(ZoneDemand zone, int[] counts) {
+    return share(zone, counts, false);
+  }
+
+  /**
+   * The share of a zone's demand that is met by points which k cameras or more cover.
+   *
+   * @param counts by point, the number of cameras that cover it
+   */
+  public double shareByK(ZoneDemand zone, int[] counts) {
+    return share(zone, counts, true);
+  }
+
+  private double share(ZoneDemand zone, int[] counts, boolean fullOnly) {
+    double total = 0;
     double met = 0;
-    for (int i : IntStream.range(zone.first(), zone.end()).toArray()) {
-      double part = Math.min(1, counts[i] / (double) zone.k());
-      all += samples.get(i).weight();
-      met += samples.get(i).weight() * (whole ? Math.floor(part) : part);
+    for (int number = zone.first(); number < zone.end(); number++) {
+      double part = Math.min(1, counts[number] / (double) zone.k());
+      total += points.get(number).weight();
+      met += points.get(number).weight() * (fullOnly ? Math.floor(part) : part);
     }
-    return all == 0 ? 1 : met / all;
+    return total == 0 ? 1 : met / total;
   }
 }

@@ -16,12 +16,14 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 
 /**
- * Where cameras can be mounted: along both sides of walls, round polygons and pillars, along the
- * field's border, on the ceiling, or at listed places.
+ * The points where cameras can be mounted: along both sides of walls, around polygons and pillars,
+ * along the border of the field, on the ceiling, or at listed points.
  */
 public final class MountPoints {
-  private static final double CLEARANCE = 0.2; // metres off what it is mounted on
-  private static final double FARTHEST = 1e9;
+  /** The distance of a camera from what it is mounted on, metres. */
+  private static final double CLEARANCE = 0.2;
+
+  private static final double MAX_COORDINATE = 1e9;
 
   private final Field field;
   private final Obstacles obstacles;
@@ -35,38 +37,39 @@ public final class MountPoints {
   }
 
   /**
-   * The places on a site.
+   * Returns the points on a site.
    *
-   * @param every metres from one to the next, above 0
-   * @param ceiling whether a grid of places all over the field is among them
+   * @param spacing metres from one point to the next, above 0
+   * @param ceiling whether to add a grid of points all over the field
    * @param forbidden zones in which no camera may be
-   * @throws InputException where there is none
+   * @throws InputException if there is no such point
    */
-  public static List<Point> of(Scenario site, double every, boolean ceiling, List<Zone> forbidden) {
+  public static List<Point> of(
+      Scenario site, double spacing, boolean ceiling, List<Zone> forbidden) {
     MountPoints mounts = new MountPoints(site, forbidden);
     Field field = mounts.field;
-    mounts.addRound(
+    mounts.addAround(
         List.of(
             new Point(field.minX(), field.minY()),
             new Point(field.maxX(), field.minY()),
             new Point(field.maxX(), field.maxY()),
             new Point(field.minX(), field.maxY())),
-        every);
+        spacing);
     for (Obstacle obstacle : site.obstacles()) {
       if (obstacle instanceof Obstacle.Wall wall) {
-        mounts.addAlong(new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2()), every);
+        mounts.addAlong(new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2()), spacing);
       } else if (obstacle instanceof Obstacle.Polygon polygon) {
-        mounts.addRound(polygon.points(), every);
+        mounts.addAround(polygon.points(), spacing);
       } else if (obstacle instanceof Obstacle.Pillar pillar) {
-        mounts.addRound(pillar, every);
+        mounts.addAround(pillar, spacing);
       }
     }
-    for (double x = field.minX() + every / 2; ceiling && x < field.maxX(); x += every) {
-      for (double y = field.minY() + every / 2; y < field.maxY(); y += every) {
+    for (double x = field.minX() + spacing / 2; ceiling && x < field.maxX(); x += spacing) {
+      for (double y = field.minY() + spacing / 2; y < field.maxY(); y += spacing) {
         mounts.add(x, y);
       }
     }
-    return mounts.some(
+    return mounts.nonEmpty(
         setting("candidates")
             + " closer together, or fewer zones that "
             + setting("forbid")
@@ -74,53 +77,55 @@ public final class MountPoints {
   }
 
   /**
-   * The places in a table with the columns x and y, metres.
+   * Reads the points from a table with the columns x and y, metres.
    *
-   * @throws InputException where there is none, or one where no camera can be, with its place
+   * @throws InputException if there is no point, or one where no camera can be, with line and
+   *     column
    */
   public static List<Point> read(Path file, Scenario site, List<Zone> forbidden) {
     MountPoints mounts = new MountPoints(site, forbidden);
     for (CsvRow row : CsvReader.open(file, "a table of x and y").all(List.of("x", "y")).rows()) {
-      double x = row.number("x", -FARTHEST, FARTHEST, "a number");
-      double y = row.number("y", -FARTHEST, FARTHEST, "a number");
+      double x = row.number("x", -MAX_COORDINATE, MAX_COORDINATE, "a number");
+      double y = row.number("y", -MAX_COORDINATE, MAX_COORDINATE, "a number");
       if (!mounts.add(x, y) && !mounts.points.contains(new Point(x, y))) {
         throw row.invalid("x", "a place in the field, off obstacles and forbidden zones");
       }
     }
-    return mounts.some("a place in " + file);
+    return mounts.nonEmpty("a place in " + file);
   }
 
-  private List<Point> some(String expected) {
+  private List<Point> nonEmpty(String expected) {
     if (points.isEmpty()) {
       throw new InputException("no camera can be mounted anywhere, expected " + expected);
     }
     return points;
   }
 
-  private void addRound(List<Point> corners, double every) {
+  private void addAround(List<Point> corners, double spacing) {
     for (int i = 0; i < corners.size(); i++) {
-      addAlong(corners.get(i), corners.get((i + 1) % corners.size()), every);
+      addAlong(corners.get(i), corners.get((i + 1) % corners.size()), spacing);
     }
   }
 
-  private void addRound(Obstacle.Pillar pillar, double every) {
+  private void addAround(Obstacle.Pillar pillar, double spacing) {
     double radius = pillar.radius() + CLEARANCE;
-    int count = Math.max(4, (int) Math.round(2 * Math.PI * radius / every));
+    int count = Math.max(4, (int) Math.round(2 * Math.PI * radius / spacing));
     for (int i = 0; i < count; i++) {
       double angle = 2 * Math.PI * i / count;
       add(pillar.x() + radius * Math.cos(angle), pillar.y() + radius * Math.sin(angle));
     }
   }
 
-  /** On both sides, from one end to the other. */
-  private void addAlong(Point from, Point to, double every) {
+  /** Adds points on both sides of a line, from one end to the other. */
+  private void addAlong(Point from, Point to, double spacing) {
     double dx = to.x() - from.x();
     double dy = to.y() - from.y();
     double length = Math.hypot(dx, dy);
-    int parts = Math.max(1, (int) Math.round(length / every));
+    int parts = Math.max(1, (int) Math.round(length / spacing));
     for (int i = 0; i <= parts && length > 0; i++) {
-      double off = Math.min(CLEARANCE, length / 2); // the ends are in corners
-      double along = Math.max(off, Math.min(length - off, i * length / parts)) / length;
+      double endDistance = Math.min(CLEARANCE, length / 2); // the ends may be in corners
+      double distance = Math.max(endDistance, Math.min(length - endDistance, i * length / parts));
+      double along = distance / length;
       for (int side = -1; side <= 1; side += 2) {
         add(
             from.x() + along * dx - side * CLEARANCE * dy / length,
@@ -129,10 +134,10 @@ public final class MountPoints {
     }
   }
 
-  /** Adds a place, to the centimetre, if a camera can be there and none is. */
-  private boolean add(double atX, double atY) {
-    double x = Math.rint(100 * atX) / 100;
-    double y = Math.rint(100 * atY) / 100;
+  /** Adds a point, rounded to centimetres, if it is new and a camera can be there. */
+  private boolean add(double exactX, double exactY) {
+    double x = Math.rint(100 * exactX) / 100;
+    double y = Math.rint(100 * exactY) / 100;
     Point point = new Point(x, y);
     boolean allowed =
         field.contains(x, y)

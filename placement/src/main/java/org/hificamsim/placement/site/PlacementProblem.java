@@ -7,185 +7,234 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
-import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
-import org.hificamsim.placement.cover.Duals;
 import org.hificamsim.placement.cover.Effort;
 import org.hificamsim.placement.cover.Goal;
+import org.hificamsim.placement.cover.LagrangianBound;
 import org.hificamsim.placement.site.Candidates.Candidate;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.SitePlan.PlannedCamera;
+import org.hificamsim.placement.site.SitePlan.Shares;
 
 /**
  * Where to put cameras on a site, as a covering problem.
  *
- * @param kept cameras that stay
- * @param goal what is asked of the new cameras; their price is their number where {@code byNumber}
- * @param whole all that is demanded, by candidate
- * @param keptCounts how many of those that stay cover each sample
+ * @param instance the whole demand, by candidate
+ * @param keptCounts by point, the number of kept cameras that cover it
  */
 public record PlacementProblem(
-    Demand demand,
+    Request request,
     Candidates candidates,
-    CoverageReading reading,
-    List<CameraSpec> kept,
-    Goal goal,
-    boolean byNumber,
-    SampleSight sight,
-    CoverInstance whole,
+    PointSight sight,
+    CoverInstance instance,
     int[] keptCounts) {
 
   /**
-   * The problem of a site.
+   * What is asked for.
    *
-   * @throws InputException where a zone is seen from no place, or no camera can be paid
+   * @param options what can be mounted where
+   * @param kept cameras that stay
+   * @param goal of the new cameras
    */
-  public static PlacementProblem of(
+  public record Request(
       Demand demand,
-      List<Point> places,
-      List<CameraKind> kinds,
+      Candidates.Options options,
       CoverageReading reading,
       List<CameraSpec> kept,
-      Goal goal,
-      boolean byNumber,
-      Catalogue catalogue,
-      int threads) {
-    double cheapest = kinds.stream().mapToDouble(CameraKind::price).min().orElseThrow();
-    if (!byNumber && cheapest > goal.budget()) {
-      throw InputException.of(
-          "%s is %s, expected at least %s, the price of the cheapest camera",
-          setting("budget"), goal.budget(), cheapest);
-    }
-    SampleSight sight = new SampleSight(demand, catalogue);
-    Candidates candidates = Candidates.of(places, kinds, reading, sight, threads);
+      SiteGoal goal) {}
+
+  /**
+   * The goal of new cameras.
+   *
+   * @param byNumber whether each camera has a price of 1, so that the budget is their number
+   */
+  public record SiteGoal(Goal goal, boolean byNumber) {}
+
+  /**
+   * Returns the problem of a site.
+   *
+   * @throws InputException if a zone is seen from no point, or the budget pays no camera
+   */
+  public static PlacementProblem of(Request request, Catalogue catalogue, int threads) {
+    requireAffordable(request);
+    PointSight sight = new PointSight(request.demand, catalogue);
+    Candidates candidates = Candidates.of(request.options, request.reading, sight, threads);
     double[] prices = candidates.prices();
-    if (byNumber) {
+    if (request.goal.byNumber) {
       Arrays.fill(prices, 1);
     }
-    CoverInstance whole =
-        new CoverInstance(demand.units(), demand.needs(), candidates.columns(), prices);
-    int[] counts = new int[demand.samples().size()];
-    for (int[] seen : sight.covered(kept, reading)) {
-      for (int sample : seen) {
-        counts[sample]++;
-      }
-    }
+    CoverInstance instance =
+        new CoverInstance(
+            request.demand.unitWorths(), request.demand.needs(), candidates.covered(), prices);
+    int[] keptCounts = counts(sight, request, request.kept);
     PlacementProblem problem =
-        new PlacementProblem(
-            demand, candidates, reading, kept, goal, byNumber, sight, whole, counts);
-    problem.requireSeen(places, kinds, catalogue, threads);
-    return problem;
-  }
-
-  private void requireSeen(
-      List<Point> places, List<CameraKind> kinds, Catalogue catalogue, int threads) {
-    int[] can = whole.coverable().needs();
-    for (Demand.Watched zone : demand.zones()) {
-      boolean seen =
-          IntStream.range(zone.first(), zone.end()).anyMatch(s -> can[s] + keptCounts[s] > 0);
-      if (zone.count() > 0 && !seen) {
-        Scenario open = demand.site().with(Scenario.OBSTACLES, List.of());
-        Predicate<Scenario> sees =
-            site -> {
-              Demand same = new Demand(site, demand.cells(), demand.zones(), demand.samples());
-              SampleSight other = new SampleSight(same, catalogue);
-              return Arrays.stream(Candidates.of(places, kinds, reading, other, threads).columns())
-                  .flatMapToInt(Arrays::stream)
-                  .anyMatch(s -> s >= zone.first() && s < zone.end());
-            };
-        boolean walls = sees.test(open);
-        boolean heights = demand.site().hasHeights() && !walls && sees.test(open.flat());
+        new PlacementProblem(request, candidates, sight, instance, keptCounts);
+    for (ZoneDemand zone : request.demand.zones()) {
+      if (zone.count() > 0 && !problem.isCoverable(zone)) {
         throw InputException.of(
             "zone '%s' is seen from none of %s places: %s; expected other %s,"
                 + " lenses or demands",
             zone.name(),
-            places.size(),
-            walls
-                ? "walls are in between"
-                : heights
-                    ? "it is above or below all views"
-                    : "it is too far for '%s' with these lenses".formatted(zone.detection().name()),
+            request.options.points().size(),
+            problem.reasonUnseen(zone, catalogue, threads),
             setting("candidates"));
       }
     }
+    return problem;
   }
 
-  /** What a price counts for in the goal: each camera is one, where their number is asked. */
-  double asked(double price) {
-    return byNumber ? 1 : price;
+  private static void requireAffordable(Request request) {
+    double budget = request.goal.goal.budget();
+    double cheapest =
+        request.options.kinds().stream().mapToDouble(CameraKind::price).min().orElseThrow();
+    if (!request.goal.byNumber && cheapest > budget) {
+      throw InputException.of(
+          "%s is %s, expected at least %s, the price of the cheapest camera",
+          setting("budget"), budget, cheapest);
+    }
   }
 
-  /** What is left to the new cameras; where all is to be met, as far as candidates can. */
-  public CoverInstance left() {
-    CoverInstance left = whole.after(keptCounts);
-    return goal.isAll() ? left.coverable() : left;
+  private static int[] counts(PointSight sight, Request request, List<CameraSpec> cameras) {
+    int[] counts = new int[request.demand.points().size()];
+    for (int[] covered : sight.covered(cameras, request.reading)) {
+      for (int point : covered) {
+        counts[point]++;
+      }
+    }
+    return counts;
   }
 
-  private double base() {
-    return whole.worth(keptCounts);
+  private boolean isCoverable(ZoneDemand zone) {
+    int[] possibleNeeds = instance.coverable().needs();
+    return IntStream.range(zone.first(), zone.end())
+        .anyMatch(point -> possibleNeeds[point] + keptCounts[point] > 0);
   }
 
-  /** By price: the most of the demand that candidates can meet, by the multipliers of a plan. */
-  DoubleUnaryOperator most(CoverPlan plan) {
-    CoverInstance left = whole.after(keptCounts).undominated();
-    double[] multipliers = goal.isAll() ? left.units() : plan.proof();
-    return price ->
-        Math.min(1, (base() + Duals.value(left, new Goal(price), multipliers)) / whole.total());
+  private String reasonUnseen(ZoneDemand zone, Catalogue catalogue, int threads) {
+    Scenario withoutWalls = demand().site().with(Scenario.OBSTACLES, List.of());
+    if (isSeen(zone, withoutWalls, catalogue, threads)) {
+      return "walls are in between";
+    }
+    boolean hasHeights = demand().site().hasHeights();
+    return hasHeights && isSeen(zone, withoutWalls.flat(), catalogue, threads)
+        ? "it is above or below all views"
+        : "it is too far for '%s' with these lenses".formatted(zone.detection().name());
   }
 
-  /** Searches for a plan, whose cameras may then be moved. */
-  public SitePlan solve(Effort effort, CoverSearch.Watcher watcher, Optional<Refinement> moves) {
+  /** Whether any candidate sees the zone on a changed site. */
+  private boolean isSeen(ZoneDemand zone, Scenario site, Catalogue catalogue, int threads) {
+    Demand changed = new Demand(site, demand().cells(), demand().zones(), demand().points());
+    PointSight changedSight = new PointSight(changed, catalogue);
+    Candidates changedCandidates =
+        Candidates.of(request.options, request.reading, changedSight, threads);
+    return Arrays.stream(changedCandidates.covered())
+        .flatMapToInt(Arrays::stream)
+        .anyMatch(point -> point >= zone.first() && point < zone.end());
+  }
+
+  public Demand demand() {
+    return request.demand;
+  }
+
+  /** The cameras that stay. */
+  public List<CameraSpec> kept() {
+    return request.kept;
+  }
+
+  public Goal goal() {
+    return request.goal.goal;
+  }
+
+  /** What a price counts for in the goal: 1 if the goal is a number of cameras. */
+  double countedPrice(double price) {
+    return request.goal.byNumber ? 1 : price;
+  }
+
+  /** What remains for the new cameras; for full cover, as far as the candidates can cover it. */
+  public CoverInstance remaining() {
+    CoverInstance remaining = instance.remaining(keptCounts);
+    return goal().isFullCover() ? remaining.coverable() : remaining;
+  }
+
+  /** The share of the demand that is met if points are covered this often. */
+  double share(int[] counts) {
+    return instance.worth(counts) / instance.totalWorth();
+  }
+
+  private double keptWorth() {
+    return instance.worth(keptCounts);
+  }
+
+  /** By price: a bound on the share that candidates can meet, by the multipliers of a plan. */
+  DoubleUnaryOperator shareBound(CoverPlan plan) {
+    CoverInstance undominated = instance.remaining(keptCounts).undominated();
+    double[] multipliers =
+        goal().isFullCover() ? undominated.unitWorths() : plan.multiplierBound().multipliers();
+    return price -> {
+      double worth = LagrangianBound.value(undominated, new Goal(price), multipliers);
+      return Math.min(1, (keptWorth() + worth) / instance.totalWorth());
+    };
+  }
+
+  /** Searches for a plan, whose cameras may then be refined. */
+  public SitePlan solve(
+      Effort effort, CoverSearch.Watcher watcher, Optional<Refinement> refinement) {
     CoverPlan plan =
         CoverSearch.solve(
-            left(), goal, effort, (score, bound) -> watcher.improved(shown(score), shown(bound)));
-    List<CameraSpec> cameras = new ArrayList<>(kept);
+            remaining(),
+            goal(),
+            effort,
+            (score, bound) -> watcher.improved(shownScore(score), shownScore(bound)));
+    List<Candidate> chosen = Arrays.stream(plan.chosen()).mapToObj(candidates.list()::get).toList();
+    List<Candidate> refined =
+        refinement.isPresent() ? refinement.get().refine(this, chosen) : chosen;
+    int[] unrefinedCounts = instance.counts(plan.chosen());
+    Arrays.setAll(unrefinedCounts, point -> unrefinedCounts[point] + keptCounts[point]);
+    Shares shares =
+        new Shares(
+            refinement.isPresent() ? Optional.of(share(unrefinedCounts)) : Optional.empty(),
+            goal().isFullCover() ? coverableShare() : Math.min(1, shownScore(plan.bound())),
+            share(counts(sight, request, demand().site().cameras())));
+    return new SitePlan(this, plannedCameras(refined), plan, shares);
+  }
+
+  private List<PlannedCamera> plannedCameras(List<Candidate> newCandidates) {
+    List<CameraSpec> cameras = new ArrayList<>(kept());
     List<Double> prices = new ArrayList<>();
-    kept.forEach(any -> prices.add(0.0));
+    kept().forEach(camera -> prices.add(0.0));
     int number = 1;
-    List<Candidate> chosen = Arrays.stream(plan.chosen()).mapToObj(candidates.all()::get).toList();
-    for (Candidate one : moves.map(how -> how.of(this, chosen)).orElse(chosen)) {
-      String name;
-      do {
-        name = "P" + number++;
-      } while (isTaken(name));
-      cameras.add(one.camera(name));
-      prices.add(one.kind().price());
+    for (Candidate candidate : newCandidates) {
+      while (isTaken("P" + number)) {
+        number++;
+      }
+      cameras.add(candidate.camera("P" + number++));
+      prices.add(candidate.kind().price());
     }
-    Scenario site = demand.site();
-    int[] searched = whole.counts(plan.chosen());
-    Arrays.setAll(searched, sample -> searched[sample] + keptCounts[sample]);
-    int[] today = new int[keptCounts.length];
-    for (int[] seen : sight.covered(site.cameras(), reading)) {
-      Arrays.stream(seen).forEach(sample -> today[sample]++);
-    }
-    return new SitePlan(
-        this,
-        List.copyOf(cameras),
-        prices,
-        sight.covered(cameras, reading),
-        plan,
-        moves.map(how -> whole.worth(searched) / whole.total()),
-        goal.isAll() ? coverable() : Math.min(1, shown(plan.bound())),
-        whole.worth(today) / whole.total());
-  }
-
-  /** The share of the demand that all candidates together can meet. */
-  private double coverable() {
-    return (base() + whole.after(keptCounts).coverable().total()) / whole.total();
-  }
-
-  /** A score as it is shown: a share of the demand, or a price. */
-  private double shown(double score) {
-    return goal.isAll() ? score : (base() + score) / whole.total();
+    int[][] covered = sight.covered(cameras, request.reading);
+    return IntStream.range(0, cameras.size())
+        .mapToObj(i -> new PlannedCamera(cameras.get(i), prices.get(i), covered[i]))
+        .toList();
   }
 
   private boolean isTaken(String name) {
-    return kept.stream().anyMatch(camera -> camera.name().equals(name));
+    return kept().stream().anyMatch(camera -> camera.name().equals(name));
+  }
+
+  /** The share of the demand that all candidates together can meet. */
+  private double coverableShare() {
+    double worth = instance.remaining(keptCounts).coverable().totalWorth();
+    return (keptWorth() + worth) / instance.totalWorth();
+  }
+
+  /** A score as it is shown: a share of the demand; for full cover, a price. */
+  private double shownScore(double score) {
+    return goal().isFullCover() ? score : (keptWorth() + score) / instance.totalWorth();
   }
 }

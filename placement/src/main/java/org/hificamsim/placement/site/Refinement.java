@@ -8,7 +8,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.parallel.Parallel;
@@ -17,81 +19,104 @@ import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.placement.site.Candidates.Candidate;
 
 /**
- * Moves chosen cameras to headings, tilts and places between the candidates', by shrinking steps
- * (pattern search), as long as more of the demand is met. Lens, height and price stay.
+ * Moves chosen cameras to headings, tilts and points between those of the candidates, in ever
+ * smaller steps (pattern search), as long as more of the demand is met. Lenses, heights and prices
+ * stay.
  *
- * @param places where cameras can be, ever closer together, one list for each step
- * @param stop ends it at the next opportunity
+ * @param pointsByStep where cameras can be mounted: a list for each step, each closer together
+ * @param stop ends the refinement early
  */
-public record Refinement(List<List<Point>> places, int threads, BooleanSupplier stop) {
-  private static final int NEAR = 6; // places to try: the next ones on both sides of a wall
-  private static final double LEAST = 1e-9; // gain, as a share
+public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSupplier stop) {
+  /** The number of points to try in a step: the nearest ones, on both sides of a wall. */
+  private static final int NEAREST_POINTS = 6;
 
-  private record Mounted(Candidate camera, int[] covered) {}
+  /** The least gain of a move, as a share of the whole demand. */
+  private static final double MIN_GAIN = 1e-9;
 
-  /** The same cameras, moved. */
-  List<Candidate> of(PlacementProblem problem, List<Candidate> chosen) {
+  private record CoveringCamera(Candidate candidate, int[] covered) {}
+
+  /** Returns the same cameras, moved. */
+  List<Candidate> refine(PlacementProblem problem, List<Candidate> chosen) {
     int[] counts = problem.keptCounts().clone();
-    List<Mounted> now = mounted(problem, chosen);
-    now.forEach(one -> add(counts, one, 1));
-    double least = LEAST * problem.whole().total();
-    for (int step = 0; step < places.size(); step++) {
-      double turn = Candidates.TURN / Math.pow(2, step + 1);
-      List<Point> grid = places.get(step);
-      Map<Candidate, List<Mounted>> known = new ConcurrentHashMap<>();
-      Function<Candidate, List<Mounted>> around =
-          one -> mounted(problem, near(problem, one, turn, grid));
-      Function<Mounted, List<Mounted>> moves =
-          one -> stop.getAsBoolean() ? List.of() : known.computeIfAbsent(one.camera, around);
-      for (boolean moved = true; moved && !stop.getAsBoolean(); ) {
-        List<List<Mounted>> others = Parallel.map(now, threads, moves);
-        moved = false;
-        for (int i = 0; i < others.size(); i++) {
-          add(counts, now.get(i), -1);
-          for (Mounted other : others.get(i)) {
-            double gain = problem.whole().gain(counts, other.covered);
-            if (gain > problem.whole().gain(counts, now.get(i).covered) + least) {
-              now.set(i, other);
-              moved = true;
-            }
-          }
-          add(counts, now.get(i), 1);
-        }
+    List<CoveringCamera> cameras = withCoverage(problem, chosen);
+    cameras.forEach(camera -> change(counts, camera, 1));
+    for (int step = 0; step < pointsByStep.size(); step++) {
+      double turn = Candidates.HEADING_STEP / Math.pow(2, step + 1);
+      List<Point> points = pointsByStep.get(step);
+      Map<Candidate, List<CoveringCamera>> knownMoves = new ConcurrentHashMap<>();
+      Function<Candidate, List<CoveringCamera>> computeMoves =
+          candidate -> withCoverage(problem, moves(problem, candidate, turn, points));
+      Function<CoveringCamera, List<CoveringCamera>> moves =
+          camera ->
+              stop.getAsBoolean()
+                  ? List.of()
+                  : knownMoves.computeIfAbsent(camera.candidate, computeMoves);
+      boolean moved = true;
+      while (moved && !stop.getAsBoolean()) {
+        moved = moveAll(problem, counts, cameras, Parallel.map(cameras, threads, moves));
       }
     }
-    return now.stream().map(Mounted::camera).toList();
+    return cameras.stream().map(CoveringCamera::candidate).toList();
   }
 
-  private static List<Mounted> mounted(PlacementProblem problem, List<Candidate> cameras) {
-    List<CameraSpec> specs = cameras.stream().map(one -> one.camera("new")).toList();
-    int[][] covered = problem.sight().covered(specs, problem.reading());
-    List<Mounted> all = new ArrayList<>();
-    cameras.forEach(one -> all.add(new Mounted(one, covered[all.size()])));
-    return all;
+  /** Makes each camera's best move; returns whether any camera moved. */
+  private static boolean moveAll(
+      PlacementProblem problem,
+      int[] counts,
+      List<CoveringCamera> cameras,
+      List<List<CoveringCamera>> moves) {
+    double minGain = MIN_GAIN * problem.instance().totalWorth();
+    boolean moved = false;
+    for (int i = 0; i < cameras.size(); i++) {
+      change(counts, cameras.get(i), -1);
+      for (CoveringCamera move : moves.get(i)) {
+        double gain = problem.instance().gain(counts, move.covered);
+        if (gain > problem.instance().gain(counts, cameras.get(i).covered) + minGain) {
+          cameras.set(i, move);
+          moved = true;
+        }
+      }
+      change(counts, cameras.get(i), 1);
+    }
+    return moved;
   }
 
-  private static List<Candidate> near(
-      PlacementProblem problem, Candidate one, double turn, List<Point> grid) {
-    boolean tilts = problem.demand().site().hasHeights() && one.optics().law() == OpticsLaw.PINHOLE;
-    Stream<Candidate> turned =
-        DoubleStream.of(-turn, turn)
-            .mapToObj(by -> one.moved(one.optics(), one.at(), one.tilt(), by));
-    Stream<Candidate> tilted =
-        DoubleStream.of(one.tilt() - turn, one.tilt() + turn)
+  private static List<CoveringCamera> withCoverage(
+      PlacementProblem problem, List<Candidate> candidates) {
+    List<CameraSpec> cameras =
+        candidates.stream().map(candidate -> candidate.camera("new")).toList();
+    int[][] covered = problem.sight().covered(cameras, problem.request().reading());
+    return IntStream.range(0, covered.length)
+        .mapToObj(i -> new CoveringCamera(candidates.get(i), covered[i]))
+        .collect(Collectors.toCollection(ArrayList::new));
+  }
+
+  /** Returns a candidate turned, tilted and moved by one step each. */
+  private static List<Candidate> moves(
+      PlacementProblem problem, Candidate candidate, double turn, List<Point> points) {
+    Mount mount = candidate.mount();
+    boolean tilts =
+        problem.demand().site().hasHeights() && candidate.optics().law() == OpticsLaw.PINHOLE;
+    Stream<Mount> turned = DoubleStream.of(-turn, turn).mapToObj(mount::turnedBy);
+    Stream<Mount> tilted =
+        DoubleStream.of(mount.tilt() - turn, mount.tilt() + turn)
             .filter(tilt -> tilts && Math.abs(tilt) <= 90)
-            .mapToObj(tilt -> one.moved(one.optics(), one.at(), tilt, 0));
-    Comparator<Point> byDistance =
-        Comparator.comparingDouble(to -> Math.hypot(to.x() - one.at().x(), to.y() - one.at().y()));
-    Stream<Candidate> placed =
-        grid.stream()
-            .filter(to -> !to.equals(one.at()))
-            .sorted(byDistance)
-            .limit(NEAR)
-            .map(to -> one.moved(one.optics(), to, one.tilt(), 0));
-    return Stream.of(turned, tilted, placed).flatMap(all -> all).toList();
+            .mapToObj(mount::tiltedTo);
+    Point position = mount.position();
+    Stream<Mount> moved =
+        points.stream()
+            .filter(point -> !point.equals(position))
+            .sorted(Comparator.comparingDouble(point -> distance(point, position)))
+            .limit(NEAREST_POINTS)
+            .map(mount::movedTo);
+    return Stream.of(turned, tilted, moved).flatMap(mounts -> mounts).map(candidate::on).toList();
   }
 
-  private static void add(int[] counts, Mounted one, int by) {
-    Arrays.stream(one.covered).forEach(sample -> counts[sample] += by);
+  private static double distance(Point point, Point position) {
+    return Math.hypot(point.x() - position.x(), point.y() - position.y());
+  }
+
+  private static void change(int[] counts, CoveringCamera camera, int difference) {
+    Arrays.stream(camera.covered).forEach(point -> counts[point] += difference);
   }
 }

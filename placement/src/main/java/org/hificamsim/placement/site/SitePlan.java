@@ -11,174 +11,196 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.placement.cover.CoverPlan;
+import org.hificamsim.placement.site.Demand.DemandPoint;
 
 /**
  * Cameras for a site, and how good they are.
  *
- * @param cameras those that stay, then the new ones
- * @param prices of each; 0 for those that stay
- * @param covered by camera: the samples that it covers
- * @param plan what the search found: candidates among those of {@code problem}
- * @param unrefined the share of the demand that {@code plan} meets, in [0, 1], where cameras were
- *     moved since
- * @param bound the most of the demand that any plan of these candidates can meet, in [0, 1]
- * @param today what the cameras of the site as it is meet, in [0, 1]
+ * @param planned the cameras that stay, then the new ones
+ * @param coverPlan what the search found: candidates of {@code problem}, before any refinement
  */
 public record SitePlan(
-    PlacementProblem problem,
-    List<CameraSpec> cameras,
-    List<Double> prices,
-    int[][] covered,
-    CoverPlan plan,
-    Optional<Double> unrefined,
-    double bound,
-    double today) {
+    PlacementProblem problem, List<PlannedCamera> planned, CoverPlan coverPlan, Shares shares) {
 
-  /** What was asked. */
+  /**
+   * A camera of the plan.
+   *
+   * @param price 0 if the camera stays
+   * @param covered the points that it covers, rising
+   */
+  public record PlannedCamera(CameraSpec camera, double price, int[] covered) {}
+
+  /**
+   * Shares of the demand, in [0, 1].
+   *
+   * @param unrefined what {@code coverPlan} meets, if its cameras were refined
+   * @param bound no plan of the same candidates meets more
+   * @param ofSite what the cameras of the site meet as it is
+   */
+  public record Shares(Optional<Double> unrefined, double bound, double ofSite) {}
+
   public Demand demand() {
     return problem.demand();
   }
 
-  /** How many cameras cover each sample. */
+  /** The cameras that stay, then the new ones, as elements of a scenario. */
+  public List<CameraSpec> cameras() {
+    return planned.stream().map(PlannedCamera::camera).toList();
+  }
+
+  /** By point, the number of cameras that cover it. */
   public int[] counts() {
     return countsWithout(-1);
   }
 
-  /** The same after the failure of one. */
+  /** By point, the number of cameras that cover it after the failure of one. */
   public int[] countsWithout(int failed) {
-    int[] counts = new int[demand().samples().size()];
-    for (int camera = 0; camera < covered.length; camera++) {
-      for (int sample : camera == failed ? new int[0] : covered[camera]) {
-        counts[sample]++;
+    int[] counts = new int[demand().points().size()];
+    for (int camera = 0; camera < planned.size(); camera++) {
+      if (camera != failed) {
+        count(counts, camera);
       }
     }
     return counts;
   }
 
-  /** The share of the demand that is met where samples are covered by this many cameras. */
-  public double share(int[] counts) {
-    return problem.whole().worth(counts) / problem.whole().total();
+  private void count(int[] counts, int camera) {
+    for (int point : planned.get(camera).covered) {
+      counts[point]++;
+    }
   }
 
-  /** The share of the demand that is met. */
+  /** The share of the demand that is met if points are covered this often. */
+  public double share(int[] counts) {
+    return problem.share(counts);
+  }
+
+  /** The share of the demand that the plan meets. */
   public double share() {
     return share(counts());
   }
 
-  /** How good it is, in lines for people: what is met first. */
+  /** How good the plan is, in lines for people; what is met comes first. */
   public List<String> facts() {
-    String refined =
-        "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points";
     List<String> facts = new ArrayList<>();
     facts.add(
         Texts.format(
             "%s, %d of them kept, price %.2f: %.2f %% of the demand is met",
-            Texts.counted(cameras.size(), "camera"),
+            Texts.counted(planned.size(), "camera"),
             problem.kept().size(),
             price(),
             100 * share()));
-    facts.add(
-        problem.reading().words()
-            + unrefined
-                .map(one -> Texts.format(refined, 100 * one, 100 * (share() - one)))
-                .orElse(""));
-    if (problem.goal().isAll()) {
+    facts.add(problem.request().reading().words() + refinementFact());
+    if (problem.goal().isFullCover()) {
       facts.add(
           Texts.format(
-              "no plan costs less than %.2f: gap %.2f %%", plan.bound(), 100 * plan.gap()));
-      facts.add(Texts.format("all candidates together meet %.2f %%", 100 * bound));
+              "no plan costs less than %.2f: gap %.2f %%",
+              coverPlan.bound(), 100 * coverPlan.gap()));
+      facts.add(Texts.format("all candidates together meet %.2f %%", 100 * shares.bound));
     } else {
-      facts.add(Texts.format("no plan of these candidates meets more than %.2f %%", 100 * bound));
-      facts.add(Texts.format("gap %.2f %%", 100 * (1 - unrefined.orElse(share()) / bound)));
+      double found = shares.unrefined.orElse(share());
+      facts.add(
+          Texts.format("no plan of these candidates meets more than %.2f %%", 100 * shares.bound));
+      facts.add(Texts.format("gap %.2f %%", 100 * (1 - found / shares.bound)));
     }
-    if (plan.isProven()) {
+    if (coverPlan.isProven()) {
       facts.add("proven: no plan of these candidates is better");
     }
     facts.add(
         Texts.format(
             "the site's own cameras (%d) meet %.2f %%",
-            demand().site().cameras().size(), 100 * today));
+            demand().site().cameras().size(), 100 * shares.ofSite));
     return facts;
   }
 
-  /** What all new cameras cost. */
-  public double price() {
-    return prices.stream().mapToDouble(Double::doubleValue).sum();
+  private String refinementFact() {
+    if (shares.unrefined.isEmpty()) {
+      return "";
+    }
+    double before = shares.unrefined.get();
+    return Texts.format(
+        "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points",
+        100 * before, 100 * (share() - before));
   }
 
-  /** A point of the curve: how much is met by the first cameras, and could be at their price. */
-  public record Reached(int cameras, double price, double share, double bound) {}
+  /** The price of all new cameras. */
+  public double price() {
+    return planned.stream().mapToDouble(PlannedCamera::price).sum();
+  }
 
-  /** The share over the number of new cameras, those that add most first. */
-  public List<Reached> curve() {
+  /**
+   * A point of the curve of coverage.
+   *
+   * @param cameras number of new cameras
+   * @param price of these cameras, as the goal counts it
+   * @param share of the demand that they meet
+   * @param bound no cameras at this price meet a greater share
+   */
+  public record CurvePoint(int cameras, double price, double share, double bound) {}
+
+  /** The share of the demand over the number of new cameras; those that add most come first. */
+  public List<CurvePoint> curve() {
     int kept = problem.kept().size();
-    int[] counts = new int[demand().samples().size()];
-    IntStream.range(0, kept).forEach(camera -> add(counts, camera));
-    List<Integer> left = new ArrayList<>(IntStream.range(kept, cameras.size()).boxed().toList());
-    List<Reached> curve = new ArrayList<>();
-    DoubleUnaryOperator most = problem.most(plan);
+    int[] counts = problem.keptCounts().clone();
+    List<Integer> rest = new ArrayList<>(IntStream.range(kept, planned.size()).boxed().toList());
+    List<CurvePoint> curve = new ArrayList<>();
+    DoubleUnaryOperator boundAtPrice = problem.shareBound(coverPlan);
     double price = 0;
-    curve.add(new Reached(0, 0, share(counts), share(counts)));
-    while (!left.isEmpty()) {
-      Integer next = left.get(0);
-      for (Integer one : left) {
-        next = worthWith(counts, one) > worthWith(counts, next) ? one : next;
+    curve.add(new CurvePoint(0, 0, share(counts), share(counts)));
+    while (!rest.isEmpty()) {
+      Integer next = rest.get(0);
+      for (Integer camera : rest) {
+        next = worthWith(counts, camera) > worthWith(counts, next) ? camera : next;
       }
-      left.remove(next);
-      add(counts, next);
-      price += problem.asked(prices.get(next));
-      int number = cameras.size() - kept - left.size();
-      double bound =
-          left.isEmpty() && !problem.goal().isAll() ? this.bound : most.applyAsDouble(price);
-      double least = unrefined.isPresent() ? 0 : share(counts);
-      curve.add(new Reached(number, price, share(counts), Math.max(least, bound)));
+      rest.remove(next);
+      count(counts, next);
+      price += problem.countedPrice(planned.get(next).price);
+      boolean isWholePlan = rest.isEmpty() && !problem.goal().isFullCover();
+      double bound = isWholePlan ? shares.bound : boundAtPrice.applyAsDouble(price);
+      double leastBound = shares.unrefined.isPresent() ? 0 : share(counts);
+      int number = planned.size() - kept - rest.size();
+      curve.add(new CurvePoint(number, price, share(counts), Math.max(leastBound, bound)));
     }
     return curve;
   }
 
-  private void add(int[] counts, int camera) {
-    for (int sample : covered[camera]) {
-      counts[sample]++;
-    }
-  }
-
   private double worthWith(int[] counts, int camera) {
-    int[] with = counts.clone();
-    add(with, camera);
-    return problem.whole().worth(with);
+    int[] countsWith = counts.clone();
+    count(countsWith, camera);
+    return problem.instance().worth(countsWith);
   }
 
-  /** The site under these cameras: it runs. What happened to the cameras before happens no more. */
+  /** Returns the site with these cameras, and without the events of its old ones. */
   public Scenario scenario() {
     Scenario site = demand().site();
-    List<ScenarioEvent> events =
+    List<ScenarioEvent> targetEvents =
         site.events().stream()
             .filter(
                 event ->
                     event instanceof ScenarioEvent.AddTarget
                         || event instanceof ScenarioEvent.RemoveTarget)
             .toList();
-    return site.with(Scenario.CAMERAS, cameras)
-        .with(Scenario.EVENTS, events)
+    return site.with(Scenario.CAMERAS, cameras())
+        .with(Scenario.EVENTS, targetEvents)
         .without(Scenario.VISION_GRAPH)
         .with(Scenario.NAME, site.name() + "-plan");
   }
 
-  /** The site under all candidates, named by their kinds, and a target. */
-  public Scenario candidates() {
-    List<CameraSpec> all = new ArrayList<>();
-    for (Candidates.Candidate one : problem.candidates().all()) {
-      all.add(one.camera(one.kind().name() + "/" + all.size()));
+  /** Returns the site with all candidates as cameras, named by their kinds, and one target. */
+  public Scenario candidateScenario() {
+    List<CameraSpec> cameras = new ArrayList<>();
+    for (Candidates.Candidate candidate : problem.candidates().list()) {
+      cameras.add(candidate.camera(candidate.kind().name() + "/" + cameras.size()));
     }
     Scenario site = scenario();
     TargetSpec usual = Demand.usualTarget(site.everyTarget().toList());
-    Demand.Sample first = demand().samples().get(0);
-    return site.with(Scenario.CAMERAS, all)
+    DemandPoint first = demand().points().get(0);
+    return site.with(Scenario.CAMERAS, cameras)
         .with(Scenario.EVENTS, List.of())
-        .with(Scenario.TARGETS, List.of(Demand.target(usual, 0, first.x(), first.y())));
+        .with(Scenario.TARGETS, List.of(Demand.targetAt(first.x(), first.y(), 0, usual)));
   }
 
-  /** The connected parts of zones that no camera covers, the largest first. */
+  /** Returns the connected parts of zones that no camera covers, the largest first. */
   public List<BlindSpot> blindSpots() {
     return BlindSpot.of(demand(), counts());
   }

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -20,84 +19,97 @@ import org.hificamsim.presentation.view.Planner;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * Plans one camera at a time while a site is edited, by coarse cells and places, by some view of
- * cameras that turn.
+ * Plans one camera at a time while a site is edited, with coarse cells and mount points. A point is
+ * covered if it is in any view of a camera that turns.
  *
- * @param detections finds those of zones by their names
+ * @param detections finds the detection that a zone names
  */
 public record SitePlanner(Catalogue catalogue, Function<String, Detection> detections)
     implements Planner {
-  private static final int PARTS = 30; // of the longer side: cells, and places
-  private static final long LONGEST = 1_500_000_000; // nanoseconds, for a suggestion
+  /** The number of cells, and of mount points, along the longer side of the field. */
+  private static final int PARTS = 30;
+
+  private static final long MAX_NANOSECONDS = 1_500_000_000;
 
   @Override
   public List<Share> shares(Scenario site, Detection detection) {
     Demand demand = demand(site, detection);
-    int[] counts = counts(new SampleSight(demand, catalogue), demand, site.cameras());
+    int[] counts = counts(new PointSight(demand, catalogue), demand, site.cameras());
     return demand.zones().stream()
-        .map(zone -> new Share(zone.name(), demand.share(zone, counts, false)))
+        .map(zone -> new Share(zone.name(), demand.share(zone, counts)))
         .toList();
   }
 
   private Demand demand(Scenario site, Detection detection) {
     FieldCells cells = FieldCells.of(site.field(), PARTS);
-    return Demand.of(site, cells, Optional.empty(), detection, detections, Optional.empty());
+    Demand.Detections siteDetections = new Demand.Detections(detection, detections);
+    return Demand.of(site, cells, Optional.empty(), siteDetections, Optional.empty());
   }
 
-  private static int[] counts(SampleSight sight, Demand demand, List<CameraSpec> cameras) {
-    int[] counts = new int[demand.samples().size()];
-    for (int[] seen : sight.covered(cameras, CoverageReading.ANY)) {
-      Arrays.stream(seen).forEach(sample -> counts[sample]++);
+  private static int[] counts(PointSight sight, Demand demand, List<CameraSpec> cameras) {
+    int[] counts = new int[demand.points().size()];
+    for (int[] covered : sight.covered(cameras, CoverageReading.ANY)) {
+      Arrays.stream(covered).forEach(point -> counts[point]++);
     }
     return counts;
   }
 
   @Override
   public CameraSpec suggest(Scenario site, Detection detection, Optional<CameraSpec> moved) {
-    long started = System.nanoTime();
+    long deadline = System.nanoTime() + MAX_NANOSECONDS;
     Demand demand = demand(site, detection);
-    CoverInstance open =
-        new CoverInstance(demand.units(), demand.needs(), new int[0][], new double[0]);
-    SampleSight sight = new SampleSight(demand, catalogue);
+    PointSight sight = new PointSight(demand, catalogue);
     List<CameraSpec> others =
-        site.cameras().stream().filter(one -> !moved.equals(Optional.of(one))).toList();
+        site.cameras().stream().filter(camera -> !moved.equals(Optional.of(camera))).toList();
     int[] counts = counts(sight, demand, others);
-    double most =
-        moved
-            .map(one -> open.gain(counts, sight.covered(List.of(one), CoverageReading.ANY)[0]))
-            .orElse(0.0);
-    double longer = Math.max(site.field().width(), site.field().height());
-    List<Point> places = new ArrayList<>(MountPoints.of(site, longer / PARTS, false, List.of()));
-    Collections.shuffle(places, new Random(0)); // where time ends, some are tried everywhere
+    CoverInstance instance =
+        new CoverInstance(demand.unitWorths(), demand.needs(), new int[0][], new double[0]);
+    double greatestGain = 0;
+    if (moved.isPresent()) {
+      int[] covered = sight.covered(List.of(moved.get()), CoverageReading.ANY)[0];
+      greatestGain = instance.gain(counts, covered);
+    }
+    List<Point> points = shuffledMountPoints(site);
     List<CameraKind> kinds =
-        CameraKind.of(site.name(), moved.map(Stream::of).orElseGet(site::everyCamera));
+        CameraKind.of(site.name(), moved.isPresent() ? moved.stream() : site.everyCamera());
     Candidate best = null;
-    for (Point place : places) {
-      if (System.nanoTime() - started > LONGEST) {
+    for (Point point : points) {
+      if (System.nanoTime() > deadline) {
         break;
       }
-      Candidates here = Candidates.of(List.of(place), kinds, CoverageReading.ANY, sight, 1);
-      for (int i = 0; i < here.all().size(); i++) {
-        double gain = open.gain(counts, here.columns()[i]);
-        if (gain > most + 1e-9) {
-          most = gain;
-          best = here.all().get(i);
+      Candidates.Options options = new Candidates.Options(List.of(point), kinds);
+      Candidates candidates = Candidates.of(options, CoverageReading.ANY, sight, 1);
+      for (int i = 0; i < candidates.list().size(); i++) {
+        double gain = instance.gain(counts, candidates.covered()[i]);
+        if (gain > greatestGain + 1e-9) {
+          greatestGain = gain;
+          best = candidates.list().get(i);
         }
       }
     }
     if (best == null) {
       throw new InputException("no place was found where a camera sees more");
     }
-    CameraSpec found = best.camera("suggested");
-    Optional<Double> z = best.z();
-    return moved
-        .map(
-            one ->
-                one.with(CameraSpec.X, found.x())
-                    .with(CameraSpec.Y, found.y())
-                    .with(CameraSpec.Z, z)
-                    .with(CameraSpec.TILT, found.tilt())
-                    .with(CameraSpec.HEADING, found.heading()))
-        .orElse(found);
+    return moved.isPresent() ? onMount(moved.get(), best) : best.camera("suggested");
+  }
+
+  /** In random order, so that points all over the site are tried if the time is short. */
+  private static List<Point> shuffledMountPoints(Scenario site) {
+    double longerSide = Math.max(site.field().width(), site.field().height());
+    List<Point> points =
+        new ArrayList<>(MountPoints.of(site, longerSide / PARTS, false, List.of()));
+    Collections.shuffle(points, new Random(0));
+    return points;
+  }
+
+  /** Returns a camera on the mount of a candidate. */
+  private static CameraSpec onMount(CameraSpec camera, Candidate candidate) {
+    CameraSpec suggested = candidate.camera("suggested");
+    return camera
+        .with(CameraSpec.X, suggested.x())
+        .with(CameraSpec.Y, suggested.y())
+        .with(CameraSpec.Z, candidate.mount().z())
+        .with(CameraSpec.TILT, suggested.tilt())
+        .with(CameraSpec.HEADING, suggested.heading());
   }
 }

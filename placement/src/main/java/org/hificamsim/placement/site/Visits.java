@@ -5,17 +5,20 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.FieldCells;
 
-/** Where targets are over a run, recorded or simulated: demand is where people were. */
+/**
+ * Counts where targets are over a run, recorded or simulated, so that demand is where people go.
+ */
 public final class Visits {
-  private static final int STEPS = 1000; // where the scenario says nothing
+  /** The number of steps if the scenario does not give one. */
+  private static final int DEFAULT_STEPS = 1000;
 
   private Visits() {}
 
-  /** By cell: targets in it, summed over the scenario's steps. */
+  /** Returns, by cell, the number of targets in it, summed over the scenario's steps. */
   public static double[] of(Scenario site, FieldCells cells, Catalogue catalogue) {
     double[] visits = new double[cells.count()];
     World world = new World(site, catalogue.movements(), 0);
-    int steps = site.find(Scenario.STEPS).orElse(STEPS);
+    int steps = site.find(Scenario.STEPS).orElse(DEFAULT_STEPS);
     for (int step = 0; step < steps; step++) {
       world.fireEvents(step);
       for (int target = 0; target < world.targets().count(); target++) {

@@ -1,2 +1,2 @@
-/** A site as a covering problem: what is demanded, where cameras can be, what they see. */
+/** A site as a covering problem: what is demanded, where cameras can be, and what they see. */
 package org.hificamsim.placement.site;

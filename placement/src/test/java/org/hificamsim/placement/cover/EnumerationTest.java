@@ -9,13 +9,13 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** The enumeration beside all plans of small instances. */
+/** Compares the enumeration with all plans of small instances. */
 class EnumerationTest {
   private static final int CASES = 200;
 
-  private static ExactMethod.Found solve(CoverInstance instance, int cameras, int[] start) {
+  private static ExactMethod.Result solve(CoverInstance instance, int cameras, int[] start) {
     return new Enumeration()
-        .solve(instance, new Goal(cameras), start, instance.total(), () -> false);
+        .solve(instance, new Goal(cameras), start, instance.totalWorth(), () -> false);
   }
 
   @Test
@@ -27,7 +27,7 @@ class EnumerationTest {
       assertTrue(Enumeration.suits(instance, new Goal(cameras)));
       double best = SmallInstances.best(instance, new Goal(cameras));
       int[] start = i % 2 == 0 ? new int[0] : new int[] {random.nextInt(10)};
-      ExactMethod.Found found = solve(instance, cameras, start);
+      ExactMethod.Result found = solve(instance, cameras, start);
       assertEquals(best, instance.worth(instance.counts(found.chosen())), 1e-9, "" + i);
       assertEquals(best, found.bound(), 1e-9, "" + i);
       assertTrue(found.chosen().length <= cameras);
@@ -48,39 +48,40 @@ class EnumerationTest {
         }
       }
     }
-    ExactMethod.Found found = solve(instance, 4, new int[] {1, 2, 3, 4});
+    ExactMethod.Result found = solve(instance, 4, new int[] {1, 2, 3, 4});
     assertEquals(best, found.bound(), 1e-9);
     assertEquals(best, instance.worth(instance.counts(found.chosen())), 1e-9);
     assertArrayEquals(found.chosen(), solve(instance, 4, new int[] {1, 2, 3, 4}).chosen());
   }
 
   @Test
-  void keepsPlanAndBoundWhenItIsStopped() {
+  void keepsPlanAndBoundWhenStopped() {
     CoverInstance instance = SmallInstances.random(new SplittableRandom(4), 150, 40, true);
     int[] start = {1, 2};
-    ExactMethod.Found found =
+    ExactMethod.Result found =
         new Enumeration().solve(instance, new Goal(4), start, 140, () -> true);
     assertArrayEquals(start, found.chosen());
     assertEquals(140, found.bound());
   }
 
   @Test
-  void closesWhatTheBoundOfASearchLeavesOpen() {
+  void provesPlanWhoseMultiplierBoundIsLoose() {
     CoverInstance instance = SmallInstances.random(new SplittableRandom(4), 150, 40, true);
-    ExactMethod none =
-        (left, goal, start, bound, stop) -> {
+    ExactMethod unused =
+        (part, goal, start, bound, stop) -> {
           throw new AssertionError();
         };
-    Effort effort = new Effort(1, 5, Optional.of(none), () -> false, () -> false, () -> false);
+    Effort.Limits noLimits = new Effort.Limits(() -> false, () -> false, () -> false);
+    Effort effort = new Effort(1, 5, Optional.of(unused), noLimits);
     CoverPlan plan = CoverSearch.solve(instance, new Goal(4), effort, (score, bound) -> {});
-    assertTrue(plan.isProven() && plan.relaxed() > 1.03 * plan.score());
+    assertTrue(plan.isProven() && plan.multiplierBound().value() > 1.03 * plan.score());
   }
 
   @Test
-  void isForEqualSamplesThatCountOnceAndEqualPrices() {
+  void suitsEqualPointsThatCountOnceAndEqualPrices() {
     SplittableRandom random = new SplittableRandom(4);
     CoverInstance equal = SmallInstances.random(random, 20, 10, true);
-    assertFalse(Enumeration.suits(equal, Goal.ALL));
+    assertFalse(Enumeration.suits(equal, Goal.FULL_COVER));
     assertFalse(Enumeration.suits(equal, new Goal(7)));
     assertFalse(Enumeration.suits(SmallInstances.random(random, 20, 10, false), new Goal(3)));
   }

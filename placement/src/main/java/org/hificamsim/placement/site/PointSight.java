@@ -18,29 +18,30 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
 
 /**
- * Which samples cameras see in each of their views: a world with a target that stands in each of
- * them, so that lenses, walls and whatever else sight depends on are those of {@code run}.
+ * The points of the demand that cameras see in each of their views. It simulates a world in which a
+ * target stands at each point, so that lenses, walls, and all else on which sight depends, work as
+ * in {@code run}. May be used by several threads.
  */
-public final class SampleSight {
+public final class PointSight {
   private final Demand demand;
   private final Catalogue catalogue;
-  private final List<Scenario> worlds = new ArrayList<>(); // by zone, without cameras
+
+  /** By zone: the site with a target at each point. */
+  private final List<Scenario> scenarios = new ArrayList<>();
 
   /**
-   * The sight of a site. Any number of threads may ask.
-   *
-   * @param demand says where the samples are
+   * @param demand whose points are to be seen
    */
-  public SampleSight(Demand demand, Catalogue catalogue) {
+  public PointSight(Demand demand, Catalogue catalogue) {
     this.demand = demand;
     this.catalogue = catalogue;
     TargetSpec usual = Demand.usualTarget(demand.site().everyTarget().toList());
-    for (Demand.Watched zone : demand.zones()) {
+    for (Demand.ZoneDemand zone : demand.zones()) {
       List<TargetSpec> targets = new ArrayList<>();
-      for (Demand.Sample sample : demand.samplesOf(zone)) {
-        targets.add(Demand.target(usual, targets.size(), sample.x(), sample.y()));
+      for (Demand.DemandPoint point : demand.pointsOf(zone)) {
+        targets.add(Demand.targetAt(point.x(), point.y(), targets.size(), usual));
       }
-      worlds.add(
+      scenarios.add(
           demand
               .site()
               .with(Scenario.TARGETS, targets)
@@ -51,21 +52,21 @@ public final class SampleSight {
     }
   }
 
-  /** The site as it is. */
+  /** The scenario of the site. */
   Scenario site() {
     return demand.site();
   }
 
-  /** The world of a zone's samples under these cameras. */
-  public World world(Demand.Watched zone, List<CameraSpec> cameras) {
-    Scenario site = worlds.get(demand.zones().indexOf(zone));
-    return new World(site.with(Scenario.CAMERAS, cameras), catalogue.movements(), 0);
+  /** Returns a world with these cameras, and a target at each point of a zone. */
+  public World world(Demand.ZoneDemand zone, List<CameraSpec> cameras) {
+    Scenario scenario = scenarios.get(demand.zones().indexOf(zone));
+    return new World(scenario.with(Scenario.CAMERAS, cameras), catalogue.movements(), 0);
   }
 
-  /** The samples that each camera sees in each of its views, rising: by camera, then view. */
-  public int[][][] seen(List<CameraSpec> cameras) {
+  /** Returns, by camera and view, the points that the camera sees in the view, rising. */
+  public int[][][] seenByView(List<CameraSpec> cameras) {
     int[][][] seen = new int[cameras.size()][][];
-    for (Demand.Watched zone : demand.zones()) {
+    for (Demand.ZoneDemand zone : demand.zones()) {
       if (zone.count() > 0 && !cameras.isEmpty()) {
         Simulation simulation =
             new Simulation(
@@ -77,14 +78,15 @@ public final class SampleSight {
         simulation.phases().runUntil(StepPhase.DECIDE);
         OracleView oracle = simulation.network();
         for (int camera = 0; camera < seen.length; camera++) {
-          add(oracle, camera, zone, seen);
+          addSeen(oracle, camera, zone, seen);
         }
       }
     }
     return seen;
   }
 
-  private static void add(OracleView oracle, int camera, Demand.Watched zone, int[][][] seen) {
+  private static void addSeen(
+      OracleView oracle, int camera, Demand.ZoneDemand zone, int[][][] seen) {
     int words = (zone.count() + Long.SIZE - 1) / Long.SIZE;
     long[] masks = new long[oracle.views(camera) * words];
     oracle.detections(camera, masks, words);
@@ -92,18 +94,18 @@ public final class SampleSight {
       seen[camera] = new int[oracle.views(camera)][0];
     }
     for (int view = 0; view < seen[camera].length; view++) {
-      int[] found =
+      int[] points =
           BitSet.valueOf(Arrays.copyOfRange(masks, view * words, (view + 1) * words)).stream()
-              .map(sample -> zone.first() + sample)
+              .map(point -> zone.first() + point)
               .toArray();
       seen[camera][view] =
-          IntStream.concat(Arrays.stream(seen[camera][view]), Arrays.stream(found)).toArray();
+          IntStream.concat(Arrays.stream(seen[camera][view]), Arrays.stream(points)).toArray();
     }
   }
 
-  /** The samples that each camera covers by a reading, rising. */
+  /** Returns, by camera, the points that the camera covers according to a reading, rising. */
   public int[][] covered(List<CameraSpec> cameras, CoverageReading reading) {
-    int[][][] seen = seen(cameras);
+    int[][][] seen = seenByView(cameras);
     World world = world(demand.zones().get(0), cameras);
     int[][] covered = new int[seen.length][];
     for (int camera = 0; camera < seen.length; camera++) {
@@ -115,7 +117,7 @@ public final class SampleSight {
     return covered;
   }
 
-  /** All samples of several lists, rising. */
+  /** Returns the points that are in any of several lists, rising. */
   static int[] union(Stream<int[]> lists) {
     return lists.flatMapToInt(Arrays::stream).sorted().distinct().toArray();
   }

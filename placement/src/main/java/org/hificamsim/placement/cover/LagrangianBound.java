@@ -1,0 +1,300 @@
+package org.hificamsim.placement.cover;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+
+/**
+ * A bound on the score of any plan, by Lagrangian relaxation. Covering a point has a price of its
+ * own, its multiplier, so that candidates no longer depend on each other (Beasley, EJOR 31(1),
+ * 1987, for set cover; the same for cover within a budget, which has a multiplier, too). The bound
+ * holds for any multipliers; subgradient steps improve it.
+ *
+ * <p>The multipliers of a greedy plan are the unit worth of points that still need to be covered,
+ * and 0 for all others. With them, this is the data-dependent bound of submodular maximisation: the
+ * worth of the plan plus the best further gains.
+ */
+public final class LagrangianBound {
+  private static final int IDLE_STEPS_PER_SCALE = 10;
+  private static final double MIN_SCALE = 1e-4;
+  private static final double EPSILON = 1e-12;
+  private static final int BISECTIONS = 60;
+
+  private final CoverInstance instance;
+  private final Goal goal;
+  private final double scoreStep;
+  private final double[] multipliers;
+  private final double[] bestMultipliers;
+
+  /** By candidate, the sum of the multipliers of its points. */
+  private final double[] multiplierSums;
+
+  /** The worth of a price of 1, for the present multipliers. */
+  private double worthOfPrice = 1;
+
+  private double bound;
+  private double scale = 1;
+  private int idleSteps;
+
+  /**
+   * @param counts by point, how often a first plan covers it
+   */
+  LagrangianBound(CoverInstance instance, Goal goal, int[] counts) {
+    this.instance = instance;
+    this.goal = goal;
+    this.scoreStep = goal.scoreStep(instance);
+    this.multiplierSums = new double[instance.candidates()];
+    this.multipliers = goal.isFullCover() ? cheapestShares() : openUnitWorths(counts);
+    this.bestMultipliers = multipliers.clone();
+    bound = value(instance, goal, multipliers, multiplierSums);
+    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+  }
+
+  /** By point, the least price per point of a candidate that covers it; 0 if it needs no cover. */
+  private double[] cheapestShares() {
+    double[] shares = new double[instance.points()];
+    Arrays.fill(shares, Double.POSITIVE_INFINITY);
+    for (int candidate = 0; candidate < instance.candidates(); candidate++) {
+      double share = instance.prices()[candidate] / instance.covered()[candidate].length;
+      for (int point : instance.covered()[candidate]) {
+        shares[point] = Math.min(shares[point], share);
+      }
+    }
+    for (int point = 0; point < shares.length; point++) {
+      shares[point] = instance.needs()[point] == 0 ? 0 : shares[point];
+    }
+    return shares;
+  }
+
+  /** By point, the worth of covering it once more than a plan does. */
+  private double[] openUnitWorths(int[] counts) {
+    double[] worths = new double[instance.points()];
+    for (int point = 0; point < worths.length; point++) {
+      boolean open = counts[point] < instance.needs()[point];
+      worths[point] = open ? instance.unitWorths()[point] : 0;
+    }
+    return worths;
+  }
+
+  /** No plan has a greater worth; for full cover, a lower price. */
+  double bound() {
+    return goal.tightened(bound, scoreStep);
+  }
+
+  /** The multipliers that prove the bound, by point. */
+  double[] bestMultipliers() {
+    return bestMultipliers.clone();
+  }
+
+  /**
+   * Returns the candidates that a better plan may contain, and those of the best plan so far,
+   * rising.
+   */
+  int[] openCandidates(double score, int[] plan) {
+    double value = goBack();
+    return IntStream.range(0, multiplierSums.length)
+        .filter(
+            candidate -> {
+              double loss = Math.max(0, -surplus(candidate));
+              double boundWith = goal.isFullCover() ? value + loss : value - loss;
+              return !goal.isBest(score, goal.tightened(boundWith, scoreStep))
+                  || Arrays.binarySearch(plan, candidate) >= 0;
+            })
+        .toArray();
+  }
+
+  /** The sum of a candidate's multipliers less its price, in worth. */
+  private double surplus(int candidate) {
+    return multiplierSums[candidate] - worthOfPrice * instance.prices()[candidate];
+  }
+
+  /** Returns the candidates with the lowest reduced prices, and those of a plan, rising. */
+  int[] cheapestCandidates(int count, int[] plan) {
+    goBack();
+    IntStream cheapest =
+        IntStream.range(0, multiplierSums.length)
+            .boxed()
+            .sorted(Comparator.comparingDouble(this::reducedPrice))
+            .limit(count)
+            .mapToInt(Integer::intValue);
+    return IntStream.concat(cheapest, Arrays.stream(plan)).distinct().sorted().toArray();
+  }
+
+  /**
+   * The bound that multipliers prove.
+   *
+   * @param multipliers by point, 0 or more
+   */
+  public static double value(CoverInstance instance, Goal goal, double[] multipliers) {
+    double value = value(instance, goal, multipliers, new double[instance.candidates()]);
+    return goal.tightened(value, goal.scoreStep(instance));
+  }
+
+  /** Computes the bound that multipliers prove, and their sums by candidate. */
+  private static double value(
+      CoverInstance instance, Goal goal, double[] multipliers, double[] multiplierSums) {
+    double value = 0;
+    for (int point = 0; point < multipliers.length; point++) {
+      double rest = Math.max(0, instance.unitWorths()[point] - multipliers[point]);
+      value += instance.needs()[point] * (goal.isFullCover() ? multipliers[point] : rest);
+    }
+    for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
+      multiplierSums[candidate] = 0;
+      for (int point : instance.covered()[candidate]) {
+        multiplierSums[candidate] += multipliers[point];
+      }
+    }
+    double worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+    double surpluses = 0;
+    for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
+      double price = worthOfPrice * instance.prices()[candidate];
+      surpluses += Math.max(0, multiplierSums[candidate] - price);
+    }
+    return goal.isFullCover()
+        ? value - surpluses
+        : value + surpluses + worthOfPrice * goal.budget();
+  }
+
+  /**
+   * The worth of a price of 1 at which the candidates that are worth their price use the budget.
+   */
+  private static double worthOfPrice(CoverInstance instance, Goal goal, double[] multiplierSums) {
+    if (goal.isFullCover()) {
+      return 1;
+    }
+    double low = 0;
+    double high = 0;
+    for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
+      high = Math.max(high, multiplierSums[candidate] / instance.prices()[candidate]);
+    }
+    for (int i = 0; i < BISECTIONS && high - low > EPSILON * high; i++) {
+      double middle = (low + high) / 2;
+      double spent = 0;
+      for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
+        double price = instance.prices()[candidate];
+        spent += multiplierSums[candidate] > middle * price ? price : 0;
+      }
+      if (spent > goal.budget()) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    return high;
+  }
+
+  /**
+   * Improves the bound by subgradient steps (Held, Wolfe and Crowder 1974).
+   *
+   * @param score of the best plan so far
+   */
+  void improve(int steps, double score, BooleanSupplier stop) {
+    for (int i = 0; i < steps && !proves(score) && !stop.getAsBoolean(); i++) {
+      step(score);
+    }
+  }
+
+  /** Whether the bound proves that no plan has a better score. */
+  boolean proves(double score) {
+    return goal.isBest(score, bound());
+  }
+
+  private void step(double score) {
+    move(relaxedCoverage(), Math.abs(bound - score));
+    double value = value(instance, goal, multipliers, multiplierSums);
+    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+    boolean better = goal.isFullCover() ? value > bound : value < bound;
+    idleSteps = better ? 0 : idleSteps + 1;
+    if (better) {
+      bound = value;
+      System.arraycopy(multipliers, 0, bestMultipliers, 0, bestMultipliers.length);
+    } else if (idleSteps % IDLE_STEPS_PER_SCALE == 0) {
+      scale /= 2;
+      goBack();
+    }
+  }
+
+  /**
+   * By point, how often the best solution of the relaxed problem covers it. Candidates that are
+   * worth exactly their price share what is left of the budget.
+   */
+  private double[] relaxedCoverage() {
+    double[] coverage = new double[instance.points()];
+    double tiedPrice = 0;
+    double budgetLeft = goal.budget();
+    for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
+      if (surplus(candidate) > tieMargin(candidate)) {
+        add(coverage, candidate, 1);
+        budgetLeft -= instance.prices()[candidate];
+      } else if (surplus(candidate) >= -tieMargin(candidate) && !goal.isFullCover()) {
+        tiedPrice += instance.prices()[candidate];
+      }
+    }
+    double share = tiedPrice > 0 ? Math.max(0, Math.min(1, budgetLeft / tiedPrice)) : 0;
+    for (int candidate = 0; candidate < multiplierSums.length && share > 0; candidate++) {
+      if (Math.abs(surplus(candidate)) <= tieMargin(candidate)) {
+        add(coverage, candidate, share);
+      }
+    }
+    return coverage;
+  }
+
+  private double tieMargin(int candidate) {
+    return 1e-9 * worthOfPrice * instance.prices()[candidate];
+  }
+
+  /** Goes back to the best multipliers, and returns the value that they prove. */
+  private double goBack() {
+    System.arraycopy(bestMultipliers, 0, multipliers, 0, bestMultipliers.length);
+    double value = value(instance, goal, multipliers, multiplierSums);
+    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+    return value;
+  }
+
+  private void add(double[] coverage, int candidate, double share) {
+    for (int point : instance.covered()[candidate]) {
+      coverage[point] += share;
+    }
+  }
+
+  /**
+   * Raises the multipliers of points that are covered too seldom, and lowers those of points that
+   * are covered too often, within the limits of multipliers.
+   *
+   * @param gap between bound and score, to which the step is proportional
+   */
+  private void move(double[] coverage, double gap) {
+    double[] gradient = new double[coverage.length];
+    double squaredNorm = 0;
+    for (int point = 0; point < gradient.length; point++) {
+      int needed = instance.needs()[point];
+      gradient[point] = needed == 0 ? 0 : needed - coverage[point];
+      boolean leavesRange =
+          (gradient[point] < 0 && multipliers[point] == 0)
+              || (gradient[point] > 0 && multipliers[point] == maxMultiplier(point));
+      gradient[point] = leavesRange ? 0 : gradient[point];
+      squaredNorm += gradient[point] * gradient[point];
+    }
+    double length = squaredNorm == 0 ? 0 : scale * Math.max(gap, 1e-3) / squaredNorm;
+    for (int point = 0; point < gradient.length; point++) {
+      double moved = multipliers[point] + length * gradient[point];
+      multipliers[point] = Math.max(0, Math.min(maxMultiplier(point), moved));
+    }
+  }
+
+  private double maxMultiplier(int point) {
+    return goal.isFullCover() ? Double.MAX_VALUE : instance.unitWorths()[point];
+  }
+
+  /** Whether the steps have become too small to matter. */
+  boolean isExhausted() {
+    return scale < MIN_SCALE;
+  }
+
+  /** What a candidate costs beyond what it is worth, for the present multipliers. */
+  double reducedPrice(int candidate) {
+    return instance.prices()[candidate]
+        - multiplierSums[candidate] / Math.max(worthOfPrice, EPSILON);
+  }
+}

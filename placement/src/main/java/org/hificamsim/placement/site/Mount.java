@@ -1,0 +1,34 @@
+package org.hificamsim.placement.site;
+
+import java.util.Optional;
+import org.hificamsim.core.obstacle.Point;
+
+/**
+ * Where a camera is mounted, and where it looks.
+ *
+ * @param z metres; empty in a flat world, and if the site gives the height of all cameras
+ * @param tilt degrees below the horizon
+ * @param heading degrees, from -180
+ */
+public record Mount(Point position, Optional<Double> z, double tilt, double heading) {
+  /** Returns the mount with a heading that is turned by an angle, degrees. */
+  Mount turnedBy(double degrees) {
+    return new Mount(position, z, tilt, sum(heading, degrees));
+  }
+
+  /** Returns the mount at another tilt, degrees. */
+  Mount tiltedTo(double newTilt) {
+    return new Mount(position, z, newTilt, heading);
+  }
+
+  /** Returns the mount at another position. */
+  Mount movedTo(Point newPosition) {
+    return new Mount(newPosition, z, tilt, heading);
+  }
+
+  /** The sum of two angles, degrees from -180, rounded to millionths. */
+  static double sum(double heading, double pan) {
+    double angle = (heading + pan + 540) % 360 - 180;
+    return Math.rint(angle * 1e6) / 1e6;
+  }
+}
