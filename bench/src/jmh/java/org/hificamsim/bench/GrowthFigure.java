@@ -25,8 +25,8 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.knowm.xchart.style.XYStyler;
 
 /**
- * Draws how the cost of a step grows with the network, from what JMH wrote of {@link
- * BigNetworkBenchmark} and {@link NetworkGrowthBenchmark}, and prints it as a table.
+ * Draws how the cost of a step grows with the network, from what JMH wrote of {@link StepBenchmark}
+ * and {@link NetworkGrowthBenchmark}, and prints it as a table.
  */
 public final class GrowthFigure {
   private static final double MICROSECONDS = 1e-3;
@@ -53,10 +53,14 @@ public final class GrowthFigure {
       costs
           .computeIfAbsent(name(result.at("/params")), policy -> new TreeMap<>())
           .put(
-              result.at("/params/cameras").asInt(),
+              cameras(result.at("/params")),
               MICROSECONDS * result.at("/primaryMetric/score").asDouble());
     }
     return costs;
+  }
+
+  private static int cameras(JsonNode params) {
+    return params.path("randomCameras").asInt(params.path("cameras").asInt());
   }
 
   private static String name(JsonNode params) {

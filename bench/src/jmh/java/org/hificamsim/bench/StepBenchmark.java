@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
+import org.hificamsim.runs.generate.RandomField;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -29,7 +30,9 @@ import org.openjdk.jmh.annotations.Warmup;
 /**
  * Microseconds per step of a whole run: move, decide, observe, learn, measure. With {@code -p
  * targets=...} the scenario's own targets, of which the thesis does not say how many there are,
- * give way to that many at random places; 0 keeps them.
+ * give way to that many at random places; 0 keeps them. {@code -p randomCameras=...} takes a random
+ * field with that many cameras, at the density of the cluster scenarios and with 0.6 targets for
+ * each camera, in place of the scenario.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -44,6 +47,9 @@ public class StepBenchmark {
   @Param({"8"})
   private int targets;
 
+  @Param({"0"})
+  private int randomCameras;
+
   @Param({"hifi:orb-lin", "camsim-range"})
   private String detection;
 
@@ -56,37 +62,42 @@ public class StepBenchmark {
   @Setup
   public void start() {
     Catalogue catalogue = Catalogue.load();
-    Scenario read =
-        ScenarioReader.read(
-            Path.of("scenarios", scenario + ".xml"),
-            catalogue.movements().names()::contains,
-            warning -> {});
     DetectionModel model = catalogue.detection(detection);
     simulation =
         new Simulation(
-            new World(withTargets(read), catalogue.movements(), 0),
+            new World(scenario(catalogue), catalogue.movements(), 0),
             Detection.of(model),
             catalogue.policies().create(policy),
             0,
             List.of());
   }
 
-  private Scenario withTargets(Scenario read) {
-    if (targets == 0) {
-      return read;
+  private Scenario scenario(Catalogue catalogue) {
+    if (randomCameras > 0) {
+      return RandomField.ofCameras(randomCameras, 1).scenario();
     }
+    Scenario read =
+        ScenarioReader.read(
+            Path.of("scenarios", scenario + ".xml"),
+            catalogue.movements().names()::contains,
+            warning -> {});
+    return targets == 0 ? read : withRandomTargets(read);
+  }
+
+  private Scenario withRandomTargets(Scenario read) {
     SplittableRandom random = new SplittableRandom(1);
     Field field = read.field();
-    List<TargetSpec> strewn = new ArrayList<>();
+    List<TargetSpec> randomTargets = new ArrayList<>();
     for (int target = 0; target < targets; target++) {
-      TargetSpec like = read.targets().get(0);
-      strewn.add(
-          like.with(TargetSpec.FEATURES, target)
+      TargetSpec template = read.targets().get(0);
+      randomTargets.add(
+          template
+              .with(TargetSpec.FEATURES, target)
               .with(TargetSpec.X, random.nextDouble(field.minX(), field.maxX()))
               .with(TargetSpec.Y, random.nextDouble(field.minY(), field.maxY()))
               .with(TargetSpec.HEADING, random.nextDouble(360)));
     }
-    return read.with(Scenario.TARGETS, strewn).with(Scenario.EVENTS, List.of());
+    return read.with(Scenario.TARGETS, randomTargets).with(Scenario.EVENTS, List.of());
   }
 
   /** One step. */
