@@ -190,6 +190,21 @@ class ValidateAndListTest {
   }
 
   @Test
+  void listsWhichPoliciesAreBounds() {
+    List<String> bounds =
+        Cli.run("list", "policies")
+            .out()
+            .lines()
+            .filter(line -> line.matches("\\S+ +bound: .*"))
+            .map(line -> line.replaceFirst(" .*", ""))
+            .toList();
+    assertEquals(
+        List.of(
+            "independent-greedy", "optimal", "bound", "optimal-expected", "one-hop", "best-fixed"),
+        bounds);
+  }
+
+  @Test
   void listsScenarios() {
     Cli list = Cli.run("list", "scenarios");
     assertEquals(0, list.exit(), list.err());

@@ -8,6 +8,7 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
@@ -63,12 +64,15 @@ See docs/detection.md.
     return equation + Texts.format(" (threshold %.4g%s)", model.defaultThreshold(), chance);
   }
 
-  @Command(description = "Zoom policies, with their options and defaults.")
+  @Command(
+      description =
+          "Zoom policies, with their options and defaults. A bound knows what no camera can know.")
   void policies() {
     Registry<ZoomPolicy> policies = Catalogue.load().policies();
-    for (Registry.Entry<ZoomPolicy> one : policies.entries()) {
-      line(one.name(), one.summary());
-      for (Options.Declared option : policies.options(one.name())) {
+    for (Registry.Entry<ZoomPolicy> policy : policies.entries()) {
+      boolean bound = policies.create(policy.name()) instanceof OraclePolicy;
+      line(policy.name(), (bound ? "bound: " : "") + policy.summary());
+      for (Options.Declared option : policies.options(policy.name())) {
         out().printf("    %s=%s  %s%n", option.key(), option.defaultValue(), option.meaning());
       }
     }

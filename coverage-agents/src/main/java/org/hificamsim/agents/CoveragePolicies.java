@@ -43,12 +43,12 @@ public final class CoveragePolicies {
             TrackerZoomPolicy::new)
         .register(
             "independent-greedy",
-            "each camera's view with most targets now, whatever others see, with global knowledge",
+            "each camera's view with most targets now, whatever others see",
             IndependentGreedyZoomPolicy::new)
         .alias("greedy", "independent-greedy") // its name up to 0.1; not the thesis's greedy
         .register(
             "optimal",
-            "the best score of each step (k_min by default), exactly, with global knowledge",
+            "the best score of each step (k_min by default), exactly",
             OptimalZoomPolicy::new)
         .register(
             "bound",
@@ -60,7 +60,7 @@ public final class CoveragePolicies {
             OptimalExpectedZoomPolicy::new)
         .register(
             "one-hop",
-            "the best score that cameras reach within the step, exactly, with global knowledge",
+            "the best score that cameras reach within the step, exactly",
             OneHopZoomPolicy::new)
         .register(
             "best-fixed",

@@ -1,4 +1,5 @@
 /**
- * Upper bounds with global knowledge: the exactly best configurations of each step and of a run.
+ * Bounds, which know what no camera can know: the exactly best configurations of each step and of a
+ * run.
  */
 package org.hificamsim.agents.optimal;
