@@ -153,7 +153,7 @@ final class Sight {
     for (int body = 0; body < bodies.length; body++) {
       LevelSight level = visibility.at(cameras.zoom(camera, view), bodies[body]);
       levelSights[number * bodies.length + body] = level;
-      farthest = Math.max(farthest, level.farthest());
+      farthest = Math.max(farthest, level.farthestSquared());
       reach[number] = Math.max(reach[number], level.reach());
       detectsAllInReach[number] =
           bodies.length == 1 && level.isDisc() && level.byDistance() && open;

@@ -1,12 +1,11 @@
 package org.hificamsim.core.metrics;
 
-/** Targets of which is known, too, what could cover them. */
+/** Targets for which it is known whether any camera could cover them. */
 public interface CoverableTargets extends CoveredTargets {
   /**
-   * Marks the targets present that some online camera at some of its views would detect where both
-   * are now.
+   * Marks the present targets that some online camera would detect now through some view.
    *
-   * @param coverable one entry for each target; all are overwritten
+   * @param coverable receives one entry for each target
    */
   void markCoverable(boolean[] coverable);
 }

@@ -1,8 +1,8 @@
 package org.hificamsim.core.metrics;
 
-/** Targets, each with the number of cameras that cover it; numbered from 0. */
+/** Targets, numbered from 0, with the number of cameras that cover each. */
 public interface CoveredTargets {
-  /** How many targets there will ever be. */
+  /** The number of targets that there will ever be. */
   int targets();
 
   /** Whether the target has appeared and not been removed. */

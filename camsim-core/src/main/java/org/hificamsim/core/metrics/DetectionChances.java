@@ -1,22 +1,22 @@
 package org.hificamsim.core.metrics;
 
-/** How likely each camera was to detect each target in a step, before luck was drawn. */
+/** The chance of each camera to detect each target in a step, before luck is drawn. */
 public interface DetectionChances {
-  /** How many cameras there will ever be. */
+  /** The number of cameras that there will ever be. */
   int cameras();
 
-  /** How many targets there will ever be. */
+  /** The number of targets that there will ever be. */
   int targets();
 
   /** Whether the target has appeared and not been removed. */
   boolean present(int target);
 
   /**
-   * The targets that the camera may detect as it is.
+   * Lists the targets that the camera may detect through its current view.
    *
-   * @param targets as long as there are targets; filled from the start
-   * @param chances one entry for each of them, (0, 1]
-   * @return how many there are
+   * @param targets receives the targets, from index 0; as long as there are targets
+   * @param chances receives the chance of each of them, in (0, 1]
+   * @return the number of targets listed
    */
   int chances(int camera, int[] targets, double[] chances);
 }

@@ -3,33 +3,41 @@ package org.hificamsim.core.metrics;
 import java.util.Arrays;
 
 /**
- * How the targets present are covered in one step as expected, before luck is drawn: as exact as
- * the chances are, and without the noise of a draw. Detections are independent, so the number of
- * cameras that cover a target has a Poisson binomial distribution.
+ * The expected coverage of the targets in one step, before luck is drawn. Detections are
+ * independent, so the number of cameras that cover a target has a Poisson binomial distribution.
  *
- * <p>Without any target everything is 0.
+ * <p>All values are 0 if no target is present.
  */
 public final class ExpectedCoverage {
-  private int[] who = {};
-  private double[] chances = {};
-  private int[] targetOf = new int[16]; // of each pair of a camera and a target
-  private double[] chanceOf = new double[16];
-  private double[] sorted = new double[16]; // the chances, by target
-  private int[] ends = {}; // of each target's
-  private double[] exactly = {}; // the chance that as many cameras cover the target under way
+  private int[] targetsOfCamera = {};
+  private double[] chancesOfCamera = {};
+  private int[] targetOfPair = new int[16];
+  private double[] chanceOfPair = new double[16];
+  private double[] chancesByTarget = new double[16];
+
+  /** By target: the end of its chances in {@link #chancesByTarget}. */
+  private int[] ends = {};
+
+  /** By number of cameras: the chance that exactly so many cover the current target. */
+  private double[] exactly = {};
+
+  /** By number of cameras: the chance that at least so many cover the current target. */
   private double[] atLeast = {};
+
+  /** By number of cameras: the chance that at least so many cover each target. */
   private double[] allAtLeast = {};
-  private double[] once = {};
-  private double[] more = {};
+
+  private double[] chanceOfOne = {};
+  private double[] chanceOfMore = {};
   private int targets;
   private int mostCameras;
   private double uncovered;
   private double coveredMore;
   private double sum;
   private double leastMean;
-  private double leastOnce;
+  private double leastChance;
 
-  /** Measures the network as it is. */
+  /** Measures the network in its current state. */
   void measure(DetectionChances observed) {
     begin(observed);
     collect(observed);
@@ -41,12 +49,12 @@ public final class ExpectedCoverage {
   }
 
   private void begin(DetectionChances observed) {
-    if (once.length < observed.targets() || allAtLeast.length <= observed.cameras()) {
-      who = new int[observed.targets()];
-      chances = new double[observed.targets()];
+    if (chanceOfOne.length < observed.targets() || allAtLeast.length <= observed.cameras()) {
+      targetsOfCamera = new int[observed.targets()];
+      chancesOfCamera = new double[observed.targets()];
       ends = new int[observed.targets() + 1];
-      once = new double[observed.targets()];
-      more = new double[observed.targets()];
+      chanceOfOne = new double[observed.targets()];
+      chanceOfMore = new double[observed.targets()];
       allAtLeast = new double[observed.cameras() + 1];
       exactly = new double[observed.cameras() + 3];
       atLeast = new double[observed.cameras() + 4];
@@ -58,36 +66,36 @@ public final class ExpectedCoverage {
     coveredMore = 0;
     sum = 0;
     leastMean = Double.POSITIVE_INFINITY;
-    leastOnce = Double.POSITIVE_INFINITY;
+    leastChance = Double.POSITIVE_INFINITY;
   }
 
   private void collect(DetectionChances observed) {
     int count = 0;
     for (int camera = 0; camera < observed.cameras(); camera++) {
-      int some = observed.chances(camera, who, chances);
-      if (count + some > targetOf.length) {
-        targetOf = Arrays.copyOf(targetOf, 2 * (count + some));
-        chanceOf = Arrays.copyOf(chanceOf, 2 * (count + some));
-        sorted = new double[2 * (count + some)];
+      int added = observed.chances(camera, targetsOfCamera, chancesOfCamera);
+      if (count + added > targetOfPair.length) {
+        targetOfPair = Arrays.copyOf(targetOfPair, 2 * (count + added));
+        chanceOfPair = Arrays.copyOf(chanceOfPair, 2 * (count + added));
+        chancesByTarget = new double[2 * (count + added)];
       }
-      System.arraycopy(who, 0, targetOf, count, some);
-      System.arraycopy(chances, 0, chanceOf, count, some);
-      count += some;
+      System.arraycopy(targetsOfCamera, 0, targetOfPair, count, added);
+      System.arraycopy(chancesOfCamera, 0, chanceOfPair, count, added);
+      count += added;
     }
     sort(count);
   }
 
-  /** A counting sort; a target's entry in {@code ends} rises from its first pair to its end. */
+  /** Sorts the chances by target: a counting sort. */
   private void sort(int count) {
     Arrays.fill(ends, 0);
     for (int i = 0; i < count; i++) {
-      ends[targetOf[i] + 1]++;
+      ends[targetOfPair[i] + 1]++;
     }
     for (int target = 1; target < ends.length; target++) {
       ends[target] += ends[target - 1];
     }
     for (int i = 0; i < count; i++) {
-      sorted[ends[targetOf[i]]++] = chanceOf[i];
+      chancesByTarget[ends[targetOfPair[i]]++] = chanceOfPair[i];
     }
   }
 
@@ -98,20 +106,20 @@ public final class ExpectedCoverage {
     for (int k = 1; k <= mostCameras; k++) {
       allAtLeast[k] *= atLeast[k];
     }
-    once[target] = atLeast[1];
-    more[target] = atLeast[2];
+    chanceOfOne[target] = atLeast[1];
+    chanceOfMore[target] = atLeast[2];
     targets++;
-    uncovered += 1 - once[target];
-    coveredMore += more[target];
+    uncovered += 1 - chanceOfOne[target];
+    coveredMore += chanceOfMore[target];
     sum += mean;
     leastMean = Math.min(leastMean, mean);
-    leastOnce = Math.min(leastOnce, once[target]);
+    leastChance = Math.min(leastChance, chanceOfOne[target]);
   }
 
   /**
-   * How many cameras cover a target, by the chances from one index up to another.
+   * Computes the distribution of the number of cameras that cover a target, from its chances.
    *
-   * @param counted exactly; the last count is of as many or more, and gains from the one before
+   * @param counted the greatest number that is counted; it stands for as many or more
    * @return the expected number
    */
   private double cover(int from, int to, int counted) {
@@ -120,7 +128,7 @@ public final class ExpectedCoverage {
     exactly[0] = 1;
     double mean = 0;
     for (int i = from; i < to; i++) {
-      double chance = sorted[i];
+      double chance = chancesByTarget[i];
       mean += chance;
       exactly[most] += exactly[most - 1] * chance;
       for (int k = most - 1; k > 0; k--) {
@@ -171,16 +179,16 @@ public final class ExpectedCoverage {
 
   /** The least chance of a target to be covered at all. */
   public double leastChance() {
-    return targets == 0 ? 0 : leastOnce;
+    return targets == 0 ? 0 : leastChance;
   }
 
-  /** The chance that one camera or more covers the target; of one that is present. */
+  /** The chance that at least one camera covers a target, which must be present. */
   public double chanceOfOne(int target) {
-    return once[target];
+    return chanceOfOne[target];
   }
 
-  /** The chance that two cameras or more cover the target; of one that is present. */
+  /** The chance that at least two cameras cover a target, which must be present. */
   public double chanceOfMore(int target) {
-    return more[target];
+    return chanceOfMore[target];
   }
 }

@@ -8,63 +8,66 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
 /**
- * What a step is scored by, and what the best configuration of a step is: what the option {@code
- * --objective} and the attribute {@code objective} choose ({@code docs/objectives.md}).
+ * Scores a step and decides which configuration of a step is the best: the setting {@code
+ * objective} ({@code docs/objectives.md}).
  *
- * <p>No score falls when k rises, the number of cameras that detect a target. An objective says
- * itself how configurations are compared ({@link #worths}), what a camera has of a score ({@link
- * #share}), and what its score is called.
+ * <p>A score never falls when k rises, the number of cameras that detect a target. An objective
+ * also says how configurations are compared ({@link #worths}), which part of a score a camera earns
+ * ({@link #share}), and how its score is called.
  */
 public sealed interface Objective {
-  /** All of them as users write them, for help. */
+  /** All objectives as users write them, for help. */
   String CHOICES = "kmin|covered:k=1|lexicographic|sum:cap=3";
 
-  /** The number of cameras of a target that an option may ask for. */
+  /** The greatest number of cameras that an option may ask for. */
   int MAX = 1_000_000;
 
-  /** As users write it, with all its options. */
+  /** The objective as users write it, with all its options. */
   String text();
 
   /**
    * The score of a step.
    *
-   * @param k of the targets that count, from {@code from} up to, not including, {@code to}
-   * @return 0 without any target
+   * @param k by target that counts, in the entries from {@code from} (inclusive) to {@code to}
+   *     (exclusive)
+   * @return 0 if no target counts
    */
   double score(int[] k, int from, int to);
 
   /**
-   * What configurations of up to these numbers of cameras and targets are compared by: sums over
-   * targets of what each is worth, the first sum that differs decides.
+   * Returns the tables by which configurations are compared. Each table gives a sum over targets of
+   * their worths; the first sum that differs decides.
    *
-   * @return for each sum a table: at k, what a target is worth that k cameras detect, 0 at 0 and
-   *     never falling, up to k = {@code cameras}
+   * @param cameras the greatest number of cameras of a configuration
+   * @param targets the greatest number of targets
+   * @return for each sum a table of the worth of a target that k cameras detect, for k from 0 to
+   *     {@code cameras}; 0 at k = 0, and never falling
    */
   List<long[]> worths(int cameras, int targets);
 
-  /** Whether configurations are compared by the least k of a target, and not by the sum of all. */
+  /** Whether configurations are compared by the least k of a target instead of a sum. */
   default boolean byLeast() {
     return false;
   }
 
   /**
-   * What no score exceeds.
+   * An upper bound of the score.
    *
-   * @param worth the most that the first sum of {@link #worths}, or the least k, comes to
+   * @param worth an upper bound of the first sum of {@link #worths}, or of the least k
    */
   default double scoreAtMost(long worth, int targets) {
     return worth;
   }
 
-  /** Whether a target that no camera could detect at any view does not count. */
-  default boolean ofCoverableAlone() {
+  /** Whether only targets count that some camera could detect at some view. */
+  default boolean countsCoverableOnly() {
     return false;
   }
 
   /**
-   * What one of k cameras that detect a target adds for it: what the score would lose without the
-   * camera. Where the score hangs on one target that a camera may never see, it is the difference
-   * of a harmonic sum, so that targets which few cameras detect count most.
+   * The part of the score that one of k cameras earns for a target: what the score would lose
+   * without that camera. If the score depends on a single target, which a camera may never see, the
+   * share is the difference of a harmonic sum, so that targets which few cameras detect count most.
    *
    * @param k 1 or more
    */
@@ -72,22 +75,20 @@ public sealed interface Objective {
     return 1.0 / k;
   }
 
-  /**
-   * Whether learners are rewarded with the number of targets that they detect, as in the thesis.
-   */
+  /** Whether learners are rewarded by the number of targets that they detect, as in the thesis. */
   default boolean rewardsCount() {
     return false;
   }
 
-  /** What the score of a step is called. */
+  /** The name of the score of a step. */
   default String stepScore() {
     return "score by " + text();
   }
 
-  /** What the score of a step is, for people, as in "targets covered by at least one camera". */
+  /** The score of a step in words, such as "targets covered by at least one camera". */
   String words();
 
-  /** What the score of a step counts, in the plural; empty for a share. */
+  /** The unit of the score of a step, in the plural; empty for a share. */
   default String unit() {
     return "cameras";
   }
@@ -97,7 +98,7 @@ public sealed interface Objective {
     return unit().isEmpty();
   }
 
-  /** Whether the score of a run is a figure of its own, next to the performance (Eq 7.2). */
+  /** Whether the score of a run differs from its performance (Eq 7.2). */
   default boolean hasOwnFigure() {
     return true;
   }
@@ -108,9 +109,9 @@ public sealed interface Objective {
   }
 
   /**
-   * The objective in a text.
+   * Parses an objective.
    *
-   * @throws org.hificamsim.core.InputException when it names none, or an option is wrong
+   * @throws org.hificamsim.core.InputException if the name is unknown or an option is invalid
    */
   static Objective parse(String text) {
     return objectives().create(text);
@@ -180,9 +181,9 @@ public sealed interface Objective {
   }
 
   /**
-   * The share of the targets that enough cameras detect, [0, 1].
+   * The share of the targets that enough cameras detect, in [0, 1].
    *
-   * @param k how many cameras are enough, 1 or more
+   * @param k the number of cameras that a target needs, 1 or more
    */
   record Covered(int k) implements Objective {
     private static Covered from(Options options) {
@@ -232,11 +233,11 @@ public sealed interface Objective {
   /**
    * The least k of the targets that some camera detects at some view.
    *
-   * <p>Between configurations the finer order decides: fewest targets at k = 0, then at most 1, and
-   * so on. The score is the least k alone.
+   * <p>Configurations are compared by a finer order: fewest targets with k = 0, then with k of at
+   * most 1, and so on. The score is the least k only.
    */
   record Lexicographic() implements Objective {
-    /** What the worths of all targets may add up to, with room for what a search makes of them. */
+    /** The greatest sum of the worths of all targets, with room for the arithmetic of a search. */
     private static final double MAX_SUM = 0x1p55;
 
     @Override
@@ -250,7 +251,7 @@ public sealed interface Objective {
     }
 
     @Override
-    public boolean ofCoverableAlone() {
+    public boolean countsCoverableOnly() {
       return true;
     }
 
@@ -260,9 +261,9 @@ public sealed interface Objective {
     }
 
     /**
-     * One target more that is covered j times outweighs whatever happens to those above j: weights
-     * that fall by a factor of one more than there are targets. As many k as fit into a number are
-     * one sum.
+     * A target that reaches k = j outweighs all changes of targets above j, because the weights of
+     * consecutive k differ by more than the number of targets. Each sum has as many k as fit into a
+     * long.
      */
     @Override
     public List<long[]> worths(int cameras, int targets) {
@@ -304,7 +305,7 @@ public sealed interface Objective {
   /**
    * The sum of k over the targets.
    *
-   * @param cap what a target adds at most, 1 or more
+   * @param cap the greatest number that a target adds, 1 or more
    */
   record Sum(int cap) implements Objective {
     private static final int DEFAULT_CAP = 3;

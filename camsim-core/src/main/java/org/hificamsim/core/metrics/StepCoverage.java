@@ -1,10 +1,10 @@
 package org.hificamsim.core.metrics;
 
 /**
- * How the targets present are covered in one step (thesis 7.1, Eq 7.1), and how the step is scored;
- * measured again each step.
+ * The coverage of the targets in one step (thesis 7.1, Eq 7.1) and the score of the step; measured
+ * anew each step.
  *
- * <p>Without any target everything is 0.
+ * <p>All values are 0 if no target is present.
  */
 public final class StepCoverage {
   private final Objective objective;
@@ -15,14 +15,15 @@ public final class StepCoverage {
   private long sum;
   private ExpectedCoverage expected;
   private double score;
-  private int[] counting = {};
+  private int[] countedK = {};
   private boolean[] coverable = {};
 
-  /** Scored by k_min. */
+  /** Creates a coverage scored by k_min. */
   public StepCoverage() {
     this(Objective.kMin());
   }
 
+  /** Creates a coverage scored by an objective. */
   public StepCoverage(Objective objective) {
     this.objective = objective;
   }
@@ -51,48 +52,48 @@ public final class StepCoverage {
     sum = all;
   }
 
-  /** Measures what the objective makes of the last observation; after {@link #measure}. */
+  /** Measures the score of the last observation; called after {@link #measure}. */
   public void measureScore(CoverableTargets observed) {
     int count = collect(observed);
-    score = objective.score(counting, 0, count);
+    score = objective.score(countedK, 0, count);
   }
 
-  /** Collects k of the targets that count; returns how many there are. */
+  /** Collects k of the targets that count; returns their number. */
   private int collect(CoverableTargets observed) {
-    if (counting.length < observed.targets()) {
-      counting = new int[observed.targets()];
+    if (countedK.length < observed.targets()) {
+      countedK = new int[observed.targets()];
       coverable = new boolean[observed.targets()];
     }
-    boolean all = !objective.ofCoverableAlone();
+    boolean all = !objective.countsCoverableOnly();
     if (!all) {
       observed.markCoverable(coverable);
     }
     int count = 0;
     for (int target = 0; target < observed.targets(); target++) {
       if (observed.present(target) && (all || coverable[target])) {
-        counting[count++] = observed.coverage(target);
+        countedK[count++] = observed.coverage(target);
       }
     }
     return count;
   }
 
-  /** Measures what was to be expected of the last observation, where detections are by chance. */
+  /** Measures the expected coverage of the last observation, for detections by chance. */
   public void expect(DetectionChances observed) {
     expected = expected == null ? new ExpectedCoverage() : expected;
     expected.measure(observed);
   }
 
-  /** Whether detections are by chance: {@link #expected} has an answer. */
+  /** Whether detections are by chance, so that {@link #expected} is not null. */
   public boolean byChance() {
     return expected != null;
   }
 
-  /** The coverage that was to be expected; null where nothing is left to chance. */
+  /** The expected coverage; null without chance. */
   public ExpectedCoverage expected() {
     return expected;
   }
 
-  /** 1 or 0, by the sign of a difference: a branch would be guessed wrong too often. */
+  /** Returns 1 if k is below the limit, else 0; without a branch, which would be unpredictable. */
   private static int isBelow(int limit, int k) {
     return (k - limit) >>> 31;
   }
@@ -107,7 +108,7 @@ public final class StepCoverage {
     return least;
   }
 
-  /** What the objective makes of the step; k_min by default. */
+  /** The score of the step by the objective; k_min by default. */
   public double score() {
     return score;
   }

@@ -1,2 +1,2 @@
-/** Points of the plane and what is near them. */
+/** Points of the plane, sorted by position. */
 package org.hificamsim.core.space;

@@ -3,26 +3,26 @@ package org.hificamsim.core.visibility;
 import java.util.Comparator;
 
 /**
- * What a camera has to see of a target.
+ * The part of a target that a camera must see.
  *
  * @param size edge of its bounding box, metres, above 0
- * @param low the least height that has to be seen, metres
- * @param high the greatest
- * @param foreshortened whether it looks shorter from above
+ * @param low the lowest height that must be seen, metres
+ * @param high the greatest height that must be seen, metres
+ * @param foreshortened whether the target looks shorter from above
  */
 public record Body(double size, double low, double high, boolean foreshortened) {
-  /** By size, and then by the rest. */
+  /** Orders bodies by size, then by heights. */
   public static final Comparator<Body> ORDER =
       Comparator.comparingDouble(Body::size)
           .thenComparingDouble(Body::low)
           .thenComparingDouble(Body::high);
 
-  /** A target in a world without heights. */
+  /** Returns the body of a target in a world without heights. */
   public static Body flat(double size) {
     return new Body(size, 0, 0, false);
   }
 
-  /** The height to which distances are measured: the middle of what has to be seen. */
+  /** The height to which distances are measured: the middle of the part to be seen. */
   public double middle() {
     return (low + high) / 2;
   }

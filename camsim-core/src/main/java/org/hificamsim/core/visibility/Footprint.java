@@ -6,10 +6,10 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Point;
 
 /**
- * Where on the ground an upright line stands whose part between two heights is all in the picture
- * of a lens: a trapezoid before the camera, or nothing. A point a ahead and b to the right of the
- * camera, h below it, is in the picture where, by the pinhole's projection at a tilt T, with half
- * angles H across and V up and down,
+ * The part of the ground on which a target stands in the picture of a lens from its lowest to its
+ * greatest height: a trapezoid in front of the camera, possibly empty. By the pinhole projection at
+ * a tilt T, with half angles H (horizontal) and V (vertical), a point a metres ahead, b to the
+ * right and h below the camera is in the picture if
  *
  * <pre>
  * |b| &lt;= tan H (a cos T + h sin T)
@@ -17,19 +17,20 @@ import org.hificamsim.core.obstacle.Point;
  * a sin(T - V) &lt;= h cos(T - V)      (above it the view ends)
  * </pre>
  *
- * <p>The border belongs to it. As all three are linear, both ends of the line decide.
+ * <p>The border belongs to the footprint. All three conditions are linear, so the lowest and the
+ * greatest height decide.
  *
- * @param near the least distance ahead, metres; above {@code far} where it is empty
- * @param far the greatest; may be infinite
+ * @param near the least distance ahead, metres; above {@code far} if the footprint is empty
+ * @param far the greatest distance ahead, metres; may be infinite
  * @param slope of the sides: metres to the right for each metre ahead
  * @param offset of the sides at the camera, metres to the right
  */
 public record Footprint(double near, double far, double slope, double offset) {
   /**
-   * Of a level that has a lens with a vertical angle.
+   * Returns the footprint of a zoom level whose lens has a vertical angle.
    *
-   * @param low the least height of what has to be in the picture, metres
-   * @param high the greatest
+   * @param low the lowest height that must be in the picture, metres
+   * @param high the greatest height that must be in the picture, metres
    */
   public static Footprint of(ZoomLevel zoom, double low, double high) {
     VerticalView vertical = zoom.vertical();
@@ -48,7 +49,7 @@ public record Footprint(double near, double far, double slope, double offset) {
         half * Math.min((vertical.z() - low) * sine, (vertical.z() - high) * sine));
   }
 
-  /** Keeps what is ahead by a with {@code sign (a sin - below cos) >= 0}. */
+  /** Narrows the limits to distances a with {@code sign (a sin - below cos) >= 0}. */
   private static void limit(double[] limits, double angle, double below, int sign) {
     double sine = sign * StrictMath.sin(angle);
     double cosine = sign * StrictMath.cos(angle) * below;
@@ -61,19 +62,19 @@ public record Footprint(double near, double far, double slope, double offset) {
     }
   }
 
-  /** Whether a place is in it: metres ahead of the camera, and to its right. */
+  /** Whether a position is in the footprint: metres ahead of the camera, and to its right. */
   public boolean contains(double ahead, double right) {
     return ahead >= near && ahead <= far && Math.abs(right) <= slope * ahead + offset;
   }
 
-  /** Whether it has no point within a distance of the camera, metres. */
+  /** Whether the footprint has no point within a distance of the camera, metres. */
   public boolean isEmpty(double reach) {
     return corners(reach).isEmpty();
   }
 
   /**
-   * Its corners, metres to the right (x) and ahead (y), cut where it is farther ahead than the
-   * reach; none where nothing is left. The nearest two are one where the sides meet.
+   * Returns the corners, metres to the right (x) and ahead (y), cut off at the reach; empty if
+   * nothing is left. The two nearest corners coincide where the sides meet.
    */
   public List<Point> corners(double reach) {
     double tip = slope > 0 ? -offset / slope : offset >= 0 ? near : Double.POSITIVE_INFINITY;

@@ -11,19 +11,19 @@ import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
- * What a camera sees of targets of one size at one zoom level: the steps of {@link Visibility}, and
- * all that can be found out about them before anything is looked at. Any number of threads may ask.
+ * Decides what a camera sees of targets with one body at one zoom level: the steps of {@link
+ * Visibility}, with everything precomputed that depends on the detection alone. Safe for use by
+ * several threads.
  *
- * <p>What is found out depends on the detection alone. Where the rule is a threshold and the model
- * ignores the bearing, the distances at which targets are detected decide, and the model is not
- * asked again; where the rule is one of chance, a table of chances by distance decides nearly all
- * draws. Otherwise the model is asked for each target in view.
+ * <p>If the rule is a threshold and the model ignores the bearing, precomputed distances decide,
+ * and the model is not evaluated again. If the rule is one of chance, a table of chances by
+ * distance decides nearly all draws. Otherwise the model is evaluated for each target in view.
  */
 public final class LevelSight {
-  /** A cosine nearer to 0 is one of an angle between 0 and pi: rounding takes less than 1e-14. */
-  private static final double BETWEEN = 1 - 1e-9;
+  /** A cosine below this belongs to an angle above 0, in spite of rounding (less than 1e-14). */
+  private static final double MAX_SAFE_COSINE = 1 - 1e-9;
 
-  /** Far more than what rounding does to a cosine, or to a square. */
+  /** Far more than the rounding error of a cosine or of a square. */
   private static final double MARGIN = 1e-9;
 
   private final Detection detection;
@@ -31,19 +31,35 @@ public final class LevelSight {
   private final ZoomLevel zoom;
   private final Body body;
   private final double size;
-  private final Footprint footprint; // null where nothing limits the view up and down
+
+  /** Null if the lens has no vertical angle. */
+  private final Footprint footprint;
+
   private final boolean asInCamSim;
   private final boolean certain;
   private final boolean byDistance;
   private final boolean allRound;
-  private final double cosine; // of half the opening angle
-  private final double outside; // squared cosine with its sign, below which a point is outside
-  private final double inside; // the same, above which it is inside
-  private final DetectedDistances distances; // at which a target may be detected
-  private final boolean single; // one interval, from 0 on
-  private final double farthest; // squared, as in the distances; below 0 where there are none
-  private final ChanceTable chances; // null where the model is asked, or distances decide
-  private DistanceTable values; // made when first asked for
+  private final double cosineOfHalfAngle;
+
+  /** A point whose signed squared cosine is below this is outside the opening angle. */
+  private final double outsideBelow;
+
+  /** A point whose signed squared cosine is above this is inside the opening angle. */
+  private final double insideAbove;
+
+  private final DetectedDistances detectedDistances;
+
+  /** Whether the detected distances are one interval from 0. */
+  private final boolean singleInterval;
+
+  /** The greatest squared distance that may be detected; below 0 if there is none. */
+  private final double farthestSquared;
+
+  /** Null if distances decide, or the model has to be evaluated. */
+  private final ChanceTable chances;
+
+  /** Computed on first use. */
+  private DistanceTable values;
 
   LevelSight(Detection planar, boolean asInCamSim, ZoomLevel zoom, Body body) {
     VerticalView vertical = zoom.vertical();
@@ -61,104 +77,105 @@ public final class LevelSight {
     this.certain = detection.certain();
     this.byDistance = certain && !model.dependsOnBearing();
     this.allRound = zoom.allRound();
-    this.cosine = Math.cos(zoom.viewingAngle() / 2);
-    this.outside = signedSquare(cosine - MARGIN);
-    this.inside = signedSquare(cosine + MARGIN);
-    this.distances =
+    this.cosineOfHalfAngle = Math.cos(zoom.viewingAngle() / 2);
+    this.outsideBelow = signedSquare(cosineOfHalfAngle - MARGIN);
+    this.insideAbove = signedSquare(cosineOfHalfAngle + MARGIN);
+    this.detectedDistances =
         byDistance
             ? detection.distances(size, zoom)
             : DetectedDistances.of(new GeometricDetection(), size, zoom, 1);
-    int intervals = distances.intervals();
-    this.single = intervals == 1 && distances.from(0) == 0;
-    this.farthest = intervals == 0 ? -1 : distances.to(intervals - 1);
+    int intervals = detectedDistances.intervals();
+    this.singleInterval = intervals == 1 && detectedDistances.from(0) == 0;
+    this.farthestSquared = intervals == 0 ? -1 : detectedDistances.to(intervals - 1);
     this.chances = byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
   }
 
-  /** Whether this is the level's, for targets of a size in a flat world. */
+  /** Whether this belongs to a zoom level and to targets of a size in a flat world. */
   public boolean isOf(ZoomLevel level, double targetSize) {
     return zoom.equals(level) && size == targetSize;
   }
 
-  /** What of targets has to be seen. */
+  /** The part of targets that must be seen. */
   public Body body() {
     return body;
   }
 
-  /** Where targets stand that are in the picture; empty where no upper and lower edge limit it. */
+  /** Where targets in the picture stand; empty if the lens has no vertical angle. */
   public Optional<Footprint> footprint() {
     return Optional.ofNullable(footprint);
   }
 
-  /** Whether no target is detected, wherever it stands. */
+  /** Whether no target is detected at any position. */
   public boolean isBlind() {
-    return farthest < 0 || (footprint != null && footprint.isEmpty(reach()));
+    return farthestSquared < 0 || (footprint != null && footprint.isEmpty(reach()));
   }
 
-  /** Whether distance and angle alone decide where nothing stands in between. */
+  /** Whether distance and angle alone decide, if nothing stands in between. */
   public boolean byDistance() {
     return byDistance;
   }
 
-  /** Whether what may be detected is a whole disc around the camera. */
+  /** Whether targets may be detected in a whole disc around the camera. */
   public boolean isDisc() {
-    return allRound && single;
+    return allRound && singleInterval;
   }
 
   /** The greatest squared distance at which a target may be detected; below 0 for none. */
-  public double farthest() {
-    return farthest;
+  public double farthestSquared() {
+    return farthestSquared;
   }
 
   /**
-   * The distance beyond which no target is detected, as far as it can be known, metres; {@linkplain
-   * Visibility#roundedUp rounded up}.
+   * A distance in metres beyond which no target is detected, {@linkplain Visibility#roundedUp
+   * rounded up}.
    */
   public double reach() {
-    return farthest < 0 ? 0 : Visibility.roundedUp(Math.sqrt(farthest));
+    return farthestSquared < 0 ? 0 : Visibility.roundedUp(Math.sqrt(farthestSquared));
   }
 
   /**
-   * Whether every target that a camera detects at the other level is proven to be detected at this
-   * one, wherever both stand; they look the same way, and nothing is half transparent.
+   * Whether this level provably detects every target that the other level detects, at any position,
+   * if both look the same way and no obstacle is partly transparent.
    */
   public boolean includes(LevelSight other) {
     return (byDistance && footprint == null)
-        ? zoom.viewingAngle() >= other.zoom.viewingAngle() && distances.includes(other.distances)
+        ? zoom.viewingAngle() >= other.zoom.viewingAngle()
+            && detectedDistances.includes(other.detectedDistances)
         : zoom.equals(other.zoom);
   }
 
-  /** Whether a target at a squared distance is near enough to be detected. */
+  /** Whether a target at a squared distance may be detected. */
   public boolean isInReach(double squared) {
-    return single ? squared <= farthest : distances.contains(squared);
+    return singleInterval ? squared <= farthest : detectedDistances.contains(squared);
   }
 
-  /** Whether a point is within the opening angle; of a lens with a height, in its picture. */
+  /** Whether a point is within the opening angle, or in the picture of a lens with a height. */
   public boolean isInAngle(Pose camera, double x, double y) {
     if (footprint != null) {
       return footprint.contains(camera.along(x, y), camera.aside(x, y));
     }
     if (allRound || !asInCamSim) {
-      return allRound || camera.isInSector(cosine, x, y);
+      return allRound || camera.isInSector(cosineOfHalfAngle, x, y);
     }
     return isInCamSimsAngle(camera, x, y);
   }
 
-  /** CamSim compares angles; squares tell most of them without a root or an arc cosine. */
+  /** Compares angles like CamSim; squares decide most cases without a root or an arc cosine. */
   private boolean isInCamSimsAngle(Pose camera, double x, double y) {
     double squared = camera.squaredDistance(x, y);
     double signed = signedSquare(camera.along(x, y));
-    if (signed < outside * squared) {
+    if (signed < outsideBelow * squared) {
       return false;
     }
-    boolean surely = signed > inside * squared && signed < BETWEEN * squared;
-    return surely || camera.offAxis(x, y) < zoom.viewingAngle() / 2;
+    boolean certainlyInside = signed > insideAbove * squared && signed < MAX_SAFE_COSINE * squared;
+    return certainlyInside || camera.offAxis(x, y) < zoom.viewingAngle() / 2;
   }
 
   private static double signedSquare(double value) {
     return value * Math.abs(value);
   }
 
-  /** Whether a target is in reach and angle, where it may be detected. */
+  /** Whether a target is in reach and angle. */
   public boolean isInView(Pose camera, double x, double y) {
     return isInReach(camera.squaredDistance(x, y)) && isInAngle(camera, x, y);
   }
@@ -168,7 +185,7 @@ public final class LevelSight {
    *
    * @param squared distance to the target
    * @param luck of the camera and the target in this step
-   * @param transmittance how much of the target gets through what is in between, in [0, 1]
+   * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public boolean detectsInView(
       Pose camera, double x, double y, double squared, double luck, double transmittance) {
@@ -181,17 +198,16 @@ public final class LevelSight {
   }
 
   /**
-   * How sure a camera is of a target: what the model reports for its value; 0 where it does not
-   * detect it.
+   * The confidence that the model reports for a target; 0 if the camera does not detect it.
    *
    * @param luck of the camera and the target in this step
-   * @param transmittance how much of the target gets through what is in between, in [0, 1]
+   * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public double confidence(Pose camera, double x, double y, double luck, double transmittance) {
     return isInView(camera, x, y) ? confidenceInView(camera, x, y, luck, transmittance) : 0;
   }
 
-  /** The same for a target that is in view, which is not tested. */
+  /** The {@link #confidence} for a target that is known to be in view. */
   public double confidenceInView(
       Pose camera, double x, double y, double luck, double transmittance) {
     double value = valueInView(camera, x, y);
@@ -203,7 +219,7 @@ public final class LevelSight {
         : Math.max(model.reported(value), Double.MIN_VALUE);
   }
 
-  /** The chance that a camera detects a target, in [0, 1]; 1 or 0 by a threshold. */
+  /** The chance that a camera detects a target, in [0, 1]; 1 or 0 under a threshold. */
   public double chance(Pose camera, double x, double y, double transmittance) {
     if (!isInView(camera, x, y)) {
       return 0;
@@ -219,7 +235,7 @@ public final class LevelSight {
     return Double.isNaN(value) ? 0 : transmittance * detection.chance(value);
   }
 
-  /** The model's own value for a target in the field of view, whatever the threshold; else 0. */
+  /** The model's value for a target in the field of view, independent of the threshold; else 0. */
   public double value(Pose camera, double x, double y) {
     double value =
         camera.distance(x, y) <= zoom.radius() && isInAngle(camera, x, y)
@@ -229,16 +245,17 @@ public final class LevelSight {
   }
 
   /**
-   * The same to about 1e-8 for a target that is in view, which is not tested.
+   * The {@link #value(Pose, double, double)} to about 1e-8 for a target that is known to be in
+   * view.
    *
-   * @param distance between the two, metres
+   * @param distance from the camera to the target, metres
    */
   public double value(Pose camera, double x, double y, double distance) {
     if (model.dependsOnBearing()) {
       return valueInView(camera, x, y);
     }
     DistanceTable table = values;
-    if (table == null) { // two threads that come at once find the same one
+    if (table == null) { // threads that race here compute equal tables
       table = detection.values(size, zoom);
       values = table;
     }
@@ -250,12 +267,12 @@ public final class LevelSight {
     return model.confidence(size, distance, offAxis(camera, x, y, distance), zoom);
   }
 
-  /** The angle; any other between 0 and pi where that makes no difference, without a root. */
+  /** The angle off the axis, or any angle between 0 and pi if the model ignores which one it is. */
   private double offAxis(Pose camera, double x, double y, double distance) {
     if (!model.dependsOnBearing()) {
       return 0;
     }
-    boolean between = Math.abs(camera.along(x, y)) < BETWEEN * distance;
-    return between && !model.dependsOnBearing(zoom) ? Math.PI / 2 : camera.offAxis(x, y);
+    boolean offTheAxis = Math.abs(camera.along(x, y)) < MAX_SAFE_COSINE * distance;
+    return offTheAxis && !model.dependsOnBearing(zoom) ? Math.PI / 2 : camera.offAxis(x, y);
   }
 }

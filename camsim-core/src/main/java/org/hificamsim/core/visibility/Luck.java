@@ -3,11 +3,11 @@ package org.hificamsim.core.visibility;
 import org.hificamsim.core.Draw;
 
 /**
- * What chance holds for each camera, target and step of a run: a {@link Draw} by its seed and these
- * three numbers, so that two policies on one seed meet the same luck.
+ * The luck of each camera with each target in each step of a run: a {@link Draw} by the seed and
+ * these three numbers, so that all policies meet the same luck on one seed.
  *
- * <p>With a memory of N a pair of camera and target keeps its luck for N steps, and then draws
- * again; pairs draw at different steps.
+ * <p>With a memory of N, a pair of camera and target keeps its luck for N steps and then draws
+ * again; different pairs draw at different steps.
  */
 final class Luck {
   private final long start;
@@ -21,7 +21,7 @@ final class Luck {
     this.memory = memory;
   }
 
-  /** A number in [0, 1), uniform over steps and pairs. */
+  /** Returns the luck in [0, 1), uniform over steps and pairs. */
   double draw(long step, int camera, int target) {
     long pair = Draw.key(start, ((long) camera << 32) ^ (target & 0xFFFFFFFFL));
     long count = memory == 1 ? step : (step + Long.remainderUnsigned(pair, memory)) / memory;

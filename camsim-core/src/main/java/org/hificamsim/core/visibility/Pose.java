@@ -1,7 +1,7 @@
 package org.hificamsim.core.visibility;
 
 /**
- * Where a camera stands and which way it looks.
+ * The position and heading of a camera.
  *
  * @param x metres
  * @param y metres
@@ -10,26 +10,26 @@ package org.hificamsim.core.visibility;
  * @param headingY its y component
  */
 public record Pose(double x, double y, double heading, double headingX, double headingY) {
-  /** A pose with the unit vector that belongs to its heading. */
+  /** Creates a pose. */
   public static Pose of(double x, double y, double heading) {
     return new Pose(x, y, heading, Math.sin(heading), Math.cos(heading));
   }
 
-  /** The same place, turned by an angle, radians; a whole pose as it is for 0. */
+  /** The pose at the same position, turned by an angle in radians. */
   public Pose turned(double angle) {
     return angle == 0 ? this : of(x, y, heading + angle);
   }
 
   /** The squared distance to a point, square metres. */
-  public double squaredDistance(double atX, double atY) {
-    double dx = atX - x;
-    double dy = atY - y;
+  public double squaredDistance(double pointX, double pointY) {
+    double dx = pointX - x;
+    double dy = pointY - y;
     return dx * dx + dy * dy;
   }
 
   /** The distance to a point, metres. */
-  public double distance(double atX, double atY) {
-    return Math.sqrt(squaredDistance(atX, atY));
+  public double distance(double pointX, double pointY) {
+    return Math.sqrt(squaredDistance(pointX, pointY));
   }
 
   /**
@@ -37,29 +37,29 @@ public record Pose(double x, double y, double heading, double headingX, double h
    *
    * @param cosine of half the sector's angle
    */
-  boolean isInSector(double cosine, double atX, double atY) {
-    return along(atX, atY) >= cosine * distance(atX, atY);
+  boolean isInSector(double cosine, double pointX, double pointY) {
+    return along(pointX, pointY) >= cosine * distance(pointX, pointY);
   }
 
-  /** How far ahead of the pose a point is, metres; below 0 behind it. */
-  double along(double atX, double atY) {
-    double dx = atX - x;
-    double dy = atY - y;
+  /** The distance of a point ahead of the pose, metres; below 0 for a point behind it. */
+  double along(double pointX, double pointY) {
+    double dx = pointX - x;
+    double dy = pointY - y;
     return dx * headingX + dy * headingY;
   }
 
-  /** How far to the right of the pose a point is, metres; below 0 to its left. */
-  double aside(double atX, double atY) {
-    return (atX - x) * headingY - (atY - y) * headingX;
+  /** The distance of a point to the right of the pose, metres; below 0 for a point to its left. */
+  double aside(double pointX, double pointY) {
+    return (pointX - x) * headingY - (pointY - y) * headingX;
   }
 
   /**
-   * The angle between the heading and a point, radians, computed as CamSim does; NaN for the pose's
-   * own position, or where rounding takes the cosine past 1.
+   * The angle between the heading and a point, radians, computed like CamSim; NaN for the pose's
+   * own position, and if rounding takes the cosine past 1.
    */
-  public double offAxis(double atX, double atY) {
-    double dx = atX - x;
-    double dy = atY - y;
+  public double offAxis(double pointX, double pointY) {
+    double dx = pointX - x;
+    double dy = pointY - y;
     double length = Math.sqrt(dx * dx + dy * dy);
     return StrictMath.acos(headingX * (dx / length) + headingY * (dy / length));
   }

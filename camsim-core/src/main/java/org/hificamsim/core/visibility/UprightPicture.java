@@ -3,15 +3,15 @@ package org.hificamsim.core.visibility;
 import org.hificamsim.core.detection.VerticalView;
 
 /**
- * The box around the picture of an upright rectangle that faces the camera's place, as a pinhole at
- * a height and a tilt has it: all four corners are projected.
+ * The bounding box of the picture of an upright rectangle that faces the camera, projected by a
+ * pinhole at a height and a tilt through all four corners.
  *
- * @param width in focal lengths; times the focal length in pixels, it is pixels across
- * @param height the same, up
+ * @param width in focal lengths: multiply by the focal length in pixels to get pixels
+ * @param height in focal lengths
  */
 public record UprightPicture(double width, double height) {
   /**
-   * Of a rectangle on the ground, before the camera.
+   * Projects a rectangle that stands on the ground in front of the camera.
    *
    * @param ahead metres ahead of the camera, along its heading
    * @param right metres to its right
@@ -24,7 +24,7 @@ public record UprightPicture(double width, double height) {
     double sine = StrictMath.sin(view.tilt());
     double cosine = StrictMath.cos(view.tilt());
     double left = Double.POSITIVE_INFINITY;
-    double most = Double.NEGATIVE_INFINITY;
+    double rightmost = Double.NEGATIVE_INFINITY;
     double bottom = Double.POSITIVE_INFINITY;
     double top = Double.NEGATIVE_INFINITY;
     for (int corner = 0; corner < 4; corner++) {
@@ -34,10 +34,10 @@ public record UprightPicture(double width, double height) {
       double below = view.z() - (corner < 2 ? 0 : bodyHeight);
       double depth = y * cosine + below * sine;
       left = Math.min(left, x / depth);
-      most = Math.max(most, x / depth);
+      rightmost = Math.max(rightmost, x / depth);
       bottom = Math.min(bottom, (y * sine - below * cosine) / depth);
       top = Math.max(top, (y * sine - below * cosine) / depth);
     }
-    return new UprightPicture(most - left, top - bottom);
+    return new UprightPicture(rightmost - left, top - bottom);
   }
 }

@@ -7,18 +7,18 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
- * What a camera sees of a target. The engine, CamSim's network and the agent inside CamSim share
- * this pipeline; {@link LevelSight} has its steps.
+ * Decides whether a camera sees a target. The engine, CamSim's network and the agent inside CamSim
+ * share this pipeline, whose steps are in {@link LevelSight}.
  *
  * <ol>
  *   <li>Reach: the target is not farther away than the zoom level's radius.
- *   <li>Angle: it is {@linkplain LevelSight#isInAngle within the opening angle}; where cameras have
- *       heights, what has to be seen of it is in the lens's {@linkplain Footprint picture}.
- *   <li>Line of sight: what is in between lets something of the target through.
+ *   <li>Angle: the target is {@linkplain LevelSight#isInAngle within the opening angle}; if cameras
+ *       have heights, its {@linkplain Body body} is in the {@linkplain Footprint picture} of the
+ *       lens.
+ *   <li>Line of sight: obstacles between the two let some of the light through.
  *   <li>Confidence: the detection model's {@linkplain LevelSight#value value}.
- *   <li>Rule: the value, as much of it as gets through, is the threshold or more; or the
- *       {@linkplain #luck luck} of camera and target is below the chance of the value, as much as
- *       gets through.
+ *   <li>Rule: the value times the transmittance reaches the threshold; or the {@linkplain #luck
+ *       luck} of camera and target is below the chance of the value times the transmittance.
  *   <li>Clamping: the {@linkplain LevelSight#confidence confidence} is what the model {@linkplain
  *       DetectionModel#reported reports} for the value.
  * </ol>
@@ -28,9 +28,9 @@ public final class Visibility {
   private final boolean asInCamSim;
   private final boolean certain;
   private final Luck luck;
-  private final Map<Kind, LevelSight> levels = new ConcurrentHashMap<>();
+  private final Map<LevelKey, LevelSight> levels = new ConcurrentHashMap<>();
 
-  private record Kind(ZoomLevel zoom, Body body) {}
+  private record LevelKey(ZoomLevel zoom, Body body) {}
 
   private Visibility(Detection detection, boolean asInCamSim, long seed) {
     this.detection = detection;
@@ -39,25 +39,26 @@ public final class Visibility {
     this.luck = new Luck(seed, detection.rule().memory());
   }
 
-  /** Where nothing is left to chance, or where one seed is as good as another. */
+  /** Creates the pipeline with seed 0, for detections without chance. */
   public static Visibility of(Detection detection) {
     return of(detection, 0);
   }
 
   /**
-   * The border of a sector belongs to it, and so does the camera's own position.
+   * Creates the pipeline. The border of a sector belongs to it, and so does the position of the
+   * camera.
    *
-   * @param seed of the run, which decides about its luck
+   * @param seed of the luck in the run
    */
   public static Visibility of(Detection detection, long seed) {
     return new Visibility(detection, false, seed);
   }
 
   /**
-   * As in CamSim (behaviour 6.1 and 6.2): neither the border of a sector nor the camera's own
-   * position belongs to it, and a target of confidence 0 is not seen.
+   * Creates the pipeline by CamSim's rules (behaviour 6.1 and 6.2): neither the border of a sector
+   * nor the position of the camera belongs to it, and a target of confidence 0 is not seen.
    *
-   * @param seed of the run, which decides about its luck
+   * @param seed of the luck in the run
    */
   public static Visibility asInCamSim(Detection detection, long seed) {
     double threshold = Math.max(detection.threshold(), Double.MIN_VALUE);
@@ -65,13 +66,13 @@ public final class Visibility {
         detection.certain() ? new Detection(detection.model(), threshold) : detection, true, seed);
   }
 
-  /** The detection model and the threshold, as this pipeline uses it. */
+  /** The detection model with the threshold that this pipeline uses. */
   public Detection detection() {
     return detection;
   }
 
   /**
-   * The same as {@link #at(ZoomLevel, Body)} in a flat world.
+   * Returns what {@link #at(ZoomLevel, Body)} does, for a flat world.
    *
    * @param size of the targets, metres
    */
@@ -79,29 +80,29 @@ public final class Visibility {
     return at(zoom, Body.flat(size));
   }
 
-  /** What a camera sees of targets of one kind at a zoom level; found once for all that ask. */
+  /** Returns how a zoom level sees targets with a body; computed once for each pair. */
   public LevelSight at(ZoomLevel zoom, Body body) {
     return levels.computeIfAbsent(
-        new Kind(zoom, body), kind -> new LevelSight(detection, asInCamSim, zoom, body));
+        new LevelKey(zoom, body), key -> new LevelSight(detection, asInCamSim, zoom, body));
   }
 
   /**
-   * The luck of a camera with a target in one step: in [0, 1), the same whenever it is asked for; 0
-   * by a threshold.
+   * The luck of a camera with a target in one step, in [0, 1); the same at every call; 0 under a
+   * threshold.
    */
   public double luck(long step, int camera, int target) {
     return certain ? 0 : luck.draw(step, camera, target);
   }
 
-  /** How many targets a camera reports in a step that are not there: 0 or 1. */
+  /** The number of phantoms that a camera reports in a step: 0 or 1. */
   public int phantoms(long step, int camera) {
     double chance = detection.rule().phantoms();
     return chance > 0 && luck.draw(step, camera, -1) < chance ? 1 : 0;
   }
 
   /**
-   * A little more than a distance that a computed one, the root of a sum of squares, is at most: no
-   * coordinate of the two points differs by more, whatever was rounded.
+   * Enlarges a computed distance by more than its rounding error, so that no coordinate of two
+   * points at that distance differs by more.
    *
    * @param distance metres
    */

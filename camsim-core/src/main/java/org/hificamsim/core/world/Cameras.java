@@ -5,14 +5,15 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.visibility.Pose;
 
 /**
- * The cameras' state, one array a quantity, sized once for all cameras that will ever be added.
+ * The state of the cameras: one array for each quantity, sized for all cameras that the scenario
+ * will ever have.
  *
  * <p>A camera keeps its number. Its views are each of its zoom levels at each of its pan angles,
  * numbered from 0: all zoom levels of the first pan angle, from the narrowest, then those of the
  * next. It starts at its widest level, ahead.
  */
 public final class Cameras {
-  /** What a camera that is on its way sees through, where it sees nothing. */
+  /** Stands for the view of a camera that moves blindly and sees nothing. */
   public static final int NO_VIEW = -1;
 
   private static final Pose NOWHERE = Pose.of(0, 0, 0);
@@ -20,32 +21,35 @@ public final class Cameras {
   private final String[] names;
   private final Mount[] mounts;
   private final int[] view;
-  private final Pose[] aimed; // where a camera looks that was turned to any angle; else null
-  private final double[] aimedPan;
+
+  /** By camera: its pose if it was turned to any angle by {@link #aim}, else null. */
+  private final Pose[] aimedPoses;
+
+  private final double[] aimedPans;
   private final boolean[] online;
   private Motion motion;
   private double stepTime = 1;
   private int revision;
-  private int looks;
+  private int viewRevision;
 
   Cameras(int count) {
     names = new String[count];
     mounts = new Mount[count];
     view = new int[count];
-    aimed = new Pose[count];
-    aimedPan = new double[count];
+    aimedPoses = new Pose[count];
+    aimedPans = new double[count];
     online = new boolean[count];
   }
 
-  /** Not there yet, and nowhere; its views are those that it will have. */
-  void define(int camera, String name, Mount later) {
+  /** Defines a camera that is not added yet: it has its views, but no position. */
+  void define(int camera, String name, Mount mount) {
     names[camera] = name;
     online[camera] = false;
-    mount(camera, later.at(NOWHERE));
-    view[camera] = later.set.home();
+    mount(camera, mount.at(NOWHERE));
+    view[camera] = mount.set.home();
   }
 
-  /** Lets moves take time, once all cameras are defined. */
+  /** Makes moves take time if any camera needs it; called once all cameras are defined. */
   void startMotion(double newStepTime) {
     stepTime = newStepTime;
     ViewSet[] sets = Arrays.stream(mounts).map(mount -> mount.set).toArray(ViewSet[]::new);
@@ -78,7 +82,7 @@ public final class Cameras {
 
   private void mount(int camera, Mount mount) {
     mounts[camera] = mount;
-    aimed[camera] = null;
+    aimedPoses[camera] = null;
     if (motion != null) {
       motion.refit(camera, mount.set);
     }
@@ -87,44 +91,44 @@ public final class Cameras {
   /** Sends a camera towards a view. */
   public void turnTo(int camera, int newView) {
     release(camera);
-    looks += newView ^ view[camera]; // 0 for the same; a branch would often be guessed wrong
+    viewRevision += newView ^ view[camera]; // 0 for the same view; a branch would be unpredictable
     view[camera] = newView;
   }
 
-  /** Puts a camera into a view at once, however long it would have taken. */
+  /** Puts a camera into a view at once, even if the move would take time. */
   public void jumpTo(int camera, int newView) {
     turnTo(camera, newView);
     if (motion != null) {
       motion.arrive(camera, newView);
-      looks++;
+      viewRevision++;
     }
   }
 
   /**
-   * Puts a camera into a view at once, turned to any angle.
+   * Puts a camera into a view at once and turns it to any angle.
    *
-   * @param pan radians off the mounted heading, which the view has until the next turn
+   * @param pan radians off the mounted heading; holds until the next turn
    */
   public void aim(int camera, int newView, double pan) {
     jumpTo(camera, newView);
-    aimed[camera] = mounts[camera].pose.turned(pan);
-    aimedPan[camera] = pan;
-    looks++;
+    aimedPoses[camera] = mounts[camera].pose.turned(pan);
+    aimedPans[camera] = pan;
+    viewRevision++;
   }
 
-  /** A view that was aimed has its own angle again. */
+  /** Gives a view that was aimed its own angle again. */
   private void release(int camera) {
-    if (aimed[camera] != null) {
-      aimed[camera] = null;
-      looks++;
+    if (aimedPoses[camera] != null) {
+      aimedPoses[camera] = null;
+      viewRevision++;
     }
   }
 
-  /** Moves cameras that are on their way for the time of a step. */
+  /** Moves the cameras that are on their way by what they manage in one step. */
   public void advance() {
     if (motion != null) {
       motion.advance(view, online);
-      looks++;
+      viewRevision++;
     }
   }
 
@@ -149,10 +153,10 @@ public final class Cameras {
   }
 
   /** Where the camera stands and which way it looks in one of its views. */
-  public Pose pose(int camera, int ofView) {
-    return aimed[camera] != null && ofView == view[camera]
-        ? aimed[camera]
-        : mounts[camera].poses[ofView];
+  public Pose pose(int camera, int atView) {
+    return aimedPoses[camera] != null && atView == view[camera]
+        ? aimedPoses[camera]
+        : mounts[camera].poses[atView];
   }
 
   /** Metres. */
@@ -191,8 +195,8 @@ public final class Cameras {
   }
 
   /**
-   * Whether the camera could be in a view by the end of a step; where moves take no time, one level
-   * and one pan angle at a time.
+   * Whether the camera could be in a view by the end of a step. Cameras whose moves take no time
+   * reach the views that are at most one level and one pan angle away.
    */
   public boolean reaches(int camera, int otherView) {
     return mounts[camera].set.takesTime()
@@ -200,7 +204,7 @@ public final class Cameras {
         : mounts[camera].set.isNextTo(view[camera], otherView); // thesis 7.4.1
   }
 
-  /** How many steps a camera is on its way to a view before the one in which it arrives. */
+  /** The number of steps that a camera moves towards a view before the step in which it arrives. */
   public int stepsTo(int camera, int otherView) {
     return motion == null ? 0 : motion.stepsTo(camera, otherView);
   }
@@ -227,25 +231,25 @@ public final class Cameras {
   }
 
   /** The zoom level of one of the views. */
-  public ZoomLevel zoom(int camera, int ofView) {
-    return mounts[camera].zooms[ofView];
+  public ZoomLevel zoom(int camera, int atView) {
+    return mounts[camera].zooms[atView];
   }
 
-  /** A number from 0 that equal zoom levels have in common, in all worlds of a scenario. */
-  public int zoomNumber(int camera, int ofView) {
-    return mounts[camera].zoomNumbers[ofView];
+  /** The number, from 0, that equal zoom levels share in all worlds of a scenario. */
+  public int zoomNumber(int camera, int atView) {
+    return mounts[camera].zoomNumbers[atView];
   }
 
   /** The pan angle of one of the views, radians off the mounted heading. */
-  public double pan(int camera, int ofView) {
-    return aimed[camera] != null && ofView == view[camera]
-        ? aimedPan[camera]
-        : mounts[camera].set.pan(ofView);
+  public double pan(int camera, int atView) {
+    return aimedPoses[camera] != null && atView == view[camera]
+        ? aimedPans[camera]
+        : mounts[camera].set.pan(atView);
   }
 
   /** Radians below the horizon, in one of the views. */
-  public double tilt(int camera, int ofView) {
-    return mounts[camera].set.tilt(ofView);
+  public double tilt(int camera, int atView) {
+    return mounts[camera].set.tilt(atView);
   }
 
   /** Height of the lens, metres; NaN in a flat world. */
@@ -253,13 +257,13 @@ public final class Cameras {
     return mounts[camera].zooms[0].vertical().z();
   }
 
-  /** Changes whenever a camera is added, moved, refitted or switched off. */
+  /** A number that changes whenever a camera is added, moved, refitted or switched. */
   public int revision() {
     return revision;
   }
 
-  /** Changes whenever a camera may look another way, or through another zoom level. */
-  public int looks() {
-    return looks + revision;
+  /** A number that changes whenever a camera may look elsewhere or through another zoom level. */
+  public int viewRevision() {
+    return viewRevision + revision;
   }
 }

@@ -3,8 +3,8 @@ package org.hificamsim.core.world;
 import org.hificamsim.core.scenario.spec.Moving;
 
 /**
- * Where cameras are on their way from view to view: turning and zooming begin together and take
- * their time; a move that is not done within a step goes on in the next.
+ * The moves of cameras from view to view. Turning and zooming begin together; a move that is not
+ * finished within a step continues in the next.
  */
 final class Motion {
   private final ViewSet[] views;
@@ -13,11 +13,12 @@ final class Motion {
   private final double[] tilt;
   private final double[] zoom;
   private final boolean[] moving;
-  private final int[]
-      passing; // the view that a camera on its way passes: asked far more than moved
+
+  /** By camera: the view that it passes while it is on its way. */
+  private final int[] passing;
 
   /**
-   * @param views of each camera
+   * @param views by camera
    * @param stepTime seconds
    */
   Motion(ViewSet[] views, double stepTime) {
@@ -42,7 +43,7 @@ final class Motion {
     moving[camera] = false;
   }
 
-  /** Moves every camera that is not at its goal for the time of a step. */
+  /** Moves every online camera that is not at its goal by one step. */
   void advance(int[] goals, boolean[] online) {
     for (int camera = 0; camera < goals.length; camera++) {
       if (online[camera]) {
@@ -67,12 +68,12 @@ final class Motion {
             : set.nearest(pan[camera], tilt[camera], zoom[camera]);
   }
 
-  private static double towards(double from, double to, double most) {
-    double way = to - from;
-    return Math.abs(way) <= most ? to : from + Math.copySign(most, way);
+  private static double towards(double from, double to, double limit) {
+    double difference = to - from;
+    return Math.abs(difference) <= limit ? to : from + Math.copySign(limit, difference);
   }
 
-  /** Whether a camera comes to a view within a step. */
+  /** Whether a camera arrives in a view within a step. */
   boolean reaches(int camera, int view) {
     ViewSet set = views[camera];
     return isWithin(set.pan(view) - pan[camera], set.panSpeed())
@@ -80,7 +81,7 @@ final class Motion {
         && isWithin(set.zoomOf(view) - zoom[camera], set.zoomSpeed());
   }
 
-  /** How many steps a camera moves towards a view before the one in which it comes to it. */
+  /** The number of steps that a camera moves towards a view before the step in which it arrives. */
   int stepsTo(int camera, int view) {
     ViewSet set = views[camera];
     double panning = Math.abs(set.pan(view) - pan[camera]);
@@ -89,12 +90,12 @@ final class Motion {
     return (int) Math.max(0, Math.ceil(Math.max(turning, zooming) / stepTime / (1 + 1e-6)) - 1);
   }
 
-  /** A part in a million more: five steps of a fifth are a whole. */
-  private boolean isWithin(double way, double speed) {
-    return Math.abs(way) <= speed * stepTime * (1 + 1e-6);
+  /** Allows for rounding: five steps of a fifth make a whole. */
+  private boolean isWithin(double difference, double speed) {
+    return Math.abs(difference) <= speed * stepTime * (1 + 1e-6);
   }
 
-  /** Whether a camera has not arrived. */
+  /** Whether a camera is on its way. */
   boolean moving(int camera) {
     return moving[camera];
   }

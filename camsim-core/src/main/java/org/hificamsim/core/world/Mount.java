@@ -5,10 +5,7 @@ import java.util.function.ToIntFunction;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.visibility.Pose;
 
-/**
- * Where a camera stands, and how it looks in each of its views; never changes, so that worlds share
- * it.
- */
+/** A camera's pose and views. It is immutable, so that worlds can share it. */
 final class Mount {
   /** Where the camera stands and which way it is mounted. */
   final Pose pose;
@@ -18,21 +15,22 @@ final class Mount {
   /** By view. */
   final ZoomLevel[] zooms;
 
-  /** By view: a number that equal zoom levels have in common. */
+  /** By view: the number that equal zoom levels share. */
   final int[] zoomNumbers;
 
   /** By view: where the camera stands and which way it looks. */
   final Pose[] poses;
 
   /**
-   * @param number of a zoom level
+   * @param number gives a zoom level its number
    */
   Mount(Pose pose, ViewSet set, ToIntFunction<ZoomLevel> number) {
     this(pose, set, new ZoomLevel[set.count()], new int[set.count()]);
-    int each = set.tilts().size() * set.zooms().size(); // the same at each pan angle
+    int viewsPerPan = set.tilts().size() * set.zooms().size();
     for (int view = 0; view < zooms.length; view++) {
-      zooms[view] = view < each ? set.zoom(view) : zooms[view - each];
-      zoomNumbers[view] = view < each ? number.applyAsInt(zooms[view]) : zoomNumbers[view - each];
+      zooms[view] = view < viewsPerPan ? set.zoom(view) : zooms[view - viewsPerPan];
+      zoomNumbers[view] =
+          view < viewsPerPan ? number.applyAsInt(zooms[view]) : zoomNumbers[view - viewsPerPan];
     }
   }
 
@@ -47,7 +45,7 @@ final class Mount {
     Arrays.setAll(poses, view -> byPan[set.panOf(view)]);
   }
 
-  /** The same camera elsewhere. */
+  /** The same camera at another pose. */
   Mount at(Pose other) {
     return new Mount(other, set, zooms, zoomNumbers);
   }

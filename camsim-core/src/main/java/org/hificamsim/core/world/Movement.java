@@ -6,9 +6,9 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
  * Moves one target, step by step: an extension point, found by {@link #name} through a scenario's
  * {@code move} or {@code fqName} attribute.
  *
- * <p>An implementer writes {@link #move}, and {@link #name} where that is not the class's; one that
- * needs parameters also {@link #start}. Each target has an instance of its own, so state may be
- * kept in fields. The border comes free through {@link Targets#advance}.
+ * <p>An implementer writes {@link #move}, {@link #name} if it is not the class's, and {@link
+ * #start} if it needs parameters. Each target has an instance of its own, so fields may hold state.
+ * {@link Targets#advance} handles the border of the field.
  */
 public interface Movement {
   /** The name in scenario files. */

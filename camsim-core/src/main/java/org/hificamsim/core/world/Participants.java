@@ -13,16 +13,16 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * All cameras and targets that a scenario will ever have, by number, and the events in their order;
- * found once, for any number of worlds.
+ * All cameras and targets that a scenario will ever have, by number, and its events in the order of
+ * time; computed once for any number of worlds.
  *
- * <p>Cameras and targets are numbered in the order of the file, those of the start first, then
+ * <p>Cameras and targets are numbered in the order of the file: first those of the start, then
  * those that events add, in the order in which they appear.
  *
- * @param removed the target that each event removes, or {@link #NONE}: known from the start, since
- *     a search in a step would cost and allocate
- * @param mounts how each camera is mounted when it is added
- * @param cameraNumbers by name; of several cameras with the name the first
+ * @param removed by event: the target that it removes, or {@link #NONE}; computed in advance, since
+ *     a search within a step would take time and allocate
+ * @param mounts by camera: how it is mounted when it is added
+ * @param cameraNumbers by name; the first one if several cameras share a name
  */
 record Participants(
     Scenario scenario,
@@ -33,10 +33,10 @@ record Participants(
     List<Mount> mounts,
     Map<String, Integer> cameraNumbers,
     List<TargetSpec> targets) {
-  /** The number of what is not there. */
+  /** Stands for no camera, or no target. */
   static final int NONE = -1;
 
-  /** Finds them. */
+  /** Numbers the cameras and targets of a scenario. */
   static Participants of(Scenario scenario) {
     List<ScenarioEvent> events =
         scenario.events().stream().sorted(Comparator.comparingInt(ScenarioEvent::step)).toList();
@@ -59,16 +59,18 @@ record Participants(
   }
 
   private static List<Integer> removed(List<TargetSpec> atStart, List<ScenarioEvent> events) {
-    Map<Double, Deque<Integer>> present = new HashMap<>(); // one each, if a file was read
+    Map<Double, Deque<Integer>> present = new HashMap<>();
     int next = 0;
     for (TargetSpec target : atStart) {
-      present.computeIfAbsent(target.features(), any -> new ArrayDeque<>()).add(next++);
+      present.computeIfAbsent(target.features(), features -> new ArrayDeque<>()).add(next++);
     }
     List<Integer> removed = new ArrayList<>();
     for (ScenarioEvent event : events) {
       Integer number = null;
       if (event instanceof ScenarioEvent.AddTarget add) {
-        present.computeIfAbsent(add.target().features(), any -> new ArrayDeque<>()).add(next++);
+        present
+            .computeIfAbsent(add.target().features(), features -> new ArrayDeque<>())
+            .add(next++);
       } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
         number = present.getOrDefault(remove.features(), new ArrayDeque<>()).poll();
       }

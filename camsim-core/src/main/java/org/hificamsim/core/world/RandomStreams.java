@@ -3,31 +3,31 @@ package org.hificamsim.core.world;
 import java.util.Random;
 
 /**
- * The world's random streams: independent generators, each seeded with the run's seed, as in
- * CamSim. Streams used side by side therefore give equal sequences.
+ * The random streams of a world: one generator for each purpose, each seeded with the seed of the
+ * run, as in CamSim. All streams therefore give the same sequence.
  */
 public final class RandomStreams {
   private final Random turn;
   private final Random move;
 
-  /** The streams of one run; equal seeds give equal streams. */
+  /** Creates the streams of one run; equal seeds give equal streams. */
   public RandomStreams(long seed) {
     this.turn = new Random(seed);
     this.move = new Random(seed);
   }
 
-  /** Begins again: the same as new streams with this seed. */
+  /** Restarts the streams as new ones with this seed. */
   void restart(long seed) {
     turn.setSeed(seed);
     move.setSeed(seed);
   }
 
-  /** TURN: one double each time a moved target is outside the field. */
+  /** The stream for turns at the border: one double each time a move leads out of the field. */
   public Random turn() {
     return turn;
   }
 
-  /** MOVE: the gaussians of the Brownian movements. */
+  /** The stream for movements, such as the gaussians of Brownian motion. */
   public Random move() {
     return move;
   }

@@ -8,9 +8,8 @@ import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.Occlusion;
 
 /**
- * What stands between cameras and targets: obstacles, seen from where each camera stands, and other
- * targets where the scenario lets them hide each other. Between two refreshes any number of threads
- * may ask.
+ * Says what stands between cameras and targets: obstacles, and other targets if the scenario lets
+ * them hide each other. Safe for use by several threads between two refreshes.
  */
 public final class SightLines {
   private final Obstacles obstacles;
@@ -33,11 +32,11 @@ public final class SightLines {
     this.cameras = cameras;
     this.targets = targets;
     this.regions = new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()];
-    this.partial = obstacles.all().stream().anyMatch(one -> one.transmittance() > 0);
+    this.partial = obstacles.all().stream().anyMatch(obstacle -> obstacle.transmittance() > 0);
     refresh();
   }
 
-  /** Takes note of cameras that were moved since the last call. */
+  /** Computes the visible regions of cameras that moved since the last call. */
   void refresh() {
     if (revision == cameras.revision()) {
       return;
@@ -54,7 +53,7 @@ public final class SightLines {
     return regions[camera] == null || !regions[camera].isFrom(cameras.x(camera), cameras.y(camera));
   }
 
-  /** The map of the obstacles that cameras have. */
+  /** The obstacles that cameras believe in. */
   public Obstacles map() {
     return map;
   }
@@ -64,19 +63,19 @@ public final class SightLines {
     return flat;
   }
 
-  /** Whether nothing ever stands in between. */
+  /** Whether no line of sight is ever blocked or dimmed. */
   public boolean open() {
     return regions.length == 0 && !byTargets;
   }
 
-  /** Whether something lets a part of the light through. */
+  /** Whether any obstacle lets a part of the light through. */
   public boolean partial() {
     return partial;
   }
 
   /**
-   * How much of a target gets through to a camera: 0 where it is hidden, 1 where nothing is in
-   * between.
+   * The part of a target's light that reaches a camera: 0 if the target is hidden, 1 if nothing is
+   * in between.
    */
   public double transmittance(int camera, int target) {
     double z = cameras.z(camera);
@@ -92,7 +91,7 @@ public final class SightLines {
         : through;
   }
 
-  /** Says what has to be seen of targets where the scenario does not. */
+  /** Sets what must be seen of a target, unless the scenario says so. */
   public void require(Seen usual) {
     targets.require(
         scenario.find(Scenario.SEEN).orElse(usual),

@@ -10,9 +10,10 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * The targets' state, one array a quantity, sized once for all targets that will ever appear.
+ * The state of the targets: one array for each quantity, sized for all targets that the scenario
+ * will ever have.
  *
- * <p>A target keeps its number; one that has not appeared yet, or has disappeared, is not present.
+ * <p>A target keeps its number. A target is present from its appearance to its removal.
  */
 public final class Targets {
   private final Field field;
@@ -25,11 +26,16 @@ public final class Targets {
   private final double[] size;
   private final double[] width;
   private final double[] height;
-  private final Seen[] seen; // null for what counts for all
-  private final double[] radius; // of what hides others: 0 where the target is not present
+
+  /** By target: what must be seen of it; null for the common rule. */
+  private final Seen[] seen;
+
+  /** By target: the radius of the disc that hides others, metres; 0 while it is not present. */
+  private final double[] occlusionRadius;
+
   private final boolean[] present;
   private final boolean movesFirst;
-  private Seen usual = Seen.WHOLE;
+  private Seen commonSeen = Seen.WHOLE;
   private boolean foreshortened;
 
   Targets(Field field, Obstacles obstacles, StepOrder order, int count) {
@@ -45,11 +51,11 @@ public final class Targets {
     width = new double[count];
     height = new double[count];
     seen = new Seen[count];
-    radius = new double[count];
+    occlusionRadius = new double[count];
     present = new boolean[count];
   }
 
-  /** Not there yet. */
+  /** Defines a target that has not appeared yet. */
   void define(int target, TargetSpec spec) {
     names[target] = spec.name();
     size[target] = spec.size();
@@ -63,12 +69,12 @@ public final class Targets {
     speed[target] = 0;
   }
 
-  void appear(int target, double atX, double atY, double itsHeading, double itsSpeed) {
-    x[target] = atX;
-    y[target] = atY;
-    heading[target] = itsHeading;
-    speed[target] = itsSpeed;
-    radius[target] = width[target] / 2;
+  void appear(int target, double newX, double newY, double newHeading, double newSpeed) {
+    x[target] = newX;
+    y[target] = newY;
+    heading[target] = newHeading;
+    speed[target] = newSpeed;
+    occlusionRadius[target] = width[target] / 2;
     present[target] = true;
   }
 
@@ -77,11 +83,11 @@ public final class Targets {
   }
 
   void disappear(int target) {
-    radius[target] = 0;
+    occlusionRadius[target] = 0;
     present[target] = false;
   }
 
-  /** How many targets there will ever be. */
+  /** The number of targets that there will ever be. */
   public int count() {
     return x.length;
   }
@@ -121,42 +127,40 @@ public final class Targets {
     return size[target];
   }
 
-  /** How wide it is, seen from above, metres. */
+  /** The width of the target, seen from above, metres. */
   public double width(int target) {
     return width[target];
   }
 
-  /** Says what has to be seen of targets that say nothing. */
-  void require(Seen usual, boolean foreshortened) {
-    this.usual = usual;
+  /** Sets what must be seen of targets that have no rule of their own. */
+  void require(Seen newCommonSeen, boolean foreshortened) {
+    commonSeen = newCommonSeen;
     this.foreshortened = foreshortened;
   }
 
   private Seen seen(int target) {
-    return seen[target] == null ? usual : seen[target];
+    return seen[target] == null ? commonSeen : seen[target];
   }
 
-  /** The least height that has to be seen of the target, metres. */
+  /** The lowest height of the target that must be seen, metres. */
   public double low(int target) {
     return seen(target).low(height[target]);
   }
 
-  /** The greatest, metres. */
+  /** The greatest height of the target that must be seen, metres. */
   public double high(int target) {
     return seen(target).high(height[target]);
   }
 
-  /** What of the target a camera with a height has to see. */
+  /** What a camera with a height must see of the target. */
   public Body body(int target) {
     return new Body(size[target], low(target), high(target), foreshortened);
   }
 
-  /**
-   * Whether another target hides this one from a point; metres, a height of NaN in a flat world.
-   */
+  /** Whether another target hides this one from a point, metres; fromZ is NaN in a flat world. */
   boolean isHidden(int target, double fromX, double fromY, double fromZ) {
     return TargetOcclusion.hidden(
-        fromX, fromY, fromZ, target, x, y, radius, height, low(target), high(target));
+        fromX, fromY, fromZ, target, x, y, occlusionRadius, height, low(target), high(target));
   }
 
   /** Turns the target. */
@@ -169,7 +173,7 @@ public final class Targets {
     speed[target] = newSpeed;
   }
 
-  /** Puts the target on a point, without regard to the field's border. */
+  /** Puts the target at a point, even outside the field. */
   public void put(int target, double newX, double newY) {
     x[target] = newX;
     y[target] = newY;
@@ -180,20 +184,20 @@ public final class Targets {
     return field;
   }
 
-  /** Whether targets move before the cameras look, also in the step in which they appear. */
+  /** Whether targets move before cameras look, even in the step in which they appear. */
   public boolean moveFirst() {
     return movesFirst;
   }
 
-  /** Whether a target may walk from where it is to a point: no obstacle is in its way. */
+  /** Whether no obstacle is on the straight way from the target to a point. */
   public boolean canWalk(int target, double toX, double toY) {
     return obstacles.isEmpty() || obstacles.clear(x[target], y[target], toX, toY);
   }
 
   /**
-   * Moves the target by (dx, dy). Outside the field, or where an obstacle is in the way, the move
-   * is undone, arithmetically as in CamSim so that the last bits of the position may differ, and
-   * the target turns by pi + (2u - 1) pi/6.
+   * Moves the target by (dx, dy). If that leads out of the field or through an obstacle, the move
+   * is undone and the target turns by pi + (2u - 1) pi/6. As in CamSim, the move is subtracted
+   * again, so that the last bits of the position may differ.
    *
    * @param turn the stream that u is drawn from
    * @return whether the target moved

@@ -28,12 +28,12 @@ public record ViewSet(
     Moving moving) {
   private static final double AT_ONCE = Double.POSITIVE_INFINITY;
 
-  /** The views of a camera that cannot turn. */
+  /** Makes the views of a camera that cannot turn. */
   public static ViewSet of(List<ZoomLevel> zooms) {
     return new ViewSet(List.of(0.0), List.of(0.0), zooms, AT_ONCE, AT_ONCE, Moving.BLIND);
   }
 
-  /** The views that optics make of these zoom levels. */
+  /** Makes the views of a camera with these optics and zoom levels. */
   static ViewSet of(OpticsSpec optics, List<ZoomLevel> zooms) {
     double tilt = zooms.get(0).vertical().tilt();
     return new ViewSet(
@@ -45,22 +45,22 @@ public record ViewSet(
         optics.moving());
   }
 
-  /** The same in a flat world. */
-  public static ViewSet ofLens(OpticsSpec optics, double ownReach, double mountHeight) {
-    return ofLens(optics, ownReach, mountHeight, VerticalView.FLAT);
+  /** Makes the views of a camera with a lens in a flat world. */
+  public static ViewSet ofLens(OpticsSpec optics, double defaultReach, double mountHeight) {
+    return ofLens(optics, defaultReach, mountHeight, VerticalView.FLAT);
   }
 
   /**
-   * The views of a camera with a lens, which has a zoom level for each of its angles of view.
+   * Makes the views of a camera with a lens: one zoom level for each of its angles of view.
    *
-   * @param optics of a law that has angles of view
-   * @param ownReach the camera's reach where its optics say none, metres
-   * @param mountHeight metres; NaN where it is not known
-   * @param mounted how high the camera is and how far it looks down, whatever its levels
+   * @param optics with a law that has angles of view
+   * @param defaultReach metres; the reach if the optics have none
+   * @param mountHeight metres; NaN if unknown
+   * @param mounted height and tilt of the camera
    */
   static ViewSet ofLens(
-      OpticsSpec optics, double ownReach, double mountHeight, VerticalView mounted) {
-    double reach = optics.reach().orElse(ownReach);
+      OpticsSpec optics, double defaultReach, double mountHeight, VerticalView mounted) {
+    double reach = optics.reach().orElse(defaultReach);
     List<Double> angles = optics.anglesOfView();
     List<Double> radii = optics.law().radii(angles, reach);
     double least = Collections.min(radii);
@@ -80,14 +80,14 @@ public record ViewSet(
     return of(optics, zooms);
   }
 
-  /** Copies what could change. */
+  /** Copies the lists. */
   public ViewSet {
     pans = List.copyOf(pans);
     tilts = List.copyOf(tilts);
     zooms = List.copyOf(zooms);
   }
 
-  /** How many there are. */
+  /** The number of views. */
   public int count() {
     return pans.size() * tilts.size() * zooms.size();
   }
@@ -117,7 +117,7 @@ public record ViewSet(
     return tilts.get(tiltOf(view));
   }
 
-  /** The zoom level of a view, as it is at the tilt. */
+  /** The zoom level of a view, with the view's tilt. */
   public ZoomLevel zoom(int view) {
     ZoomLevel level = zooms.get(zoomOf(view));
     VerticalView vertical = level.vertical();
@@ -126,7 +126,7 @@ public record ViewSet(
         : level.with(new VerticalView(vertical.z(), tilt(view), vertical.angle()));
   }
 
-  /** Where a camera starts: its widest zoom at the angles nearest to its heading and own tilt. */
+  /** The view at the start: the widest zoom, nearest to the camera's heading and own tilt. */
   public int home() {
     return nearest(0, zooms.get(0).vertical().tilt(), zooms.size() - 1);
   }
@@ -145,7 +145,7 @@ public record ViewSet(
     return panSpeed < Double.POSITIVE_INFINITY || zoomSpeed < Double.POSITIVE_INFINITY;
   }
 
-  /** The view that a camera passes; of two equally near ones the one farther left or narrower. */
+  /** The view nearest to these values; of two equally near ones the left or narrower one. */
   int nearest(double pan, double tilt, double zoom) {
     int direction = nearest(pans, pan) * tilts.size() + nearest(tilts, tilt);
     return direction * zooms.size() + (int) Math.ceil(zoom - 0.5);

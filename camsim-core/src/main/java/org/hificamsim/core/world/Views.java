@@ -13,22 +13,22 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.visibility.Pose;
 
 /**
- * Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. Any
- * number of threads may ask.
+ * Makes the views of a camera from its optics, the scenario's zoom list, or its range. Safe for use
+ * by several threads.
  */
 final class Views {
-  /** CamSim's constant: a camera created with this range or more gets {@link #CLAMPED} instead. */
+  /** CamSim creates a camera of this range or more with {@link #CLAMPED} instead (metres). */
   private static final double MAX_RANGE = 20;
 
   private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
 
-  /** All that views depend on: what {@link #make} reads of a camera has to be here. */
-  private record Kind(
+  /** All properties of a camera that its views depend on: {@link #make} may read no others. */
+  private record CameraKind(
       double range, double viewingAngle, Optional<OpticsSpec> optics, VerticalView mounted) {}
 
   private final Scenario scenario;
   private final boolean flat;
-  private final Map<Kind, ViewSet> made = new ConcurrentHashMap<>();
+  private final Map<CameraKind, ViewSet> viewsByKind = new ConcurrentHashMap<>();
   private final Map<ZoomLevel, Integer> numbers = new HashMap<>();
 
   Views(Scenario scenario) {
@@ -41,49 +41,50 @@ final class Views {
     return range >= MAX_RANGE ? CLAMPED : range;
   }
 
-  /** The views of a camera as the scenario gives it; cameras of a kind share them. */
+  /** Returns the views of a camera of the scenario; cameras of a kind share them. */
   ViewSet of(CameraSpec camera) {
     double range = camera.optics().isPresent() ? camera.range() : clampedRange(camera.range());
     return of(range, Math.toRadians(camera.viewingAngle()), camera);
   }
 
   /**
-   * The views of a camera that was changed; cameras of a kind share them.
+   * Returns the views of a camera that an event changed; cameras of a kind share them.
    *
-   * @param range used where the scenario has no zoom list, metres
+   * @param range metres; ignored if the scenario has a zoom list
    * @param viewingAngle radians
-   * @param camera whose the rest is
+   * @param camera gives all other properties
    */
   ViewSet of(double range, double viewingAngle, CameraSpec camera) {
-    double own = scenario.inCoverageDialect() ? 0 : range;
+    double ownRange = scenario.inCoverageDialect() ? 0 : range;
     double z = flat ? Double.NaN : scenario.z(camera);
     VerticalView mounted = new VerticalView(z, Math.toRadians(camera.tilt()), Double.NaN);
-    return made.computeIfAbsent(new Kind(own, viewingAngle, camera.optics(), mounted), this::make);
+    return viewsByKind.computeIfAbsent(
+        new CameraKind(ownRange, viewingAngle, camera.optics(), mounted), this::make);
   }
 
-  /** How a camera is mounted as the scenario gives it. */
+  /** Mounts a camera as the scenario describes it. */
   Mount mount(CameraSpec spec) {
     return mount(Pose.of(spec.x(), spec.y(), Math.toRadians(spec.heading())), of(spec));
   }
 
-  /** A camera with these views. */
+  /** Mounts a camera with these views. */
   Mount mount(Pose pose, ViewSet set) {
     return new Mount(pose, set, this::number);
   }
 
-  /** Equal zoom levels have one number, whichever cameras have them. */
+  /** Returns the number that equal zoom levels of all cameras share. */
   private synchronized int number(ZoomLevel zoom) {
-    return numbers.computeIfAbsent(zoom, any -> numbers.size());
+    return numbers.computeIfAbsent(zoom, newZoom -> numbers.size());
   }
 
-  private ViewSet make(Kind kind) {
+  private ViewSet make(CameraKind kind) {
     return kind.optics
         .map(optics -> make(kind, optics))
         .orElseGet(() -> ViewSet.of(round(kind, 0)));
   }
 
-  /** A lens without a reach of its own has the whole field in reach. */
-  private ViewSet make(Kind kind, OpticsSpec optics) {
+  /** The reach of a lens is its own, or the diagonal of the field. */
+  private ViewSet make(CameraKind kind, OpticsSpec optics) {
     return optics.law().hasAngles()
         ? ViewSet.ofLens(
             optics,
@@ -93,7 +94,7 @@ final class Views {
         : ViewSet.of(optics, round(kind, optics.pixels().orElse(0)));
   }
 
-  private List<ZoomLevel> round(Kind kind, int pixels) {
+  private List<ZoomLevel> round(CameraKind kind, int pixels) {
     List<Double> radii = scenario.inCoverageDialect() ? scenario.zooms() : List.of(kind.range);
     double narrowest = radii.get(0);
     double widest = radii.get(radii.size() - 1);

@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.visibility.Pose;
 
 /**
- * The state of a scenario as it runs: cameras and targets in flat arrays, and the events to come.
+ * The state of a running scenario: cameras and targets in flat arrays, and the coming events.
  *
  * <p>Cameras and targets are numbered in the order of the file, those of the start first, then
  * those that events add, in the order in which they appear.
@@ -31,9 +31,9 @@ public final class World {
   private int nextTarget;
 
   /**
-   * The world at its start, before the events of step 0.
+   * Creates the world at its start, before the events of step 0.
    *
-   * @throws InputException when a target asks for a movement that is not registered
+   * @throws InputException if a target names a movement that is not registered
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
     this(Participants.of(scenario), registry, seed);
@@ -54,14 +54,14 @@ public final class World {
   }
 
   /**
-   * Another world of the same scenario at its start. What does not change is there once for both;
-   * otherwise they have nothing to do with each other, and threads of their own may run them.
+   * Creates another world of the same scenario at its start. The two share immutable data only and
+   * may run in different threads.
    */
   public World another(long seed) {
     return new World(participants, registry, seed);
   }
 
-  /** Defines all there will ever be, and adds those of the start. */
+  /** Defines all cameras and targets, and adds those of the start. */
   private void start() {
     defineAll();
     scenario().cameras().forEach(camera -> addCamera());
@@ -69,9 +69,9 @@ public final class World {
   }
 
   /**
-   * Begins again: the same as a new world with this seed, but what obstacles hide from cameras that
-   * stand where they stood is known. A {@link org.hificamsim.core.engine.Simulation} of this world
-   * ends with it; the next one is a new one.
+   * Restarts the world with another seed. It equals a new world, but keeps the visible regions of
+   * cameras that have not moved. Each restart needs a new {@link
+   * org.hificamsim.core.engine.Simulation}.
    */
   public void restart(long seed) {
     random.restart(seed);
@@ -82,7 +82,7 @@ public final class World {
     sightLines.refresh();
   }
 
-  /** The zoom levels of the scenario's cameras at the start, each once, in the file's order. */
+  /** The different zoom levels of the cameras at the start, in the order of the file. */
   public static List<ZoomLevel> zoomLevels(Scenario scenario) {
     Views views = new Views(scenario);
     return scenario.cameras().stream()
@@ -117,49 +117,49 @@ public final class World {
   }
 
   /**
-   * How the scenario describes a camera, also one that is yet to be added; events that change the
-   * camera later do not change this.
+   * The scenario's description of a camera, even of one that is added later. Events that change the
+   * camera do not change it.
    */
   public CameraSpec cameraSpec(int camera) {
     return participants.cameras().get(camera);
   }
 
-  /** How the scenario describes a target, also one that is yet to appear. */
+  /** The scenario's description of a target, even of one that appears later. */
   public TargetSpec targetSpec(int target) {
     return participants.targets().get(target);
   }
 
-  /** Sets the one observer of the events that fire from now on. */
+  /** Sets the observer of events, in place of any other. */
   public void observe(WorldObserver newObserver) {
     observer = newObserver;
   }
 
-  /** Switches a camera off or on again, outside any event. */
+  /** Switches a camera on or off, independently of events. */
   public void switchCamera(int camera, boolean on) {
     cameras.switchTo(camera, on);
   }
 
-  /** Puts a camera elsewhere, outside any event; metres. */
+  /** Moves a camera to a position in metres, independently of events. */
   public void moveCamera(int camera, double x, double y) {
     cameras.place(camera, Pose.of(x, y, cameras.heading(camera)));
     sightLines.refresh();
   }
 
-  /** Turns a camera, outside any event; radians, 0 is +y and pi/2 is +x. */
+  /** Turns a camera, independently of events; radians, 0 is +y and pi/2 is +x. */
   public void turnCamera(int camera, double heading) {
     cameras.place(camera, Pose.of(cameras.x(camera), cameras.y(camera), heading));
   }
 
-  /** Has a camera be what another program says, outside any event: its name, pose and views. */
+  /** Sets a camera's name, pose and views, independently of events. */
   public void setCamera(int camera, String name, Pose pose, ViewSet views) {
     cameras.place(camera, name, participants.views().mount(pose, views));
     sightLines.refresh();
   }
 
-  /** The same of a target: its name, whether it is there, and where, in metres. */
-  public void setTarget(int target, String name, boolean there, double x, double y) {
+  /** Sets a target's name, presence and position in metres, independently of events. */
+  public void setTarget(int target, String name, boolean present, double x, double y) {
     targets.rename(target, name);
-    if (there) {
+    if (present) {
       targets.appear(target, x, y, 0, 0);
     } else {
       targets.disappear(target);
@@ -167,7 +167,7 @@ public final class World {
   }
 
   /**
-   * Gives a camera another range; one with a zoom list keeps its levels.
+   * Changes the range of a camera; a camera with a zoom list keeps its levels.
    *
    * @param range metres
    */
@@ -184,7 +184,7 @@ public final class World {
     sightLines.refresh();
   }
 
-  /** Moves all targets present by one step, in their order. */
+  /** Moves all targets that are present by one step, in the order of their numbers. */
   public void moveTargets() {
     for (int target = 0; target < movements.length; target++) {
       if (targets.present(target)) {
@@ -233,7 +233,7 @@ public final class World {
     refit(camera, range, angle);
   }
 
-  /** A camera with optics keeps its views, but for round ones. */
+  /** Gives a camera other views; one with a lens keeps its own. */
   private void refit(int camera, double range, double viewingAngle) {
     ViewSet set = participants.views().of(range, viewingAngle, cameraSpec(camera));
     cameras.place(camera, participants.views().mount(cameras.pose(camera), set));

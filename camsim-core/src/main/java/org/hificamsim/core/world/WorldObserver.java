@@ -1,6 +1,6 @@
 package org.hificamsim.core.world;
 
-/** Observes what events change in a world, in the order in which they fire. */
+/** Observes what events change in a world, in the order of the events. */
 public interface WorldObserver {
   /** Ignores everything. */
   WorldObserver NONE = new WorldObserver() {};
@@ -11,7 +11,7 @@ public interface WorldObserver {
   /**
    * A camera was switched off.
    *
-   * @param duration steps, above 0; -1 for ever
+   * @param duration steps, above 0; -1 for the rest of the run
    */
   default void cameraFailed(int camera, int duration) {}
 

@@ -1,4 +1,4 @@
-/** The world's state in flat arrays: field, cameras, targets, and how they change. */
+/** The state of a running scenario: cameras and targets in flat arrays, and what changes them. */
 @StableApi(since = "0.1")
 package org.hificamsim.core.world;
 

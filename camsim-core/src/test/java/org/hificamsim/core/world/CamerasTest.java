@@ -39,11 +39,11 @@ class CamerasTest {
 
   @Test
   void whatItLooksAtChangesWithItsViewAlone() {
-    int looks = cameras.looks();
+    int revision = cameras.viewRevision();
     cameras.turnTo(0, AHEAD);
-    assertEquals(looks, cameras.looks(), "the view that it had");
+    assertEquals(revision, cameras.viewRevision(), "the view that it had");
     cameras.turnTo(0, LEFT);
-    assertNotEquals(looks, cameras.looks());
+    assertNotEquals(revision, cameras.viewRevision());
   }
 
   @Test
@@ -54,19 +54,19 @@ class CamerasTest {
     assertEquals(Math.toRadians(-40), cameras.pan(0, LEFT - 1), "another view");
     assertEquals(0.25, cameras.pose(0, LEFT).heading(), 1e-15);
     assertEquals(0, cameras.pose(0, AHEAD).heading(), 1e-15);
-    int looks = cameras.looks();
+    int revision = cameras.viewRevision();
     cameras.turnTo(0, LEFT);
     assertEquals(Math.toRadians(-40), cameras.pan(0, LEFT), 1e-15);
     assertEquals(Math.toRadians(-40), cameras.pose(0, LEFT).heading(), 1e-15);
-    assertNotEquals(looks, cameras.looks());
+    assertNotEquals(revision, cameras.viewRevision());
   }
 
   @Test
   void aimingAgainIsAnotherLook() {
     cameras.aim(0, AHEAD, 0.25);
-    int looks = cameras.looks();
+    int revision = cameras.viewRevision();
     cameras.aim(0, AHEAD, 0.5);
-    assertNotEquals(looks, cameras.looks());
+    assertNotEquals(revision, cameras.viewRevision());
     assertEquals(0.5, cameras.pan(0, AHEAD));
   }
 
@@ -96,14 +96,14 @@ class CamerasTest {
   void itSeesNothingOnItsWayAndAsFarAsItsViewOnceItIsThere() {
     Cameras slow = cameras(Optional.of(20.0));
     assertEquals(7, slow.range(0), 1e-9);
-    int looks = slow.looks();
+    int revision = slow.viewRevision();
     slow.turnTo(0, LEFT);
     slow.advance();
     assertEquals(0, slow.range(0));
-    int onItsWay = slow.looks();
-    assertNotEquals(looks, onItsWay);
+    int onItsWay = slow.viewRevision();
+    assertNotEquals(revision, onItsWay);
     slow.advance();
     assertEquals(7, slow.range(0), 1e-9);
-    assertNotEquals(onItsWay, slow.looks());
+    assertNotEquals(onItsWay, slow.viewRevision());
   }
 }

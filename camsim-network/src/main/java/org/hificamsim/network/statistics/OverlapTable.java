@@ -13,7 +13,7 @@ public final class OverlapTable {
   private final ToDoubleBiFunction<FieldOfView, FieldOfView> overlap;
   private final double[][] overlaps; // by camera, with each later one
   private final FieldOfView[] fields;
-  private int looks = -1;
+  private int revision = -1;
 
   /**
    * @param overlap of two cameras, the first being earlier in the list
@@ -57,10 +57,10 @@ public final class OverlapTable {
   }
 
   private void refresh() {
-    if (looks == cameras.looks()) {
+    if (looks == cameras.viewRevision()) {
       return;
     }
-    looks = cameras.looks();
+    looks = cameras.viewRevision();
     boolean[] changed = new boolean[fields.length];
     for (int camera = 0; camera < fields.length; camera++) {
       FieldOfView now = FieldOfView.of(cameras, camera);

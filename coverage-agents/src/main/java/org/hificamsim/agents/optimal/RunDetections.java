@@ -48,7 +48,7 @@ final class RunDetections {
       momentOf = new int[network.targets()];
       coverable = new boolean[network.targets()];
     }
-    boolean all = !objective.ofCoverableAlone();
+    boolean all = !objective.countsCoverableOnly();
     if (!all) {
       network.markCoverable(coverable);
     }

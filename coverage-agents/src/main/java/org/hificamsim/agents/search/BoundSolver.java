@@ -30,11 +30,11 @@ public final class BoundSolver extends Solver {
    * @param problem what each call of {@link #solve} reads
    */
   public BoundSolver(Objective objective, CoverageProblem problem) {
-    this.objective = objective.ofCoverableAlone() ? Objective.kMin() : objective;
+    this.objective = objective.countsCoverableOnly() ? Objective.kMin() : objective;
     this.problem = problem;
     remaining = new RemainingSets(problem);
     stage =
-        objective.ofCoverableAlone()
+        objective.countsCoverableOnly()
             ? Stage.ofLeastCoverable(problem, remaining)
             : Stage.stages(objective, problem, remaining)[0];
     localSearch = new LocalSearch(problem, remaining, new Stage[] {stage});

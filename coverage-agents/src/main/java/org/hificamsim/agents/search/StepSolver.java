@@ -189,7 +189,7 @@ public final class StepSolver extends Solver {
   private double score(int[] coverage) {
     int count = 0;
     for (int target = 0; target < problem.targets(); target++) {
-      if (!objective.ofCoverableAlone() || problem.isCoverable(target)) {
+      if (!objective.countsCoverableOnly() || problem.isCoverable(target)) {
         countedCoverage[count++] = coverage[target];
       }
     }

@@ -56,7 +56,7 @@ record Exhaustive(double score, int[] configuration) {
   private static int[] coverage(
       Objective objective, int targets, boolean[][][] sets, int[] configuration) {
     return IntStream.range(0, targets)
-        .filter(target -> !objective.ofCoverableAlone() || isCoverable(sets, target))
+        .filter(target -> !objective.countsCoverableOnly() || isCoverable(sets, target))
         .map(target -> coverage(sets, configuration, target))
         .toArray();
   }

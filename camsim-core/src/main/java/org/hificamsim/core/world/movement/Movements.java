@@ -60,15 +60,15 @@ public final class Movements {
   }
 
   /**
-   * CamSim's waypoints: always a full step towards the current waypoint; within 0.99999 m of it the
-   * target turns to the next one, cyclically, so that it never stands on one exactly. It starts on
-   * the first where waypoints alone ask for this movement, and where the scenario puts it where a
-   * name does (behaviour 3.5, 5.1).
+   * CamSim's waypoints: the target always takes a full step towards the current waypoint; within
+   * 0.99999 m of it, it turns to the next one, cyclically, and so never stands on one exactly. It
+   * starts at its own position, or on the first waypoint if the file names no movement (behaviour
+   * 3.5, 5.1).
    */
   private static final class Waypoints implements Movement {
     private static final double NEAR = 1 - 0.00001;
 
-    /** East, which CamSim asks for as atan2(1, 0) each time: the same number. */
+    /** The heading of east; CamSim computes the same number as atan2(1, 0). */
     private static final double EAST = Math.PI / 2;
 
     private List<Waypoint> path;
@@ -103,8 +103,8 @@ public final class Movements {
 
   /**
    * The coverage study's waypoints: the target starts on the first one and walks towards the next;
-   * when that is within one step it lands on it exactly and turns to the one after, cyclically. Of
-   * a speed below 0, with which it would never arrive, the size counts.
+   * a waypoint within one step is reached exactly, and the target turns to the one after,
+   * cyclically. A negative speed counts as its absolute value, since the target would never arrive.
    */
   private static final class Scripted implements Movement {
     private List<Waypoint> path;
@@ -172,18 +172,17 @@ public final class Movements {
   }
 
   /**
-   * A recorded track: when cameras look in step n the target is where it was at n times the length
-   * of a step, on the straight line between two samples, whatever stands in its way. At the track's
-   * end it stays until it is removed. Heading and speed are those of its start: working them out
-   * would cost more than the step, and nobody looks at them.
+   * A recorded track: when cameras look in step n, the target is where it was at time n times the
+   * length of a step, interpolated between two samples, even through obstacles. At the end of the
+   * track it stays until it is removed. Heading and speed stay those of its start: computing them
+   * would take longer than the step, and nothing uses them.
    */
   private static final class Tracks implements Movement {
     private final TrackWalk walk = new TrackWalk();
 
     @Override
     public void start(int target, Targets targets, TargetSpec spec) {
-      if (spec.track()
-          .isEmpty()) { // in no lambda, since a step in which it comes allocates nothing
+      if (spec.track().isEmpty()) { // not a lambda, which would allocate
         throw InputException.of(
             "target %s moves by Tracks and has no track, expected one of <tracks>", spec.name());
       }

@@ -7,9 +7,9 @@ import org.hificamsim.core.world.RandomStreams;
 import org.hificamsim.core.world.Targets;
 
 /**
- * The random waypoint model: the target walks straight to a place drawn uniformly from the field,
- * and then to another. A place that solid obstacles hide from it is drawn again, up to {@value
- * #DRAWS} times; when all are hidden it stands still for the step.
+ * The random waypoint model: the target walks straight to a position drawn uniformly from the
+ * field, and then to another one. A position behind a solid obstacle is drawn again, up to {@value
+ * #DRAWS} times; if all are, the target stands still for the step.
  */
 final class RandomWaypointMovement implements Movement {
   private static final int DRAWS = 100;
