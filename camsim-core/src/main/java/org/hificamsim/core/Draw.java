@@ -1,11 +1,11 @@
 package org.hificamsim.core;
 
 /**
- * Numbers drawn by what they are for, and not one after the other: hashes of a seed and of counters
- * such as a step and a camera, so that a draw depends on no order, thread or policy.
+ * Counter-based random numbers: hashes of a seed and of counters such as step and camera, so that a
+ * draw does not depend on order, thread or policy.
  *
- * <p>The hash is SplitMix64 (Steele, Lea and Flood, OOPSLA 2014): a key for each counter, from the
- * key before.
+ * <p>The hash is SplitMix64 (Steele, Lea and Flood, OOPSLA 2014); each counter derives a key from
+ * the key before it.
  */
 public final class Draw {
   private static final long GAMMA = 0x9E3779B97F4A7C15L;
@@ -13,12 +13,12 @@ public final class Draw {
 
   private Draw() {}
 
-  /** The key of a counter after those that {@code key} stands for; at first that is the seed. */
+  /** Derives a key from a key and a counter; the first key is the seed. */
   public static long key(long key, long counter) {
     return mix(key + GAMMA * counter);
   }
 
-  /** The number in [0, 1) of a key. */
+  /** Returns the number in [0, 1) of a key. */
   public static double unit(long key) {
     return (key >>> 11) * UNIT;
   }

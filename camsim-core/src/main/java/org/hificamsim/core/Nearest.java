@@ -4,14 +4,14 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.stream.Collectors;
 
-/** The names that a misspelled one may stand for, in error lines. */
+/** Suggests names for a misspelled one in messages. */
 public final class Nearest {
   private static final int MAX_NAMES = 5;
   private static final int MAX_LENGTH = 100;
 
   private Nearest() {}
 
-  /** What was expected: all names where they are few, else those most like the text. */
+  /** Lists all names if they are few, else those most similar to the text. */
   public static String to(String text, Collection<String> names) {
     if (names.size() <= MAX_NAMES) {
       return String.join(", ", names);
@@ -27,7 +27,7 @@ public final class Nearest {
     return !text.isEmpty() && name.contains(text) ? 0 : edits(text, name);
   }
 
-  /** Characters added, left out, replaced, or swapped with the next (optimal string alignment). */
+  /** The number of insertions, deletions, replacements and swaps (optimal string alignment). */
   private static int edits(String a, String b) {
     int[][] edits = new int[a.length() + 1][b.length() + 1];
     for (int i = 0; i <= a.length(); i++) {

@@ -5,18 +5,16 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/**
- * How enumeration constants are written in files and options: lower case, {@code -} for {@code _}.
- */
+/** Spells enumeration constants as files and options do: lower case, {@code -} for {@code _}. */
 public final class Spelling {
   private Spelling() {}
 
-  /** The constant's spelling. */
+  /** Returns the spelling of a constant. */
   public static String of(Enum<?> constant) {
     return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  /** The constant of {@code type} spelled so. */
+  /** Returns the constant of {@code type} with this spelling. */
   public static <E extends Enum<E>> Optional<E> find(Class<E> type, String text) {
     return Arrays.stream(type.getEnumConstants())
         .filter(constant -> of(constant).equals(text))
@@ -24,10 +22,10 @@ public final class Spelling {
   }
 
   /**
-   * The constant of {@code type} that a text spells.
+   * Returns the constant of {@code type} with this spelling.
    *
-   * @param name of what has the text, for the error line
-   * @throws InputException when there is none
+   * @param name of the setting, for the message
+   * @throws InputException if there is none
    */
   public static <E extends Enum<E>> E require(Class<E> type, String name, String text) {
     return find(type, text)
@@ -35,7 +33,7 @@ public final class Spelling {
             () -> InputException.of("%s is '%s', expected one of %s", name, text, all(type)));
   }
 
-  /** All spellings of {@code type}, for error lines. */
+  /** Returns all spellings of {@code type}, for messages. */
   public static <E extends Enum<E>> String all(Class<E> type) {
     return Arrays.stream(type.getEnumConstants())
         .map(Spelling::of)

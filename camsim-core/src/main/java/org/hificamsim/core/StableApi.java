@@ -7,9 +7,9 @@ import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
 /**
- * Marks a package that other programs may build on: its public types keep names, signatures and
- * meaning for as long as the version's first number stays (before 1.0: its second). They expose
- * nothing but the JDK's types and other stable packages'.
+ * Marks a package that other programs may build on: its public types keep their names, signatures
+ * and meaning within a major version (before 1.0: a minor version), and expose only types of the
+ * JDK and of stable packages.
  */
 @Documented
 @Target(ElementType.PACKAGE)

@@ -4,19 +4,20 @@ import java.util.stream.LongStream;
 import org.hificamsim.core.Draw;
 
 /**
- * The channel of a run: which messages arrive, and when. {@link Post} carries messages over it.
+ * The channel of a run: decides which messages arrive, and when. {@link Post} carries messages over
+ * it.
  *
- * <p>A camera {@link #send sends} a message, once for all that are to have it, and then asks for
- * each of these how long its copy takes. The same message goes to all over the same hops, and
- * shares what becomes of it there. Draws are by seed, step, link, sender and the number of the
- * message among the sender's of this step ({@link Draw}), so that what other cameras send changes
- * nothing. Messages may overtake each other where delays are drawn. From one thread.
+ * <p>A camera {@link #send sends} a message once for all its receivers, and then asks for the
+ * {@link #delay} of each receiver's copy. Copies that travel over the same hop share its delay and
+ * loss. Draws depend on seed, step, link, sender and the number of the message among those that the
+ * sender sends in the step ({@link Draw}), so that messages of other cameras change nothing. With
+ * random delays, messages may overtake each other. Not thread-safe.
  */
 public final class Channel {
-  /** A copy that never arrives. */
+  /** The delay of a copy that never arrives. */
   public static final int LOST = -1;
 
-  /** Everything arrives at once: who sends need not ask. */
+  /** Delivers everything at once; senders need not ask it. */
   public static final Channel PERFECT = new Channel();
 
   private static final long STREAM = 0x4348414E;
@@ -24,12 +25,24 @@ public final class Channel {
   private final ChannelModel model;
   private final boolean perfect;
   private final Stations stations;
-  private final RadioGraph radio; // null where all cameras receive each other
-  private final long start;
-  private final long[] steps; // by camera: in which it sent last
-  private final int[] numbers; // of the last message among those of the step
-  private final long[] waiting; // bits, at that step
-  private final int[] waits; // steps, of the last message
+
+  /** Null if all cameras receive each other. */
+  private final RadioGraph radio;
+
+  private final long drawKey;
+
+  /** By camera: the step in which it sent last. */
+  private final long[] lastSent;
+
+  /** By camera: the number of its last message among those of that step. */
+  private final int[] messageNumbers;
+
+  /** By camera: the bits in its queue in that step. */
+  private final long[] queuedBits;
+
+  /** By camera: how many steps its last message waits in the queue. */
+  private final int[] queueDelays;
+
   private final long[] dropped;
 
   private Channel() {
@@ -49,11 +62,11 @@ public final class Channel {
     this.perfect = model.isPerfect();
     this.stations = stations;
     this.radio = model.range() > 0 ? new RadioGraph(stations, model.range()) : null;
-    this.start = Draw.key(Draw.key(seed, 1), STREAM);
-    this.steps = new long[cameras];
-    this.numbers = new int[cameras];
-    this.waiting = new long[cameras];
-    this.waits = new int[cameras];
+    this.drawKey = Draw.key(Draw.key(seed, 1), STREAM);
+    this.lastSent = new long[cameras];
+    this.messageNumbers = new int[cameras];
+    this.queuedBits = new long[cameras];
+    this.queueDelays = new int[cameras];
     this.dropped = new long[cameras];
   }
 
@@ -62,49 +75,49 @@ public final class Channel {
     return perfect;
   }
 
-  /** How many messages found no place in their sender's queue so far. */
+  /** The number of messages so far that did not fit into their sender's queue. */
   public long dropped() {
     return LongStream.of(dropped).sum();
   }
 
   /**
-   * A camera sends a message now. It waits until those before it are sent, as many bits a step as
-   * the bandwidth; where more would wait than the queue holds, it is dropped.
+   * Sends a message in this step. It waits until the messages before it are sent, at the bandwidth;
+   * if the queue has no room for it, it is dropped.
    *
-   * @param bits its length, 0 or more
-   * @return whether it is sent
+   * @param bits length of the message, 0 or more
+   * @return whether the message is sent
    */
   public boolean send(int from, long bits) {
     long now = stations.step();
-    long passed = now - steps[from];
-    numbers[from] = passed == 0 ? numbers[from] + 1 : 0;
-    steps[from] = now;
+    long passed = now - lastSent[from];
+    messageNumbers[from] = passed == 0 ? messageNumbers[from] + 1 : 0;
+    lastSent[from] = now;
     return model.bandwidth() == 0 || queue(from, bits, passed);
   }
 
   private boolean queue(int from, long bits, long passed) {
-    long before = Math.max(0, waiting[from] - passed * model.bandwidth());
+    long before = Math.max(0, queuedBits[from] - passed * model.bandwidth());
     boolean fits = before + bits <= model.bandwidth() + model.queue();
-    waiting[from] = fits ? before + bits : before;
-    waits[from] = (int) (Math.max(0, before + bits - 1) / model.bandwidth());
+    queuedBits[from] = fits ? before + bits : before;
+    queueDelays[from] = (int) (Math.max(0, before + bits - 1) / model.bandwidth());
     dropped[from] += fits ? 0 : 1;
     return fits;
   }
 
   /**
-   * How many steps the copy of the message that a camera {@link #send sent} last takes to another
-   * one, 0 for one that arrives in this step; or {@link #LOST}.
+   * Returns how many steps a receiver's copy of the sender's last message takes: 0 if it arrives in
+   * the same step; {@link #LOST} if never.
    */
   public int delay(int from, int to) {
-    int wait = waits[from];
-    int way = radio == null ? hop(from, from, to, wait) : way(from, to, wait);
-    return way == LOST ? LOST : wait + way;
+    int wait = queueDelays[from];
+    int travel = radio == null ? hop(from, from, to, wait) : travelTime(from, to, wait);
+    return travel == LOST ? LOST : wait + travel;
   }
 
-  /** Over all hops; the time of a hop is that of those before it. */
-  private int way(int from, int to, int wait) {
-    int last = radio.before(from, to);
-    int before = last == from || last == LOST ? 0 : way(from, last, wait);
+  /** Steps over all hops; a hop begins when the one before it ends. */
+  private int travelTime(int from, int to, int wait) {
+    int last = radio.predecessor(from, to);
+    int before = last == from || last == LOST ? 0 : travelTime(from, last, wait);
     if (last == LOST || before == LOST) {
       return LOST;
     }
@@ -113,9 +126,9 @@ public final class Channel {
   }
 
   private int hop(int from, int last, int to, int after) {
-    long step = steps[from] + after;
-    long link = Draw.key(start, ((long) last << 32) | to);
-    long message = Draw.key(Draw.key(Draw.key(~link, step), from), numbers[from]);
+    long step = lastSent[from] + after;
+    long link = Draw.key(drawKey, ((long) last << 32) | to);
+    long message = Draw.key(Draw.key(Draw.key(~link, step), from), messageNumbers[from]);
     return model.loss().loses(link, step, Draw.unit(message))
         ? LOST
         : model.delay().steps(Draw.unit(Draw.key(message, 1)));

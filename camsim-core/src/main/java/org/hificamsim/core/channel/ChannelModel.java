@@ -5,14 +5,14 @@ import java.util.stream.Stream;
 import org.hificamsim.core.registry.Options;
 
 /**
- * What becomes of messages between cameras: what the option {@code --channel} and the attribute
- * {@code channel} choose ({@code docs/channel.md}). A {@link Channel} is one at work.
+ * How messages between cameras are delayed and lost: the setting {@code channel} ({@code
+ * docs/channel.md}). A {@link Channel} applies it in a run.
  */
 public final class ChannelModel {
   /** An example for help. */
   public static final String EXAMPLE = "loss=0.2,delay=2,range=30,bandwidth=1000";
 
-  /** Everything arrives at once. */
+  /** Delivers everything at once. */
   public static final ChannelModel PERFECT = parse("perfect");
 
   private static final double MAX_RANGE = 1e9;
@@ -36,9 +36,9 @@ public final class ChannelModel {
   }
 
   /**
-   * The model in a text: {@code perfect}, or {@code key=value,...}.
+   * Parses {@code perfect} or {@code key=value,...}.
    *
-   * @throws org.hificamsim.core.InputException when an option is wrong
+   * @throws org.hificamsim.core.InputException if an option is invalid
    */
   public static ChannelModel parse(String text) {
     Options options =
@@ -48,7 +48,7 @@ public final class ChannelModel {
     return model;
   }
 
-  /** As users write it, with the options that are not the default. */
+  /** The model as users write it, with the options that differ from their defaults. */
   public String text() {
     String given =
         Stream.of(
@@ -81,17 +81,17 @@ public final class ChannelModel {
     return delay;
   }
 
-  /** Metres; 0 where all cameras reach each other. */
+  /** The range of a radio, metres; 0 if all cameras reach each other. */
   double range() {
     return range;
   }
 
-  /** Bits a step a camera; 0 for any number. */
+  /** Bits that a camera can send in a step; 0 for any number. */
   long bandwidth() {
     return bandwidth;
   }
 
-  /** Bits that may wait. */
+  /** Bits that may wait in a camera's queue. */
   long queue() {
     return (long) queue * bandwidth;
   }

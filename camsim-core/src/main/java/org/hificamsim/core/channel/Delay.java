@@ -6,12 +6,12 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.registry.Options;
 
 /**
- * How many steps a message takes from a camera to the next.
+ * The number of steps that a message takes from one camera to the next.
  *
- * @param text as users write it
- * @param least steps
- * @param most steps; as {@code least} where it always takes the same
- * @param mean steps, of an exponential distribution rounded to whole steps; 0 without one
+ * @param text the delay as users write it
+ * @param least the fewest steps of a uniform distribution
+ * @param most the most steps of it; equal to {@code least} for a constant delay
+ * @param mean the mean of an exponential distribution, rounded to whole steps; 0 for no such one
  */
 record Delay(String text, int least, int most, double mean) {
   private static final int MAX = 10_000;
@@ -47,7 +47,9 @@ record Delay(String text, int least, int most, double mean) {
   }
 
   /**
-   * @param draw [0, 1)
+   * Returns the delay for a random draw.
+   *
+   * @param draw in [0, 1)
    */
   int steps(double draw) {
     return mean > 0

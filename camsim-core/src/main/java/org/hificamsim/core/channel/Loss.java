@@ -5,13 +5,13 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.registry.Options;
 
 /**
- * How messages are lost: each on its own, or in bursts, by the model of Gilbert (1960) and Elliott
- * (1963). There a link is in a good or a bad state, and changes between the steps.
+ * How messages are lost: independently, or in bursts by the model of Gilbert (1960) and Elliott
+ * (1963), in which a link is in a good or a bad state and may change between steps.
  *
- * @param mean the share that is lost over a long time, [0, 1]
- * @param burst how many steps the bad state lasts on average, 1 or more; 0 for losses on their own
- * @param h the share that arrives in the bad state, [0, 1)
- * @param k the share that arrives in the good state, (h, 1]
+ * @param mean the long-term share of messages that are lost, in [0, 1]
+ * @param burst the mean duration of the bad state, 1 step or more; 0 for independent losses
+ * @param h the share that arrives in the bad state, in [0, 1)
+ * @param k the share that arrives in the good state, in (h, 1]
  */
 record Loss(double mean, double burst, double h, double k) {
   private static final double MAX_BURST = 10_000;
@@ -29,7 +29,7 @@ record Loss(double mean, double burst, double h, double k) {
   private Loss checked() {
     if (burst == 0 ? h != 0 || k != 1 : burst < 1) {
       throw invalid("burst is " + burst, "1 or more steps, or 0 without h and k");
-    } else if (burst > 0 && !(h < k && mean >= 1 - k && mean < 1 - h && toBad() < 1)) {
+    } else if (burst > 0 && !(h < k && mean >= 1 - k && mean < 1 - h && chanceOfBad() < 1)) {
       String lost = "a loss from 1 - k to 1 - h, with bursts that leave room for it";
       throw invalid("loss is %s with burst=%s, h=%s, k=%s".formatted(mean, burst, h, k), lost);
     }
@@ -44,14 +44,14 @@ record Loss(double mean, double burst, double h, double k) {
     return mean == 0;
   }
 
-  /** The chance that a good link is bad in the next step: p. */
-  private double toBad() {
+  /** The chance p that a good link is bad in the next step. */
+  private double chanceOfBad() {
     double bad = (mean - 1 + k) / (k - h);
-    return toGood() * bad / (1 - bad);
+    return chanceOfGood() * bad / (1 - bad);
   }
 
-  /** The chance that a bad link is good in the next step: r. */
-  private double toGood() {
+  /** The chance r that a bad link is good in the next step. */
+  private double chanceOfGood() {
     return 1 / burst;
   }
 
@@ -59,7 +59,7 @@ record Loss(double mean, double burst, double h, double k) {
    * Whether a message is lost.
    *
    * @param link the key of all draws of the link
-   * @param draw of the message, [0, 1)
+   * @param draw of the message, in [0, 1)
    */
   boolean loses(long link, long step, double draw) {
     double lost = burst == 0 ? mean : 1 - (isBad(link, step) ? h : k);
@@ -67,25 +67,25 @@ record Loss(double mean, double burst, double h, double k) {
   }
 
   /**
-   * Whether a link is in its bad state: looks back to the last step whose draw decides this
-   * whatever came before. So no state is kept, and the first step is as any other.
+   * Whether a link is in its bad state. It looks back to the last step whose draw decides the state
+   * regardless of the state before, so that no state has to be kept.
    */
   private boolean isBad(long link, long step) {
-    double stays = 1 - toGood();
-    double turns = toBad();
-    boolean turned = false;
+    double staysBad = 1 - chanceOfGood();
+    double turnsBad = chanceOfBad();
+    boolean inverted = false;
     for (long at = step; ; at--) {
       double draw = Draw.unit(Draw.key(link, at));
-      if (draw < Math.min(turns, stays)) {
-        return !turned;
-      } else if (draw >= Math.max(turns, stays)) {
-        return turned;
+      if (draw < Math.min(turnsBad, staysBad)) {
+        return !inverted;
+      } else if (draw >= Math.max(turnsBad, staysBad)) {
+        return inverted;
       }
-      turned ^= turns > stays;
+      inverted ^= turnsBad > staysBad;
     }
   }
 
-  /** As users write it; empty without losses. */
+  /** The loss as users write it; empty without losses. */
   String text() {
     return isNone()
         ? ""

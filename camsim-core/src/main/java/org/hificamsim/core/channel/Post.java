@@ -5,15 +5,19 @@ import java.util.Queue;
 import java.util.TreeMap;
 
 /**
- * Messages between cameras that are on their way over a {@link Channel}, of one kind of content.
- * They are delivered in the order of the steps in which they arrive, and within a step in that of
- * sending. From one thread.
+ * Carries messages of one kind between cameras over a {@link Channel}. Messages are delivered in
+ * the order of the steps in which they arrive, and within a step in the order of sending. Not
+ * thread-safe.
+ *
+ * @param <M> the content of a message
  */
 public final class Post<M> {
-  /** Who is given what arrives. */
+  /** Receives the messages that arrive. */
   @FunctionalInterface
   public interface Receiver<M> {
     /**
+     * Receives a message.
+     *
      * @param sent the step in which it was sent
      */
     void receive(int from, int to, long sent, M message);
@@ -25,20 +29,20 @@ public final class Post<M> {
   private final Channel channel;
   private final TreeMap<Long, Queue<Copy<M>>> arriving = new TreeMap<>();
 
-  /** Nothing is on its way. */
+  /** Creates a post without messages. */
   public Post(Stations stations, Channel channel) {
     this.stations = stations;
     this.channel = channel;
   }
 
-  /** A camera sends a message to another one. */
+  /** Sends a message from one camera to another. */
   public void send(int from, int to, long bits, M message) {
     if (channel.send(from, bits)) {
       copy(from, to, message);
     }
   }
 
-  /** A camera sends a message to all others that are online. */
+  /** Sends a message from a camera to all others that are online. */
   public void broadcast(int from, long bits, M message) {
     if (channel.send(from, bits)) {
       for (int to = 0; to < stations.cameras(); to++) {
@@ -59,8 +63,8 @@ public final class Post<M> {
   }
 
   /**
-   * Hands over all that has arrived by this step, and what is sent meanwhile and takes no time;
-   * cameras that are offline miss what arrives.
+   * Delivers all messages that have arrived by this step, including those sent during delivery that
+   * take no time. Cameras that are offline miss their messages.
    */
   public void deliver(Receiver<M> receiver) {
     while (!arriving.isEmpty() && arriving.firstKey() <= stations.step()) {

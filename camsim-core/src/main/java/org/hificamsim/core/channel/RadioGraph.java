@@ -5,58 +5,64 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
- * Which cameras receive each other, and the shortest ways over others to those that do not. Of
- * equally short ones, the way that is over the cameras with lower numbers counts.
+ * The cameras that receive each other directly, and the shortest paths over others between those
+ * that do not. Of equally short paths, the one over cameras with lower numbers is taken.
  */
 final class RadioGraph {
   private static final int NONE = -1;
-  private static final int MOST = 2_000;
+  private static final int MAX_CAMERAS = 2_000;
 
   private final Stations stations;
   private final double range;
   private final int[][] neighbours;
-  private final int[][] before; // by sender: the camera before each on its way
+
+  /** By sender and receiver: the last camera before the receiver on the path. */
+  private final int[][] predecessors;
+
   private int revision;
 
   RadioGraph(Stations stations, double range) {
-    if (stations.cameras() > MOST) {
+    if (stations.cameras() > MAX_CAMERAS) {
       throw InputException.of(
-          "channel: range with %s cameras, expected at most %s", stations.cameras(), MOST);
+          "channel: range with %s cameras, expected at most %s", stations.cameras(), MAX_CAMERAS);
     }
     this.stations = stations;
     this.range = range;
     neighbours = new int[stations.cameras()][];
-    before = new int[stations.cameras()][];
-    find();
+    predecessors = new int[stations.cameras()][];
+    findNeighbours();
   }
 
-  private void find() {
+  private void findNeighbours() {
     revision = stations.revision();
-    Arrays.fill(before, null);
+    Arrays.fill(predecessors, null);
     Arrays.setAll(
         neighbours,
         camera ->
-            IntStream.range(0, neighbours.length).filter(other -> hear(camera, other)).toArray());
+            IntStream.range(0, neighbours.length)
+                .filter(other -> receiveEachOther(camera, other))
+                .toArray());
   }
 
-  private boolean hear(int camera, int other) {
+  private boolean receiveEachOther(int camera, int other) {
     double dx = stations.cameraX(camera) - stations.cameraX(other);
     double dy = stations.cameraY(camera) - stations.cameraY(other);
     return stations.online(camera) && stations.online(other) && dx * dx + dy * dy <= range * range;
   }
 
-  /** The camera before {@code to} on the way from a camera; -1 where there is no way. */
-  int before(int from, int to) {
+  /** The last camera before {@code to} on the path from a camera; -1 if there is no path. */
+  int predecessor(int from, int to) {
     if (revision != stations.revision()) {
-      find();
+      findNeighbours();
     }
-    if (before[from] == null) {
-      before[from] = ways(from);
+    if (predecessors[from] == null) {
+      predecessors[from] = shortestPaths(from);
     }
-    return before[from][to];
+    return predecessors[from][to];
   }
 
-  private int[] ways(int from) {
+  /** By receiver: the camera before it on the shortest path from a camera (breadth-first). */
+  private int[] shortestPaths(int from) {
     int[] last = new int[neighbours.length];
     Arrays.fill(last, NONE);
     int[] reached = new int[neighbours.length];

@@ -1,17 +1,17 @@
 package org.hificamsim.core.channel;
 
-/** Cameras as senders and receivers of messages: where they are, and which take part. */
+/** The cameras as senders and receivers of messages: positions, and which ones are online. */
 public interface Stations {
   /** The step that is under way, from 0. */
   long step();
 
-  /** A number that changes whenever a camera is added, moved, refitted or switched off. */
+  /** A number that changes whenever a camera is added, moved, refitted or switched. */
   int revision();
 
-  /** How many cameras there will ever be. */
+  /** The number of cameras that there will ever be. */
   int cameras();
 
-  /** Whether the camera takes part: it has been added, and no event has switched it off. */
+  /** Whether the camera is online: added, and not switched off by an event. */
   boolean online(int camera);
 
   /** Metres. */

@@ -1,12 +1,12 @@
 package org.hificamsim.core.detection;
 
 /**
- * The chance that a target of one size is detected at one zoom level, by distance: found once, so
- * that neither a draw nor an expectation has to ask the model in nearly all cases.
+ * The chance by distance that a target of one size is detected at one zoom level. Computed once, so
+ * that draws and expectations rarely evaluate the model.
  *
- * <p>For draws each bin of a {@link DistanceTable} keeps the least and the greatest chance of its
- * samples; between two samples a chance is taken to leave that range by no more than a tenth of its
- * width. A draw within the range asks the model in full: it is decided as the model alone would.
+ * <p>Each bin of a {@link DistanceTable} keeps the least and the greatest chance of its samples;
+ * between two samples, a chance is assumed to leave that range by at most a tenth of its width. A
+ * draw within the range evaluates the model, so that all draws are decided exactly as by the model.
  */
 public final class ChanceTable {
   private static final double MARGIN = 0.1;
@@ -23,7 +23,7 @@ public final class ChanceTable {
     this.detection = detection;
     this.size = size;
     this.zoom = zoom;
-    this.chances = new DistanceTable(zoom.radius(), this::inFull, this::bracket);
+    this.chances = new DistanceTable(zoom.radius(), this::exactChance, this::bracket);
   }
 
   private void bracket(int bin, double[] samples) {
@@ -41,31 +41,31 @@ public final class ChanceTable {
   /**
    * Whether a target is detected.
    *
-   * @param distance to it, metres; within the radius
+   * @param distance to the target, metres, at most the radius
    * @param luck in [0, 1)
-   * @param transmittance the part of the chance that what is in between lets through, in [0, 1]
+   * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public boolean detects(double distance, double luck, double transmittance) {
     if (transmittance < 1) {
-      return luck < transmittance * inFull(distance);
+      return luck < transmittance * exactChance(distance);
     }
     int bin = chances.bin(distance);
     if (luck < least[bin]) {
       return true;
     }
-    return luck < greatest[bin] && luck < inFull(distance);
+    return luck < greatest[bin] && luck < exactChance(distance);
   }
 
   /**
    * The chance that a target is detected, to about 1e-8, in [0, 1].
    *
-   * @param distance to it, metres; within the radius
+   * @param distance to the target, metres, at most the radius
    */
   public double chance(double distance) {
     return Math.max(0, Math.min(1, chances.value(distance)));
   }
 
-  private double inFull(double distance) {
+  private double exactChance(double distance) {
     double chance = detection.chance(detection.model().confidence(size, distance, 0, zoom));
     return chance > 0 ? chance : 0;
   }

@@ -7,16 +7,16 @@ import java.util.function.DoublePredicate;
  * The distances at which a detection model detects a target of one size at one zoom level: a set of
  * closed intervals of squared distance, exact to the last bit at each end.
  *
- * <p>Found once per level and size, so that observing is a comparison of squared distances. The
- * model's value is sampled at {@value #SAMPLES} distances between 0 and the radius and each change
- * between detected and not is then narrowed down to neighbouring doubles; an interval thinner than
- * the sampling step that lies between two samples is not seen.
+ * <p>Computed once for each level and size, so that observing compares squared distances. The model
+ * is sampled at {@value #SAMPLES} distances between 0 and the radius, and each change between
+ * detected and undetected is narrowed down to adjacent doubles. An interval that lies between two
+ * samples is missed.
  */
 public final class DetectedDistances {
-  /** How many equal steps of distance are sampled. */
+  /** The number of equal steps of distance that are sampled. */
   static final int SAMPLES = 4096;
 
-  /** Nothing is detected at any distance. */
+  /** The empty set. */
   public static final DetectedDistances NONE = new DetectedDistances(new double[0]);
 
   private final double[] ends;
@@ -26,9 +26,9 @@ public final class DetectedDistances {
   }
 
   /**
-   * The distances within the radius at which {@code model} reaches {@code threshold}.
+   * Computes the distances within the radius at which {@code model} reaches {@code threshold}.
    *
-   * @throws IllegalArgumentException when the model depends on the bearing
+   * @throws IllegalArgumentException if the model depends on the bearing
    */
   public static DetectedDistances of(
       DetectionModel model, double size, ZoomLevel zoom, double threshold) {
@@ -36,7 +36,7 @@ public final class DetectedDistances {
       throw new IllegalArgumentException(
           model.name() + " depends on the bearing: its detected distances are no set of intervals");
     }
-    DoublePredicate probe = // of a squared distance
+    DoublePredicate detectsAtSquared =
         squared -> {
           double distance = Math.sqrt(squared);
           return distance <= zoom.radius()
@@ -45,7 +45,7 @@ public final class DetectedDistances {
     double[] ends = new double[4];
     int count = 0;
     double before = 0;
-    boolean inside = probe.test(0);
+    boolean inside = detectsAtSquared.test(0);
     if (inside) {
       ends[count++] = 0;
     }
@@ -53,9 +53,9 @@ public final class DetectedDistances {
       // The last sample lies beyond any radius, where nothing is detected: it closes the set.
       double distance = i > SAMPLES ? Double.POSITIVE_INFINITY : zoom.radius() * i / SAMPLES;
       double squared = distance * distance;
-      if (probe.test(squared) != inside) {
+      if (detectsAtSquared.test(squared) != inside) {
         ends = count == ends.length ? Arrays.copyOf(ends, 2 * count) : ends;
-        ends[count++] = lastOrFirstDetected(probe, before, squared, inside);
+        ends[count++] = lastOrFirstDetected(detectsAtSquared, before, squared, inside);
         inside = !inside;
       }
       before = squared;
@@ -124,12 +124,12 @@ public final class DetectedDistances {
 
   /** Bisects the bit patterns of two non-negative doubles of which one is detected. */
   private static double lastOrFirstDetected(
-      DoublePredicate probe, double from, double to, boolean fromDetected) {
+      DoublePredicate detectsAtSquared, double from, double to, boolean fromDetected) {
     long low = Double.doubleToLongBits(from);
     long high = Double.doubleToLongBits(to);
     while (high - low > 1) {
       long middle = low + (high - low) / 2;
-      if (probe.test(Double.longBitsToDouble(middle)) == fromDetected) {
+      if (detectsAtSquared.test(Double.longBitsToDouble(middle)) == fromDetected) {
         low = middle;
       } else {
         high = middle;

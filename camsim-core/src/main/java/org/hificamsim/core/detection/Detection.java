@@ -6,8 +6,8 @@ import java.util.function.DoubleUnaryOperator;
 import org.hificamsim.core.InputException;
 
 /**
- * A detection model with the rule and the threshold it is used with. Any number of runs and threads
- * may share one: what it has found out about a zoom level is remembered for all of them.
+ * A detection model with its rule and threshold. Runs and threads may share one, together with its
+ * cached tables.
  */
 public final class Detection {
   private static final double HALF = 0.5;
@@ -18,9 +18,9 @@ public final class Detection {
   private final boolean certain;
   private final double threshold;
   private final DoubleUnaryOperator chance;
-  private final Map<Pair, DetectedDistances> found = new ConcurrentHashMap<>();
-  private final Map<Pair, ChanceTable> tables = new ConcurrentHashMap<>();
-  private final Map<Pair, DistanceTable> values = new ConcurrentHashMap<>();
+  private final Map<SizeAtZoom, DetectedDistances> distances = new ConcurrentHashMap<>();
+  private final Map<SizeAtZoom, ChanceTable> chances = new ConcurrentHashMap<>();
+  private final Map<SizeAtZoom, DistanceTable> values = new ConcurrentHashMap<>();
   private final Map<InSpace, Detection> inSpace = new ConcurrentHashMap<>();
 
   private Detection(
@@ -37,33 +37,33 @@ public final class Detection {
     this.chance = chance;
   }
 
-  /** Of a model and a threshold, under the model's name. */
+  /** Creates a detection by a threshold, under the model's name. */
   public Detection(DetectionModel model, double threshold) {
     this(model.name(), model, threshold);
   }
 
   /**
-   * Of a model and a threshold.
+   * Creates a detection by a threshold.
    *
-   * @param name in result files, where it tells one model with two thresholds apart
-   * @param threshold a target inside the field of view is detected when the model's value is at
-   *     least this
+   * @param name in result files; distinguishes detections of one model with different thresholds
+   * @param threshold a target inside the field of view is detected if the model's value is at least
+   *     this
    */
   public Detection(String name, DetectionModel model, double threshold) {
     this(
         name, model, new DetectionRule.Threshold(), threshold, value -> value >= threshold ? 1 : 0);
   }
 
-  /** The model with its own default threshold. */
+  /** Creates a detection by the model's default threshold. */
   public static Detection of(DetectionModel model) {
     return new Detection(model, model.defaultThreshold());
   }
 
   /**
-   * Of a model and a rule; by a threshold it is the model's default.
+   * Creates a detection by a rule; the rule {@code threshold} takes the model's default threshold.
    *
    * @param name in result files
-   * @throws InputException when the rule needs a scatter, and the model has none
+   * @throws InputException if the rule needs a scatter and the model has none
    */
   public static Detection by(DetectionRule rule, String name, DetectionModel model) {
     if (rule instanceof DetectionRule.Chance chance) {
@@ -85,17 +85,18 @@ public final class Detection {
   }
 
   /**
-   * The same where a camera looks from above or below, asked by distances over the ground.
+   * Returns the detection for a camera that looks from above or below; its model takes distances
+   * over the ground.
    *
-   * @param rise from what has to be seen to the camera, metres
-   * @param foreshortened whether what is seen from above looks shorter
+   * @param rise height of the camera above the part to be seen, metres
+   * @param foreshortened whether targets seen from above look shorter
    */
   public Detection inSpace(double rise, boolean foreshortened) {
     return model.flat()
         ? this
         : inSpace.computeIfAbsent(
             new InSpace(model, rise, foreshortened),
-            its -> new Detection(name, its, rule, threshold, chance));
+            modelInSpace -> new Detection(name, modelInSpace, rule, threshold, chance));
   }
 
   /** The name in result files. */
@@ -108,33 +109,32 @@ public final class Detection {
     return model;
   }
 
-  /** How a value becomes a detection. */
+  /** The rule by which a value becomes a detection. */
   public DetectionRule rule() {
     return rule;
   }
 
-  /** Whether equal values are equally detected: no luck is drawn. */
+  /** Whether no luck is drawn: equal values give equal detections. */
   public boolean certain() {
     return certain;
   }
 
-  /** The least value that is detected; by chance, the one that is detected half of the time. */
+  /** The least value that is detected; by chance, the value that is detected half of the time. */
   public double threshold() {
     return threshold;
   }
 
-  /** The chance that a target with this value is detected, in [0, 1]; 1 or 0 by a threshold. */
+  /** The chance that a target with this value is detected, in [0, 1]; 1 or 0 under a threshold. */
   public double chance(double value) {
     return chance.applyAsDouble(value);
   }
 
   /**
-   * Whether a target with this value is detected; one whose value is NaN never is. Where something
-   * is in between, a threshold takes as much of the value as gets through, chance as much of the
-   * chance.
+   * Whether a target with this value is detected; NaN never is. The transmittance multiplies the
+   * value under a threshold, and otherwise the chance.
    *
-   * @param luck in [0, 1), drawn for the pair of camera and target; without effect by a threshold
-   * @param transmittance how much gets through, in [0, 1]
+   * @param luck of the pair of camera and target, in [0, 1); ignored under a threshold
+   * @param transmittance the part of the target's light that reaches the camera, in [0, 1]
    */
   public boolean detects(double value, double luck, double transmittance) {
     return certain
@@ -144,22 +144,23 @@ public final class Detection {
 
   /** The distances detected at a zoom level; the model must not depend on the bearing. */
   public DetectedDistances distances(double size, ZoomLevel zoom) {
-    return found.computeIfAbsent(
-        new Pair(size, zoom), pair -> DetectedDistances.of(model, size, zoom, threshold));
+    return distances.computeIfAbsent(
+        new SizeAtZoom(size, zoom), key -> DetectedDistances.of(model, size, zoom, threshold));
   }
 
   /** The chances at a zoom level by distance; the model must not depend on the bearing. */
   public ChanceTable chances(double size, ZoomLevel zoom) {
-    return tables.computeIfAbsent(new Pair(size, zoom), pair -> new ChanceTable(this, size, zoom));
+    return chances.computeIfAbsent(
+        new SizeAtZoom(size, zoom), key -> new ChanceTable(this, size, zoom));
   }
 
   /** The model's values at a zoom level by distance; it must not depend on the bearing. */
   public DistanceTable values(double size, ZoomLevel zoom) {
     return values.computeIfAbsent(
-        new Pair(size, zoom),
-        pair ->
+        new SizeAtZoom(size, zoom),
+        key ->
             DistanceTable.of(zoom.radius(), distance -> model.confidence(size, distance, 0, zoom)));
   }
 
-  private record Pair(double size, ZoomLevel zoom) {}
+  private record SizeAtZoom(double size, ZoomLevel zoom) {}
 }

@@ -6,32 +6,31 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
 /**
- * How a model's value becomes a detection: what the option {@code --detect} and the attribute
- * {@code detect} choose ({@code docs/detection.md}).
+ * How a model's value becomes a detection: the setting {@code detect} ({@code docs/detection.md}).
  */
 public sealed interface DetectionRule {
-  /** As users write it, with the options that are not the default. */
+  /** The rule as users write it, with the options that differ from their defaults. */
   String text();
 
-  /** Whether equal values are equally detected: no luck is drawn. */
+  /** Whether no luck is drawn: equal values give equal detections. */
   default boolean certain() {
     return false;
   }
 
-  /** For how many steps a camera keeps its luck with a target, 1 or more. */
+  /** The number of steps for which a camera keeps its luck with a target, 1 or more. */
   default int memory() {
     return 1;
   }
 
-  /** The chance that a camera reports a target that is not there, for each step. */
+  /** The chance in each step that a camera reports a phantom, a target that is not there. */
   default double phantoms() {
     return 0;
   }
 
   /**
-   * The rule in a text.
+   * Parses a rule.
    *
-   * @throws org.hificamsim.core.InputException when it names none, or an option is wrong
+   * @throws org.hificamsim.core.InputException if the name is unknown or an option is invalid
    */
   static DetectionRule parse(String text) {
     return rules().create(text);
@@ -45,7 +44,7 @@ public sealed interface DetectionRule {
         .register("probability", "by chance; the value is the probability", Probability::from);
   }
 
-  /** A target is detected when the value reaches a threshold: the rule of the thesis. */
+  /** Detects a target if its value reaches a threshold: the rule of the thesis. */
   record Threshold() implements DetectionRule {
     @Override
     public boolean certain() {
@@ -59,13 +58,13 @@ public sealed interface DetectionRule {
   }
 
   /**
-   * A target is detected with the chance that its measured confidence, the value and its {@link
-   * Scatter}, reaches the threshold of a rate of false alarms, and is not a false alarm: those
-   * happen whether the target is there or not, and cover nothing.
+   * Detects a target with the chance that its measured confidence, the value plus its {@link
+   * Scatter}, reaches the threshold of a rate of false alarms and is not a false alarm. False
+   * alarms happen with or without the target, and cover nothing.
    *
-   * @param alpha tail of the scatter above the threshold, (0, 0.5]
+   * @param alpha the rate of false alarms, (0, 0.5]
    * @param memory steps, 1 or more
-   * @param withPhantoms whether cameras report targets that are not there
+   * @param withPhantoms whether cameras report phantoms
    */
   record Chance(double alpha, int memory, boolean withPhantoms) implements DetectionRule {
     /** The rate of false alarms of {@code chance} without options. */
@@ -103,7 +102,7 @@ public sealed interface DetectionRule {
   }
 
   /**
-   * A target is detected with its value, as a proportion, for a chance.
+   * Detects a target with a chance that equals its value, clamped to [0, 1].
    *
    * @param memory steps, 1 or more
    */
@@ -129,7 +128,7 @@ public sealed interface DetectionRule {
         "memory", 1, 1, 1_000_000, "steps for which a camera keeps its luck with a target");
   }
 
-  /** The words of the option {@code phantoms}. */
+  /** The values of the option {@code phantoms}. */
   enum Phantoms {
     OFF,
     ON

@@ -3,10 +3,10 @@ package org.hificamsim.core.detection;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A function of the distance, tabulated: the distances from 0 to a radius are cut into equal bins,
- * each with a cubic through four of its {@value #SAMPLES} samples and one more. There are as few
- * bins as let no cubic miss a sample by more than {@value #TOLERANCE}, or else {@value #MAX_BINS};
- * where a cubic still misses one, the function itself is asked.
+ * A tabulated function of distance. The distances from 0 to a radius are divided into equal bins,
+ * each with a cubic through four of its {@value #SAMPLES} + 1 samples. The number of bins is the
+ * smallest for which no cubic misses a sample by more than {@value #TOLERANCE}, at most {@value
+ * #MAX_BINS}; in bins whose cubic still misses one, the function itself is evaluated.
  */
 public final class DistanceTable {
   static final int MAX_BINS = 512;
@@ -15,59 +15,60 @@ public final class DistanceTable {
   private static final int TERMS = 4;
   private static final double TOLERANCE = 5e-9;
 
-  private final DoubleUnaryOperator inFull;
+  private final DoubleUnaryOperator function;
   private final int bins;
   private final double binsPerMetre;
   private final double[] cubic;
 
-  /** Looks at the samples of a bin. */
+  /** Receives the samples of each bin. */
   @FunctionalInterface
-  interface Sampled {
-    /** One more than {@value #SAMPLES} of them, from border to border. */
+  interface SampleListener {
+    /** Called with the {@value #SAMPLES} + 1 samples of a bin, from border to border. */
     void bin(int bin, double[] samples);
   }
 
   /**
-   * A table with as few bins as are enough.
+   * Creates a table with as few bins as are accurate enough.
    *
    * @param radius metres, above 0
    */
-  public static DistanceTable of(double radius, DoubleUnaryOperator inFull) {
+  public static DistanceTable of(double radius, DoubleUnaryOperator function) {
     int bins = MIN_BINS;
-    DistanceTable table = new DistanceTable(radius, inFull, bins, (bin, samples) -> {});
+    DistanceTable table = new DistanceTable(radius, function, bins, (bin, samples) -> {});
     while (bins < MAX_BINS && !table.isComplete()) {
       bins *= 2;
-      table = new DistanceTable(radius, inFull, bins, (bin, samples) -> {});
+      table = new DistanceTable(radius, function, bins, (bin, samples) -> {});
     }
     return table;
   }
 
   /**
-   * A table with {@value #MAX_BINS} bins.
+   * Creates a table with {@value #MAX_BINS} bins.
    *
    * @param radius metres, above 0
-   * @param sampled is shown the samples, bin by bin
+   * @param listener receives the samples of each bin
    */
-  DistanceTable(double radius, DoubleUnaryOperator inFull, Sampled sampled) {
-    this(radius, inFull, MAX_BINS, sampled);
+  DistanceTable(double radius, DoubleUnaryOperator function, SampleListener listener) {
+    this(radius, function, MAX_BINS, listener);
   }
 
-  private DistanceTable(double radius, DoubleUnaryOperator inFull, int bins, Sampled sampled) {
-    this.inFull = inFull;
+  private DistanceTable(
+      double radius, DoubleUnaryOperator function, int bins, SampleListener listener) {
+    this.function = function;
     this.bins = bins;
     this.binsPerMetre = bins / radius;
     this.cubic = new double[bins * TERMS];
     double[] samples = new double[SAMPLES + 1];
     for (int bin = 0; bin < bins; bin++) {
       for (int i = 0; i <= SAMPLES; i++) {
-        samples[i] = inFull.applyAsDouble(radius * ((bin + (double) i / SAMPLES) / bins));
+        samples[i] = function.applyAsDouble(radius * ((bin + (double) i / SAMPLES) / bins));
       }
-      sampled.bin(bin, samples);
+      listener.bin(bin, samples);
       interpolate(bin, samples);
     }
   }
 
-  /** Whether the function is never asked. */
+  /** Whether no bin needs the function itself. */
   private boolean isComplete() {
     for (int bin = 0; bin < bins; bin++) {
       if (Double.isNaN(cubic[bin * TERMS])) {
@@ -77,7 +78,7 @@ public final class DistanceTable {
     return true;
   }
 
-  /** Newton's forward differences over thirds of the bin; NaN where the cubic is not close. */
+  /** Interpolates a bin by Newton's forward differences; NaN marks a cubic that is not close. */
   private void interpolate(int bin, double[] samples) {
     int third = SAMPLES / 3;
     double first = samples[third] - samples[0];
@@ -97,24 +98,24 @@ public final class DistanceTable {
   }
 
   /**
-   * The cubic of a bin.
+   * Evaluates the cubic of a bin.
    *
-   * @param s thirds of the bin, [0, 3]
+   * @param s position in the bin, in thirds, [0, 3]
    */
   private double cubic(int at, double s) {
     double sum = cubic[at + 2] + (s - 2) * cubic[at + 3];
     return cubic[at] + s * (cubic[at + 1] + (s - 1) * sum);
   }
 
-  /** The bin that a distance is in, metres. */
+  /** The bin of a distance in metres. */
   int bin(double distance) {
     return Math.min((int) (distance * binsPerMetre), bins - 1);
   }
 
-  /** The function at a distance, metres, within the radius; to about twice {@value #TOLERANCE}. */
+  /** The function at a distance of at most the radius, metres, to twice {@value #TOLERANCE}. */
   public double value(double distance) {
     int bin = bin(distance);
     double value = cubic(bin * TERMS, 3 * (distance * binsPerMetre - bin));
-    return Double.isNaN(value) ? inFull.applyAsDouble(distance) : value;
+    return Double.isNaN(value) ? function.applyAsDouble(distance) : value;
   }
 }

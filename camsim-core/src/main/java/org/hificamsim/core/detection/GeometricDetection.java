@@ -1,6 +1,6 @@
 package org.hificamsim.core.detection;
 
-/** Certain inside the field of view: the upper bound on what any model detects. */
+/** Detects everything inside the field of view: an upper bound for all models. */
 public final class GeometricDetection implements DetectionModel {
   @Override
   public String name() {

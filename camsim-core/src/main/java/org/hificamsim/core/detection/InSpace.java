@@ -3,18 +3,18 @@ package org.hificamsim.core.detection;
 import java.util.Optional;
 
 /**
- * A model that is asked by distances over the ground, and is given those in space.
+ * Evaluates a model at distances in space, given distances over the ground.
  *
- * @param model whose distances are those in space
- * @param rise from what has to be seen to the camera, metres
- * @param foreshortened whether an upright target that is seen from above looks shorter, by the
- *     cosine of the angle of depression: the weak perspective of Hartley and Zisserman, Multiple
- *     View Geometry (2004), section 6.3. Its size is the root of its area, so it falls with the
- *     root of the cosine
+ * @param model evaluated at distances in space
+ * @param rise height of the camera above the part to be seen, metres
+ * @param foreshortened whether an upright target seen from above looks shorter, by the cosine of
+ *     the angle of depression: the weak perspective of Hartley and Zisserman, Multiple View
+ *     Geometry (2004), section 6.3. The size is the root of the area, so it shrinks by the root of
+ *     the cosine
  */
 record InSpace(DetectionModel model, double rise, boolean foreshortened) implements DetectionModel {
-  /** A target of no size has no logarithm. */
-  private static final double LEAST_COSINE = 1e-9;
+  /** Keeps sizes above 0, since models take their logarithm. */
+  private static final double MIN_COSINE = 1e-9;
 
   @Override
   public String name() {
@@ -24,11 +24,11 @@ record InSpace(DetectionModel model, double rise, boolean foreshortened) impleme
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
     double slant = Math.sqrt(distance * distance + rise * rise);
-    double shown =
+    double apparentSize =
         foreshortened && slant > 0
-            ? size * Math.sqrt(Math.max(distance / slant, LEAST_COSINE))
+            ? size * Math.sqrt(Math.max(distance / slant, MIN_COSINE))
             : size;
-    return model.confidence(shown, slant, offAxis, zoom);
+    return model.confidence(apparentSize, slant, offAxis, zoom);
   }
 
   @Override

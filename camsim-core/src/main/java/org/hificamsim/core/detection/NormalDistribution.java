@@ -1,13 +1,13 @@
 package org.hificamsim.core.detection;
 
 /**
- * The standard normal distribution, to about 1e-15, and fast enough for the step: by Taylor's
- * series about the nearest of 257 points.
+ * The standard normal distribution to about 1e-15, by a Taylor series about the nearest of 257
+ * points; fast enough for the step.
  */
 final class NormalDistribution {
   private static final int PER_UNIT = 16;
 
-  /** Beyond it the distribution function is 0 or 1 to the last bit that counts. */
+  /** Beyond this, the distribution function is 0 or 1 within the precision of a double. */
   private static final int END = 8;
 
   private static final double[] CDF = new double[2 * END * PER_UNIT + 1];
@@ -62,7 +62,7 @@ final class NormalDistribution {
   }
 
   /**
-   * The number that a standard normal one is below with this chance.
+   * Returns the number below which a standard normal number is with this chance.
    *
    * @param chance in (0, 1)
    */

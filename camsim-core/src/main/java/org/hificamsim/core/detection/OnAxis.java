@@ -1,6 +1,6 @@
 package org.hificamsim.core.detection;
 
-/** A model as it is along the heading: it does not look at the bearing. */
+/** Evaluates a model on the optical axis and ignores the bearing. */
 public record OnAxis(DetectionModel model) implements DetectionModel {
   @Override
   public String name() {

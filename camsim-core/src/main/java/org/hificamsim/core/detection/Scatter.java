@@ -1,20 +1,21 @@
 package org.hificamsim.core.detection;
 
 /**
- * How measured confidences scatter about a model's values: a target whose value is v was measured
+ * The scatter of measured confidences about a model's values: a target with value v is measured
  * with a confidence of v + e, where e is normal with mean 0 and standard deviation {@code least +
  * growth * (v - background)}.
  *
- * @param background the value where the target fills nothing of the image
- * @param rmse the root mean square of e over all that was measured, above 0
+ * @param background the value of a target that fills nothing of the image
+ * @param rmse the root mean square of e over all measurements, above 0
  * @param least the standard deviation at the background, above 0
- * @param growth what it gains for each unit of the value above the background, 0 or more
+ * @param growth the increase of the standard deviation for each unit of the value above the
+ *     background, 0 or more
  */
 public record Scatter(double background, double rmse, double least, double growth) {
   private static final double ROUNDING = 1e-12;
 
   /**
-   * The same scatter everywhere.
+   * Creates a scatter that is equal for all values.
    *
    * @param rmse the standard deviation of e
    */
@@ -22,28 +23,28 @@ public record Scatter(double background, double rmse, double least, double growt
     this(background, rmse, rmse, 0);
   }
 
-  /** The standard deviation of what is measured where the model has this value. */
+  /** The standard deviation of measurements of targets with this value. */
   public double deviation(double value) {
     return least + growth * Math.max(0, value - background);
   }
 
   /**
-   * The measured confidence above the background that a tail of all that was measured reaches.
+   * Returns the confidence that a share of the measurements of the background reaches.
    *
-   * @param tail the share of a normal distribution, in (0, 1)
+   * @param tail the share, in (0, 1)
    */
   public double threshold(double tail) {
     return background + NormalDistribution.quantile(1 - tail) * rmse;
   }
 
-  /** How likely what fills nothing of the image is measured with a threshold or more. */
+  /** The chance that the background is measured with a confidence of at least a threshold. */
   public double falseAlarms(double threshold) {
     return reaching(background, threshold);
   }
 
   /**
-   * The chance that a target is measured with a threshold or more and is no false alarm, which
-   * happens whether it is there or not; in [0, 1], 0 where the value is NaN.
+   * The chance that a target is measured with a confidence of at least a threshold, without those
+   * measurements that would be false alarms; in [0, 1], 0 if the value is NaN.
    *
    * @param value of the model
    */
@@ -57,8 +58,8 @@ public record Scatter(double background, double rmse, double least, double growt
   }
 
   /**
-   * The value with a {@link #chance} of one half; infinite where the scatter grows so fast that
-   * none has it.
+   * Returns the value whose {@link #chance} is one half; infinite if the scatter grows so fast that
+   * there is none.
    *
    * @param threshold the background or more
    */

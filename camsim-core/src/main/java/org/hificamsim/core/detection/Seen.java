@@ -1,20 +1,20 @@
 package org.hificamsim.core.detection;
 
-/** What of an upright target a camera has to see. */
+/** The part of an upright target that a camera must see. */
 public enum Seen {
   /** The point on the ground. */
   FEET,
   /** The highest point. */
   HEAD,
-  /** All from the ground to the highest point. */
+  /** Everything from the ground to the highest point. */
   WHOLE;
 
-  /** The least height that has to be seen of a target of a height, metres. */
+  /** The lowest height to be seen of a target with this height, metres. */
   public double low(double height) {
     return this == HEAD ? height : 0;
   }
 
-  /** The greatest. */
+  /** The greatest height to be seen of a target with this height, metres. */
   public double high(double height) {
     return this == FEET ? 0 : height;
   }

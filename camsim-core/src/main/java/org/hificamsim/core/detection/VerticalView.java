@@ -1,15 +1,14 @@
 package org.hificamsim.core.detection;
 
 /**
- * How a camera looks up and down.
+ * The vertical part of a camera's view.
  *
  * @param z height of the lens above the ground, metres, 0 or more; NaN in a flat world
  * @param tilt of the optical axis below the horizon, radians, [-pi/2, pi/2]
- * @param angle what the lens has in its picture from top to bottom, radians, (0, pi); NaN where
- *     nothing limits the view up and down
+ * @param angle the vertical angle of view, radians, (0, pi); NaN if the view has no vertical limit
  */
 public record VerticalView(double z, double tilt, double angle) {
-  /** In a world without heights. */
+  /** The vertical view in a world without heights. */
   public static final VerticalView FLAT = new VerticalView(Double.NaN, 0, Double.NaN);
 
   /** Whether the world has no heights. */

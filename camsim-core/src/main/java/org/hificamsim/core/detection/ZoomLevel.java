@@ -1,18 +1,18 @@
 package org.hificamsim.core.detection;
 
 /**
- * One zoom setting of a camera, as a detection model sees it.
+ * A zoom level of a camera, as detection models see it.
  *
  * @param radius farthest reach of the field of view at this level, metres, 0 or more
  * @param narrowestRadius the camera's smallest radius, metres
  * @param widestRadius the camera's largest radius, metres
- * @param mountHeight height of the camera over the target plane, metres (Eq 3.2); NaN where the
+ * @param mountHeight height of the camera above the target plane, metres (Eq 3.2); NaN if the
  *     scenario gives none
  * @param viewingAngle full opening angle, radians, (0, 2 pi]
- * @param angleOfView what the lens has in its picture from side to side, radians, (0, pi]; NaN
- *     where the scenario names no lens, and each model has to find its own (Eqs 3.1 and 3.2)
- * @param pixels the picture's width; 0 where the scenario does not say
- * @param vertical how the camera looks up and down
+ * @param angleOfView the horizontal angle of view of the lens, radians, (0, pi]; NaN if the
+ *     scenario names no lens, so that each model derives its own (Eqs 3.1 and 3.2)
+ * @param pixels the width of the picture; 0 if the scenario does not give it
+ * @param vertical the vertical part of the view
  */
 public record ZoomLevel(
     double radius,
@@ -23,7 +23,7 @@ public record ZoomLevel(
     double angleOfView,
     int pixels,
     VerticalView vertical) {
-  /** A level in a flat world. */
+  /** Creates a level in a flat world. */
   public ZoomLevel(
       double radius,
       double narrowestRadius,
@@ -43,7 +43,7 @@ public record ZoomLevel(
         VerticalView.FLAT);
   }
 
-  /** A level of a camera whose lens is not known. */
+  /** Creates a level of a camera whose lens is unknown. */
   public ZoomLevel(
       double radius,
       double narrowestRadius,
@@ -53,7 +53,7 @@ public record ZoomLevel(
     this(radius, narrowestRadius, widestRadius, mountHeight, viewingAngle, Double.NaN, 0);
   }
 
-  /** The same level of a camera that looks up and down another way. */
+  /** The same level with another vertical view. */
   public ZoomLevel with(VerticalView other) {
     return new ZoomLevel(
         radius,
@@ -66,12 +66,12 @@ public record ZoomLevel(
         other);
   }
 
-  /** Whether the camera sees all round. */
+  /** Whether the camera sees in all directions. */
   public boolean allRound() {
     return viewingAngle >= 2 * Math.PI;
   }
 
-  /** Whether the scenario says through which lens the camera looks. */
+  /** Whether the scenario names the lens. */
   public boolean hasLens() {
     return !Double.isNaN(angleOfView);
   }

@@ -1,4 +1,6 @@
-/** Target detection: how sure a camera is of a target, and which distances that lets it detect. */
+/**
+ * Target detection: how confident a camera is of a target, and at which distances it detects one.
+ */
 @StableApi(since = "0.1")
 package org.hificamsim.core.detection;
 

@@ -18,8 +18,8 @@ public final class Parallel {
   private Parallel() {}
 
   /**
-   * The results in the order of the items. After a failure no further item begins; the first one,
-   * by item, is thrown when those at work are done, so that nothing they use is taken from them.
+   * Returns the results in the order of the items. After a failure no further item is started; the
+   * failure of the first item is thrown once all running items have ended.
    *
    * @param threads 1 or more
    */
@@ -62,7 +62,7 @@ public final class Parallel {
     return cause instanceof RuntimeException fault ? fault : new IllegalStateException(cause);
   }
 
-  /** Makes threads of this name that do not keep the program from ending. */
+  /** Makes daemon threads of this name, which do not keep the program alive. */
   public static ThreadFactory daemons(String name) {
     return work -> {
       Thread thread = new Thread(work, name);

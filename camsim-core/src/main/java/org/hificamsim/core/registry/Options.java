@@ -35,7 +35,7 @@ public final class Options {
     this.owner = owner;
   }
 
-  /** No options given to {@code owner}: every getter returns its default. */
+  /** Creates empty options for {@code owner}: every getter returns its default. */
   public static Options none(String owner) {
     return new Options(owner);
   }
@@ -43,7 +43,7 @@ public final class Options {
   /**
    * Parses {@code key=value,key=value}.
    *
-   * @throws InputException when a key is given twice or is empty
+   * @throws InputException if a key is given twice or is empty
    */
   public static Options parse(String owner, String text) {
     Options options = new Options(owner);
@@ -51,7 +51,7 @@ public final class Options {
     for (String token : text.split(",", -1)) {
       int equals = token.indexOf('=');
       if (equals < 0) {
-        options.values.merge(key, token.strip(), (before, more) -> before + "," + more);
+        options.values.merge(key, token.strip(), (list, item) -> list + "," + item);
         continue;
       }
       key = token.substring(0, equals).strip();
@@ -64,7 +64,7 @@ public final class Options {
     return options;
   }
 
-  /** A finite number in [{@code min}, {@code max}]. */
+  /** Reads a finite number in [{@code min}, {@code max}]. */
   public double number(String key, double defaultValue, double min, double max, String meaning) {
     String text = take(key, Double.toString(defaultValue), meaning);
     if (text == null) {
@@ -77,15 +77,15 @@ public final class Options {
     return value;
   }
 
-  /** A whole number in [{@code min}, {@code max}]. */
+  /** Reads a whole number in [{@code min}, {@code max}]. */
   public int integer(String key, int defaultValue, int min, int max, String meaning) {
     String text = take(key, Integer.toString(defaultValue), meaning);
     return text == null ? defaultValue : integer(key, text, min, max);
   }
 
   /**
-   * A comma-separated list of whole numbers; the first that is declared may be given without its
-   * key.
+   * Reads a comma-separated list of whole numbers; the first list that is declared may be given
+   * without its key.
    */
   public List<Integer> integers(
       String key, List<Integer> defaultValue, int min, int max, String meaning) {
@@ -108,7 +108,7 @@ public final class Options {
     return List.copyOf(list);
   }
 
-  /** One of an enumeration's constants, written in lower case with {@code -} for {@code _}. */
+  /** Reads an enumeration constant, written in lower case with {@code -} for {@code _}. */
   public <E extends Enum<E>> E choice(String key, E defaultValue, String meaning) {
     String text = take(key, Spelling.of(defaultValue), meaning);
     if (text == null) {
@@ -119,15 +119,15 @@ public final class Options {
         .orElseThrow(() -> invalid(key, text, "one of " + Spelling.all(type)));
   }
 
-  /** Free text. */
+  /** Reads a text. */
   public String text(String key, String defaultValue, String meaning) {
     String text = take(key, defaultValue, meaning);
     return text == null ? defaultValue : text;
   }
 
   /**
-   * Free text that may be given without its key, as {@code onnx:policy.onnx}; with a key it may
-   * hold an equals sign.
+   * Reads a text that may be given without its key, as {@code onnx:policy.onnx}; with a key it may
+   * contain an equals sign.
    */
   public String mainText(String key, String defaultValue, String meaning) {
     String text = text(key, defaultValue, meaning);
@@ -136,7 +136,7 @@ public final class Options {
         : text;
   }
 
-  /** What the getters called so far declared, in that order. */
+  /** The options that the getters called so far have declared, in that order. */
   public List<Declared> declared() {
     return List.copyOf(declared.values());
   }
@@ -144,7 +144,7 @@ public final class Options {
   /**
    * Refuses options that no getter declared.
    *
-   * @throws InputException naming the first one and listing the valid ones
+   * @throws InputException that names the first one and lists the valid ones
    */
   public void rejectUnknown() {
     for (Map.Entry<String, String> entry : values.entrySet()) {
@@ -180,7 +180,7 @@ public final class Options {
     throw invalid(key, text, "a whole number from " + min + " to " + max);
   }
 
-  /** The smallest number above 0 is written as "above 0". */
+  /** Writes a range for messages; the smallest number above 0 is written as "above 0". */
   private static String range(double min, double max) {
     return min == Double.MIN_VALUE
         ? "above 0 and at most " + BigDecimal.valueOf(max).stripTrailingZeros().toPlainString()

@@ -28,7 +28,7 @@ public final class Registry<T> {
   private final Map<String, String> aliases = new HashMap<>();
 
   /**
-   * @param kind what is registered, as error lines name it ("policy")
+   * @param kind the extension point as messages name it, such as "policy"
    */
   public Registry(String kind) {
     this.kind = kind;
@@ -37,7 +37,7 @@ public final class Registry<T> {
   /**
    * Adds an implementation.
    *
-   * @throws InputException when the name is taken: a user's jar cannot shadow a built-in one
+   * @throws InputException if the name is taken: a user's jar cannot replace a built-in one
    */
   public Registry<T> register(String name, String summary, Function<Options, T> factory) {
     if (aliases.containsKey(name)
@@ -48,10 +48,10 @@ public final class Registry<T> {
   }
 
   /**
-   * Lets another name stand for an implementation: it is understood, and not listed.
+   * Adds another name for an implementation, which is accepted but not listed.
    *
-   * @param name of one that is registered
-   * @throws InputException when it is not, or the alias is taken
+   * @param name a registered name
+   * @throws InputException if the name is not registered or the alias is taken
    */
   public Registry<T> alias(String alias, String name) {
     if (!entries.containsKey(name) || knows(alias)) {
@@ -68,8 +68,8 @@ public final class Registry<T> {
   }
 
   /**
-   * Adds every implementation that users' jars on the class path declare as a service. Each needs a
-   * public constructor without arguments; a new instance is made for each run.
+   * Adds every implementation that jars on the class path declare as a service. Each needs a public
+   * constructor without arguments; every lookup makes a new instance.
    */
   public Registry<T> registerServices(
       Class<T> type, Function<T, String> name, BiConsumer<T, Options> configure) {
@@ -88,10 +88,10 @@ public final class Registry<T> {
   }
 
   /**
-   * Makes what {@code spec} names.
+   * Makes the implementation that {@code spec} names.
    *
    * @param spec {@code NAME} or {@code NAME:key=value,...}
-   * @throws InputException when the name, an option or a value is unknown
+   * @throws InputException if the name, an option or a value is unknown
    */
   public T create(String spec) {
     int end = nameEnd(spec);
@@ -117,7 +117,7 @@ public final class Registry<T> {
     return nameEnd(spec) > 0;
   }
 
-  /** Where the registered name ends that {@code spec} starts with; 0 or less without one. */
+  /** The end of the registered name with which {@code spec} starts; 0 or less without one. */
   private int nameEnd(String spec) {
     int end = spec.length();
     while (end > 0 && entry(spec.substring(0, end)) == null) {
@@ -133,12 +133,12 @@ public final class Registry<T> {
     return made == null ? List.of() : options.declared();
   }
 
-  /** Everything registered, in order. */
+  /** All entries, in the order of registration. */
   public List<Entry<T>> entries() {
     return List.copyOf(entries.values());
   }
 
-  /** All names, in order. */
+  /** All names, in the order of registration. */
   public List<String> names() {
     return new ArrayList<>(entries.keySet());
   }

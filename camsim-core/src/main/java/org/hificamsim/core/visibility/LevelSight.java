@@ -146,7 +146,7 @@ public final class LevelSight {
 
   /** Whether a target at a squared distance may be detected. */
   public boolean isInReach(double squared) {
-    return singleInterval ? squared <= farthest : detectedDistances.contains(squared);
+    return singleInterval ? squared <= farthestSquared : detectedDistances.contains(squared);
   }
 
   /** Whether a point is within the opening angle, or in the picture of a lens with a height. */

@@ -7,7 +7,7 @@ import org.hificamsim.core.registry.Registry;
 public final class CamSimDetections {
   private CamSimDetections() {}
 
-  /** Adds them to a registry. */
+  /** Adds these models to a registry. */
   public static Registry<DetectionModel> register(Registry<DetectionModel> registry) {
     return registry
         .register(

@@ -8,11 +8,11 @@ import org.hificamsim.core.detection.ZoomLevel;
  * metres, at least 0; a target closer than a nanometre is certain.
  */
 public final class CamSimRangeDetection implements DetectionModel {
-  /** Near the CamSim column of Table 8.1, as 0.40 and 0.45 are; none of them reproduces it. */
+  /** Close to the CamSim column of Table 8.1; no threshold reproduces it. */
   static final double THRESHOLD = 0.35;
 
   private static final double B = 15;
-  private static final double CLOSE = 1e-9;
+  private static final double CERTAIN_WITHIN = 1e-9;
 
   @Override
   public String name() {
@@ -21,7 +21,7 @@ public final class CamSimRangeDetection implements DetectionModel {
 
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-    if (distance < CLOSE) {
+    if (distance < CERTAIN_WITHIN) {
       return 1;
     }
     return Math.max(0, 0.95 * (B / (zoom.radius() * distance)) - 0.15);

@@ -4,8 +4,8 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
- * CamSim's standard confidence as published: it falls with the zoom radius alone (Eq 6.2) and is
- * negative at the widest zoom.
+ * CamSim's published confidence, which depends on the zoom radius only (Eq 6.2) and is negative at
+ * the widest zoom.
  */
 public final class CamSimStandardDetection implements DetectionModel {
   @Override

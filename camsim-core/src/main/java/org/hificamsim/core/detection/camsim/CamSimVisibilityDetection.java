@@ -4,10 +4,10 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
- * The visibility that the CamSim simulator itself computes: {@code 1 / (d + (R - d) / R)}, times
- * {@code (A/2 - offAxis) / (A/2)} unless the camera sees all round. An angle that is no number, or
- * not below A/2, makes it 0, so that a target exactly on the camera is invisible (behaviour 6.1).
- * Visible is what is above 0, which the default threshold says.
+ * The visibility that CamSim itself computes: {@code 1 / (d + (R - d) / R)}, times {@code (A/2 -
+ * offAxis) / (A/2)} unless the camera sees in all directions. It is 0 if the angle is NaN or not
+ * below A/2, so that a target exactly on the camera is invisible (behaviour 6.1). The default
+ * threshold detects every value above 0.
  */
 public final class CamSimVisibilityDetection implements DetectionModel {
   private static final double ALL_ROUND_DEGREES = 360;
@@ -23,8 +23,8 @@ public final class CamSimVisibilityDetection implements DetectionModel {
     if (!(offAxis < half)) {
       return 0;
     }
-    double near = 1 / (distance + (zoom.radius() - distance) / zoom.radius());
-    return dependsOnBearing(zoom) ? near * ((half - offAxis) / half) : near;
+    double byDistance = 1 / (distance + (zoom.radius() - distance) / zoom.radius());
+    return dependsOnBearing(zoom) ? byDistance * ((half - offAxis) / half) : byDistance;
   }
 
   @Override
@@ -42,7 +42,7 @@ public final class CamSimVisibilityDetection implements DetectionModel {
     return Math.toDegrees(zoom.viewingAngle()) != ALL_ROUND_DEGREES;
   }
 
-  /** The value itself: it exceeds 1 close to cameras of a range below 1 m. */
+  /** The value itself, which exceeds 1 close to cameras of a range below 1 m. */
   @Override
   public double reported(double value) {
     return value;

@@ -1,4 +1,4 @@
-/** The detection rules that CamSim and the coverage study used. */
+/** The detection models of CamSim and of the coverage study. */
 @StableApi(since = "0.1")
 package org.hificamsim.core.detection.camsim;
 
