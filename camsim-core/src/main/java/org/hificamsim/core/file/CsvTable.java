@@ -5,11 +5,11 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 
 /**
- * A table as text, row by row; no object is made for a number.
+ * Writes a table as CSV, row by row, without allocating objects for numbers.
  *
- * <p>Numbers are written as {@link Long#toString} and {@link Double#toString} write them; NaN is an
- * empty cell, which pandas and R read as missing. Texts are quoted where they have to be, and
- * formulas made harmless.
+ * <p>Numbers are written like {@link Long#toString} and {@link Double#toString}; NaN becomes an
+ * empty cell, which pandas and R read as missing. Texts are quoted if necessary, and texts that a
+ * spreadsheet would take for formulas are made harmless.
  */
 public final class CsvTable implements Rows {
   private final Writer out;
@@ -18,9 +18,9 @@ public final class CsvTable implements Rows {
   private final StringBuilder row = new StringBuilder();
 
   /**
-   * Writes the header.
+   * Begins a table by writing its header.
    *
-   * @param columns their names, separated as the cells will be
+   * @param columns the names of the columns, with the separator between them
    */
   public CsvTable(Writer out, String columns, char separator, String lineEnd) throws IOException {
     this.out = out;
@@ -45,18 +45,17 @@ public final class CsvTable implements Rows {
   @Override
   public void add(String content) {
     String text = harmless(content);
-    boolean plain = text.chars().noneMatch(c -> c == separator || "\"\r\n".indexOf(c) >= 0);
+    boolean plain =
+        text.chars().noneMatch(letter -> letter == separator || "\"\r\n".indexOf(letter) >= 0);
     row.append(plain ? text : '"' + text.replace("\"", "\"\"") + '"').append(separator);
   }
 
-  /**
-   * A text that no spreadsheet takes for a formula: with a {@code '} before what begins like one.
-   */
+  /** Prefixes a text that a spreadsheet would take for a formula with {@code '}. */
   public static String harmless(String text) {
     return isFormula(text, 0) && Double.isNaN(Fields.value(text)) ? "'" + text : text;
   }
 
-  /** The text that was made {@link #harmless}. */
+  /** Restores a text that was made {@link #harmless}. */
   public static String original(String text) {
     return text.startsWith("'") && isFormula(text, 1) ? text.substring(1) : text;
   }

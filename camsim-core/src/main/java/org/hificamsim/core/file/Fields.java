@@ -4,37 +4,37 @@ import java.util.function.DoublePredicate;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
-/** The fields of a line or of a table's row, which know where they stand. */
+/** The fields of a line or of a table's row, with their places in the file. */
 public interface Fields {
-  /** How many there are. */
+  /** The number of fields. */
   int count();
 
-  /** A field, from 0. */
+  /** The text of a field, counted from 0. */
   String text(int field);
 
-  /** Where a field begins; of one that is missing, the end. */
+  /** The place where a field begins; the end of the line for a missing field. */
   Place place(int field);
 
-  /** The number that a field is; NaN where it is none. */
+  /** The number in a field; NaN if it is not a number. */
   default double value(int field) {
     return value(text(field));
   }
 
-  /** A finite number. */
+  /** Reads a finite number. */
   default double number(int field, String name) {
     return number(field, name, "a finite number", value -> true);
   }
 
-  /** A coordinate or length in metres or another unit: a number of at most 1e9 in size. */
+  /** Reads a coordinate or length: a number from -1e9 to 1e9. */
   default double coordinate(int field, String name) {
     return number(field, name, "a number from -1e9 to 1e9", value -> Math.abs(value) <= 1e9);
   }
 
   /**
-   * A finite number.
+   * Reads a finite number.
    *
-   * @param name of the field, in error lines
-   * @throws InputException when it is missing, no number, or not what is expected
+   * @param name of the field, for messages
+   * @throws InputException if the field is missing, not a number, or not valid
    */
   default double number(int field, String name, String expected, DoublePredicate valid) {
     double value = field < count() ? value(field) : Double.NaN;
@@ -44,7 +44,7 @@ public interface Fields {
     return value;
   }
 
-  /** The fault of a field. */
+  /** The error about an invalid or missing field. */
   default InputException invalid(int field, String name, String expected) {
     if (field >= count()) {
       return place(field).error("the line has no " + name + ", expected " + expected);
@@ -52,7 +52,7 @@ public interface Fields {
     return place(field).invalid(name, text(field), expected);
   }
 
-  /** The number that a text is; NaN where it is none, as with a suffix of Java's own. */
+  /** Parses a number; returns NaN for other texts, including numbers with a suffix of Java's. */
   static double value(String number) {
     for (int i = 0; i < number.length(); i++) {
       char c = number.charAt(i);

@@ -14,18 +14,19 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * What commands have put into a folder: the SHA-256 of each file by its name, as {@code sha256sum
- * --check} takes it. A file that is not in it, or has another hash by now, is the user's.
+ * The record of the files that commands have written into a folder: the SHA-256 of each file by its
+ * name, in the format of the tool sha256sum. A file that is not recorded, or whose hash has
+ * changed, belongs to the user.
  */
 public final class FileRecord {
-  /** The file's name in the folder. */
+  /** The name of the record's file in the folder. */
   public static final String NAME = ".hificamsim.sha256";
 
   private static final Pattern LINE = Pattern.compile("([0-9a-f]{64}) {2}(.+)");
 
   private final Map<String, String> hashes = new TreeMap<>();
 
-  /** What a file says; nothing where there is none. Lines that are none of ours are left out. */
+  /** Reads a record; empty if the file is missing. Unknown lines are ignored. */
   static FileRecord read(Path file) {
     FileRecord record = new FileRecord();
     if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
@@ -41,7 +42,7 @@ public final class FileRecord {
     return record;
   }
 
-  /** The record of a folder. */
+  /** Reads the record of a folder. */
   public static FileRecord of(Path folder) throws IOException {
     Path file = folder.resolve(NAME);
     if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)
@@ -51,25 +52,25 @@ public final class FileRecord {
     return read(file);
   }
 
-  /** Whether a name stays below the folder, and in one line. */
+  /** Whether a name is a path below the folder, without control characters. */
   static boolean isBelow(String name) {
     return name.matches("[^/\\\\\\p{Cntrl}]+(/[^/\\\\\\p{Cntrl}]+)*")
         && !("/" + name + "/").contains("/../");
   }
 
-  /** The files' names. */
+  /** The names of the recorded files. */
   public Set<String> names() {
     return hashes.keySet();
   }
 
-  /** Whether a folder's file is as a command wrote it. */
+  /** Whether a file is unchanged since a command wrote it. */
   public boolean isUnchanged(Path folder, String name) throws IOException {
     Path file = folder.resolve(name);
     return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
         && Sha256.of(file).equals(hashes.get(name));
   }
 
-  /** The files of a folder that are there, and not as commands wrote them. */
+  /** The existing files of a folder that have changed since commands wrote them. */
   public List<String> changed(Path folder) throws IOException {
     List<String> changed = new ArrayList<>();
     for (String name : names()) {
@@ -88,14 +89,14 @@ public final class FileRecord {
     hashes.remove(name);
   }
 
-  /** The same files and hashes. */
+  /** Returns a copy with the same files and hashes. */
   FileRecord copy() {
     FileRecord copy = new FileRecord();
     copy.hashes.putAll(hashes);
     return copy;
   }
 
-  /** The text of the file. */
+  /** The record as the text of its file. */
   String text() {
     return hashes.entrySet().stream()
         .map(file -> file.getValue() + "  " + file.getKey() + "\n")

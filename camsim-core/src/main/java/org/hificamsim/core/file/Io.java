@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 
-/** Reading and writing where no fault is expected: one goes on as an UncheckedIOException. */
+/** Runs input and output whose errors are not expected, and rethrows them unchecked. */
 public final class Io {
-  /** Reads something. */
+  /** Reads a value. */
   @FunctionalInterface
   public interface Source<T> {
     T get() throws IOException;
@@ -20,7 +20,7 @@ public final class Io {
 
   private Io() {}
 
-  /** What is read. */
+  /** Returns what a source reads. */
   public static <T> T get(Source<T> source) {
     try {
       return source.get();
@@ -29,7 +29,7 @@ public final class Io {
     }
   }
 
-  /** Reads or writes. */
+  /** Runs a task. */
   public static void run(Task task) {
     get(
         () -> {
@@ -38,9 +38,9 @@ public final class Io {
         });
   }
 
-  /** The content of a file that stands next to a class. */
-  public static byte[] resource(Class<?> next, String name) {
-    try (InputStream in = next.getResourceAsStream(name)) {
+  /** Reads a resource in the package of a class. */
+  public static byte[] resource(Class<?> neighbour, String name) {
+    try (InputStream in = neighbour.getResourceAsStream(name)) {
       return in.readAllBytes();
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -19,8 +19,8 @@ import java.util.UUID;
 import org.hificamsim.core.InputException;
 
 /**
- * A file that appears whole: written next to its place under a unique name, and moved there by
- * {@link #commit}. Closed without that, it leaves an earlier file as it was.
+ * A file that appears as a whole: it is written next to its place under a unique name and moved
+ * there by {@link #commit}. Closing it without a commit leaves an existing file unchanged.
  */
 public final class OutputFile implements Closeable {
   private static final int BUFFER = 1 << 16;
@@ -29,9 +29,7 @@ public final class OutputFile implements Closeable {
   private final Path draft;
   private final boolean replaces;
 
-  /**
-   * A file in a folder that exists, in place of another; nothing is written before it is opened.
-   */
+  /** Prepares a file in an existing folder, which may replace another; nothing is written yet. */
   public OutputFile(Path path) {
     this(path, true);
   }
@@ -43,11 +41,12 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * A file that an option names.
+   * Prepares a file that a setting names.
    *
-   * @param replaces whether it may be there
-   * @throws InputException when it is there and may not be, the path is a folder, or its folder is
-   *     missing or not writable
+   * @param option the name of the setting, for messages
+   * @param replaces whether an existing file may be replaced
+   * @throws InputException if the file exists and may not be replaced, the path is a folder, or its
+   *     folder is missing or not writable
    */
   public static OutputFile of(String option, Path path, boolean replaces) {
     Path folder = path.toAbsolutePath().getParent();
@@ -64,11 +63,12 @@ public final class OutputFile implements Closeable {
   }
 
   /**
-   * A file that an option names, in a folder that is made where it is missing.
+   * Prepares a file that a setting names, and creates its folder if it is missing.
    *
-   * @param replaces whether it may be there
-   * @throws InputException when it is there and may not be, the path is a folder, or its folder
-   *     cannot be made or written
+   * @param option the name of the setting, for messages
+   * @param replaces whether an existing file may be replaced
+   * @throws InputException if the file exists and may not be replaced, the path is a folder, or its
+   *     folder cannot be created or written
    */
   public static OutputFile inFolder(String option, Path path, boolean replaces) {
     Path folder = path.toAbsolutePath().getParent();
@@ -86,10 +86,10 @@ public final class OutputFile implements Closeable {
     }
   }
 
-  /** What fills a file. */
+  /** The content of a file. */
   @FunctionalInterface
   public interface Content {
-    /** Writes it. */
+    /** Writes the content. */
     void write(OutputStream out) throws IOException;
   }
 
@@ -108,12 +108,12 @@ public final class OutputFile implements Closeable {
     write(out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
   }
 
-  /** A writer (UTF-8); the caller closes it before {@link #commit}. */
+  /** Opens a writer (UTF-8), which the caller closes before {@link #commit}. */
   public Writer open() throws IOException {
     return writer(stream());
   }
 
-  /** A stream; the caller closes it before {@link #commit}. */
+  /** Opens a stream, which the caller closes before {@link #commit}. */
   public synchronized OutputStream stream() throws IOException {
     Unfinished.add(this);
     return stream(draft);
@@ -132,7 +132,7 @@ public final class OutputFile implements Closeable {
     Unfinished.remove(this);
   }
 
-  /** A stream to a file that must not be there yet, not even as a link. */
+  /** Opens a stream to a new file; fails if anything exists there, even a link. */
   static OutputStream stream(Path draft) throws IOException {
     return new BufferedOutputStream(
         Files.newOutputStream(draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),

@@ -28,42 +28,45 @@ import org.hificamsim.core.InputException;
 /**
  * A folder that receives a set of files at once, from one process at a time.
  *
- * <p>They are written in a hidden folder inside it. {@link #commit} makes the {@link FileRecord} of
- * the folder as it will be, in one move: from then on the new files are the folder's, and the next
- * process that opens it moves what a killed one left to move. Until then, it stays as it was. Files
- * that no command wrote, or that were changed since, are neither replaced nor removed.
+ * <p>The files are drafted in a hidden folder inside it. {@link #commit} puts the future {@link
+ * FileRecord} of the folder in place by one atomic move. A process killed before that leaves the
+ * folder unchanged; if it is killed afterwards, the next process that opens the folder moves the
+ * remaining files. Files that no command wrote, or that have changed since, are neither replaced
+ * nor removed.
  */
 public final class OutputFolder implements Closeable {
   private static final String DRAFTS = ".hificamsim";
   private static final String LOCK = "lock";
-  private static final String DECIDED = "commit";
+  private static final String COMMITTED = "commit";
 
   private final Path folder;
   private final Path drafts;
-  private final Runnable act;
+  private final Runnable beforeChange;
   private final FileChannel lock;
   private FileRecord record;
-  private final Set<Path> kept = new HashSet<>();
-  private final Map<String, String> names = new LinkedHashMap<>();
+  private final Set<Path> inputs = new HashSet<>();
+
+  /** The drafted files with their SHA-256, empty until it is computed. */
+  private final Map<String, String> drafted = new LinkedHashMap<>();
 
   /**
-   * Makes the folder where it is missing, and ends what a killed process has left to do.
+   * Opens the folder, creates it if it is missing, and finishes the commit of a killed process.
    *
-   * @throws InputException when the path is a file, cannot be made, or is in use
+   * @throws InputException if the path is a file, cannot be created, or is in use
    */
   public OutputFolder(Path folder) {
     this(folder, () -> {});
   }
 
   /**
-   * @param act called before each change of what is on the disk
+   * @param beforeChange called before each change on the disk
    */
-  OutputFolder(Path folder, Runnable act) {
+  OutputFolder(Path folder, Runnable beforeChange) {
     this.folder = made(folder);
     this.drafts = folder.resolve(DRAFTS);
-    this.act = act;
+    this.beforeChange = beforeChange;
     try {
-      lock = locked();
+      lock = takeLock();
     } catch (FileAlreadyExistsException | NoSuchFileException e) {
       throw inUse(e);
     } catch (IOException e) {
@@ -71,10 +74,10 @@ public final class OutputFolder implements Closeable {
     }
     try {
       Unfinished.add(this);
-      if (isDecided(folder)) {
+      if (isCommitted(folder)) {
         moveAll();
       }
-      deleteDrafts(); // of a process that was killed
+      deleteDrafts(); // those of a killed process
       record = FileRecord.of(folder);
     } catch (IOException e) {
       release();
@@ -86,30 +89,30 @@ public final class OutputFolder implements Closeable {
   }
 
   /**
-   * Ends what a killed process has left to do in a folder that is to be read.
+   * Finishes the commit of a killed process in a folder that will be read.
    *
-   * @throws InputException when that cannot be done, so that the folder is a mixture
+   * @throws InputException if that is impossible, so that old and new files are mixed
    */
   public static void settle(Path folder) throws IOException {
-    if (isDecided(folder)) {
+    if (isCommitted(folder)) {
       new OutputFolder(folder).close();
     }
   }
 
-  /** Whether commands have written into a folder, or are about to. */
+  /** Whether commands have written into a folder, or are writing. */
   public static boolean isOne(Path folder) {
     return Files.exists(folder.resolve(DRAFTS)) || Files.exists(folder.resolve(FileRecord.NAME));
   }
 
-  private static boolean isDecided(Path folder) {
-    return Files.exists(folder.resolve(DRAFTS).resolve(DECIDED), LinkOption.NOFOLLOW_LINKS);
+  private static boolean isCommitted(Path folder) {
+    return Files.exists(folder.resolve(DRAFTS).resolve(COMMITTED), LinkOption.NOFOLLOW_LINKS);
   }
 
   /**
-   * Makes a folder where it is missing.
+   * Creates a folder if it is missing.
    *
    * @return the folder
-   * @throws InputException when the path is a file or cannot be made
+   * @throws InputException if the path is a file or cannot be created
    */
   public static Path made(Path folder) {
     if (folder.toString().isEmpty()) {
@@ -129,15 +132,15 @@ public final class OutputFolder implements Closeable {
     return folder;
   }
 
-  /** What the system says of it; where that is the path alone, the kind of problem. */
+  /** The reason that the system gives; without one, the kind of error. */
   private static String reason(IOException e) {
     return e instanceof FileSystemException system && system.getReason() != null
         ? system.getReason()
         : e.getClass().getSimpleName();
   }
 
-  /** Takes the lock that keeps every other process, and every other folder of this one, away. */
-  private FileChannel locked() throws IOException {
+  /** Takes the lock that excludes other processes, and other users within this one. */
+  private FileChannel takeLock() throws IOException {
     if (!Files.exists(drafts, LinkOption.NOFOLLOW_LINKS)) {
       Files.createDirectory(drafts);
     } else if (!Files.isDirectory(drafts, LinkOption.NOFOLLOW_LINKS)) {
@@ -147,7 +150,7 @@ public final class OutputFolder implements Closeable {
     FileChannel channel =
         FileChannel.open(
             file, StandardOpenOption.CREATE, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS);
-    if (!isLocked(channel) || !Files.exists(file)) { // gone: its holder has just finished
+    if (!isLocked(channel) || !Files.exists(file)) { // deleted by its holder, who has just finished
       channel.close();
       throw inUse(null);
     }
@@ -174,25 +177,25 @@ public final class OutputFolder implements Closeable {
         .because(e);
   }
 
-  /** Where the files appear. */
+  /** The folder. */
   public Path path() {
     return folder;
   }
 
-  /** Where the files are until a commit, if their names have no slash. */
+  /** The hidden folder of the drafts, whose names have {@code %2F} for a slash. */
   public Path drafts() {
     return drafts;
   }
 
-  /** Neither replaces nor removes files that the command reads. */
-  public void keep(Collection<Path> inputs) {
-    inputs.forEach(input -> kept.add(SeparateFiles.real(input)));
+  /** Protects the input files of the command from being replaced or removed. */
+  public void keep(Collection<Path> files) {
+    files.forEach(file -> inputs.add(SeparateFiles.real(file)));
   }
 
   /**
-   * Checks that files may be written, before the work that they are made of.
+   * Checks in advance that files may be written.
    *
-   * @throws InputException when one is an input, or was not written by a command
+   * @throws InputException if one is an input, or exists and was not written by a command
    */
   public void claim(Collection<String> files) throws IOException {
     for (String name : files) {
@@ -205,7 +208,7 @@ public final class OutputFolder implements Closeable {
     if (!FileRecord.isBelow(name)) {
       throw new InputException("'" + name + "' is no file's name, expected one without a path");
     }
-    if (kept.contains(SeparateFiles.real(file))) {
+    if (inputs.contains(SeparateFiles.real(file))) {
       throw InputException.of(
           "'%s' is an input of this command, expected another folder for its output", file);
     }
@@ -217,17 +220,20 @@ public final class OutputFolder implements Closeable {
     }
   }
 
-  /** A writer (UTF-8), compressed if the name ends in {@code .gz}; to be closed before a commit. */
+  /**
+   * Opens a writer (UTF-8), compressed if the name ends in {@code .gz}; the caller closes it before
+   * {@link #commit}.
+   */
   public Writer open(String name) throws IOException {
     OutputStream out = stream(name);
     return OutputFile.writer(name.endsWith(".gz") ? new GZIPOutputStream(out, 1 << 16) : out);
   }
 
-  /** A stream for a file of this name; the caller closes it before {@link #commit}. */
+  /** Opens a stream for a file, which the caller closes before {@link #commit}. */
   public synchronized OutputStream stream(String name) throws IOException {
     claim(name);
-    if (names.put(name, "") != null) {
-      Files.deleteIfExists(draft(name)); // of the same command
+    if (drafted.put(name, "") != null) {
+      Files.deleteIfExists(draft(name)); // written earlier by the same command
     }
     return OutputFile.stream(draft(name));
   }
@@ -248,87 +254,86 @@ public final class OutputFolder implements Closeable {
     return drafts.resolve(name.replace("/", "%2F"));
   }
 
-  /** The SHA-256 of each file that is to be committed, by its name. */
+  /** The SHA-256 of each drafted file, by name. */
   public synchronized Map<String, String> hashes() throws IOException {
-    for (Map.Entry<String, String> file : names.entrySet()) {
+    for (Map.Entry<String, String> file : drafted.entrySet()) {
       if (file.getValue().isEmpty()) {
         file.setValue(Sha256.of(draft(file.getKey())));
       }
     }
-    return new TreeMap<>(names);
+    return new TreeMap<>(drafted);
   }
 
   /**
-   * Moves every file opened into place, and removes what an earlier command left under {@code
-   * stale}.
+   * Moves all drafted files into place, and removes the {@code stale} files of earlier commands.
    */
   public synchronized void commit(Collection<String> stale) throws IOException {
-    claim(names.keySet());
+    claim(drafted.keySet());
     FileRecord next = record.copy();
     for (String name : stale) {
-      if (!kept.contains(SeparateFiles.real(folder.resolve(name)))) {
+      if (!inputs.contains(SeparateFiles.real(folder.resolve(name)))) {
         next.remove(name);
       }
     }
     hashes().forEach(next::put);
-    decide(next);
+    recordCommit(next);
     moveAll();
     record = next;
-    names.clear();
+    drafted.clear();
   }
 
-  /** From here on the folder is the new one, and before it was the old one. */
-  private void decide(FileRecord next) throws IOException {
-    Path draft = drafts.resolve(DECIDED + ".part");
-    act.run();
+  /** The commit point: a killed process leaves the old files before it, the new ones after it. */
+  private void recordCommit(FileRecord next) throws IOException {
+    Path draft = drafts.resolve(COMMITTED + ".part");
+    beforeChange.run();
     Files.writeString(draft, next.text());
-    act.run();
-    OutputFile.move(draft, drafts.resolve(DECIDED));
+    beforeChange.run();
+    OutputFile.move(draft, drafts.resolve(COMMITTED));
   }
 
-  /** Makes the folder what was decided; as often as it takes. */
+  /** Moves the committed files into place; can be repeated after a kill. */
   private void moveAll() throws IOException {
-    if (!Files.isRegularFile(drafts.resolve(DECIDED), LinkOption.NOFOLLOW_LINKS)) {
-      throw new IOException("'" + DECIDED + "' is a link or a folder");
+    if (!Files.isRegularFile(drafts.resolve(COMMITTED), LinkOption.NOFOLLOW_LINKS)) {
+      throw new IOException("'" + COMMITTED + "' is a link or a folder");
     }
-    FileRecord next = FileRecord.read(drafts.resolve(DECIDED));
+    FileRecord next = FileRecord.read(drafts.resolve(COMMITTED));
     for (String name : next.names()) {
       if (Files.exists(draft(name), LinkOption.NOFOLLOW_LINKS)) {
         Files.createDirectories(folder.resolve(name).getParent());
-        act.run();
+        beforeChange.run();
         OutputFile.move(draft(name), folder.resolve(name));
       }
     }
     FileRecord before = FileRecord.of(folder);
     for (String name : before.names()) {
       if (!next.names().contains(name) && before.isUnchanged(folder, name)) {
-        act.run();
+        beforeChange.run();
         Files.delete(folder.resolve(name));
       }
     }
-    act.run();
-    OutputFile.move(drafts.resolve(DECIDED), folder.resolve(FileRecord.NAME));
+    beforeChange.run();
+    OutputFile.move(drafts.resolve(COMMITTED), folder.resolve(FileRecord.NAME));
   }
 
-  /** Removes whatever has not been committed, and lets others use the folder. */
+  /** Deletes uncommitted drafts and releases the lock. */
   @Override
   public synchronized void close() throws IOException {
     if (lock.isOpen()) {
       try (lock) {
-        if (!isDecided(folder)) {
+        if (!isCommitted(folder)) {
           deleteDrafts();
         }
         Files.delete(drafts.resolve(LOCK));
         Files.delete(drafts);
       } catch (DirectoryNotEmptyException e) {
-        // the next one is in it already
+        // another process has opened the folder already
       } finally {
         Unfinished.remove(this);
       }
     }
   }
 
-  /** Lets others use the folder, and leaves it as it is, as a killed process does. */
+  /** Releases the lock and leaves the folder as a killed process would. */
   void release() {
     Unfinished.remove(this);
     Io.run(() -> lock.close());
@@ -337,7 +342,7 @@ public final class OutputFolder implements Closeable {
   private void deleteDrafts() throws IOException {
     try (Stream<Path> files = Files.list(drafts)) {
       for (Path file : files.filter(file -> !file.endsWith(LOCK)).toList()) {
-        act.run();
+        beforeChange.run();
         Files.delete(file);
       }
     }

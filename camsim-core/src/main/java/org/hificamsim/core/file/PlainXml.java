@@ -21,20 +21,20 @@ import org.xml.sax.helpers.DefaultHandler;
 import org.xml.sax.helpers.LocatorImpl;
 
 /**
- * Reads untrusted XML of any size from front to back; an implementer takes its elements. No
- * document types, no entities but the five of XML itself.
+ * Reads untrusted XML of any size as a stream; subclasses handle its elements. Document types and
+ * all entities except the five of XML are refused.
  *
- * <p>By the JDK's SAX parser rather than its StAX one, which reports some faults on standard error,
- * others as message keys, and all in the machine's language.
+ * <p>It uses the JDK's SAX parser: the StAX parser reports some errors on standard error, others as
+ * message keys, and all in the language of the machine.
  */
 public abstract class PlainXml extends DefaultHandler {
   private String file = "";
-  private Locator locator = new LocatorImpl(); // at the start, until there is text at all
+  private Locator locator = new LocatorImpl();
 
   /**
-   * Reads a file, unpacked where its name ends in {@code .gz}.
+   * Reads a file, decompressed if its name ends in {@code .gz}.
    *
-   * @throws InputException with the place, when it is no XML, or what the implementer finds
+   * @throws InputException with the place, if it is not XML or the subclass finds an error
    */
   public final void readFile(Path path) {
     try (InputStream in = TextLines.stream(path)) {
@@ -47,8 +47,8 @@ public abstract class PlainXml extends DefaultHandler {
   /**
    * Reads a source.
    *
-   * @param name of the file in error lines
-   * @throws InputException with the place, when it is no XML, or what the implementer finds
+   * @param name of the file, for messages
+   * @throws InputException with the place, if it is not XML or the subclass finds an error
    */
   protected final void readSource(String name, InputSource source) {
     file = name;
@@ -56,7 +56,7 @@ public abstract class PlainXml extends DefaultHandler {
       parser().parse(source, this);
     } catch (SAXParseException e) {
       throw new InputException(fault(e).getMessage(), e);
-    } catch (SAXException e) { // the JDK's parser loses its way, as after <!DOCTYPE> inside <root>
+    } catch (SAXException e) { // an internal error of the parser, as after <!DOCTYPE> inside <root>
       SAXParseException fault = new SAXParseException(e.getMessage(), locator);
       throw new InputException(fault(fault).getMessage(), e);
     } catch (UnsupportedEncodingException e) {
@@ -79,29 +79,29 @@ public abstract class PlainXml extends DefaultHandler {
     }
   }
 
-  /** What is wrong with a file that is no plain XML. */
+  /** The error about a file that is not plain XML. */
   protected InputException fault(SAXParseException e) {
     return place(e.getLineNumber(), e.getColumnNumber())
         .error("not well-formed XML, or cut off, expected a whole file: " + e.getMessage());
   }
 
-  /** The encoding that the file is read in, or would be. */
+  /** The encoding of the file. */
   protected final String encoding() {
     String known = locator instanceof Locator2 with ? with.getEncoding() : null;
     return known == null || !Charset.isSupported(known) ? "UTF-8" : known;
   }
 
-  /** Where the reader is: at the end of a start tag. */
+  /** The current place: the end of a start tag. */
   protected final Place place() {
     return place(locator.getLineNumber(), locator.getColumnNumber());
   }
 
-  /** A place as the parser reports it, -1 where there is nothing at all. */
+  /** A place reported by the parser, which is -1 for an empty file. */
   protected final Place place(int line, int column) {
     return new Place(file, Math.max(1, line), Math.max(1, column));
   }
 
-  /** An attribute that must be there. */
+  /** Reads an attribute that is required. */
   protected final String text(Attributes attributes, String element, String name) {
     String value = attributes.getValue(name);
     if (value == null) {
@@ -110,7 +110,7 @@ public abstract class PlainXml extends DefaultHandler {
     return value;
   }
 
-  /** A number of at most 1e9 in size. */
+  /** Reads a required number from -1e9 to 1e9. */
   protected final double number(Attributes attributes, String element, String name) {
     String text = text(attributes, element, name);
     double value = Fields.value(text);

@@ -6,15 +6,15 @@ import java.util.HashMap;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 
-/** The files of one command, no two of which may be one, by a link neither. */
+/** The files of one command, which must all be different, even through links. */
 public final class SeparateFiles {
   private final Map<Path, String> options = new HashMap<>();
 
   /**
-   * One file more.
+   * Adds a file.
    *
-   * @param option that names it
-   * @throws InputException when another option names it, too
+   * @param option the setting that names the file, for messages
+   * @throws InputException if another setting names the same file
    */
   public SeparateFiles with(String option, Path file) {
     String other = options.putIfAbsent(real(file), option);
@@ -24,7 +24,7 @@ public final class SeparateFiles {
     return this;
   }
 
-  /** A file's one path: where links lead, as far as there is anything yet. */
+  /** The canonical path of a file, with links resolved as far as the path exists. */
   public static Path real(Path file) {
     try {
       return file.toRealPath();

@@ -10,7 +10,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** SHA-256, in hexadecimal unless said otherwise. */
+/** Computes SHA-256 hashes, in hexadecimal unless stated otherwise. */
 public final class Sha256 {
   private Sha256() {}
 

@@ -21,14 +21,15 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
 /**
- * The lines of a text file (UTF-8; unpacked where its name ends in {@code .gz}), one at a time, so
- * that a file of any size takes little memory, and the fields of a line between blanks and tabs.
+ * Reads the lines of a text file (UTF-8; decompressed if its name ends in {@code .gz}) one by one,
+ * with their fields between blanks and tabs; memory use does not depend on the size of the file.
  */
 public final class TextLines implements Fields, Closeable {
-  /** Characters of a line; no line of numbers comes near it. */
+  /** The greatest length of a line in characters. */
   static final int MAX_LINE = 1 << 20;
 
-  private static final String MARK = "\ufeff"; // that some editors put before UTF-8
+  /** Some editors begin UTF-8 files with it. */
+  private static final String BYTE_ORDER_MARK = "\ufeff";
 
   private final String file;
   private final BufferedReader in;
@@ -36,17 +37,17 @@ public final class TextLines implements Fields, Closeable {
   private String text = "";
   private final List<String> fields = new ArrayList<>();
 
-  /** The lines of a text that is part of a file and begins in one of its lines, from 1. */
+  /** Reads a text that begins in a line of a file, counted from 1. */
   public TextLines(String file, Reader in, int firstLine) {
     this.file = file;
-    this.in = new BufferedReader(new ShortLines(in), 1 << 16);
+    this.in = new BufferedReader(new LimitedLines(in), 1 << 16);
     this.number = firstLine - 1;
   }
 
   /**
    * Opens a file.
    *
-   * @throws InputException when it is missing or cannot be read
+   * @throws InputException if the file is missing or cannot be read
    */
   public static TextLines open(Path path) {
     return new TextLines(
@@ -54,9 +55,9 @@ public final class TextLines implements Fields, Closeable {
   }
 
   /**
-   * Opens a file's bytes, unpacked where its name ends in {@code .gz}.
+   * Opens the bytes of a file, decompressed if its name ends in {@code .gz}.
    *
-   * @throws InputException when it is missing or cannot be read
+   * @throws InputException if the file is missing or cannot be read
    */
   public static InputStream stream(Path path) {
     if (Files.isDirectory(path) || !Files.exists(path)) {
@@ -73,16 +74,16 @@ public final class TextLines implements Fields, Closeable {
   }
 
   /**
-   * Goes to the next line; false where there is none.
+   * Moves to the next line; returns false at the end.
    *
-   * @throws InputException when the file cannot be read on
+   * @throws InputException if the file cannot be read
    */
   public boolean next() {
     try {
       number++;
       String line = in.readLine();
       text = line == null ? "" : line;
-      if (number == 1 && text.startsWith(MARK)) {
+      if (number == 1 && text.startsWith(BYTE_ORDER_MARK)) {
         text = text.substring(1);
       }
       fields.clear();
@@ -97,10 +98,10 @@ public final class TextLines implements Fields, Closeable {
   }
 
   /**
-   * Goes to the next line that has fields and does not start with {@code #}; false where there is
-   * none.
+   * Moves to the next line that has fields and does not start with {@code #}; returns false at the
+   * end.
    *
-   * @throws InputException when the file cannot be read on
+   * @throws InputException if the file cannot be read
    */
   public boolean nextFields() {
     while (next()) {
@@ -116,12 +117,12 @@ public final class TextLines implements Fields, Closeable {
     return !fields.isEmpty() && fields.get(0).startsWith("#");
   }
 
-  /** The line, without its end. */
+  /** The line without its line end. */
   public String text() {
     return text;
   }
 
-  /** The place where it begins. */
+  /** The place where the line begins. */
   public Place place() {
     return new Place(file, number, 1);
   }
@@ -146,7 +147,7 @@ public final class TextLines implements Fields, Closeable {
     return new Place(file, number, 1 + begin);
   }
 
-  /** The fault of a file that cannot be read on. */
+  /** The error about a file that cannot be read. */
   public static InputException unreadable(String file, int line, IOException e) {
     String reason =
         e instanceof FileSystemException fault && fault.getReason() != null
@@ -165,17 +166,17 @@ public final class TextLines implements Fields, Closeable {
     }
   }
 
-  /** Lets no line through that would not fit into the memory, as in a file that is no text. */
-  private static final class ShortLines extends FilterReader {
+  /** Refuses lines that are too long for the memory, as in a binary file. */
+  private static final class LimitedLines extends FilterReader {
     private int length;
 
-    ShortLines(Reader in) {
+    LimitedLines(Reader in) {
       super(in);
     }
 
     @Override
-    public int read(char[] buffer, int start, int most) throws IOException {
-      int count = super.read(buffer, start, most);
+    public int read(char[] buffer, int start, int limit) throws IOException {
+      int count = super.read(buffer, start, limit);
       for (int i = start; i < start + count; i++) {
         length = buffer[i] == '\n' || buffer[i] == '\r' ? 0 : length + 1;
       }

@@ -6,40 +6,40 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Files and folders that are being written: closing one deletes what has not been committed. */
+/** The files and folders that are being written; closing one deletes what is not committed. */
 public final class Unfinished {
   static final Set<Closeable> ALL = new HashSet<>();
   static boolean ending;
 
   private Unfinished() {}
 
-  /** Deletes them when the process ends, by Ctrl-C or a signal too. For programs, not libraries. */
+  /** Deletes them when the process ends, also by a signal. For programs, not for libraries. */
   public static void deleteAtExit() {
     Runtime.getRuntime().addShutdownHook(new Thread(Unfinished::closeAll, "unfinished files"));
   }
 
   /**
-   * Adds one.
+   * Adds a file or folder.
    *
-   * @throws IOException when the process is ending
+   * @throws IOException if the process is ending
    */
-  static synchronized void add(Closeable one) throws IOException {
+  static synchronized void add(Closeable unfinished) throws IOException {
     if (ending) {
       throw new IOException("the program is ending");
     }
-    ALL.add(one);
+    ALL.add(unfinished);
   }
 
-  static synchronized void remove(Closeable one) {
-    ALL.remove(one);
+  static synchronized void remove(Closeable unfinished) {
+    ALL.remove(unfinished);
   }
 
   static void closeAll() {
-    for (Closeable one : end()) {
+    for (Closeable unfinished : end()) {
       try {
-        one.close();
+        unfinished.close();
       } catch (IOException e) {
-        // the others can still be deleted
+        // go on deleting the others
       }
     }
   }

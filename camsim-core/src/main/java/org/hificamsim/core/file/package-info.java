@@ -1,2 +1,2 @@
-/** Files that appear whole or not at all; text and XML of any size, read safely. */
+/** Files that appear as a whole or not at all, and safe reading of text and XML of any size. */
 package org.hificamsim.core.file;

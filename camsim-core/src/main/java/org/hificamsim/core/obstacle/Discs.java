@@ -3,33 +3,33 @@ package org.hificamsim.core.obstacle;
 import java.math.BigDecimal;
 
 /**
- * What a closed disc touches, exactly: squared distances are compared with the squared radius, in
- * doubles where they differ by more than rounding may add, in decimals of any length (which
- * allocate) where they do not.
+ * Exact tests of closed discs against points and segments. Squared distances are compared with the
+ * squared radius: in doubles if they differ by more than the rounding error, else in decimals of
+ * unlimited length, which allocate.
  */
 final class Discs {
-  /** More than the relative error of any sum or product below: up to 5 roundings of 2^-53 each. */
+  /** Exceeds the relative error of all sums and products here: up to 5 roundings of 2^-53 each. */
   private static final double ROUNDING = 1e-15;
 
-  /** Squares below may have lost digits below a double's range. */
+  /** Smaller squares may have lost digits to underflow. */
   private static final double SMALLEST_SQUARE = 1e-200;
 
   private Discs() {}
 
-  /** Whether a point is inside or on the border. */
-  static boolean contains(double x, double y, double radius, double atX, double atY) {
-    double dx = atX - x;
-    double dy = atY - y;
+  /** Whether a point is inside the disc or on its border. */
+  static boolean contains(double x, double y, double radius, double pointX, double pointY) {
+    double dx = pointX - x;
+    double dy = pointY - y;
     double distance = dx * dx + dy * dy;
     double square = radius * radius;
     double bound = ROUNDING * (distance + square) + Double.MIN_NORMAL;
     if (distance - square > bound) {
       return false;
     }
-    return square - distance > bound || containsExactly(x, y, radius, atX, atY);
+    return square - distance > bound || containsExactly(x, y, radius, pointX, pointY);
   }
 
-  /** Whether the closed segment from a to b has a point of the disc. */
+  /** Whether the closed segment from a to b has a point in common with the disc. */
   static boolean touch(
       double x, double y, double radius, double ax, double ay, double bx, double by) {
     double dx = bx - ax;
@@ -42,29 +42,30 @@ final class Discs {
     if (beforeB < 0) {
       return contains(x, y, radius, bx, by);
     }
-    int line = pastA > 0 && beforeB > 0 ? line(x - ax, y - ay, radius, dx, dy) : 0;
+    int line = pastA > 0 && beforeB > 0 ? lineWithinRadius(x - ax, y - ay, radius, dx, dy) : 0;
     return line > 0 || (line == 0 && touchExactly(x, y, radius, ax, ay, bx, by));
   }
 
-  /** The sign of a sum of two products of differences; 0 where rounding may have made it. */
+  /** The sign of a sum of two products of differences; 0 if it may be a rounding error. */
   private static int sign(double a, double b) {
     double bound = ROUNDING * (Math.abs(a) + Math.abs(b)) + Double.MIN_NORMAL;
     return a + b > bound ? 1 : a + b < -bound ? -1 : 0;
   }
 
-  /** 1 where the line along d comes within the radius of a point, -1 where not, 0 if unsure. */
-  private static int line(double fx, double fy, double radius, double dx, double dy) {
+  /** Returns 1 if the line along d comes within the radius of a point, -1 if not, 0 if unsure. */
+  private static int lineWithinRadius(double fx, double fy, double radius, double dx, double dy) {
     double square = dx * dx + dy * dy;
     double reach = radius * Math.sqrt(square);
     double offset = Math.abs(dx * fy - dy * fx);
     double bound = ROUNDING * (Math.abs(dx * fy) + Math.abs(dy * fx) + reach) + Double.MIN_NORMAL;
-    boolean sure = square > SMALLEST_SQUARE && Math.abs(reach - offset) > bound;
-    return !sure ? 0 : reach > offset ? 1 : -1;
+    boolean certain = square > SMALLEST_SQUARE && Math.abs(reach - offset) > bound;
+    return !certain ? 0 : reach > offset ? 1 : -1;
   }
 
   private static boolean containsExactly(
-      double x, double y, double radius, double atX, double atY) {
-    BigDecimal square = square(Orientation.difference(atX, x), Orientation.difference(atY, y));
+      double x, double y, double radius, double pointX, double pointY) {
+    BigDecimal square =
+        square(Orientation.difference(pointX, x), Orientation.difference(pointY, y));
     return square.compareTo(new BigDecimal(radius).pow(2)) <= 0;
   }
 

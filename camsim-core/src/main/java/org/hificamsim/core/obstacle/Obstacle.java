@@ -6,38 +6,39 @@ import static org.hificamsim.core.obstacle.Shapes.requireTransmittance;
 import java.util.List;
 
 /**
- * Something that stands in the way of light. Its border belongs to it, and so do its ends and
- * corners: a line of sight that touches it is blocked or dimmed.
+ * An obstacle to light. Its border, ends and corners belong to it: a line of sight that touches it
+ * is blocked or dimmed.
  *
- * <p>Whether it is touched is decided exactly for the coordinates given, each taken as the rational
- * number that the double is. Coordinates are metres between -1e100 and 1e100. In space an obstacle
- * is upright, from its base to its height, and a sight line is rounded to where it is as high.
+ * <p>Tests are exact for the given coordinates, each taken as the rational number that the double
+ * represents. Coordinates are metres between -1e100 and 1e100. In space an obstacle is upright,
+ * from its base to its height, and the part of a line of sight at these heights is computed with
+ * rounding.
  */
 public sealed interface Obstacle {
   /** The part of the light that passes, in [0, 1]; 0 blocks. */
   double transmittance();
 
-  /** The height of its underside above the ground, metres, 0 or more. */
+  /** The height of the underside above the ground, metres, 0 or more. */
   double base();
 
-  /** The height of its top, metres, above the base; infinite where nothing looks over it. */
+  /** The height of the top, metres, above the base; infinite if nothing can look over it. */
   double height();
 
-  /** Whether the closed segment between two points, which may be one, has a point of it. */
+  /** Whether the closed segment between two points, which may be equal, touches the obstacle. */
   boolean touches(double x1, double y1, double x2, double y2);
 
-  /** Whether a point is inside or on the border. */
+  /** Whether a point is inside the obstacle or on its border. */
   default boolean contains(double x, double y) {
     return touches(x, y, x, y);
   }
 
   /**
-   * Whether it meets a sight line in space: any from a point at height z to what is between two
-   * heights of an upright line. These lines fill a triangle; the part of it that is as high as the
-   * obstacle has a segment of the plan below it, which has to touch.
+   * Whether the obstacle meets any line of sight in space from a point at height z to an upright
+   * line between two heights. These lines fill a triangle; the segment on the ground below the part
+   * of it that is between base and top must touch the obstacle.
    *
-   * @param low the least height of what is looked at, metres
-   * @param high the greatest, metres
+   * @param low the lowest height of the upright line, metres
+   * @param high the greatest height of the upright line, metres
    */
   default boolean touches(
       double x1, double y1, double z, double x2, double y2, double low, double high) {
@@ -51,25 +52,25 @@ public sealed interface Obstacle {
             Slab.at(y1, y2, end));
   }
 
-  /** The same from another base to another height, metres. */
+  /** The same obstacle with another base and height, metres. */
   Obstacle between(double from, double to);
 
-  /** The same from the ground to any height. */
+  /** The same obstacle from the ground to any height. */
   default Obstacle flat() {
     return between(0, Double.POSITIVE_INFINITY);
   }
 
-  /** Whether it reaches from the ground to any height. */
+  /** Whether the obstacle reaches from the ground to any height. */
   default boolean full() {
     return base() == 0 && height() == Double.POSITIVE_INFINITY;
   }
 
-  /** Whether it stands in the way of people: those with a base above 0 do not. */
+  /** Whether people cannot pass: the obstacle is solid and its base is 0. */
   default boolean standing() {
     return solid() && base() == 0;
   }
 
-  /** Whether nothing passes. */
+  /** Whether no light passes. */
   default boolean solid() {
     return transmittance() == 0;
   }
@@ -78,7 +79,7 @@ public sealed interface Obstacle {
   record Wall(
       double x1, double y1, double x2, double y2, double transmittance, double base, double height)
       implements Obstacle {
-    /** A wall that nothing looks over. */
+    /** Creates a wall of infinite height. */
     public Wall(double x1, double y1, double x2, double y2, double transmittance) {
       this(x1, y1, x2, y2, transmittance, 0, Double.POSITIVE_INFINITY);
     }
@@ -86,7 +87,7 @@ public sealed interface Obstacle {
     /**
      * Checks the shape.
      *
-     * @throws IllegalArgumentException where its ends are one point, or a number is out of range
+     * @throws IllegalArgumentException if both ends are equal or a number is out of range
      */
     public Wall {
       requireCoordinate(x1);
@@ -112,13 +113,13 @@ public sealed interface Obstacle {
   }
 
   /**
-   * An area within corners; the last is joined to the first. The area belongs to it.
+   * A filled polygon; the last corner is joined to the first.
    *
    * @param points 3 or more, in either direction; the first is not repeated
    */
   record Polygon(List<Point> points, double transmittance, double base, double height)
       implements Obstacle {
-    /** An area that nothing looks over. */
+    /** Creates an area of infinite height. */
     public Polygon(List<Point> points, double transmittance) {
       this(points, transmittance, 0, Double.POSITIVE_INFINITY);
     }
@@ -126,8 +127,8 @@ public sealed interface Obstacle {
     /**
      * Checks the shape.
      *
-     * @throws IllegalArgumentException where it has fewer than 3 points, no area, or edges that
-     *     touch elsewhere than at the corner that they share
+     * @throws IllegalArgumentException if the polygon has fewer than 3 points, no area, or edges
+     *     that touch anywhere but at a shared corner
      */
     public Polygon {
       points = List.copyOf(points);
@@ -150,13 +151,13 @@ public sealed interface Obstacle {
   /**
    * A round pillar.
    *
-   * @param x of its centre
-   * @param y of its centre
+   * @param x of the centre
+   * @param y of the centre
    * @param radius metres, above 0
    */
   record Pillar(double x, double y, double radius, double transmittance, double base, double height)
       implements Obstacle {
-    /** A pillar that nothing looks over. */
+    /** Creates a pillar of infinite height. */
     public Pillar(double x, double y, double radius, double transmittance) {
       this(x, y, radius, transmittance, 0, Double.POSITIVE_INFINITY);
     }
@@ -164,7 +165,7 @@ public sealed interface Obstacle {
     /**
      * Checks the shape.
      *
-     * @throws IllegalArgumentException where the radius is not above 0, or a number is out of range
+     * @throws IllegalArgumentException if the radius is not above 0 or a number is out of range
      */
     public Pillar {
       requireCoordinate(x);

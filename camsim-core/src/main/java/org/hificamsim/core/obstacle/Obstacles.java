@@ -4,53 +4,52 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Obstacles that do not move, and what a line of sight meets of them. A line of sight is a closed
- * segment, with both its ends. It is decided exactly whether it {@linkplain Obstacle#touches
- * touches} an obstacle, by the doubles as they are.
+ * A set of obstacles that do not move, with tests of lines of sight. A line of sight is a closed
+ * segment; whether it {@linkplain Obstacle#touches touches} an obstacle is decided exactly.
  */
 public final class Obstacles {
-  /** None. */
+  /** No obstacles. */
   public static final Obstacles NONE = new Obstacles(List.of());
 
   private final List<Obstacle> obstacles;
   private final Pieces pieces;
 
-  /** Copies the list; transmittances are multiplied in its order. */
+  /** Creates a set; transmittances are multiplied in the order of the list. */
   public Obstacles(List<Obstacle> obstacles) {
     this.obstacles = List.copyOf(obstacles);
     this.pieces = new Pieces(this.obstacles);
   }
 
-  /** In the order given. */
+  /** All obstacles, in the order given. */
   public List<Obstacle> all() {
     return obstacles;
   }
 
-  /** Whether there are none. */
+  /** Whether the set is empty. */
   public boolean isEmpty() {
     return obstacles.isEmpty();
   }
 
-  /** What they are made of. */
+  /** The edges and pillars of the obstacles. */
   Pieces pieces() {
     return pieces;
   }
 
   /**
    * The part of the light that passes from one point to another, in [0, 1]: the product of the
-   * transmittances of all obstacles touched, each once; 1 where none is.
+   * transmittances of all obstacles that the segment touches; 1 if it touches none.
    */
   public double transmittance(double x1, double y1, double x2, double y2) {
     return transmittance(x1, y1, Double.NaN, x2, y2, 0, 0);
   }
 
   /**
-   * The same in space: from a point at a height to what is between two heights of an upright line;
-   * an obstacle that any of these lines touches counts.
+   * The part of the light that passes in space from a point to an upright line between two heights;
+   * each obstacle counts that any line of sight between the two touches.
    *
    * @param z the height of the first point, metres; NaN in a flat world
-   * @param low the least height of what is looked at, metres
-   * @param high the greatest, metres
+   * @param low the lowest height of the upright line, metres
+   * @param high the greatest height of the upright line, metres
    */
   public double transmittance(
       double x1, double y1, double z, double x2, double y2, double low, double high) {
@@ -62,10 +61,10 @@ public final class Obstacles {
     return product;
   }
 
-  /** Whether one may walk straight: no solid obstacle that stands on the ground is touched. */
+  /** Whether a person can walk straight from one point to the other. */
   public boolean clear(double x1, double y1, double x2, double y2) {
     for (int i = 0; i < obstacles.size(); i++) {
-      if (!pieces.apart(i, x1, y1, x2, y2)
+      if (!pieces.isApart(i, x1, y1, x2, y2)
           && obstacles.get(i).standing()
           && obstacles.get(i).touches(x1, y1, x2, y2)) {
         return false;
@@ -89,15 +88,19 @@ public final class Obstacles {
     return obstacles.toString();
   }
 
-  /** The first solid obstacle on the ground that a place is inside or on the border of. */
+  /** The first obstacle to people that contains a position. */
   public Optional<Obstacle> containing(double x, double y) {
-    return obstacles.stream().filter(o -> o.standing() && o.contains(x, y)).findFirst();
+    return obstacles.stream()
+        .filter(obstacle -> obstacle.standing() && obstacle.contains(x, y))
+        .findFirst();
   }
 
-  /** The first solid obstacle that a point in space is inside or on the border of. */
+  /** The first solid obstacle that contains a point in space. */
   public Optional<Obstacle> containing(double x, double y, double z) {
     return obstacles.stream()
-        .filter(o -> o.solid() && z >= o.base() && z <= o.height() && o.contains(x, y))
+        .filter(Obstacle::solid)
+        .filter(obstacle -> z >= obstacle.base() && z <= obstacle.height())
+        .filter(obstacle -> obstacle.contains(x, y))
         .findFirst();
   }
 }

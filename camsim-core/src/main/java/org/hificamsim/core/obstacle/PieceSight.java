@@ -1,36 +1,36 @@
 package org.hificamsim.core.obstacle;
 
 /**
- * How one piece is seen from a standpoint that it does not touch, in one of the sectors of all
- * round: what of it is between the two rays that bound the sector. Bounds hold with all rounding.
+ * How one piece appears from a standpoint that it does not touch, within one sector: the part of
+ * the piece between the two rays that bound the sector. All bounds allow for rounding.
  */
 final class PieceSight {
-  /** Of the squared size of the scene: far more than rounding adds to a squared distance. */
+  /** Relative to the squared size of the scene: far more than the error of a squared distance. */
   private static final double SLACK = 1e-8;
 
-  /** A radius that is surely too large, or too small, by far more than rounding. */
+  /** Factors that make a radius certainly too large or too small, in spite of rounding. */
   private static final double TOO_LARGE = 1 + 1e-9;
 
   private static final double TOO_SMALL = 1 - 1e-9;
 
-  /** A crossing seen under a smaller angle than this is not computed. */
+  /** Crossings at a smaller angle than this are not computed. */
   private static final double GRAZING = 1e-5;
 
-  /** Far more than what rounding does to a crossing that is computed, as a part of the edge. */
-  private static final double PART = 1e-9;
+  /** Far more than the rounding error of a computed crossing, as a part of the edge. */
+  private static final double CROSSING_ERROR = 1e-9;
 
   private final Pieces pieces;
-  private final double atX;
-  private final double atY;
+  private final double standX;
+  private final double standY;
   private final int sectors;
 
-  // The rays, a little outside of the sector.
+  // The directions of the two rays, slightly outside the sector.
   private double rightX;
   private double rightY;
   private double leftX;
   private double leftY;
 
-  // The part of an edge that is in the sector, from 0 to 1.
+  // The part of an edge that is in the sector, in [0, 1].
   private double start;
   private double end;
 
@@ -38,14 +38,14 @@ final class PieceSight {
   private double near;
   private double far;
 
-  PieceSight(Pieces pieces, double atX, double atY, int sectors) {
+  PieceSight(Pieces pieces, double standX, double standY, int sectors) {
     this.pieces = pieces;
-    this.atX = atX;
-    this.atY = atY;
+    this.standX = standX;
+    this.standY = standY;
     this.sectors = sectors;
   }
 
-  /** Looks into a sector. */
+  /** Selects a sector. */
   void enter(int sector) {
     double right = Sector.ROUND * sector / sectors - Sector.ROUNDING;
     double left = Sector.ROUND * (sector + 1) / sectors + Sector.ROUNDING;
@@ -55,13 +55,13 @@ final class PieceSight {
     leftY = Sector.y(left);
   }
 
-  /** Looks at a piece; whether any of it may be in the sector. */
+  /** Selects a piece; returns whether any of it may be in the sector. */
   boolean meets(int piece) {
-    double x = pieces.x1[piece] - atX;
-    double y = pieces.y1[piece] - atY;
+    double x = pieces.x1[piece] - standX;
+    double y = pieces.y1[piece] - standY;
     return pieces.radius[piece] > 0
         ? meetsPillar(x, y, pieces.radius[piece])
-        : meetsEdge(x, y, pieces.x2[piece] - atX, pieces.y2[piece] - atY);
+        : meetsEdge(x, y, pieces.x2[piece] - standX, pieces.y2[piece] - standY);
   }
 
   private boolean meetsEdge(double fromX, double fromY, double toX, double toY) {
@@ -70,10 +70,10 @@ final class PieceSight {
     end = 1;
     if (!cut(leftOfRight(fromX, fromY), leftOfRight(toX, toY), size)
         || !cut(-leftOfLeft(fromX, fromY), -leftOfLeft(toX, toY), size)
-        || start > end + PART) {
+        || start > end + CROSSING_ERROR) {
       return false;
     }
-    spans = start > 0 && end < 1 && end - start > PART;
+    spans = start > 0 && end < 1 && end - start > CROSSING_ERROR;
     double dx = toX - fromX;
     double dy = toY - fromY;
     double nearest = -(fromX * dx + fromY * dy) / (dx * dx + dy * dy);
@@ -89,10 +89,10 @@ final class PieceSight {
   }
 
   /**
-   * Cuts off what of an edge is on the wrong side of a ray.
+   * Cuts off the part of an edge that is outside a ray.
    *
-   * @param from how far the one end is on the right side; below 0 on the wrong one
-   * @param to how far the other end is
+   * @param from the distance of one end inside the ray; below 0 outside
+   * @param to the distance of the other end inside the ray
    * @return whether anything is left
    */
   private boolean cut(double from, double to, double size) {
@@ -123,11 +123,12 @@ final class PieceSight {
         && offLeft < radius * TOO_LARGE;
   }
 
-  /** How far a point is to the left of the sector's right ray, times the length of that. */
+  /** The distance of a point to the left of the right ray, times the length of the ray's vector. */
   private double leftOfRight(double x, double y) {
     return rightX * y - rightY * x;
   }
 
+  /** The distance of a point to the left of the left ray, times the length of the ray's vector. */
   private double leftOfLeft(double x, double y) {
     return leftX * y - leftY * x;
   }
@@ -136,17 +137,17 @@ final class PieceSight {
     return x * x + y * y;
   }
 
-  /** Whether all rays of the sector meet the piece. */
+  /** Whether the piece meets all rays of the sector. */
   boolean spans() {
     return spans;
   }
 
-  /** A squared distance that nothing of the piece within the sector is nearer than. */
+  /** A squared distance that no point of the piece within the sector is below. */
   double near() {
     return Math.max(0, near);
   }
 
-  /** A squared distance beyond which everything in the sector is behind a piece that spans it. */
+  /** A squared distance beyond which a piece that spans the sector hides everything. */
   double far() {
     return far;
   }

@@ -6,24 +6,24 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Obstacles as what a line of sight from outside meets of them: the edges of walls and polygons,
- * and pillars, in flat arrays, in the order of obstacles.
+ * The pieces of obstacles that a line of sight from outside can meet: the edges of walls and
+ * polygons, and pillars; in flat arrays, in the order of the obstacles.
  */
 final class Pieces {
-  /** One end of an edge, or a pillar's centre. */
+  /** By piece: one end of an edge, or the centre of a pillar. */
   final double[] x1;
 
   final double[] y1;
 
-  /** The other end of an edge, or the centre again. */
+  /** By piece: the other end of an edge, or the centre of a pillar. */
   final double[] x2;
 
   final double[] y2;
 
-  /** 0 of an edge. */
+  /** By piece: the radius of a pillar; 0 for an edge. */
   final double[] radius;
 
-  /** The number of its obstacle. */
+  /** By piece: the number of its obstacle. */
   final int[] obstacle;
 
   /** By obstacle. */
@@ -32,10 +32,12 @@ final class Pieces {
   /** By obstacle: whether it reaches from the ground to any height. */
   final boolean[] full;
 
-  /** By obstacle: its first piece; one more is their number. */
+  /** By obstacle: its first piece; the last entry is the number of pieces. */
   final int[] first;
 
-  /** By obstacle: the least x and y of a box around it, then the greatest, rounded outwards. */
+  /**
+   * By obstacle: the bounding box as least x, least y, greatest x, greatest y, rounded outwards.
+   */
   private final double[][] boxes;
 
   Pieces(List<Obstacle> obstacles) {
@@ -69,11 +71,11 @@ final class Pieces {
   }
 
   /**
-   * Whether an obstacle's box lies apart from the one that a segment spans. Most obstacles are far
-   * from a short segment, and a box says so fast; without it, segments in line with a far wall are
-   * decided by long numbers, which take memory.
+   * Whether the bounding boxes of an obstacle and of a segment are disjoint. This quickly excludes
+   * most obstacles; without it, segments in line with a distant wall would be decided by decimals,
+   * which allocate.
    */
-  boolean apart(int obstacle, double ax, double ay, double bx, double by) {
+  boolean isApart(int obstacle, double ax, double ay, double bx, double by) {
     double[] box = boxes[obstacle];
     return Math.min(ax, bx) > box[2]
         || Math.max(ax, bx) < box[0]
@@ -113,12 +115,12 @@ final class Pieces {
     return x1.length;
   }
 
-  /** Whether it hides all that is behind it, from any height. */
+  /** Whether the piece hides everything behind it, at any height. */
   boolean hides(int piece) {
     return transmittance[obstacle[piece]] == 0 && full[obstacle[piece]];
   }
 
-  /** Whether a closed segment has a point of a piece; of a polygon's edge, not of its inside. */
+  /** Whether a closed segment touches a piece; the inside of a polygon is no part of its edges. */
   boolean touches(int piece, double ax, double ay, double bx, double by) {
     return radius[piece] > 0
         ? Discs.touch(x1[piece], y1[piece], radius[piece], ax, ay, bx, by)

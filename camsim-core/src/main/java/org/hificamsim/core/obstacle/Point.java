@@ -1,4 +1,4 @@
 package org.hificamsim.core.obstacle;
 
-/** A corner, metres. */
+/** A point in the plane, metres. */
 public record Point(double x, double y) {}

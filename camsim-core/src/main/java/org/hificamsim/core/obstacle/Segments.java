@@ -1,6 +1,6 @@
 package org.hificamsim.core.obstacle;
 
-/** Whether two closed segments have a point in common, exactly; each may be a single point. */
+/** Decides exactly whether two closed segments, which may be points, have a point in common. */
 final class Segments {
   private Segments() {}
 
@@ -9,7 +9,8 @@ final class Segments {
     if (apart(ax, bx, cx, dx) || apart(ay, by, cy, dy)) {
       return false;
     }
-    // Where all four are on one line, all turns are 0, and the ranges above have decided.
+    // If all four points are on one line, all orientations are 0, and the ranges above have
+    // decided.
     return Orientation.of(ax, ay, bx, by, cx, cy) * Orientation.of(ax, ay, bx, by, dx, dy) <= 0
         && Orientation.of(cx, cy, dx, dy, ax, ay) * Orientation.of(cx, cy, dx, dy, bx, by) <= 0;
   }

@@ -3,21 +3,21 @@ package org.hificamsim.core.obstacle;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** What a shape has to be, and what a closed line of corners touches and surrounds. */
+/** Checks the numbers of shapes, and tests polygons against points and segments. */
 final class Shapes {
-  private static final double FARTHEST = 1e100;
+  private static final double MAX_COORDINATE = 1e100;
 
   private Shapes() {}
 
-  static void require(boolean right, Supplier<String> fault) {
-    if (!right) {
-      throw new IllegalArgumentException(fault.get());
+  static void require(boolean valid, Supplier<String> problem) {
+    if (!valid) {
+      throw new IllegalArgumentException(problem.get());
     }
   }
 
   static void requireCoordinate(double value) {
     require(
-        Math.abs(value) <= FARTHEST,
+        Math.abs(value) <= MAX_COORDINATE,
         () -> "coordinate is " + value + ", expected a number between -1e100 and 1e100");
   }
 
@@ -29,7 +29,7 @@ final class Shapes {
 
   static void requireHeights(double base, double height) {
     require(
-        base >= 0 && base <= FARTHEST && height > base,
+        base >= 0 && base <= MAX_COORDINATE && height > base,
         () ->
             "base is "
                 + base
@@ -40,7 +40,7 @@ final class Shapes {
 
   static void requireRadius(double value) {
     require(
-        value > 0 && value <= FARTHEST,
+        value > 0 && value <= MAX_COORDINATE,
         () -> "radius is " + value + ", expected a number above 0, and 1e100 at most");
   }
 
@@ -68,7 +68,7 @@ final class Shapes {
         () -> "all points of the polygon are on one line, expected an area");
   }
 
-  /** Checks that edges i and j, in this order, have no point in common but a shared corner. */
+  /** Checks that edges i and j, with i below j, have at most a corner in common. */
   private static void requireApart(List<Point> points, int i, int j) {
     require(
         !meet(points, i, j),
@@ -93,7 +93,7 @@ final class Shapes {
     return touches(points.get(j), next(points, j), from.x(), from.y(), to.x(), to.y());
   }
 
-  /** Whether the edge after edge i has more than the corner between them in common with it. */
+  /** Whether edge i and the next one have more in common than their shared corner. */
   private static boolean foldsBack(List<Point> points, int i) {
     Point from = points.get(i);
     Point corner = next(points, i);
@@ -104,7 +104,7 @@ final class Shapes {
         || touches(from, corner, to.x(), to.y(), to.x(), to.y());
   }
 
-  /** Whether a segment has a point of the closed line of corners. */
+  /** Whether a segment touches an edge of a polygon. */
   static boolean touches(List<Point> points, double x1, double y1, double x2, double y2) {
     for (int i = 0; i < points.size(); i++) {
       if (touches(points.get(i), next(points, i), x1, y1, x2, y2)) {
@@ -114,7 +114,7 @@ final class Shapes {
     return false;
   }
 
-  /** Whether a point that is on none of the edges lies within them: the edges to its right. */
+  /** Whether a polygon surrounds a point that is on no edge: counts the edges to its right. */
   static boolean surrounds(List<Point> points, double x, double y) {
     Point at = new Point(x, y);
     boolean inside = false;

@@ -1,15 +1,16 @@
 package org.hificamsim.core.obstacle;
 
 /**
- * Where sight lines are as high as an obstacle: all those from a point at height z to what is
- * between two heights of an upright line. At a share t of the way they are between z + t (low - z)
- * and z + t (high - z), so the shares at which any is between base and top are an interval.
+ * The part of the way at which lines of sight are between the base and the top of an obstacle. The
+ * lines lead from a point at height z to an upright line between two heights; at a share t of the
+ * way they are between z + t (low - z) and z + t (high - z), so these shares are an interval.
  */
 final class Slab {
   private Slab() {}
 
   /**
-   * The share of the way from which on one of the lines is as high, 0 or more; infinite if none.
+   * The first share of the way, 0 or more, at which any line is between base and top; infinite if
+   * none.
    */
   static double start(double z, double low, double high, double base, double top) {
     double start = 0;
@@ -24,7 +25,7 @@ final class Slab {
     return levelAbove || levelBelow ? Double.POSITIVE_INFINITY : start;
   }
 
-  /** The share of the way up to which one of the lines is as high, 1 or less. */
+  /** The last share of the way, 1 or less, at which any line is between base and top. */
   static double end(double z, double low, double high, double base, double top) {
     double end = 1;
     if (low > z) {
@@ -36,7 +37,7 @@ final class Slab {
     return end;
   }
 
-  /** The coordinate at a share of the way; the ends as they are. */
+  /** The coordinate at a share of the way; exact at both ends. */
   static double at(double from, double to, double share) {
     return share == 1 ? to : from + share * (to - from);
   }

@@ -1,26 +1,26 @@
 package org.hificamsim.core.obstacle;
 
 /**
- * Targets that hide targets. A target is hidden by a disc that its line of sight, a closed segment
- * from the camera to its centre, {@linkplain Obstacle#touches touches}. Left out are the target's
- * own disc, discs that the camera is inside or on the border of, and discs whose centres are not
- * nearer to the camera than the target: of two targets that overlap, the nearer hides the other.
+ * Decides whether targets hide each other. A target is hidden if its line of sight, the closed
+ * segment from the camera to its centre, {@linkplain Obstacle#touches touches} the disc of another
+ * target. A disc that contains the camera hides nothing, nor does one whose centre is not nearer to
+ * the camera than the target: of two overlapping targets, the nearer one hides the other.
  */
 public final class TargetOcclusion {
   private TargetOcclusion() {}
 
   /**
-   * Whether a disc hides a target from a camera. In space a disc is upright, from the ground to its
-   * height: whether one hides any of what is between two heights of the target.
+   * Whether any disc hides a target from a camera. In space a disc is a cylinder on the ground, and
+   * the target is hidden if any part of it between two heights is.
    *
    * @param cameraZ metres; NaN in a flat world
-   * @param target its number among the discs
-   * @param x the discs' centres, metres
-   * @param y the discs' centres, metres
-   * @param radius metres; a disc of radius 0 or less hides nothing
-   * @param height of each disc, metres
-   * @param low the least height of what is looked at, metres
-   * @param high the greatest, metres
+   * @param target the number of the target among the discs
+   * @param x the centres of the discs, metres
+   * @param y the centres of the discs, metres
+   * @param radius of the discs, metres; a disc of radius 0 or less hides nothing
+   * @param height of the discs, metres
+   * @param low the lowest height of the target to be seen, metres
+   * @param high the greatest height of the target to be seen, metres
    */
   public static boolean hidden(
       double cameraX,
@@ -38,9 +38,9 @@ public final class TargetOcclusion {
   }
 
   /**
-   * The same in a flat world.
+   * Whether any disc hides a target from a camera in a flat world.
    *
-   * @param count of the discs, the first of the arrays
+   * @param count the number of discs, from the start of the arrays
    */
   public static boolean hidden(
       double cameraX,

@@ -1,4 +1,4 @@
-/** What stands between a camera and a target, and what a camera sees past it. */
+/** Obstacles between cameras and targets, and what is visible past them. */
 @StableApi(since = "0.1")
 package org.hificamsim.core.obstacle;
 

@@ -25,9 +25,9 @@ class SameRegionTest {
       Point at = place.point();
       VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y());
       counts[0] += region.met.length;
-      for (int i = 0; i < region.touched.length; i++) {
-        float near = region.touched[i];
-        float far = region.hidden[i];
+      for (int i = 0; i < region.clearWithin.length; i++) {
+        float near = region.clearWithin[i];
+        float far = region.hiddenBeyond[i];
         counts[1] += far < Float.POSITIVE_INFINITY ? 1 : 0;
         sums[0] += near < Float.POSITIVE_INFINITY ? near : 0;
         sums[1] += far < Float.POSITIVE_INFINITY ? far : 0;

@@ -57,10 +57,10 @@ public final class OverlapTable {
   }
 
   private void refresh() {
-    if (looks == cameras.viewRevision()) {
+    if (revision == cameras.viewRevision()) {
       return;
     }
-    looks = cameras.viewRevision();
+    revision = cameras.viewRevision();
     boolean[] changed = new boolean[fields.length];
     for (int camera = 0; camera < fields.length; camera++) {
       FieldOfView now = FieldOfView.of(cameras, camera);
