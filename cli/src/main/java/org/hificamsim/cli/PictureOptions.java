@@ -163,7 +163,7 @@ final class PictureOptions {
 
   private Paintable still(Path folder, RunFrames run) throws IOException {
     if (heat.isEmpty()) {
-      return new StepPicture(run, run.at("--step", step == null ? run.last() : step));
+      return new StepPicture(run, run.indexOf("--step", step == null ? run.last() : step));
     }
     HeatFigure figure = Spelling.require(HeatFigure.class, "--heatmap", heat.get());
     if (!HeatTable.TABLE.isIn(folder)) {
@@ -190,7 +190,7 @@ final class PictureOptions {
   }
 
   private Look look(Setup setup) {
-    double opacity = floor.orElse(Look.USUAL.floor());
+    double opacity = floor.orElse(Look.DEFAULT.floorOpacity());
     if (!(opacity >= 0 && opacity <= 1)) {
       throw new InputException("--floorplan is " + opacity + ", expected a number from 0 to 1");
     }
@@ -212,8 +212,8 @@ final class PictureOptions {
   }
 
   private Animation animation(RunFrames run) {
-    int first = run.at("--from", from);
-    int last = run.at("--to", to == null ? run.last() : to);
+    int first = run.indexOf("--from", from);
+    int last = run.indexOf("--to", to == null ? run.last() : to);
     if (last < first) {
       throw new InputException("--to is %s, expected a step from %s on".formatted(to, from));
     }

@@ -112,13 +112,13 @@ public final class ReproductionFigures {
     List<CaseResult> all = new ArrayList<>();
     figure.scenarios.forEach(number -> all.addAll(hifi(number, figure.policies)));
     PolicyColors colors = PolicyColors.of(all);
-    double most = KMinPanel.most(all);
+    double most = KMinPanel.ceilingOf(all);
     List<XYChart> panels = new ArrayList<>();
     for (int number : figure.scenarios) {
       List<CaseResult> group = hifi(number, figure.policies);
       KMinPanel panel = KMinPanel.of(title(number), group, colors::of, most);
       if (number == 4 && !Double.isNaN(figure.published)) {
-        panel.level(figure.published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
+        panel.horizontal(figure.published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
       }
       panels.add(panel);
     }
@@ -157,7 +157,7 @@ public final class ReproductionFigures {
   private Figure figure81() {
     List<XYChart> panels = new ArrayList<>();
     for (int number = 1; number <= Layout.SCENARIOS.size(); number++) {
-      double most = KMinPanel.most(both(number, PublishedCell.POLICIES));
+      double most = KMinPanel.ceilingOf(both(number, PublishedCell.POLICIES));
       for (String policy : PublishedCell.POLICIES) {
         panels.add(models(number, policy, most));
       }

@@ -89,10 +89,7 @@ final class PlanSheet {
         demand.zones().get(0).detection(),
         catalogue.policies().create("fixed"),
         floor,
-        demand.cells(),
-        classes,
-        colors,
-        labels);
+        new PlanPicture.ClassifiedCells(demand.cells(), classes, colors, labels));
   }
 
   /**

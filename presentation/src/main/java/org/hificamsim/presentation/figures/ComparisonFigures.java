@@ -16,8 +16,8 @@ import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Yardstick;
 
 /**
- * The pictures of a comparison: k_min over time, proportions of the optimum, shares covered,
- * profiles.
+ * The pictures of a comparison: the score over time, proportions of the optimum, coverage, and
+ * performance profiles.
  */
 public final class ComparisonFigures {
   private ComparisonFigures() {}
@@ -25,9 +25,9 @@ public final class ComparisonFigures {
   /**
    * Writes all pictures.
    *
-   * @param cases every case with the optima
-   * @param width in print; without it, as wide as their panels need on a screen
-   * @param threads that share the work, 1 or more
+   * @param cases all cases, including the optima
+   * @param width in print; if empty, the pictures have the size for screens
+   * @param threads the number of threads, 1 or more
    */
   public static void write(
       OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width, int threads)
@@ -48,19 +48,20 @@ public final class ComparisonFigures {
         .forEach(
             (name, group) ->
                 figures.put(
-                    course(group) + "-" + name,
-                    () -> KMinPanel.figure(course(group) + " over time, " + name, group)));
+                    scoreName(group) + "-" + name,
+                    () -> KMinPanel.figure(scoreName(group) + " over time, " + name, group)));
     Optional<Yardstick> yardstick = Yardstick.of(cases);
-    yardstick.ifPresent(by -> figures.put("proportion", () -> ProportionFigure.of(cases, by)));
+    yardstick.ifPresent(
+        measure -> figures.put("proportion", () -> ProportionFigure.of(cases, measure)));
     figures.put("coverage", () -> coverage(cases));
-    if (yardstick.isPresent() && cases.stream().anyMatch(one -> !one.isOptimum())) {
+    if (yardstick.isPresent() && cases.stream().anyMatch(result -> !result.isOptimum())) {
       figures.put("profile", () -> ProfileFigure.of(cases, yardstick.get()));
     }
     return figures;
   }
 
-  private static String course(List<CaseResult> ofScenario) {
-    return ofScenario.get(0).plan().objective().hasOwnFigure() ? "score" : "k_min";
+  private static String scoreName(List<CaseResult> cases) {
+    return cases.get(0).plan().objective().hasOwnFigure() ? "score" : "k_min";
   }
 
   private static Figure coverage(List<CaseResult> cases) {

@@ -10,7 +10,7 @@ import org.hificamsim.presentation.plot.StackPanel;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
 
-/** The shares of targets covered by no, one, and more cameras, as Figure 7.9 stacks them. */
+/** Stacked shares of targets covered by no, one, and more cameras, as in Figure 7.9. */
 public final class CoverageFigure {
   private static final int WIDTH = 340;
   private static final int HEIGHT = 270;
@@ -20,10 +20,10 @@ public final class CoverageFigure {
 
   private CoverageFigure() {}
 
-  /** The cases of one panel: one bar for each. */
+  /** The cases of one panel, which has a bar for each. */
   public record Group(String title, List<CaseResult> cases) {}
 
-  /** The figure, in the colours of pages. */
+  /** Returns the figure, in the colours of pages. */
   public static Figure of(String title, List<Group> groups, int columns) {
     return new Figure(
         title,
@@ -44,7 +44,7 @@ public final class CoverageFigure {
         new StackPanel(
             group.title(),
             "share of targets",
-            group.cases().stream().map(one -> one.plan().policy()).toList());
+            group.cases().stream().map(result -> result.plan().policy()).toList());
     for (int layer = 0; layer < METRICS.length; layer++) {
       panel.layer(shares(group, METRICS[layer]), COLORS[layer]);
     }
@@ -52,6 +52,6 @@ public final class CoverageFigure {
   }
 
   private static List<Double> shares(Group group, Metric metric) {
-    return group.cases().stream().map(one -> StatUtils.mean(one.figures(metric))).toList();
+    return group.cases().stream().map(result -> StatUtils.mean(result.figures(metric))).toList();
   }
 }

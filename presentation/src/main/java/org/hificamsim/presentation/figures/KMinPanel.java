@@ -21,8 +21,8 @@ import org.hificamsim.runs.compare.FinishedRun;
 import org.knowm.xchart.XYChart;
 
 /**
- * A panel of k_min or another score over time, as chapters 7 and 8 show it: the mean over the runs
- * pale, and LOWESS over it.
+ * A panel of k_min or another score over time, as in chapters 7 and 8: the mean over the runs as a
+ * pale line, and its LOWESS smoothing on top.
  */
 public final class KMinPanel extends XyPanel {
   private static final int RAW_POINTS = 250;
@@ -31,41 +31,42 @@ public final class KMinPanel extends XyPanel {
 
   private final int steps;
 
-  /** An empty panel whose y axis ends at {@code most}. */
-  public KMinPanel(String title, Objective objective, int steps, double most) {
+  /** Creates an empty panel whose y axis ends at {@code ceiling}. */
+  public KMinPanel(String title, Objective objective, int steps, double ceiling) {
     super(title, "time (steps)", label(objective));
     this.steps = steps;
-    x(0, steps).y(0, most);
+    x(0, steps).y(0, ceiling);
   }
 
-  /** The figure of one scenario. */
+  /** Returns the figure of one scenario. */
   public static Figure figure(String title, List<CaseResult> cases) {
     PolicyColors colors = PolicyColors.of(cases);
-    double most = most(cases);
+    double ceiling = ceilingOf(cases);
     Map<String, List<CaseResult>> detections = Cases.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
-    detections.forEach((name, group) -> panels.add(of(name, group, colors::of, most)));
+    detections.forEach((name, group) -> panels.add(of(name, group, colors::of, ceiling)));
     return new Figure(
         title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
   }
 
-  /** A panel of cases, each in its colour. */
+  /** Returns a panel of cases. */
   public static KMinPanel of(
-      String title, List<CaseResult> cases, Function<CaseResult, Color> color, double most) {
+      String title, List<CaseResult> cases, Function<CaseResult, Color> color, double ceiling) {
     RunPlan plan = cases.get(0).plan();
-    KMinPanel panel = new KMinPanel(title, plan.objective(), plan.steps(), most);
-    cases.forEach(one -> panel.band(one, color.apply(one)));
-    cases.forEach(one -> panel.raw(one.meanScore(), color.apply(one)));
-    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanScore(), color.apply(one)));
+    KMinPanel panel = new KMinPanel(title, plan.objective(), plan.steps(), ceiling);
+    cases.forEach(result -> panel.band(result, color.apply(result)));
+    cases.forEach(result -> panel.raw(result.meanScore(), color.apply(result)));
+    cases.forEach(
+        result -> panel.smooth(result.plan().policy(), result.meanScore(), color.apply(result)));
     return panel;
   }
 
-  /** Where a y axis ends that holds all cases. */
-  public static double most(List<CaseResult> cases) {
+  /** The end of a y axis that contains all cases. */
+  public static double ceilingOf(List<CaseResult> cases) {
     return ceiling(cases.stream().map(CaseResult::meanScore).toList());
   }
 
-  /** What the note of a figure says of such panels. */
+  /** The note of a figure of such panels. */
   public static String note(List<CaseResult> cases) {
     int runs = cases.get(0).runs().size();
     return note(cases.get(0).plan().steps())
@@ -87,59 +88,59 @@ public final class KMinPanel extends XyPanel {
     return "Thick: LOWESS; pale: mean over the runs" + thinned;
   }
 
-  /** The points of a curve that are drawn beneath the smooth one. */
+  /** The points of a curve that are drawn under the smooth one. */
   static Curve drawn(Curve raw) {
     return raw.thinned(RAW_POINTS);
   }
 
-  /** Where a y axis ends that holds all that is drawn of these, and a tenth more. */
+  /** The end of a y axis that contains the curves of these means, and a tenth more. */
   static double ceiling(List<double[]> means) {
-    double most =
+    double greatest =
         means.stream()
             .map(Curve::of)
             .flatMap(curve -> Stream.of(drawn(curve), Lowess.smooth(curve)))
             .flatMapToDouble(curve -> Arrays.stream(curve.y()))
             .max()
             .orElse(1);
-    return Math.max(0.2, Math.ceil(most * 1.1 * 5) / 5);
+    return Math.max(0.2, Math.ceil(greatest * 1.1 * 5) / 5);
   }
 
-  /** Adds a dashed horizontal line: a published level. */
-  public void level(double value, Color color) {
+  /** Adds a dashed horizontal line for a published value. */
+  public void horizontal(double value, Color color) {
     dashed(new Curve(new double[] {0, steps}, new double[] {value, value}), color);
   }
 
-  /** Adds the mean beneath; call it for all before the first {@link #smooth}. */
+  /** Adds the pale line of a mean; to be called for all cases before {@link #smooth}. */
   void raw(double[] means, Color color) {
     faint(drawn(Curve.of(means)), color);
   }
 
   /** Adds the 95% interval of a case's mean over its runs; nothing for a single run. */
-  void band(CaseResult one, Color color) {
-    if (one.runs().size() > 1) {
-      band(bound(one, Estimate::low), bound(one, Estimate::high), color);
+  void band(CaseResult result, Color color) {
+    if (result.runs().size() > 1) {
+      band(bound(result, Estimate::low), bound(result, Estimate::high), color);
     }
   }
 
-  private static Curve bound(CaseResult one, ToDoubleFunction<Estimate> side) {
-    int parts = one.levels()[0].length;
-    int steps = one.plan().steps();
+  private static Curve bound(CaseResult result, ToDoubleFunction<Estimate> side) {
+    int parts = result.levels()[0].length;
+    int steps = result.plan().steps();
     double[] x = new double[parts];
     double[] y = new double[parts];
     for (int part = 0; part < parts; part++) {
-      int at = part;
-      double[] levels = Arrays.stream(one.levels()).mapToDouble(run -> run[at]).toArray();
+      int index = part;
+      double[] scores = Arrays.stream(result.levels()).mapToDouble(run -> run[index]).toArray();
       x[part] =
           (FinishedRun.start(part, parts, steps) + FinishedRun.start(part + 1, parts, steps) - 1)
               / 2.0;
-      y[part] = side.applyAsDouble(Estimate.mean(levels));
+      y[part] = side.applyAsDouble(Estimate.mean(scores));
     }
     return Lowess.smooth(new Curve(x, y));
   }
 
   /**
-   * Adds a policy's smooth line, dashed for the optimum; where there are too few points to smooth,
-   * a straight one.
+   * Adds a policy's smooth line, dashed for the optimum; if there are too few points to smooth,
+   * their polygon.
    */
   void smooth(String policy, double[] means, Color color) {
     Curve curve = Lowess.smooth(Curve.of(means));

@@ -9,11 +9,11 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.runs.compare.CaseResult;
 
-/** A colour for each policy: the same in every figure for those of chapter 7. */
+/** A colour for each policy; the policies of chapter 7 have the same one in every figure. */
 public final class PolicyColors {
   private static final String OPTIMAL = "optimal";
 
-  private static final Map<String, Color> KNOWN =
+  private static final Map<String, Color> FIXED =
       Map.of(
           OPTIMAL,
           Palette.BLACK,
@@ -30,7 +30,7 @@ public final class PolicyColors {
 
   private final Map<String, Color> colors = new LinkedHashMap<>();
 
-  /** Hands out colours; of two policies that differ in options alone, the first has the known. */
+  /** Assigns colours. If policies differ only in their options, the first gets the fixed colour. */
   public PolicyColors(List<String> policies) {
     List<Color> free = new ArrayList<>(Palette.LINES);
     policies.stream().distinct().forEach(policy -> colors.put(policy, take(policy, free)));
@@ -44,28 +44,28 @@ public final class PolicyColors {
   }
 
   private static Color take(String policy, List<Color> free) {
-    Color color = KNOWN.get(policy.replaceFirst(":.*", ""));
+    Color color = FIXED.get(policy.replaceFirst(":.*", ""));
     return color != null && free.remove(color) ? color : null;
   }
 
-  /** The colours of the cases' policies. */
+  /** Assigns colours to the policies of cases. */
   public static PolicyColors of(List<CaseResult> cases) {
-    return new PolicyColors(cases.stream().map(one -> one.plan().policy()).toList());
+    return new PolicyColors(cases.stream().map(result -> result.plan().policy()).toList());
   }
 
-  /** The same colours, for some of the policies. */
-  public PolicyColors(PolicyColors all, List<String> policies) {
-    policies.forEach(policy -> colors.put(policy, all.of(policy)));
+  /** Takes the colours of some policies from another assignment. */
+  public PolicyColors(PolicyColors other, List<String> policies) {
+    policies.forEach(policy -> colors.put(policy, other.of(policy)));
   }
 
-  /** The colour of a policy that was given at the start. */
+  /** The colour of a policy. */
   public Color of(String policy) {
     return colors.get(policy);
   }
 
   /** The colour of a case's policy. */
-  public Color of(CaseResult one) {
-    return of(one.plan().policy());
+  public Color of(CaseResult result) {
+    return of(result.plan().policy());
   }
 
   /** The legend, in the order of the policies; the optimum is dashed. */

@@ -15,16 +15,16 @@ import org.hificamsim.runs.compare.Yardstick;
 import org.hificamsim.runs.statistics.Aggregate;
 import org.knowm.xchart.XYChart;
 
-/** Performance profiles: the share of runs that reach a proportion of the yardstick. */
+/** Performance profiles: the share of runs that reach each proportion of the yardstick. */
 final class ProfileFigure {
   private static final int WIDTH = 430;
   private static final int HEIGHT = 290;
 
   private ProfileFigure() {}
 
-  /** The figure of all scenarios together, a panel per detection. */
+  /** Returns the figure of all scenarios together, with a panel for each detection. */
   static Figure of(List<CaseResult> cases, Yardstick yardstick) {
-    List<CaseResult> shown = cases.stream().filter(one -> !one.isOptimum()).toList();
+    List<CaseResult> shown = cases.stream().filter(result -> !result.isOptimum()).toList();
     PolicyColors colors = PolicyColors.of(shown);
     List<XYChart> panels = new ArrayList<>();
     Cases.byDetection(shown)
@@ -46,9 +46,9 @@ final class ProfileFigure {
     XyPanel panel =
         new XyPanel(title, "tau (of " + yardstick.noun() + ")", "share of runs").x(0, 1).y(0, 1);
     List<PolicyScores> policies =
-        PolicyScores.of(cases).stream().filter(one -> one.scores().runs() > 0).toList();
+        PolicyScores.of(cases).stream().filter(policy -> policy.scores().runs() > 0).toList();
     List<Estimate[]> profiles =
-        policies.stream().map(one -> Aggregate.profile(one.scores())).toList();
+        policies.stream().map(policy -> Aggregate.profile(policy.scores())).toList();
     for (int i = 0; i < profiles.size(); i++) {
       band(panel, profiles.get(i), colors, policies.get(i).policy());
     }

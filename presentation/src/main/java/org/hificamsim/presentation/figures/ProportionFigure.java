@@ -16,21 +16,26 @@ import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Yardstick;
 import org.knowm.xchart.XYChart;
 
-/** The share of the leading yardstick by policy and detection model, a panel per scenario. */
+/**
+ * The score as a share of the yardstick, by policy and detection model, with a panel for each
+ * scenario.
+ */
 final class ProportionFigure {
   private static final int WIDTH = 430;
-  private static final int ROW = 26;
-  private static final int FRAME = 90;
-  private static final double APART = 0.18;
+  private static final int ROW_HEIGHT = 26;
+  private static final int FRAME_HEIGHT = 90;
+
+  /** The distance between the dots of a row, in rows. */
+  private static final double DOT_DISTANCE = 0.18;
 
   private final Yardstick yardstick;
   private final List<String> policies;
   private final List<String> detections;
-  private final double most;
+  private final double greatest;
 
   private ProportionFigure(List<CaseResult> cases, Yardstick yardstick) {
     this.yardstick = yardstick;
-    most =
+    greatest =
         cases.stream()
             .map(this::share)
             .flatMapToDouble(share -> DoubleStream.of(share.mean(), share.high()))
@@ -42,8 +47,8 @@ final class ProportionFigure {
     detections = List.copyOf(Cases.byDetection(cases).keySet());
   }
 
-  private Estimate share(CaseResult one) {
-    return Estimate.mean(one.figures(yardstick.share()));
+  private Estimate share(CaseResult result) {
+    return Estimate.mean(result.figures(yardstick.share()));
   }
 
   static Figure of(List<CaseResult> cases, Yardstick yardstick) {
@@ -60,7 +65,7 @@ final class ProportionFigure {
         panels,
         Math.min(2, panels.size()),
         WIDTH,
-        FRAME + ROW * Math.max(2, figure.policies.size()));
+        FRAME_HEIGHT + ROW_HEIGHT * Math.max(2, figure.policies.size()));
   }
 
   private List<LegendEntry> legend() {
@@ -75,18 +80,20 @@ final class ProportionFigure {
 
   private XYChart panel(String scenario, List<CaseResult> cases) {
     XyPanel panel =
-        new XyPanel(scenario, "score / that of " + yardstick.noun(), "").x(0, most).rows(policies);
+        new XyPanel(scenario, "score / that of " + yardstick.noun(), "")
+            .x(0, greatest)
+            .rows(policies);
     Map<String, List<CaseResult>> groups = Cases.byDetection(cases);
-    groups.forEach((name, group) -> group.forEach(one -> dot(panel, one)));
+    groups.forEach((name, group) -> group.forEach(result -> dot(panel, result)));
     return panel;
   }
 
-  private void dot(XyPanel panel, CaseResult one) {
-    int row = policies.indexOf(one.plan().policy());
-    Estimate estimate = share(one);
+  private void dot(XyPanel panel, CaseResult result) {
+    int row = policies.indexOf(result.plan().policy());
+    Estimate estimate = share(result);
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
-      int detection = detections.indexOf(one.plan().detection().name());
-      double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);
+      int detection = detections.indexOf(result.plan().detection().name());
+      double y = row + 1 + DOT_DISTANCE * ((detections.size() - 1) / 2.0 - detection);
       panel.dot(estimate, y, Palette.line(detection));
     }
   }

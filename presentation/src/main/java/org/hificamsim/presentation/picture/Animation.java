@@ -5,32 +5,33 @@ import java.io.OutputStream;
 import org.hificamsim.presentation.plot.FigureFile;
 
 /**
- * A run in pictures that follow each other.
+ * An animation of a run.
  *
  * @param first frame
  * @param last frame, not before the first
- * @param every how many frames one picture stands for, 1 or more; the last frame is always shown
+ * @param every the number of frames from one picture to the next, 1 or more; the last frame is
+ *     always shown
  */
 public record Animation(RunFrames run, int first, int last, int every) {
-  private static final int MAX_BY_ITSELF = 200;
+  private static final int DEFAULT_MAX_PICTURES = 200;
 
-  /** An animation of no more than 200 pictures. */
+  /** Returns an animation of at most 200 pictures. */
   public static Animation of(RunFrames run, int first, int last) {
-    return new Animation(run, first, last, (last - first) / MAX_BY_ITSELF + 1);
+    return new Animation(run, first, last, (last - first) / DEFAULT_MAX_PICTURES + 1);
   }
 
-  /** How many pictures there are. */
+  /** The number of pictures. */
   public int pictures() {
     return (last - first + every - 1) / every + 1;
   }
 
-  /** How many steps lie between two pictures. */
+  /** The number of steps from one picture to the next. */
   public long stepsApart() {
     return every * run.stepsApart();
   }
 
   /**
-   * Writes it as GIF.
+   * Writes the animation as GIF.
    *
    * @param width pixels
    * @param perSecond pictures per second, 1 to 50

@@ -23,16 +23,19 @@ import org.mozilla.javascript.Scriptable;
 import org.mozilla.javascript.ScriptableObject;
 
 /**
- * The script by which pages paint fields, {@code picture.js}, run by Rhino for the pictures of one
- * run: what a field looks like is written once. For one thread at a time.
+ * Runs the script that paints fields on pages, {@code picture.js}, for the pictures of one run. Not
+ * thread-safe.
  */
 final class FieldScript {
   private static final String MODULE = "picture.js";
-  private static final double SIGN = 5.5; // radius of a legend's sign, points
+
+  /** The radius of a legend's signs, points. */
+  private static final double SIGN_RADIUS = 5.5;
+
   private static final int LEGEND_ROW = 24;
   private static final Pattern COLOR = Pattern.compile("--(\\w+): (#[0-9a-f]{6})");
   private static final Script SCRIPT =
-      in(context -> context.compileString(Scripts.bundle(MODULE), MODULE, 1, null));
+      run(context -> context.compileString(Scripts.bundle(MODULE), MODULE, 1, null));
 
   private final ScriptableObject scope;
   private final Scriptable functions;
@@ -40,34 +43,37 @@ final class FieldScript {
   private final Scriptable colors;
 
   FieldScript(Setup setup) {
-    scope = in(Context::initSafeStandardObjects);
-    in(context -> SCRIPT.exec(context, scope, scope));
+    scope = run(Context::initSafeStandardObjects);
+    run(context -> SCRIPT.exec(context, scope, scope));
     String name = Scripts.variable(MODULE);
-    functions = (Scriptable) in(context -> context.evaluateString(scope, name, name, 1, null));
+    functions = (Scriptable) run(context -> context.evaluateString(scope, name, name, 1, null));
     this.setup =
-        in(
+        run(
             context ->
                 NativeJSON.parse(
-                    context, scope, ReplayJson.of(setup), (any, self, that, given) -> given[1]));
+                    context,
+                    scope,
+                    ReplayJson.of(setup),
+                    (call, self, receiver, arguments) -> arguments[1]));
     colors = object(lightColors());
   }
 
-  /** The colours of the light theme, which the style sheet has first. */
+  /** The colours of the light theme, which comes first in the style sheet. */
   private static Map<String, String> lightColors() {
     Map<String, String> colors = new HashMap<>();
-    Matcher found = COLOR.matcher(Scripts.text("style.css"));
-    while (found.find()) {
-      colors.putIfAbsent(found.group(1), found.group(2));
+    Matcher declaration = COLOR.matcher(Scripts.text("style.css"));
+    while (declaration.find()) {
+      colors.putIfAbsent(declaration.group(1), declaration.group(2));
     }
     return colors;
   }
 
-  /** How high the field is in a picture of this width, points. */
+  /** The height of the field in a picture of this width, points. */
   double height(double width) {
     return ((Number) call("height", setup, width)).doubleValue();
   }
 
-  /** Colours from the least of a heat map's scale to the most, as they are seen on white. */
+  /** Colours of a heat map's scale, from the least value to the greatest, as they look on white. */
   List<Color> scale(int count) {
     return ((List<?>) call("scale", count)).stream().map(FieldScript::color).toList();
   }
@@ -77,19 +83,19 @@ final class FieldScript {
     return new Color(rgb[0], rgb[1], rgb[2]);
   }
 
-  /** How a heat map fills what no camera ever covers. */
+  /** The paint of a heat map's cells that no camera ever covers. */
   Paint never() {
     return (Paint) Context.jsToJava(call("never", new ScriptCanvas(null)), Paint.class);
   }
 
-  /** What the signs in a picture mean, group by group. */
+  /** The legend of a picture. */
   Legend legend(Look look, int width) {
-    Object groups = call("signs", setup, colors, look.zones().orElse(-1), new ScriptCanvas(null));
+    Object groups = call("signs", setup, colors, densityCamera(look), new ScriptCanvas(null));
     return new Legend(
         ((List<?>) groups)
             .stream().map(group -> ((List<?>) group).stream().map(this::entry).toList()).toList(),
         width,
-        (int) (2 * SIGN),
+        (int) (2 * SIGN_RADIUS),
         LEGEND_ROW);
   }
 
@@ -100,22 +106,29 @@ final class FieldScript {
     return mark == null
         ? new LegendEntry(label, null)
         : new LegendEntry(
-            label, (graphics, x, y) -> call(mark, new ScriptCanvas(graphics), x + SIGN, y, SIGN));
+            label,
+            (graphics, x, y) ->
+                call(mark, new ScriptCanvas(graphics), x + SIGN_RADIUS, y, SIGN_RADIUS));
   }
+
+  private static int densityCamera(Look look) {
+    return look.densityCamera().orElse(-1);
+  }
+
+  /**
+   * A heat map or the cells of a plan.
+   *
+   * @param figure how the values are shown
+   * @param values by cell
+   */
+  record Cells(Record figure, double[] values) {}
 
   /**
    * Paints a frame of a run within an area.
    *
-   * @param heat a heat map or the cells of a plan, painted in its place; null for none
-   * @param values of the heat map's cells
+   * @param cells that are painted instead of the frame's views and targets; null for none
    */
-  void paint(
-      Graphics2D graphics,
-      Rectangle2D area,
-      RunFrames run,
-      int index,
-      Record heat,
-      double[] values) {
+  void paint(Graphics2D graphics, Rectangle2D area, RunFrames run, int index, Cells cells) {
     Graphics2D place = (Graphics2D) graphics.create();
     place.clip(area);
     place.translate(area.getX(), area.getY());
@@ -123,22 +136,28 @@ final class FieldScript {
         "paint",
         new ScriptCanvas(place),
         setup,
-        colors,
-        area.getWidth(),
-        area.getHeight(),
-        object(run.columns(index)),
-        ReplayJson.of(run.poses(index)),
-        run.floor(),
-        run.look().floor(),
-        run.look().zones().orElse(-1),
-        run.look().tracks(),
-        heat == null ? null : ReplayJson.of(heat),
-        values);
+        object(picture(area, run, index)),
+        cells == null ? null : ReplayJson.of(cells.figure()),
+        cells == null ? null : cells.values());
     place.dispose();
   }
 
+  /** What {@code picture.js} has to know of a picture. */
+  private Map<String, Object> picture(Rectangle2D area, RunFrames run, int index) {
+    return Map.of(
+        "colours", colors,
+        "width", area.getWidth(),
+        "height", area.getHeight(),
+        "columns", object(run.columns(index)),
+        "poses", ReplayJson.of(run.poses(index)),
+        "images", run.floor(),
+        "opacity", run.look().floorOpacity(),
+        "densityCamera", densityCamera(run.look()),
+        "tracked", run.look().tracks());
+  }
+
   private Scriptable object(Map<String, ?> properties) {
-    return in(
+    return run(
         context -> {
           Scriptable object = context.newObject(scope);
           properties.forEach(
@@ -152,7 +171,7 @@ final class FieldScript {
   }
 
   private Object call(Function function, Object... arguments) {
-    return in(
+    return run(
         context -> {
           Object[] values =
               Arrays.stream(arguments).map(value -> Context.javaToJS(value, scope)).toArray();
@@ -160,7 +179,7 @@ final class FieldScript {
         });
   }
 
-  private static <T> T in(java.util.function.Function<Context, T> task) {
+  private static <T> T run(java.util.function.Function<Context, T> task) {
     try (Context context = Context.enter()) {
       context.setLanguageVersion(Context.VERSION_ES6);
       context.setInterpretedMode(true); // compiling takes longer than even an animation gains

@@ -24,20 +24,22 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
- * Writes an animation as GIF: one palette, and of each frame what differs from the one before. It
- * goes on for ever. The palette has the most frequent colours of a few frames and one that shows
- * the frame before: areas of one colour keep it exactly, the rare shades of edges are rounded.
+ * Writes an animation as a GIF that repeats for ever, with one palette and the differences between
+ * frames. The palette has the most frequent colours of a few frames, and a transparent one that
+ * keeps the last frame. Areas of one colour keep it exactly; rare shades at edges are rounded.
  */
 final class GifFile {
-  private static final String HEAD = "javax_imageio_gif_stream_1.0";
-  private static final String FORMAT = "javax_imageio_gif_image_1.0";
-  private static final int SAMPLES = 5;
-  private static final int TRANSPARENT = 255; // the index of what shows the frame before
+  private static final String STREAM_FORMAT = "javax_imageio_gif_stream_1.0";
+  private static final String IMAGE_FORMAT = "javax_imageio_gif_image_1.0";
+  private static final int PALETTE_FRAMES = 5;
+
+  /** The index of the transparent colour. */
+  private static final int TRANSPARENT = 255;
 
   private final IndexColorModel colors;
   private final Map<Integer, Integer> indexes = new HashMap<>();
   private final int delay;
-  private int[] before;
+  private int[] lastPixels; // null before the first frame
 
   private GifFile(IndexColorModel colors, int delay) {
     this.colors = colors;
@@ -47,23 +49,23 @@ final class GifFile {
   /**
    * Writes the animation.
    *
-   * @param count of frames, 1 or more
-   * @param frames all of the same size
+   * @param count the number of frames, 1 or more
+   * @param frames of the same size
    * @param delay between two frames, hundredths of a second
    */
   static void write(OutputStream out, int count, IntFunction<BufferedImage> frames, int delay)
       throws IOException {
-    List<BufferedImage> samples =
-        IntStream.range(0, SAMPLES)
-            .map(i -> i * (count - 1) / (SAMPLES - 1))
+    List<BufferedImage> typical =
+        IntStream.range(0, PALETTE_FRAMES)
+            .map(i -> i * (count - 1) / (PALETTE_FRAMES - 1))
             .distinct()
             .mapToObj(frames)
             .toList();
-    GifFile file = new GifFile(palette(samples), delay);
+    GifFile file = new GifFile(palette(typical), delay);
     ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
     try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
-      writer.prepareWriteSequence(file.head(writer));
+      writer.prepareWriteSequence(file.header(writer));
       for (int i = 0; i < count; i++) {
         file.append(writer, frames.apply(i), i == 0);
       }
@@ -73,9 +75,9 @@ final class GifFile {
     }
   }
 
-  private static IndexColorModel palette(List<BufferedImage> samples) {
+  private static IndexColorModel palette(List<BufferedImage> frames) {
     Map<Integer, Integer> counts = new TreeMap<>();
-    for (BufferedImage image : samples) {
+    for (BufferedImage image : frames) {
       for (int color : pixels(image)) {
         counts.merge(color, 1, Integer::sum);
       }
@@ -86,9 +88,10 @@ final class GifFile {
             .mapToInt(Map.Entry::getKey)
             .limit(TRANSPARENT)
             .toArray();
-    int[] all = Arrays.copyOf(frequent, TRANSPARENT + 1);
-    Arrays.fill(all, frequent.length, TRANSPARENT, all[0]);
-    return new IndexColorModel(8, all.length, all, 0, false, TRANSPARENT, DataBuffer.TYPE_BYTE);
+    int[] palette = Arrays.copyOf(frequent, TRANSPARENT + 1);
+    Arrays.fill(palette, frequent.length, TRANSPARENT, palette[0]);
+    return new IndexColorModel(
+        8, palette.length, palette, 0, false, TRANSPARENT, DataBuffer.TYPE_BYTE);
   }
 
   private static int[] pixels(BufferedImage image) {
@@ -96,11 +99,11 @@ final class GifFile {
     return image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
   }
 
-  /** What stands before all frames: the palette. */
-  private IIOMetadata head(ImageWriter writer) throws IOException {
-    IIOMetadataNode root = new IIOMetadataNode(HEAD);
-    String about = "sizeOfGlobalColorTable=256 backgroundColorIndex=0 sortFlag=FALSE";
-    IIOMetadataNode table = add(root, "GlobalColorTable", about);
+  /** The header of the file, which has the palette. */
+  private IIOMetadata header(ImageWriter writer) throws IOException {
+    IIOMetadataNode root = new IIOMetadataNode(STREAM_FORMAT);
+    String attributes = "sizeOfGlobalColorTable=256 backgroundColorIndex=0 sortFlag=FALSE";
+    IIOMetadataNode table = add(root, "GlobalColorTable", attributes);
     for (int i = 0; i < colors.getMapSize(); i++) {
       Color color = new Color(colors.getRGB(i));
       String parts = "index=%s red=%s green=%s blue=%s";
@@ -110,28 +113,28 @@ final class GifFile {
           parts.formatted(i, color.getRed(), color.getGreen(), color.getBlue()));
     }
     IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
-    metadata.mergeTree(HEAD, root);
+    metadata.mergeTree(STREAM_FORMAT, root);
     return metadata;
   }
 
   private void append(ImageWriter writer, BufferedImage frame, boolean first) throws IOException {
     BufferedImage indexed = difference(frame);
-    IIOMetadataNode root = new IIOMetadataNode(FORMAT);
+    IIOMetadataNode root = new IIOMetadataNode(IMAGE_FORMAT);
     String control =
         "disposalMethod=doNotDispose userInputFlag=FALSE transparentColorFlag=TRUE"
             + " transparentColorIndex=%s delayTime=%s";
     add(root, "GraphicControlExtension", control.formatted(TRANSPARENT, delay));
-    if (first) { // Netscape's extension: a loop without an end
+    if (first) { // Netscape's extension for repeating the animation for ever
       IIOMetadataNode extensions = add(root, "ApplicationExtensions", "");
       add(extensions, "ApplicationExtension", "applicationID=NETSCAPE authenticationCode=2.0")
           .setUserObject(new byte[] {1, 0, 0});
     }
     IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(indexed), null);
-    metadata.mergeTree(FORMAT, root);
+    metadata.mergeTree(IMAGE_FORMAT, root);
     writer.writeToSequence(new IIOImage(indexed, null, metadata), null);
   }
 
-  /** Adds a node with these attributes. */
+  /** Adds a node with attributes {@code name=value ...}. */
   private static IIOMetadataNode add(IIOMetadataNode parent, String name, String attributes) {
     IIOMetadataNode child = new IIOMetadataNode(name);
     Pattern.compile("(\\w+)=(\\S+)")
@@ -142,16 +145,16 @@ final class GifFile {
     return child;
   }
 
-  /** The frame in the palette's colours; transparent where the frame before had the same. */
+  /** Returns a frame in the palette's colours, transparent where it equals the last frame. */
   private BufferedImage difference(BufferedImage frame) {
     int[] pixels = pixels(frame);
     byte[] shown = new byte[pixels.length];
     for (int i = 0; i < pixels.length; i++) {
       pixels[i] = indexes.computeIfAbsent(pixels[i], this::nearest);
-      boolean same = before != null && before[i] == pixels[i];
+      boolean same = lastPixels != null && lastPixels[i] == pixels[i];
       shown[i] = (byte) (same ? TRANSPARENT : pixels[i]);
     }
-    before = pixels;
+    lastPixels = pixels;
     int width = frame.getWidth();
     int height = frame.getHeight();
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_INDEXED, colors);

@@ -16,11 +16,11 @@ import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
 
 /**
- * A figure of a heat map over the field, with what stands in it, the cameras as the last step left
- * them and, if asked for, the tracks.
+ * A figure of a heat map over the field, with obstacles, the cameras after the last step, and
+ * perhaps the tracks.
  */
 public final class HeatPicture implements Paintable {
-  private static final int KEY = 64;
+  private static final int KEY_HEIGHT = 64;
   private static final int BAR_WIDTH = 300;
   private static final int BAR_HEIGHT = 12;
   private static final int GAP = 26;
@@ -33,8 +33,8 @@ public final class HeatPicture implements Paintable {
   private final double end;
 
   /**
-   * @param run one of those that the map is of
-   * @param repeats how many that are
+   * @param run one of the runs of the map
+   * @param repeats the number of runs of the map
    */
   public HeatPicture(RunFrames run, HeatMap map, HeatFigure figure, int repeats) {
     this.run = run;
@@ -52,13 +52,13 @@ public final class HeatPicture implements Paintable {
 
   @Override
   public int height() {
-    return (int) StepPicture.area(run).getMaxY() + KEY + StepPicture.MARGIN;
+    return (int) StepPicture.area(run).getMaxY() + KEY_HEIGHT + StepPicture.MARGIN;
   }
 
   @Override
   public void paint(Graphics2D graphics) {
     Setup setup = run.setup();
-    graphics.setColor(Color.WHITE); // to the end of a last row of pixels that is not whole
+    graphics.setColor(Color.WHITE); // the last row of pixels may be incomplete
     graphics.fill(new Rectangle2D.Double(0, 0, width(), height() + 1.0));
     StepPicture.heading(
         graphics,
@@ -67,7 +67,8 @@ public final class HeatPicture implements Paintable {
         StepPicture.settings(setup, run.recording().seed()),
         map.shares());
     Rectangle2D area = StepPicture.area(run);
-    run.script().paint(graphics, area, run, run.count() - 1, ShownFigure.of(figure, map), values);
+    FieldScript.Cells cells = new FieldScript.Cells(ShownFigure.of(figure, map), values);
+    run.script().paint(graphics, area, run, run.count() - 1, cells);
     key(graphics, StepPicture.MARGIN, area.getMaxY() + 6);
   }
 
@@ -76,7 +77,7 @@ public final class HeatPicture implements Paintable {
     return repeats == 1 ? steps : repeats + " runs of " + steps;
   }
 
-  /** What the colours mean: a bar with numbers, and what has a look of its own. */
+  /** The key: the scale of colours with numbers, and the sign of cells that are never covered. */
   private void key(Graphics2D graphics, double left, double top) {
     text(graphics, figure.label(), left, top + 11);
     double bar = top + 18;

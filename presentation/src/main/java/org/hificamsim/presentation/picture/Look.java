@@ -3,13 +3,13 @@ package org.hificamsim.presentation.picture;
 import java.util.OptionalInt;
 
 /**
- * How pictures show a run, where there is a choice.
+ * What pictures of a run show.
  *
- * @param floor how opaque the floorplan is, in [0, 1]
- * @param zones the camera whose pixel densities are shown
- * @param tracks whether it is shown where each target went over the whole run
+ * @param floorOpacity of the floor plan, in [0, 1]
+ * @param densityCamera the camera whose density zones are shown
+ * @param tracks whether the tracks of targets over the whole run are shown
  */
-public record Look(double floor, OptionalInt zones, boolean tracks) {
-  /** Half through, without zones or tracks. */
-  public static final Look USUAL = new Look(0.5, OptionalInt.empty(), false);
+public record Look(double floorOpacity, OptionalInt densityCamera, boolean tracks) {
+  /** A half transparent floor plan, no density zones and no tracks. */
+  public static final Look DEFAULT = new Look(0.5, OptionalInt.empty(), false);
 }

@@ -17,59 +17,70 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
 import org.hificamsim.runs.cells.FieldCells;
 
-/** A field to scale with its cells in classes, and the cameras with what they look at and names. */
+/**
+ * A picture of a plan: the field to scale, its cells by class, and the cameras with their views.
+ */
 public final class PlanPicture implements Paintable {
-  private static final int SIGN = 22;
-  private static final int ROW = 20;
+  private static final int SIGN_WIDTH = 22;
+  private static final int LEGEND_ROW = 20;
 
-  /** Cells in colours, as {@code scene.js} has them. */
-  record Classes(int columns, int rows, List<List<Integer>> classes) {}
+  /** The colours of classes, as {@code scene.js} expects them. */
+  record ColorClasses(int columns, int rows, List<List<Integer>> classes) {}
 
   private final RunFrames run;
-  private final Classes classes;
-  private final double[] values;
+  private final FieldScript.Cells cells;
   private final Legend legend;
 
   /**
-   * @param world that has not begun yet; it begins
-   * @param stays what keeps cameras as they start
-   * @param values by cell: the number of its class, NaN for none
-   * @param signs the classes with their meanings
+   * The cells of a plan, each in one of some classes.
+   *
+   * @param values by cell, the number of its class, NaN for none
+   * @param colors of the classes
+   * @param labels of the classes
+   */
+  public record ClassifiedCells(
+      FieldCells cells, double[] values, List<Color> colors, List<String> labels) {}
+
+  /**
+   * @param world before its first step, which is made here
+   * @param staying a policy that keeps cameras in their first views
    */
   public PlanPicture(
       World world,
       Detection detection,
-      ZoomPolicy stays,
+      ZoomPolicy staying,
       List<Setup.Floor> floor,
-      FieldCells cells,
-      double[] values,
-      List<Color> colors,
-      List<String> signs) {
-    Setup setup = Setup.of(world, detection, stays.name(), 0, floor);
-    Snapshots snapshots = new Snapshots(setup, detection, stays);
-    Simulation simulation = new Simulation(world, detection, stays, 0, List.of());
+      ClassifiedCells classified) {
+    Setup setup = Setup.of(world, detection, staying.name(), 0, floor);
+    Snapshots snapshots = new Snapshots(setup, detection, staying);
+    Simulation simulation = new Simulation(world, detection, staying, 0, List.of());
     simulation.step();
     this.run =
         new RunFrames(
             setup,
             new RecordedRun(
                 0, 0, 1, 1, "", List.of(), List.of(snapshots.take(simulation.network()))));
-    this.classes =
-        new Classes(
-            cells.columns(),
-            cells.rows(),
-            colors.stream().map(c -> List.of(c.getRed(), c.getGreen(), c.getBlue())).toList());
-    this.values = values.clone();
+    List<Color> colors = classified.colors();
+    ColorClasses classes =
+        new ColorClasses(
+            classified.cells().columns(),
+            classified.cells().rows(),
+            colors.stream()
+                .map(color -> List.of(color.getRed(), color.getGreen(), color.getBlue()))
+                .toList());
+    this.cells = new FieldScript.Cells(classes, classified.values().clone());
     List<LegendEntry> entries =
-        IntStream.range(0, signs.size())
+        IntStream.range(0, colors.size())
             .mapToObj(
-                i -> new LegendEntry(signs.get(i), light(colors.get(i)), LegendEntry.Mark.BAR))
+                i ->
+                    new LegendEntry(
+                        classified.labels().get(i), onWhite(colors.get(i)), LegendEntry.Mark.BAR))
             .toList();
-    this.legend = new Legend(List.of(entries), StepPicture.WIDTH, SIGN, ROW);
+    this.legend = new Legend(List.of(entries), StepPicture.WIDTH, SIGN_WIDTH, LEGEND_ROW);
   }
 
-  /** As it is seen on white. */
-  private static Color light(Color color) {
+  /** The colour of a cell, which is half transparent, as it looks on white. */
+  private static Color onWhite(Color color) {
     int[] parts = {color.getRed(), color.getGreen(), color.getBlue()};
     int[] light = IntStream.of(parts).map(part -> (int) (255 - 0.4 * (255 - part))).toArray();
     return new Color(light[0], light[1], light[2]);
@@ -92,7 +103,7 @@ public final class PlanPicture implements Paintable {
 
   @Override
   public void paint(Graphics2D graphics) {
-    run.script().paint(graphics, area(), run, 0, classes, values);
+    run.script().paint(graphics, area(), run, 0, cells);
     legend.paint(graphics, StepPicture.MARGIN, (int) area().getMaxY());
   }
 }

@@ -17,9 +17,10 @@ import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 
-/** A recorded run by frames, ready to be painted. For one thread at a time. */
+/** The frames of a recorded run, prepared for painting. Not thread-safe. */
 public final class RunFrames {
-  private static final int TRAIL = 40; // frames, as in scene.js
+  /** The number of frames of a trail, as in {@code path-layers.js}. */
+  private static final int TRAIL_FRAMES = 40;
 
   private final Setup setup;
   private final RecordedRun recording;
@@ -27,11 +28,11 @@ public final class RunFrames {
   private final FieldScript script;
   private final BufferedImage[] floor;
   private final Optional<FrameScores> scores;
-  private final double[] course;
-  private final int most;
+  private final double[] scoreByFrame;
+  private final int mostTargets;
 
   public RunFrames(Setup setup, RecordedRun recording) {
-    this(setup, recording, Look.USUAL, Optional.empty());
+    this(setup, recording, Look.DEFAULT, Optional.empty());
   }
 
   public RunFrames(Setup setup, RecordedRun recording, Look look, Optional<FrameScores> scores) {
@@ -40,21 +41,24 @@ public final class RunFrames {
     this.script = new FieldScript(setup);
     this.floor = setup.floor().stream().map(FloorPictures::image).toArray(BufferedImage[]::new);
     this.recording = recording;
-    List<StepCoverage> measured = recording.frames().stream().map(Frame::measure).toList();
+    List<StepCoverage> coverages = recording.frames().stream().map(Frame::measure).toList();
     this.scores = scores;
-    this.course =
+    this.scoreByFrame =
         scores
-            .map(of -> recording.frames().stream().mapToDouble(f -> of.byStep().get(f.step())))
-            .orElseGet(() -> measured.stream().mapToDouble(StepCoverage::kMin))
+            .map(
+                own ->
+                    recording.frames().stream()
+                        .mapToDouble(frame -> own.byStep().get(frame.step())))
+            .orElseGet(() -> coverages.stream().mapToDouble(StepCoverage::kMin))
             .toArray();
-    this.most = measured.stream().mapToInt(StepCoverage::targets).max().orElse(1);
+    this.mostTargets = coverages.stream().mapToInt(StepCoverage::targets).max().orElse(1);
   }
 
   Setup setup() {
     return setup;
   }
 
-  /** What the run was in, metres. */
+  /** The field of the run, metres. */
   public Field field() {
     return setup.field();
   }
@@ -80,9 +84,9 @@ public final class RunFrames {
     return recording.frames().get(index);
   }
 
-  /** How many frames there are, 1 or more. */
+  /** The number of frames, 1 or more. */
   public int count() {
-    return course.length;
+    return scoreByFrame.length;
   }
 
   /** The step of a frame. */
@@ -90,7 +94,7 @@ public final class RunFrames {
     return frame(index).step();
   }
 
-  /** How many steps lie between two frames. */
+  /** The number of steps from one frame to the next. */
   public long stepsApart() {
     return recording.every();
   }
@@ -100,9 +104,9 @@ public final class RunFrames {
     return recording.steps() - 1;
   }
 
-  /** The score of a frame, or its k_min where that is the objective. */
-  double course(int index) {
-    return course[index];
+  /** The score of a frame; its k_min if that is the objective. */
+  double score(int index) {
+    return scoreByFrame[index];
   }
 
   Optional<FrameScores> scores() {
@@ -110,16 +114,17 @@ public final class RunFrames {
   }
 
   /**
-   * The frame of a step.
+   * Returns the index of the frame of a step.
    *
    * @param option that gave the step, for error lines
-   * @throws InputException when the run has no such step or it was not recorded
+   * @throws InputException if the run has no such step or it was not recorded
    */
-  public int at(String option, long step) {
+  public int indexOf(String option, long step) {
     if (step < 0 || step > last()) {
       throw InputException.of("%s is %s, expected a step from 0 to %s", option, step, last());
     }
-    int index = (int) recording.frames().stream().skip(1).takeWhile(f -> f.step() <= step).count();
+    int index =
+        (int) recording.frames().stream().skip(1).takeWhile(frame -> frame.step() <= step).count();
     if (step(index) != step) {
       throw InputException.of(
           "%s is %s, but the recording was thinned, expected a multiple of %s or %s;" + " maybe %s",
@@ -128,7 +133,7 @@ public final class RunFrames {
     return index;
   }
 
-  /** Where every camera is in a frame. */
+  /** The poses of all cameras in a frame. */
   List<CameraPose> poses(int index) {
     CameraPose[] poses =
         setup.cameras().stream().map(Setup.Camera::pose).toArray(CameraPose[]::new);
@@ -141,18 +146,18 @@ public final class RunFrames {
   }
 
   /**
-   * The lists of a run that its picture is painted of, by camera or target and by frame: those up
-   * to a frame that leave a trail, or all where tracks are shown.
+   * The lists from which a picture is painted, by camera or target and by frame: the frames of the
+   * trails up to a frame, or all frames if tracks are shown.
    */
   Map<String, Object> columns(int index) {
     List<Frame> frames =
         look.tracks()
             ? recording.frames()
-            : recording.frames().subList(Math.max(0, index - TRAIL), index + 1);
+            : recording.frames().subList(Math.max(0, index - TRAIL_FRAMES), index + 1);
     Map<String, Object> columns = new HashMap<>();
     columns.put("step", frames.stream().mapToLong(Frame::step).toArray());
     columns.put("frame", look.tracks() ? index : frames.size() - 1);
-    columns.put("mostTargets", Math.max(1, most));
+    columns.put("mostTargets", Math.max(1, mostTargets));
     columns.put("online", lists(frames, Frame::online));
     columns.put("level", lists(frames, Frame::level));
     columns.put("seeing", lists(frames, Frame::seeing));
@@ -163,14 +168,14 @@ public final class RunFrames {
     return columns;
   }
 
-  /** An array of each frame as an array by frame of each of its elements. */
-  private static Object[] lists(List<Frame> frames, Function<Frame, Object> part) {
-    Object first = part.apply(frames.get(0));
+  /** Transposes an array of each frame: returns an array by frame for each element. */
+  private static Object[] lists(List<Frame> frames, Function<Frame, Object> arrayOf) {
+    Object first = arrayOf.apply(frames.get(0));
     Object[] lists = new Object[Array.getLength(first)];
     for (int i = 0; i < lists.length; i++) {
       lists[i] = Array.newInstance(first.getClass().componentType(), frames.size());
       for (int frame = 0; frame < frames.size(); frame++) {
-        System.arraycopy(part.apply(frames.get(frame)), i, lists[i], frame, 1);
+        System.arraycopy(arrayOf.apply(frames.get(frame)), i, lists[i], frame, 1);
       }
     }
     return lists;

@@ -26,17 +26,19 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A canvas on Java 2D for the scripts of pages, in points: what {@code scene.js} uses of a
- * browser's {@code CanvasRenderingContext2D}, and what it asks of a host. Public, with public
- * fields, as scripts need it.
+ * A canvas on Java 2D for the scripts of pages, in points: the part of {@code
+ * CanvasRenderingContext2D} that {@code scene.js} uses, and the host that it expects. Public, with
+ * public fields, because scripts require it.
  */
 public final class ScriptCanvas {
   private static final Pattern FONT = Pattern.compile("(bold )?([\\d.]+)px .*");
   private static final FontRenderContext TEXT = new FontRenderContext(null, true, true);
-  private static final int TILE_PIXELS = 8; // a point's
+  private static final int TILE_PIXELS_PER_POINT = 8;
 
-  /** Viewers of SVG files blur pixels: these are cells many pixels wide. */
-  private static final int CELL_PIXELS = 1600;
+  /**
+   * The pixels of an image of cells; many for each cell, because viewers of SVG files blur them.
+   */
+  private static final int CELL_IMAGE_PIXELS = 1600;
 
   /** A colour of the style sheet or what {@link #pattern} returned. */
   public Object fillStyle = "#000000";
@@ -44,7 +46,7 @@ public final class ScriptCanvas {
   public String strokeStyle = "#000000";
   public double globalAlpha = 1;
 
-  /** {@code destination-out} takes away from a mask; nothing else is understood. */
+  /** {@code source-over}, or {@code destination-out}, which subtracts from a mask. */
   public String globalCompositeOperation = "source-over";
 
   public double lineWidth = 1;
@@ -55,7 +57,10 @@ public final class ScriptCanvas {
   public boolean imageSmoothingEnabled = true;
 
   private final Graphics2D graphics;
-  private final Area mask; // what fills change in place of the picture; null for none
+
+  /** Fills change this area instead of the picture; null for a canvas that paints. */
+  private final Area mask;
+
   private final Deque<ScriptCanvas> saved = new ArrayDeque<>();
   private float[] dash = {};
   private Path2D path = new Path2D.Double();
@@ -72,15 +77,15 @@ public final class ScriptCanvas {
 
   public void save() {
     ScriptCanvas copy = new ScriptCanvas(graphics, mask);
-    copy.take(this);
+    copy.copyState(this);
     saved.push(copy);
   }
 
   public void restore() {
-    take(saved.pop());
+    copyState(saved.pop());
   }
 
-  private void take(ScriptCanvas other) {
+  private void copyState(ScriptCanvas other) {
     fillStyle = other.fillStyle;
     strokeStyle = other.strokeStyle;
     globalAlpha = other.globalAlpha;
@@ -129,7 +134,7 @@ public final class ScriptCanvas {
     path.closePath();
   }
 
-  /** Narrows what is painted to the path, until {@link #restore}. */
+  /** Limits painting to the path, until {@link #restore}. */
   public void clip() {
     clip = clipped(path);
   }
@@ -237,25 +242,26 @@ public final class ScriptCanvas {
     return Color.decode(style);
   }
 
-  /** A square tile, painted once, to be filled with. */
+  /** Returns a paint that repeats a square tile. */
   public Object pattern(double side, Consumer<ScriptCanvas> paint) {
-    int pixels = (int) Math.round(TILE_PIXELS * side);
+    int pixels = (int) Math.round(TILE_PIXELS_PER_POINT * side);
     BufferedImage tile = new BufferedImage(pixels, pixels, BufferedImage.TYPE_INT_ARGB);
     Graphics2D tiled = tile.createGraphics();
     tiled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    tiled.scale(TILE_PIXELS, TILE_PIXELS);
+    tiled.scale(TILE_PIXELS_PER_POINT, TILE_PIXELS_PER_POINT);
     paint.accept(new ScriptCanvas(tiled));
     tiled.dispose();
     return new TexturePaint(tile, new Rectangle2D.Double(0, 0, side, side));
   }
 
   /**
-   * An image of cells.
+   * Returns an image of cells.
    *
-   * @param colourOf red, green and blue of a cell, by rows from the lower left; null for none
+   * @param colourOf returns the red, green and blue of a cell, by rows from the lower left; null
+   *     for none
    */
   public Object cells(int columns, int rows, IntFunction<List<Number>> colourOf) {
-    int edge = Math.max(1, CELL_PIXELS / Math.max(columns, rows));
+    int edge = Math.max(1, CELL_IMAGE_PIXELS / Math.max(columns, rows));
     BufferedImage image =
         new BufferedImage(edge * columns, edge * rows, BufferedImage.TYPE_INT_ARGB);
     Graphics2D pixels = image.createGraphics();
@@ -272,9 +278,9 @@ public final class ScriptCanvas {
   }
 
   /**
-   * Fills what the mask has covered.
+   * Fills the area that a mask covers.
    *
-   * @param mask fills a canvas that keeps shapes, not pixels
+   * @param mask paints on a canvas that stores shapes instead of pixels
    */
   public void through(ScriptCanvas context, Consumer<ScriptCanvas> mask, Object style) {
     ScriptCanvas cover = new ScriptCanvas(graphics, new Area());

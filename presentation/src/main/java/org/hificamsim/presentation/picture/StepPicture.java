@@ -18,23 +18,23 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.presentation.replay.Setup;
 
 /**
- * One step of a run: what it is, the field to scale, and the score or k_min over all steps below.
+ * A picture of one step of a run: a heading, the field to scale, and a chart of the score or k_min.
  */
 public final class StepPicture implements Paintable {
   static final int WIDTH = 800;
   static final int MARGIN = 12;
-  static final int HEADING = 62;
+  static final int HEADING_HEIGHT = 62;
   static final Color FAINT = new Color(0x6B7785);
-  private static final int MAX_FIELD = 900;
-  private static final int MIN_FIELD = 160;
-  private static final int STRIP = 110;
+  private static final int MAX_FIELD_HEIGHT = 900;
+  private static final int MIN_FIELD_HEIGHT = 160;
+  private static final int CHART_HEIGHT = 110;
 
   private final RunFrames run;
   private final int index;
   private final Legend legend;
 
   /**
-   * @param index the frame to be shown
+   * @param index the index of the frame
    */
   public StepPicture(RunFrames run, int index) {
     this.run = run;
@@ -49,14 +49,15 @@ public final class StepPicture implements Paintable {
 
   @Override
   public int height() {
-    return (int) area(run).getMaxY() + legend.height() + STRIP + MARGIN;
+    return (int) area(run).getMaxY() + legend.height() + CHART_HEIGHT + MARGIN;
   }
 
-  /** Where a run's field is in a picture. */
+  /** The area of the field in a picture. */
   static Rectangle2D area(RunFrames run) {
     int width = WIDTH - 2 * MARGIN;
-    double height = Math.max(MIN_FIELD, Math.min(MAX_FIELD, run.script().height(width)));
-    return new Rectangle2D.Double(MARGIN, HEADING, width, Math.round(height));
+    double height =
+        Math.max(MIN_FIELD_HEIGHT, Math.min(MAX_FIELD_HEIGHT, run.script().height(width)));
+    return new Rectangle2D.Double(MARGIN, HEADING_HEIGHT, width, Math.round(height));
   }
 
   @Override
@@ -67,7 +68,7 @@ public final class StepPicture implements Paintable {
     heading(
         graphics,
         "%s, step %s of %s".formatted(setup.scenario(), run.step(index), run.last()),
-        run.scores().map(scores -> scores.text(run.course(index))),
+        run.scores().map(scores -> scores.text(run.score(index))),
         settings(setup, run.recording().seed()),
         Texts.format(
             "k_min %d, %.2f cameras per target; of %d targets %d covered by none, %d by one",
@@ -76,47 +77,47 @@ public final class StepPicture implements Paintable {
             coverage.targets(),
             coverage.covered0(),
             coverage.covered1()));
-    run.script().paint(graphics, area, run, index, null, null);
+    run.script().paint(graphics, area, run, index, null);
     int top = (int) area.getMaxY();
     legend.paint(graphics, MARGIN, top);
-    Graphics2D strip = (Graphics2D) graphics.create();
-    strip.translate(MARGIN, top + legend.height());
-    course().paint(strip, (int) area.getWidth(), STRIP);
-    strip.dispose();
+    Graphics2D chart = (Graphics2D) graphics.create();
+    chart.translate(MARGIN, top + legend.height());
+    scoreChart().paint(chart, (int) area.getWidth(), CHART_HEIGHT);
+    chart.dispose();
   }
 
   /** The score or k_min over all steps, with a line at the step that is shown. */
-  private XyPanel course() {
-    double most =
-        Math.max(1, IntStream.range(0, run.count()).mapToDouble(run::course).max().orElseThrow());
+  private XyPanel scoreChart() {
+    double greatest =
+        Math.max(1, IntStream.range(0, run.count()).mapToDouble(run::score).max().orElseThrow());
     double last = Math.max(1, run.last());
-    double[] at = {run.step(index), run.step(index)};
+    double[] shownStep = {run.step(index), run.step(index)};
     return new XyPanel("", "step", run.scores().isPresent() ? "score" : "k_min")
         .x(0, last)
-        .y(0, most)
+        .y(0, greatest)
         .thin(steps(), Palette.BLUE)
-        .thin(new Curve(at, new double[] {0, most}), Palette.BLACK);
+        .thin(new Curve(shownStep, new double[] {0, greatest}), Palette.BLACK);
   }
 
-  /** The course as a curve of steps: the corners alone. */
+  /** The corners of the score as a curve of steps. */
   private Curve steps() {
     List<double[]> corners = new ArrayList<>();
-    corners.add(new double[] {run.step(0), run.course(0)});
+    corners.add(new double[] {run.step(0), run.score(0)});
     for (int i = 1; i < run.count(); i++) {
-      if (run.course(i) != run.course(i - 1)) {
-        corners.add(new double[] {run.step(i), run.course(i - 1)});
-        corners.add(new double[] {run.step(i), run.course(i)});
+      if (run.score(i) != run.score(i - 1)) {
+        corners.add(new double[] {run.step(i), run.score(i - 1)});
+        corners.add(new double[] {run.step(i), run.score(i)});
       }
     }
-    corners.add(new double[] {Math.max(1, run.last()), run.course(run.count() - 1)});
+    corners.add(new double[] {Math.max(1, run.last()), run.score(run.count() - 1)});
     return new Curve(
         corners.stream().mapToDouble(corner -> corner[0]).toArray(),
         corners.stream().mapToDouble(corner -> corner[1]).toArray());
   }
 
-  /** A title, the score if there is one, what a run was run under, and what it shows. */
+  /** Paints the heading: a title, the score if there is one, the settings, and a result. */
   static void heading(
-      Graphics2D graphics, String title, Optional<String> score, String settings, String found) {
+      Graphics2D graphics, String title, Optional<String> score, String settings, String result) {
     graphics.setColor(Palette.BLACK);
     graphics.setFont(Fonts.TITLE);
     graphics.drawString(title, MARGIN, MARGIN + 12);
@@ -124,16 +125,16 @@ public final class StepPicture implements Paintable {
     score.ifPresent(text -> graphics.drawString(text, MARGIN, MARGIN + 26));
     graphics.setColor(FAINT);
     graphics.drawString(settings, MARGIN, MARGIN + (score.isPresent() ? 39 : 29));
-    graphics.drawString(found, MARGIN, MARGIN + (score.isPresent() ? 52 : 44));
+    graphics.drawString(result, MARGIN, MARGIN + (score.isPresent() ? 52 : 44));
   }
 
-  /** What a run was run under, in words. */
+  /** The settings of a run in words. */
   static String settings(Setup setup, long seed) {
     return "%s, %s%s%s, seed %s"
         .formatted(
             setup.policy(),
             setup.detection(),
-            setup.byChance() ? ": half of the time at " : " with threshold ",
+            setup.isByChance() ? ": half of the time at " : " with threshold ",
             setup.threshold(),
             seed);
   }

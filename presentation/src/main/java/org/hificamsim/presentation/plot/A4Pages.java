@@ -6,23 +6,25 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Pages of A4, filled from top to bottom with texts, pictures and tables, and numbered. */
+/** Numbered A4 pages that are filled from top to bottom with texts, pictures and tables. */
 public final class A4Pages {
   private static final int WIDTH = 595; // points
   private static final int HEIGHT = 842;
   private static final int MARGIN = 42;
-  private static final int INSIDE = WIDTH - 2 * MARGIN;
+  private static final int CONTENT_WIDTH = WIDTH - 2 * MARGIN;
   private static final int LINE = 14;
-  private static final int GAP = 12; // between columns
+  private static final int COLUMN_GAP = 12;
 
   private record Block(int top, Paintable content) {}
 
   private final List<List<Block>> pages = new ArrayList<>();
   private final String footer;
-  private int top = HEIGHT; // of what comes next: no page yet
+
+  /** Where the next block starts; at the end there is no space, so it starts a new page. */
+  private int top = HEIGHT;
 
   /**
-   * @param footer next to the number of each page
+   * @param footer the text before the number of each page
    */
   public A4Pages(String footer) {
     this.footer = footer;
@@ -36,18 +38,23 @@ public final class A4Pages {
     add(lines(List.of(text), Fonts.TITLE, 2 * LINE));
   }
 
-  /** Adds lines of text, broken where they are too long. */
+  /** Adds lines of text; lines that are too long are broken. */
   public void text(List<String> lines) {
     for (String line : lines) {
-      for (String part : Fonts.lines(line, Fonts.TEXT, INSIDE)) {
+      for (String part : Fonts.lines(line, Fonts.TEXT, CONTENT_WIDTH)) {
         add(lines(List.of(part), Fonts.TEXT, LINE));
       }
     }
   }
 
-  /** Adds a picture, as wide as the page or as high as there is room. */
+  /**
+   * Adds a picture.
+   *
+   * @param share of the page's height that the picture takes at most
+   */
   public void picture(Paintable picture, double share) {
-    double scale = Math.min((double) INSIDE / picture.width(), share * HEIGHT / picture.height());
+    double scale =
+        Math.min((double) CONTENT_WIDTH / picture.width(), share * HEIGHT / picture.height());
     add(
         new Drawn(
             (int) Math.ceil(scale * picture.height()) + LINE,
@@ -57,7 +64,7 @@ public final class A4Pages {
             }));
   }
 
-  /** Adds a table, whose head is repeated on each page. */
+  /** Adds a table; its head is repeated on each page. */
   public void table(List<String> columns, List<List<String>> rows) {
     int[] widths =
         IntStream.range(0, columns.size())
@@ -85,10 +92,11 @@ public final class A4Pages {
     top += LINE;
   }
 
-  /** A row; smaller where it would be too wide. */
+  /** A row of a table, scaled down if it is too wide. */
   private static Paintable row(List<String> cells, int[] widths, Font font) {
     double scale =
-        Math.min(1, (double) INSIDE / (IntStream.of(widths).sum() + GAP * widths.length));
+        Math.min(
+            1, (double) CONTENT_WIDTH / (IntStream.of(widths).sum() + COLUMN_GAP * widths.length));
     return new Drawn(
         LINE,
         graphics -> {
@@ -98,7 +106,7 @@ public final class A4Pages {
           int left = 0;
           for (int i = 0; i < widths.length; i++) {
             graphics.drawString(cells.get(i), left, LINE - 3);
-            left += widths[i] + GAP;
+            left += widths[i] + COLUMN_GAP;
           }
         });
   }
@@ -134,10 +142,10 @@ public final class A4Pages {
         HEIGHT,
         graphics -> {
           for (Block block : pages.get(number)) {
-            Graphics2D place = (Graphics2D) graphics.create();
-            place.translate(MARGIN, block.top);
-            block.content.paint(place);
-            place.dispose();
+            Graphics2D translated = (Graphics2D) graphics.create();
+            translated.translate(MARGIN, block.top);
+            block.content.paint(translated);
+            translated.dispose();
           }
           graphics.setFont(Fonts.TICKS);
           graphics.setColor(Palette.GREY);

@@ -8,20 +8,21 @@ import org.apache.commons.math3.stat.StatUtils;
 /**
  * Points in the order of x.
  *
- * @param x rising
- * @param y as many as x
+ * @param x ascending
+ * @param y of the same length
  */
 public record Curve(double[] x, double[] y) {
-  /** Values at x = 0, 1, 2, ... */
+  /** Returns the points of values at x = 0, 1, 2, ... */
   public static Curve of(double[] values) {
     double[] x = new double[values.length];
     Arrays.setAll(x, i -> i);
     return new Curve(x, values);
   }
 
-  /** A point for each of some things. */
-  public static <T> Curve of(List<T> all, ToDoubleFunction<T> x, ToDoubleFunction<T> y) {
-    return new Curve(all.stream().mapToDouble(x).toArray(), all.stream().mapToDouble(y).toArray());
+  /** Returns a point for each element, which must be in the order of x. */
+  public static <T> Curve of(List<T> elements, ToDoubleFunction<T> x, ToDoubleFunction<T> y) {
+    return new Curve(
+        elements.stream().mapToDouble(x).toArray(), elements.stream().mapToDouble(y).toArray());
   }
 
   /** The number of points. */
@@ -30,19 +31,19 @@ public record Curve(double[] x, double[] y) {
   }
 
   /**
-   * The means of groups of neighbours, as equal in size as can be.
+   * Returns the means of groups of neighbours of nearly equal size.
    *
-   * @param most number of groups, 1 or more; with no more points than that, nothing changes
+   * @param groups the number of groups, 1 or more; a curve without more points stays as it is
    */
-  public Curve thinned(int most) {
-    if (size() <= most) {
+  public Curve thinned(int groups) {
+    if (size() <= groups) {
       return this;
     }
-    double[] newX = new double[most];
-    double[] newY = new double[most];
-    for (int group = 0; group < most; group++) {
-      int from = (int) ((long) group * size() / most);
-      int to = (int) ((long) (group + 1) * size() / most);
+    double[] newX = new double[groups];
+    double[] newY = new double[groups];
+    for (int group = 0; group < groups; group++) {
+      int from = (int) ((long) group * size() / groups);
+      int to = (int) ((long) (group + 1) * size() / groups);
       newX[group] = StatUtils.mean(x, from, to - from);
       newY[group] = StatUtils.mean(y, from, to - from);
     }

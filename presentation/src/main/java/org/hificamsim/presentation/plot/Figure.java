@@ -6,11 +6,11 @@ import java.util.List;
 import org.knowm.xchart.internal.chartpart.Chart;
 
 /**
- * A picture: a title, a legend common to all panels, and the panels row by row.
+ * A picture: a title, a note, a legend for all panels, and the panels row by row.
  *
- * @param note what is shown and how, under the title, in as many lines as it needs
- * @param columns panels in a row
- * @param panelWidth in points, as papers measure; PNG files have twice as many pixels
+ * @param note what is shown and how; broken into lines
+ * @param columns the number of panels in a row
+ * @param panelWidth in points; PNG files have twice as many pixels
  * @param panelHeight in points
  */
 public record Figure(
@@ -22,9 +22,9 @@ public record Figure(
     int panelWidth,
     int panelHeight)
     implements Paintable {
-  private static final int HEADING = 22;
-  static final int NOTE = 16;
-  private static final int LEGEND = 22;
+  private static final int TITLE_LINE = 22;
+  static final int NOTE_LINE = 16;
+  private static final int LEGEND_ROW = 22;
   private static final int PANEL_TITLE = 20;
   static final int MARGIN = 10;
   private static final Color NOTE_COLOR = new Color(0x555555);
@@ -48,57 +48,57 @@ public record Figure(
   public void paint(Graphics2D graphics) {
     graphics.setColor(Palette.BLACK);
     graphics.setFont(Fonts.TITLE);
-    paint(graphics, titleLines(), MARGIN + 14, HEADING);
+    paint(graphics, titleLines(), MARGIN + 14, TITLE_LINE);
     graphics.setColor(NOTE_COLOR);
     graphics.setFont(Fonts.TEXT);
-    paint(graphics, noteLines(), noteTop() + 10, NOTE);
-    keys().paint(graphics, MARGIN, top() - keys().height());
+    paint(graphics, noteLines(), noteTop() + 10, NOTE_LINE);
+    laidOutLegend().paint(graphics, MARGIN, top() - laidOutLegend().height());
     for (int i = 0; i < panels.size(); i++) {
-      Graphics2D place = (Graphics2D) graphics.create();
-      place.translate(MARGIN + i % columns * panelWidth, top() + i / columns * panelHeight);
-      paint(place, panels.get(i));
-      place.dispose();
+      Graphics2D panelGraphics = (Graphics2D) graphics.create();
+      panelGraphics.translate(MARGIN + i % columns * panelWidth, top() + i / columns * panelHeight);
+      paint(panelGraphics, panels.get(i));
+      panelGraphics.dispose();
     }
   }
 
-  private static void paint(Graphics2D graphics, List<String> lines, int first, int apart) {
+  private static void paint(Graphics2D graphics, List<String> lines, int first, int lineHeight) {
     for (int i = 0; i < lines.size(); i++) {
-      graphics.drawString(lines.get(i), MARGIN, first + i * apart);
+      graphics.drawString(lines.get(i), MARGIN, first + i * lineHeight);
     }
   }
 
-  private void paint(Graphics2D place, Chart<?, ?> panel) {
+  private void paint(Graphics2D graphics, Chart<?, ?> panel) {
     int title = panel.getTitle().isEmpty() ? 0 : PANEL_TITLE;
-    place.setColor(Palette.BLACK);
-    place.setFont(Fonts.PANEL);
+    graphics.setColor(Palette.BLACK);
+    graphics.setFont(Fonts.PANEL);
     int width = Fonts.width(panel.getTitle(), Fonts.PANEL);
-    place.drawString(panel.getTitle(), (panelWidth - width) / 2, title - 3);
-    place.translate(0, title);
-    panel.paint(place, panelWidth, panelHeight - title);
+    graphics.drawString(panel.getTitle(), (panelWidth - width) / 2, title - 3);
+    graphics.translate(0, title);
+    panel.paint(graphics, panelWidth, panelHeight - title);
   }
 
-  /** Where the panels begin. */
+  /** The top of the panels. */
   private int top() {
-    return noteTop() + NOTE * noteLines().size() + keys().height();
+    return noteTop() + NOTE_LINE * noteLines().size() + laidOutLegend().height();
   }
 
-  /** The legend as it is laid out. */
-  private Legend keys() {
-    return new Legend(List.of(legend), width() - 2 * MARGIN, LegendEntry.WIDTH, LEGEND);
+  /** The legend at the width of the figure. */
+  private Legend laidOutLegend() {
+    return new Legend(List.of(legend), width() - 2 * MARGIN, LegendEntry.WIDTH, LEGEND_ROW);
   }
 
-  /** Where the note begins. */
+  /** The top of the note. */
   private int noteTop() {
-    return MARGIN + HEADING * titleLines().size();
+    return MARGIN + TITLE_LINE * titleLines().size();
   }
 
-  /** The title, line by line; of an empty one, the room for it. */
+  /** The lines of the title; an empty title takes one line. */
   private List<String> titleLines() {
     List<String> lines = Fonts.lines(title, Fonts.TITLE, width() - 2 * MARGIN);
     return lines.isEmpty() ? List.of("") : lines;
   }
 
-  /** The note, line by line. */
+  /** The lines of the note. */
   List<String> noteLines() {
     return Fonts.lines(note, Fonts.TEXT, width() - 2 * MARGIN);
   }

@@ -27,42 +27,44 @@ import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
-/** Writes pictures: PNG for screens, SVG and PDF for papers. Needs no display. */
+/** Writes pictures as PNG for screens, and as SVG and PDF for papers. Needs no display. */
 public final class FigureFile {
-  /** Pixels of a PNG per point where nobody says otherwise. */
+  /** The default number of pixels per point of a PNG. */
   public static final int SCALE = 2;
 
-  /** As names end in. */
+  /** The formats, as file names end in. */
   public static final List<String> FORMATS = List.of("png", "svg", "pdf");
 
-  /** Of PNG, as {@link ImageWriteParam} counts: 0 for the smallest file, 1 for the least time. */
-  private static final float COMPRESSION = 0.2f;
+  /**
+   * The quality of PNG by {@link ImageWriteParam}, from 0, the smallest file, to 1, the fastest.
+   */
+  private static final float PNG_QUALITY = 0.2f;
 
   private static final String SVG = "http://www.w3.org/2000/svg";
 
-  /** Left out: readers that follow it ask the network. */
+  /** Removed from files, because some readers would load the DTD from the network. */
   private static final Pattern DOCTYPE = Pattern.compile("<!DOCTYPE[^>]*>\\s*");
 
   static {
     System.setProperty("java.awt.headless", "true");
-    loadLoops();
+    paintOnce();
   }
 
   private FigureFile() {}
 
-  /** One thread must be the first to paint: of two, each may wait for the other (JDK-6995195). */
-  private static void loadLoops() {
+  /** Paints once in one thread, because two that start at once can deadlock (JDK-6995195). */
+  private static void paintOnce() {
     Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
-    ground(graphics, 1, 1);
+    prepare(graphics, 1, 1);
     graphics.setFont(Fonts.TEXT);
     graphics.drawString("a", 0, 1);
     graphics.dispose();
   }
 
   /**
-   * A figure as its files hold it. Figures that share no panel can be drawn side by side.
+   * The files of a figure. Figures that share no panel can be drawn at the same time.
    *
-   * @param files by {@link #FORMATS}
+   * @param files in the order of {@link #FORMATS}
    */
   public record Drawn(List<byte[]> files) {
     /** Writes {@code name.png}, {@code name.svg} and {@code name.pdf}. */
@@ -80,32 +82,32 @@ public final class FigureFile {
     draw(figure, Optional.empty()).write(folder, name);
   }
 
-  /** Draws at a width in print; without it, for the screen. */
+  /** Draws a figure at a width in print; if that is empty, at the size for screens. */
   public static Drawn draw(Figure figure, Optional<PrintWidth> width) {
-    Figure laid = width.map(print -> print.of(figure)).orElse(figure);
-    SVGGraphics2D graphics = painted(laid);
+    Figure laidOut = width.map(print -> print.of(figure)).orElse(figure);
+    SVGGraphics2D graphics = painted(laidOut);
     Element root = graphics.getRoot();
     width.ifPresent(
         print -> {
-          root.setAttribute("viewBox", "0 0 " + laid.width() + " " + laid.height());
+          root.setAttribute("viewBox", "0 0 " + laidOut.width() + " " + laidOut.height());
           root.setAttribute("width", print.millimetres() + "mm");
-          root.setAttribute("height", print.printed(laid.height(), laid) + "mm");
+          root.setAttribute("height", print.printed(laidOut.height(), laidOut) + "mm");
         });
     try {
       ByteArrayOutputStream png = new ByteArrayOutputStream();
-      png(png, laid, width.map(PrintWidth::pixels).orElse(SCALE * laid.width()));
+      png(png, laidOut, width.map(PrintWidth::pixels).orElse(SCALE * laidOut.width()));
       ByteArrayOutputStream svg = new ByteArrayOutputStream();
       stream(graphics, root, svg);
       ByteArrayOutputStream pdf = new ByteArrayOutputStream();
       PdfFile.write(
-          pdf, List.of(laid), width.map(PrintWidth::points).orElse((double) laid.width()));
+          pdf, List.of(laidOut), width.map(PrintWidth::points).orElse((double) laidOut.width()));
       return new Drawn(List.of(png.toByteArray(), svg.toByteArray(), pdf.toByteArray()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  /** Writes a PNG image, {@link #SCALE} pixels to a point. */
+  /** Writes a PNG image with {@link #SCALE} pixels per point. */
   public static void png(OutputStream out, Paintable picture) throws IOException {
     png(out, picture, SCALE * picture.width());
   }
@@ -120,7 +122,7 @@ public final class FigureFile {
   }
 
   /**
-   * The picture on a white ground, in pixels.
+   * Paints a picture on white.
    *
    * @param width pixels; the height follows
    */
@@ -146,11 +148,11 @@ public final class FigureFile {
   }
 
   static void paint(Paintable picture, Graphics2D graphics) {
-    ground(graphics, picture.width(), picture.height());
+    prepare(graphics, picture.width(), picture.height());
     picture.paint(graphics);
   }
 
-  private static void ground(Graphics2D graphics, int width, int height) {
+  private static void prepare(Graphics2D graphics, int width, int height) {
     graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     graphics.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -159,13 +161,13 @@ public final class FigureFile {
     graphics.fill(new Rectangle2D.Double(0, 0, width, height));
   }
 
-  /** Within a twentieth of as small as PNG can be, in a quarter of the time. */
+  /** Writes a PNG within 5 % of the smallest size, in a quarter of the time. */
   private static void compress(BufferedImage image, OutputStream out) throws IOException {
     ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
     try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       ImageWriteParam settings = writer.getDefaultWriteParam();
       settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-      settings.setCompressionQuality(COMPRESSION);
+      settings.setCompressionQuality(PNG_QUALITY);
       writer.setOutput(stream);
       writer.write(null, new IIOImage(image, null, null), settings);
     } finally {
@@ -173,7 +175,7 @@ public final class FigureFile {
     }
   }
 
-  /** Writes a PDF document of these pages, which are as wide as they say. */
+  /** Writes a PDF document; all pages have the width of the first. */
   public static void pages(OutputStream out, List<? extends Paintable> pages) throws IOException {
     PdfFile.write(out, pages, pages.get(0).width());
   }

@@ -6,7 +6,7 @@ import java.awt.font.TextLayout;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The fonts of every picture. */
+/** The fonts of all pictures. */
 public final class Fonts {
   public static final Font TITLE = new Font(Font.SANS_SERIF, Font.BOLD, 14);
   public static final Font PANEL = new Font(Font.SANS_SERIF, Font.BOLD, 12);
@@ -16,16 +16,16 @@ public final class Fonts {
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
   static {
-    setUp();
+    measureOnce();
   }
 
   private Fonts() {}
 
   /**
-   * One thread must be the first to measure: where two began at once, some widths of a bold face
-   * were wrong in the whole process (2 of 1,500 on Java 17).
+   * Measures once in one thread. When two threads started at once, some widths of a bold font were
+   * wrong in the whole process (2 of 1,500 on Java 17).
    */
-  private static void setUp() {
+  private static void measureOnce() {
     for (Font font : List.of(TITLE, TEXT)) {
       width("a", font);
       new TextLayout("a", font, CONTEXT).getOutline(null);
@@ -38,7 +38,7 @@ public final class Fonts {
   }
 
   /**
-   * A text in lines that fit, broken between words; a word that is too long has a line of its own.
+   * Breaks a text into lines between words; a word that is too long gets a line of its own.
    *
    * @param width points
    */

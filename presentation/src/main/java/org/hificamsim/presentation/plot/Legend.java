@@ -4,10 +4,10 @@ import java.awt.Graphics2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Signs and what they mean, side by side in as many rows as they need. */
+/** Signs and their labels, arranged in rows. */
 public final class Legend {
-  private static final int GAP = 6;
-  private static final int BETWEEN = 18;
+  private static final int SIGN_GAP = 6;
+  private static final int ENTRY_GAP = 18;
 
   private record Place(LegendEntry entry, int x, int row) {}
 
@@ -17,8 +17,8 @@ public final class Legend {
   private int rows;
 
   /**
-   * @param groups each begins a row of its own
-   * @param width of all, points
+   * @param groups of entries; each starts a new row
+   * @param width of the legend, points
    */
   public Legend(List<List<LegendEntry>> groups, int width, int signWidth, int rowHeight) {
     this.signWidth = signWidth;
@@ -26,28 +26,28 @@ public final class Legend {
     for (List<LegendEntry> group : groups) {
       int x = 0;
       for (LegendEntry entry : group) {
-        int room = textX(entry) + Fonts.width(entry.label(), Fonts.TEXT);
-        if (x > 0 && x + room > width) {
+        int entryWidth = textX(entry) + Fonts.width(entry.label(), Fonts.TEXT);
+        if (x > 0 && x + entryWidth > width) {
           x = 0;
           rows++;
         }
         places.add(new Place(entry, x, rows));
-        x += room + BETWEEN;
+        x += entryWidth + ENTRY_GAP;
       }
       rows += group.isEmpty() ? 0 : 1;
     }
   }
 
   private int textX(LegendEntry entry) {
-    return entry.sign() == null ? 0 : signWidth + GAP;
+    return entry.sign() == null ? 0 : signWidth + SIGN_GAP;
   }
 
-  /** Its height, points. */
+  /** The height, points. */
   public int height() {
     return rowHeight * rows;
   }
 
-  /** Paints it below and to the right of a place. */
+  /** Paints the legend with its upper left corner at a place. */
   public void paint(Graphics2D graphics, int left, int top) {
     for (Place place : places) {
       int x = left + place.x;

@@ -9,9 +9,9 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 
 /**
- * A sign in a picture and what it means.
+ * A sign in a picture with its label.
  *
- * @param sign null for a label alone
+ * @param sign null for a heading
  */
 public record LegendEntry(String label, Sign sign) {
   static final int WIDTH = 22;
@@ -21,13 +21,15 @@ public record LegendEntry(String label, Sign sign) {
   @FunctionalInterface
   public interface Sign {
     /**
-     * @param x where its room begins
+     * Paints the sign.
+     *
+     * @param x its left end
      * @param y its middle
      */
     void paint(Graphics2D graphics, int x, int y);
   }
 
-  /** How things are drawn in figures. */
+  /** The kinds of signs of figures. */
   public enum Mark {
     LINE,
     DASHES,
@@ -36,7 +38,7 @@ public record LegendEntry(String label, Sign sign) {
     DIAMOND
   }
 
-  /** The entry of something that a figure draws by a mark. */
+  /** Creates an entry with a sign of some kind. */
   public LegendEntry(String label, Color color, Mark mark) {
     this(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
   }

@@ -4,10 +4,10 @@ import org.apache.commons.math3.analysis.interpolation.LoessInterpolator;
 
 /**
  * Locally weighted regression (Cleveland 1979), which smooths the figures of chapter 7. Long curves
- * are thinned to means of neighbours first: what differs is far below what is smoothed away.
+ * are thinned to means of neighbours first, which changes far less than smoothing does.
  */
 public final class Lowess {
-  /** The share of the points that each local line is fitted to. */
+  /** The share of points to which each local line is fitted. */
   public static final double BANDWIDTH = 0.1;
 
   private static final int MAX_POINTS = 500;
@@ -16,12 +16,12 @@ public final class Lowess {
 
   private Lowess() {}
 
-  /** Whether this many points are smoothed. */
+  /** Whether a curve of this many points is smoothed. */
   public static boolean smooths(int points) {
     return points >= MIN_POINTS;
   }
 
-  /** The smooth curve; one of fewer than 20 points as it is. */
+  /** Returns the smooth curve; one of fewer than 20 points stays as it is. */
   public static Curve smooth(Curve curve) {
     if (!smooths(curve.size())) {
       return curve;

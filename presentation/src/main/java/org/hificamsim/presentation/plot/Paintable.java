@@ -2,7 +2,7 @@ package org.hificamsim.presentation.plot;
 
 import java.awt.Graphics2D;
 
-/** Something that can be painted at any size, measured in points, as papers are. */
+/** A picture that can be painted at any size; lengths are in points. */
 public interface Paintable {
   /** Width, points. */
   int width();
@@ -10,6 +10,6 @@ public interface Paintable {
   /** Height, points. */
   int height();
 
-  /** Paints on a ground that is white already. */
+  /** Paints the picture on a white ground. */
   void paint(Graphics2D graphics);
 }

@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.Texts;
 
 /**
- * The colours of Okabe and Ito (Color Universal Design, 2008): distinguishable with any common form
- * of colour blindness.
+ * The colours of Okabe and Ito (Color Universal Design, 2008), which people with any common form of
+ * colour blindness can tell apart.
  */
 public final class Palette {
   public static final Color BLACK = new Color(0x222222);
@@ -23,7 +23,8 @@ public final class Palette {
   public static final Color PURPLE = new Color(0xCC79A7);
   public static final Color GREY = new Color(0x8A8A8A);
 
-  /** What colours mean on every page and in every picture, except lines of policies. */
+  // The meanings of colours on all pages and pictures, except for lines of policies.
+
   public static final Color UNSEEN = VERMILION;
 
   public static final Color SEEN_ONCE = ORANGE;
@@ -31,7 +32,7 @@ public final class Palette {
   public static final Color SEEN_OFTEN = GREEN;
   public static final Color CAMERA = BLUE;
 
-  /** Levels, the least first: seven of viridis (Smith and van der Walt 2015), from its end. */
+  /** Colours of a standard's classes, the least first: viridis (Smith and van der Walt 2015). */
   public static final List<Color> LEVELS =
       IntStream.of(0xFDE725, 0x90D743, 0x35B779, 0x21918C, 0x31688E, 0x443983, 0x440154)
           .mapToObj(Color::new)
@@ -46,43 +47,43 @@ public final class Palette {
               "often", SEEN_OFTEN,
               "cameras", CAMERA));
 
-  /** The colours for lines, in the order in which they are handed out. */
+  /** The colours of lines, in the order in which they are assigned. */
   public static final List<Color> LINES =
       List.of(BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY, YELLOW, BLACK);
 
   private Palette() {}
 
-  /** The colour of the i-th thing; they come round again after the ninth. */
+  /** The colour of the i-th line; colours repeat after the ninth. */
   public static Color line(int i) {
     return LINES.get(i % LINES.size());
   }
 
-  /** The colours with a meaning for each script of a page: an object, by name. */
+  /** The colours with a meaning as an object of a script, by name. */
   public static String script() {
     return meanings("const MEANING = {%s};\n", "%s: '%s'", ", ");
   }
 
-  /** The same for a style sheet: properties, by name. */
+  /** The colours with a meaning as properties of a style sheet, by name. */
   public static String style() {
     return meanings(":root { %s; }\n", "--%s: %s", "; ");
   }
 
-  private static String meanings(String frame, String one, String between) {
+  private static String meanings(String frame, String entryFormat, String separator) {
     return frame.formatted(
         MEANINGS.entrySet().stream()
-            .map(entry -> one.formatted(entry.getKey(), hex(entry.getValue())))
-            .collect(Collectors.joining(between)));
+            .map(entry -> entryFormat.formatted(entry.getKey(), hex(entry.getValue())))
+            .collect(Collectors.joining(separator)));
   }
 
-  /** The colour as pages write it. */
+  /** A colour as {@code #rrggbb}. */
   public static String hex(Color color) {
     return Texts.format("#%06x", color.getRGB() & 0xffffff);
   }
 
   /**
-   * The colour as seen through.
+   * Returns a transparent colour.
    *
-   * @param strength 0 for nothing, 1 for the colour itself
+   * @param strength the opacity, from 0 to 1
    */
   public static Color pale(Color color, double strength) {
     int alpha = (int) Math.round(255 * strength);

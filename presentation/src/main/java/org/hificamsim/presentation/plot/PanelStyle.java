@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import org.knowm.xchart.style.AxesChartStyler;
 
-/** The looks that all panels share: white ground, quiet grid, no box. */
+/** The style of all panels: white ground, pale grid, no box. */
 final class PanelStyle {
   private static final Color GRID = new Color(0xE3E3E3);
   private static final Color AXIS = new Color(0x777777);
-  private static final int MARKER = 8;
+  private static final int MARKER_SIZE = 8;
 
   private PanelStyle() {}
 
@@ -23,13 +23,13 @@ final class PanelStyle {
     style.setChartPadding(6);
     style.setPlotContentSize(1);
     style.setPlotMargin(0);
-    style.setMarkerSize(MARKER);
+    style.setMarkerSize(MARKER_SIZE);
     titles(style, xTitle, yTitle);
     grid(style);
   }
 
   private static void titles(AxesChartStyler style, String xTitle, String yTitle) {
-    style.setChartTitleVisible(false); // the figure draws it, in line with its neighbours
+    style.setChartTitleVisible(false); // the figure draws titles, in line with each other
     style.setChartFontColor(Palette.BLACK);
     style.setXAxisTitleVisible(!xTitle.isEmpty());
     style.setYAxisTitleVisible(!yTitle.isEmpty());
@@ -51,13 +51,14 @@ final class PanelStyle {
   }
 
   /**
-   * The name of x = 1, 2, 3, ...; blanks in between, all different as XChart asks of labels. It
-   * makes room for the longest label, which must not be a blank one: names are padded past those.
+   * Returns the label of a tick: the name of x = 1, 2, 3, ..., otherwise spaces, because XChart
+   * requires different labels. Names are padded to be longer than all spaces, because XChart
+   * reserves space for the longest label.
    */
   static String name(List<String> names, double x) {
     int i = (int) Math.round(x) - 1;
-    boolean whole = Math.abs(x - Math.rint(x)) < 1e-9;
-    return whole && i >= 0 && i < names.size()
+    boolean isInteger = Math.abs(x - Math.rint(x)) < 1e-9;
+    return isInteger && i >= 0 && i < names.size()
         ? names.get(i) + " ".repeat(2 * names.size() + 4)
         : " ".repeat(1 + (int) Math.abs(2 * x));
   }

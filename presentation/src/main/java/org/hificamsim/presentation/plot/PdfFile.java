@@ -10,14 +10,16 @@ import org.apache.pdfbox.pdmodel.PDPageContentStream;
 import org.apache.pdfbox.pdmodel.common.PDRectangle;
 import org.apache.pdfbox.util.Matrix;
 
-/** Pictures as a PDF document, a page each. Letters are outlines, so that it needs no fonts. */
+/**
+ * Writes a PDF document with a page for each picture. Letters are outlines, so it needs no fonts.
+ */
 final class PdfFile {
   private PdfFile() {}
 
   /**
    * Writes the document.
    *
-   * @param width of pages, points; the height follows
+   * @param width of all pages, points
    */
   static void write(OutputStream out, List<? extends Paintable> pictures, double width)
       throws IOException {

@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 
 /**
- * The width of a figure in print, such as a journal's column. Text is printed at 8 points, numbers
- * on axes at 7, whatever the width; panels that do not fit side by side go below.
+ * The width of a figure in print, such as a journal's column. At any width, text has 8 points and
+ * numbers on axes have 7; panels that do not fit next to each other are placed below.
  *
  * @param millimetres 40 to 400
  */
@@ -16,18 +16,20 @@ public record PrintWidth(int millimetres) {
   private static final Pattern FORM = Pattern.compile("(\\d{1,4})mm");
   private static final int MIN = 40;
   private static final int MAX = 400;
-  private static final double POINTS = 72 / 25.4; // a millimetre's
+  private static final double POINTS_PER_MILLIMETRE = 72 / 25.4;
 
-  /** Print over screen: makes 11 points of text 8. */
+  /** The size in print by that on screens, which turns 11 points of text into 8. */
   private static final double SCALE = 0.72;
 
-  private static final int MIN_PANEL = 300; // points, on the screen
-  private static final int DOTS = 300; // an inch, of PNG files
+  /** In points on screens. */
+  private static final int MIN_PANEL_WIDTH = 300;
+
+  private static final int PIXELS_PER_INCH = 300;
 
   /**
    * Reads {@code 88mm}.
    *
-   * @throws InputException when it is no such width
+   * @throws InputException if the text is not such a width
    */
   public static PrintWidth parse(String text) {
     Matcher form = FORM.matcher(text);
@@ -42,32 +44,32 @@ public record PrintWidth(int millimetres) {
         setting("figure_width"), text, MIN, MAX);
   }
 
-  /** The figure laid out again for this width. */
+  /** Returns the figure with a layout for this width. */
   Figure of(Figure figure) {
-    int inside = (int) (millimetres * POINTS / SCALE) - 2 * Figure.MARGIN;
-    int columns = Math.max(1, Math.min(figure.columns(), inside / MIN_PANEL));
+    int contentWidth = (int) (millimetres * POINTS_PER_MILLIMETRE / SCALE) - 2 * Figure.MARGIN;
+    int columns = Math.max(1, Math.min(figure.columns(), contentWidth / MIN_PANEL_WIDTH));
     return new Figure(
         figure.title(),
         figure.note(),
         figure.legend(),
         figure.panels(),
         columns,
-        inside / columns,
+        contentWidth / columns,
         figure.panelHeight());
   }
 
-  /** A length of a figure's layout in print, millimetres. */
+  /** Converts a length in a figure to millimetres in print. */
   double printed(int points, Figure figure) {
     return (double) millimetres * points / figure.width();
   }
 
   /** The width in points. */
   double points() {
-    return millimetres * POINTS;
+    return millimetres * POINTS_PER_MILLIMETRE;
   }
 
   /** The width in pixels. */
   int pixels() {
-    return (int) Math.round(millimetres / 25.4 * DOTS);
+    return (int) Math.round(millimetres / 25.4 * PIXELS_PER_INCH);
   }
 }

@@ -5,29 +5,29 @@ import java.util.List;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategorySeries;
 
-/** A panel of stacked bars, one per name. */
+/** A panel of stacked bars, one for each name. */
 public final class StackPanel extends CategoryChart {
-  private static final double FILL = 0.72;
-  private static final int ROTATION = 30;
+  private static final double BAR_SHARE = 0.72;
+  private static final int LABEL_ROTATION = 30;
 
   private final List<String> names;
 
-  /** An empty panel. */
+  /** Creates an empty panel. */
   public StackPanel(String title, String yTitle, List<String> names) {
-    super(400, 300); // figures paint it at a size of their own
+    super(400, 300); // figures paint it at another size
     this.names = names;
     setTitle(title);
     setYAxisTitle(yTitle);
     PanelStyle.apply(getStyler(), "", yTitle);
     getStyler().setStacked(true);
-    getStyler().setAvailableSpaceFill(FILL);
+    getStyler().setAvailableSpaceFill(BAR_SHARE);
     getStyler().setPlotGridVerticalLinesVisible(false);
-    getStyler().setXAxisLabelRotation(ROTATION);
+    getStyler().setXAxisLabelRotation(LABEL_ROTATION);
     getStyler().setYAxisMin(0.0);
     getStyler().setYAxisMax(1.003);
   }
 
-  /** Adds a layer on top of the ones before, one value per name. */
+  /** Adds a layer on top of the others, with a value for each name. */
   public StackPanel layer(List<Double> values, Color color) {
     CategorySeries series = addSeries(String.valueOf(getSeriesMap().size()), names, values);
     series.setFillColor(color);

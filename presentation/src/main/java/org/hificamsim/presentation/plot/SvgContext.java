@@ -19,8 +19,8 @@ import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
 /**
- * How Batik writes a figure. Numbers are formatted by an object of its own: Batik's is one for all
- * documents, and a {@link DecimalFormat} is not promised to serve two threads.
+ * Batik's settings for a figure. Each has a number format of its own, because Batik shares one
+ * among all documents and a {@link DecimalFormat} is not thread-safe.
  */
 final class SvgContext extends SVGGeneratorContext {
   SvgContext(Document document) {
@@ -35,7 +35,7 @@ final class SvgContext extends SVGGeneratorContext {
     decimalFormat = (DecimalFormat) decimalFormat.clone();
   }
 
-  /** Puts images into an SVG document itself, as PNG: it needs no other file. */
+  /** Embeds images in the SVG document as PNG, so that it needs no other file. */
   private static final class EmbeddedImages extends DefaultImageHandler {
     private static final String XLINK = "http://www.w3.org/1999/xlink";
 

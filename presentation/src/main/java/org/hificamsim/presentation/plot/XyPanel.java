@@ -11,7 +11,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** A panel of lines, bands and points, drawn in the order in which they are added. */
 public class XyPanel extends XYChart {
-  /** Pale pieces must not overlap: they would be darker where they meet. */
+  /** With butt caps, because pale pieces that overlap would be darker there. */
   private static final BasicStroke THIN =
       new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
 
@@ -20,37 +20,40 @@ public class XyPanel extends XYChart {
   private static final BasicStroke DASHED =
       new BasicStroke(
           1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
-  private static final int SMALL = 4; // points across
-  private static final double INSIDE = 0.94; // share of an axis that dots lie on
-  private static final double PALE = 0.38;
-  private static final double BAND = 0.18;
+  private static final int SMALL_DOT = 4;
 
-  /** About the width of a panel's inside: makes XChart set a tick on each name and none between. */
+  /** The share of an axis that dots are on, so that none is cut off. */
+  private static final double CONTENT_SHARE = 0.94;
+
+  private static final double PALE_LINE = 0.38;
+  private static final double PALE_BAND = 0.18;
+
+  /** About the width of a panel's inside, so that XChart sets a tick on each name only. */
   private static final int NAMES_WIDTH = 380;
 
   private static final int ROW_HEIGHT = 26;
 
-  /** How far axes reach beyond their ends: XChart leaves out a tick that stands on the very end. */
-  private static final double EDGE = 0.003;
+  /** How far axes extend beyond their ends, because XChart omits a tick at the very end. */
+  private static final double AXIS_MARGIN = 0.003;
 
-  /** An empty panel with these axes. */
+  /** Creates an empty panel. */
   public XyPanel(String title, String xTitle, String yTitle) {
-    super(400, 300); // figures paint it at a size of their own
+    super(400, 300); // figures paint it at another size
     setTitle(title);
     setXAxisTitle(xTitle);
     setYAxisTitle(yTitle);
     PanelStyle.apply(getStyler(), xTitle, yTitle);
   }
 
-  /** For clouds of small dots: none is cut off at the edges, and ticks of odd ranges are short. */
+  /** Prepares a cloud of small dots: none is cut off, and ticks have few digits. */
   public XyPanel cloud() {
-    getStyler().setMarkerSize(SMALL);
-    getStyler().setPlotContentSize(INSIDE);
+    getStyler().setMarkerSize(SMALL_DOT);
+    getStyler().setPlotContentSize(CONTENT_SHARE);
     getStyler().setDecimalPattern("0.####");
     return this;
   }
 
-  /** Leaves out the axes' titles. */
+  /** Hides the titles of the axes. */
   public XyPanel untitled() {
     getStyler().setAxisTitlesVisible(false);
     return this;
@@ -58,15 +61,15 @@ public class XyPanel extends XYChart {
 
   /** Sets the ends of the x axis. */
   public XyPanel x(double min, double max) {
-    getStyler().setXAxisMin(min - EDGE * (max - min));
-    getStyler().setXAxisMax(max + EDGE * (max - min));
+    getStyler().setXAxisMin(min - AXIS_MARGIN * (max - min));
+    getStyler().setXAxisMax(max + AXIS_MARGIN * (max - min));
     return this;
   }
 
   /** Sets the ends of the y axis. */
   public XyPanel y(double min, double max) {
-    getStyler().setYAxisMin(min - EDGE * (max - min));
-    getStyler().setYAxisMax(max + EDGE * (max - min));
+    getStyler().setYAxisMin(min - AXIS_MARGIN * (max - min));
+    getStyler().setYAxisMax(max + AXIS_MARGIN * (max - min));
     return this;
   }
 
@@ -89,7 +92,7 @@ public class XyPanel extends XYChart {
     return this;
   }
 
-  /** Adds a dot with its interval, if it has one, along x. */
+  /** Adds a dot with its horizontal interval, if it has one. */
   public XyPanel dot(Estimate estimate, double y, Color color) {
     if (!Double.isNaN(estimate.low())) {
       double[] ends = {estimate.low(), estimate.high()};
@@ -98,9 +101,9 @@ public class XyPanel extends XYChart {
     return dots(new Curve(new double[] {estimate.mean()}, new double[] {y}), color);
   }
 
-  /** Adds a thin pale line: the raw values beneath a smooth one. */
+  /** Adds a thin pale line for the raw values under a smooth line. */
   public XyPanel faint(Curve curve, Color color) {
-    return straight(curve, Palette.pale(color, PALE), THIN);
+    return straight(curve, Palette.pale(color, PALE_LINE), THIN);
   }
 
   /** Adds a thick line. */
@@ -118,21 +121,19 @@ public class XyPanel extends XYChart {
     return straight(curve, color, THIN);
   }
 
-  /** Adds a dashed line: a reference. */
+  /** Adds a dashed line for a reference. */
   public XyPanel dashed(Curve curve, Color color) {
     return line(curve, color, DASHED);
   }
 
-  /**
-   * Adds a vertical line from {@code low} to {@code high}: an interval; none where they are NaN.
-   */
+  /** Adds a vertical line for an interval; nothing if its ends are NaN. */
   public XyPanel interval(double x, double low, double high, Color color) {
     return Double.isNaN(low)
         ? this
         : line(new Curve(new double[] {x, x}, new double[] {low, high}), color, INTERVAL);
   }
 
-  /** Adds the pale area between two curves over the same x: intervals all along. */
+  /** Adds the pale area between two curves over the same x, for intervals. */
   public XyPanel band(Curve low, Curve high, Color color) {
     int n = low.size();
     double[] x = new double[2 * n];
@@ -145,7 +146,7 @@ public class XyPanel extends XYChart {
     }
     XYSeries series = add(new Curve(x, y), SeriesMarkers.NONE);
     series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.PolygonArea);
-    series.setFillColor(Palette.pale(color, BAND));
+    series.setFillColor(Palette.pale(color, PALE_BAND));
     series.setLineColor(Palette.pale(color, 0));
     series.setLineStyle(THIN);
     return this;
@@ -156,12 +157,12 @@ public class XyPanel extends XYChart {
     return marks(curve, color, SeriesMarkers.CIRCLE);
   }
 
-  /** Adds diamonds: published values. */
+  /** Adds diamonds for published values. */
   public XyPanel diamonds(Curve curve, Color color) {
     return marks(curve, color, SeriesMarkers.DIAMOND);
   }
 
-  /** Bent from point to point, as one path: for curves that are smooth themselves. */
+  /** Adds a curved line, which is one path. */
   private XyPanel line(Curve curve, Color color, BasicStroke stroke) {
     XYSeries series = add(curve, SeriesMarkers.NONE);
     series.setLineColor(color);
@@ -170,7 +171,7 @@ public class XyPanel extends XYChart {
     return this;
   }
 
-  /** Straight from point to point: XChart draws each piece on its own. */
+  /** Adds straight lines between points, which XChart draws one by one. */
   private XyPanel straight(Curve curve, Color color, BasicStroke stroke) {
     XYSeries series = add(curve, SeriesMarkers.NONE);
     series.setLineColor(color);

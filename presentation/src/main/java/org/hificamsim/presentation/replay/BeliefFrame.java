@@ -5,30 +5,32 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * What a camera believes, as the numbers of a {@link Frame}: for each target x, y, weight and
- * spread, the weight 0 for none; then the targets expected unseen in each of {@link #SIDE} x {@link
- * #SIDE} equal parts of the field, row by row from its south-west; then for each camera the
- * messages that it sent in this step; then for each the cameras that received them, a number with a
- * bit for each of {@link #WORD} cameras, as many numbers as it takes.
+ * What a camera believes, as the numbers of a {@link Frame}, in this order:
+ *
+ * <ol>
+ *   <li>for each target: x, y, weight and spread; the weight is 0 for no target
+ *   <li>the expected number of unseen targets in each of {@link #PARTS_PER_SIDE} x {@link
+ *       #PARTS_PER_SIDE} equal parts of the field, row by row from the south-west
+ *   <li>for each camera: the number of messages that it sent in this step
+ *   <li>for each camera: the cameras that received them, as bits, {@link #BITS_PER_NUMBER} in each
+ *       number
+ * </ol>
  */
 final class BeliefFrame implements BeliefListener {
-  /** Parts of the field along each side. */
-  static final int SIDE = 20;
+  /** The number of parts of the field along each side. */
+  static final int PARTS_PER_SIDE = 20;
 
-  /** Numbers of a target. */
-  static final int PER_TARGET = 4;
+  static final int NUMBERS_PER_TARGET = 4;
+  static final int BITS_PER_NUMBER = 32;
 
-  /** Cameras in a number. */
-  static final int WORD = 32;
-
-  /** Parts of a unit that all are rounded to. */
-  static final double PARTS = 1000;
+  /** All numbers are rounded to multiples of 1 / PER_UNIT. */
+  static final double PER_UNIT = 1000;
 
   private final Field field;
   private final int targets;
   private final int cameras;
   private final double[] numbers;
-  private int count;
+  private int followedCount;
 
   BeliefFrame(Setup setup) {
     field = setup.field();
@@ -37,21 +39,24 @@ final class BeliefFrame implements BeliefListener {
     numbers = new double[length(setup)];
   }
 
-  /** How many numbers a belief has. */
+  /** The count of numbers of a belief. */
   static int length(Setup setup) {
     int cameras = setup.cameras().size();
-    return PER_TARGET * setup.targets().size() + SIDE * SIDE + cameras * (1 + words(cameras));
+    return NUMBERS_PER_TARGET * setup.targets().size()
+        + PARTS_PER_SIDE * PARTS_PER_SIDE
+        + cameras * (1 + numbersPerSender(cameras));
   }
 
-  private static int words(int cameras) {
-    return (cameras + WORD - 1) / WORD;
+  private static int numbersPerSender(int cameras) {
+    return (cameras + BITS_PER_NUMBER - 1) / BITS_PER_NUMBER;
   }
 
   @Override
   public void followed(double x, double y, double weight, double spread) {
-    if (count < targets) {
-      double[] one = {x, y, weight, spread};
-      System.arraycopy(one, 0, numbers, PER_TARGET * count++, PER_TARGET);
+    if (followedCount < targets) {
+      double[] target = {x, y, weight, spread};
+      int offset = NUMBERS_PER_TARGET * followedCount++;
+      System.arraycopy(target, 0, numbers, offset, NUMBERS_PER_TARGET);
     }
   }
 
@@ -59,30 +64,30 @@ final class BeliefFrame implements BeliefListener {
   public void unseen(double x, double y, double expected) {
     int column = part((x - field.minX()) / field.width());
     int row = part((y - field.minY()) / field.height());
-    numbers[PER_TARGET * targets + SIDE * row + column] += expected;
+    numbers[NUMBERS_PER_TARGET * targets + PARTS_PER_SIDE * row + column] += expected;
   }
 
   @Override
   public void told(int camera, int messages) {
-    numbers[told() + camera] = messages;
+    numbers[messagesOffset() + camera] = messages;
   }
 
   @Override
   public void heard(int from, int to) {
-    int word = told() + cameras + from * words(cameras) + to / WORD;
-    numbers[word] += 1L << to % WORD;
+    int firstOfSender = messagesOffset() + cameras + from * numbersPerSender(cameras);
+    numbers[firstOfSender + to / BITS_PER_NUMBER] += 1L << to % BITS_PER_NUMBER;
   }
 
-  private int told() {
-    return PER_TARGET * targets + SIDE * SIDE;
+  private int messagesOffset() {
+    return NUMBERS_PER_TARGET * targets + PARTS_PER_SIDE * PARTS_PER_SIDE;
   }
 
   private static int part(double share) {
-    return Math.max(0, Math.min(SIDE - 1, (int) (SIDE * share)));
+    return Math.max(0, Math.min(PARTS_PER_SIDE - 1, (int) (PARTS_PER_SIDE * share)));
   }
 
-  /** All, rounded. */
+  /** All numbers, rounded. */
   double[] numbers() {
-    return Arrays.stream(numbers).map(number -> Math.rint(PARTS * number) / PARTS).toArray();
+    return Arrays.stream(numbers).map(number -> Math.rint(PER_UNIT * number) / PER_UNIT).toArray();
   }
 }

@@ -4,21 +4,21 @@ import java.util.List;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
- * Where a camera stands, where it looks and how far.
+ * The position, heading and views of a camera.
  *
  * @param x metres
  * @param y metres
  * @param heading radians, 0 is +y and pi/2 is +x; not normalised
- * @param viewingAngle full opening angle, radians, (0, 2 pi]; of the narrowest level where they
- *     differ
- * @param levels its zoom levels, the narrowest first
- * @param pans its pan angles, radians off the heading, to the right; empty where it cannot turn
- * @param tilts its tilt at each pan angle, radians below the horizon; empty where it has one
- * @param lenses by level, where the levels differ in angle or have a pixel density
- * @param visible corners of the region that solid obstacles leave in sight, x and y in turn,
- *     metres; empty where the scenario has none
- * @param grounds by tilt and level: the corners of what its picture has of the ground, metres to
- *     the right of its view and ahead in turn; empty in a flat world
+ * @param viewingAngle full opening angle, radians, (0, 2 pi]; that of the narrowest level if the
+ *     levels differ
+ * @param levels the zoom levels, the narrowest first
+ * @param pans the pan angles, radians from the heading to the right; empty if it cannot turn
+ * @param tilts the tilt at each pan angle, radians below the horizon; empty if it has only one
+ * @param lenses by level; empty unless the levels differ in angle or have a pixel density
+ * @param visible the corners of the region that no solid obstacle hides, x and y in turn, metres;
+ *     empty if the scenario has no solid obstacles
+ * @param grounds by tilt and level: the corners of the ground that is in the picture, metres to the
+ *     right of the view and ahead in turn; empty in a flat world
  */
 public record CameraPose(
     double x,
@@ -43,14 +43,14 @@ public record CameraPose(
   public record Interval(double from, double to) {}
 
   /**
-   * How a camera with optics sees at one zoom level.
+   * The optics of a camera at one zoom level.
    *
    * @param viewingAngle full opening angle, radians, (0, 2 pi]
-   * @param density pixels per metre at a distance of one metre; 0 where the scenario names no
-   *     pixels or no lens
+   * @param density pixels per metre at a distance of one metre; 0 if the scenario names no pixels
+   *     or no lens
    */
   public record LevelOptics(double viewingAngle, double density) {
-    /** Of a zoom level: W / (2 tan(theta / 2)), W pixels across an angle of view theta. */
+    /** The density is W / (2 tan(theta / 2)) for W pixels across an angle of view theta. */
     static LevelOptics of(ZoomLevel zoom) {
       boolean known = zoom.pixels() > 0 && zoom.angleOfView() < Math.PI;
       double across = known ? 2 * StrictMath.tan(zoom.angleOfView() / 2) : 1;
@@ -58,14 +58,14 @@ public record CameraPose(
     }
   }
 
-  /** Whether its lists fit each other, as a file may say otherwise. */
-  boolean consistent() {
+  /** Whether the lists fit each other; in a file they may not. */
+  boolean isConsistent() {
     return !levels.isEmpty()
         && (lenses.isEmpty() || lenses.size() == levels.size())
         && visible.size() % 2 == 0;
   }
 
-  /** How many views it can choose: each level at each pan angle. */
+  /** The number of views that it can choose: each level at each pan angle. */
   public int views() {
     return levels.size() * Math.max(1, pans.size());
   }

@@ -25,22 +25,25 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Floorplan;
 
-/** Reads the floorplan that a scenario names, and makes it small enough for a page. */
+/** Reads the floor plan of a scenario, and makes it small enough for a page. */
 public final class FloorPictures {
   private static final Set<String> TYPES = Set.of("png", "jpeg");
-  private static final int MAX_PIXELS = 2000; // on its longer side
+  private static final int MAX_SIDE = 2000; // pixels
   private static final int MAX_BYTES = 1_000_000;
-  private static final int FINER = 4;
-  private static final String START = "data:image/";
+
+  /** A picture is read with up to this many times the pixels per side that are kept. */
+  private static final int OVERSAMPLING = 4;
+
+  private static final String URI_START = "data:image/";
   private static final String BASE64 = ";base64,";
 
   private FloorPictures() {}
 
   /**
-   * The floorplan of a scenario, if it names one.
+   * The floor plan of a scenario; empty if it names none.
    *
-   * @param scenarioFile where the scenario was read from
-   * @throws InputException when there is no such file, or it is no PNG or JPEG
+   * @param scenarioFile the file of the scenario
+   * @throws InputException if the picture is missing or is not a PNG or JPEG
    */
   public static List<Setup.Floor> of(Path scenarioFile, Scenario scenario) {
     return scenario.floorplan().stream()
@@ -49,19 +52,19 @@ public final class FloorPictures {
   }
 
   /**
-   * The picture itself.
+   * The decoded picture.
    *
-   * @throws InputException when the data are no picture
+   * @throws InputException if the data are not a picture
    */
   public static BufferedImage image(Setup.Floor picture) {
     try {
       String data = picture.data();
       byte[] bytes = Base64.getDecoder().decode(data.substring(data.indexOf(',') + 1));
       BufferedImage image = ImageIO.read(new ByteArrayInputStream(bytes));
-      if (data.startsWith(START) && image != null) {
+      if (data.startsWith(URI_START) && image != null) {
         return image;
       }
-      throw new InputException("the floor of a recording is no PNG or JPEG");
+      throw new InputException("the floor of a recording is not a picture, expected a PNG or JPEG");
     } catch (IOException | IllegalArgumentException e) {
       throw new InputException(
           "the floor of a recording cannot be read, expected a PNG or JPEG", e);
@@ -72,16 +75,16 @@ public final class FloorPictures {
     try {
       Path file = scenarioFile.resolveSibling(plan.file());
       if (!Files.isRegularFile(file)) {
-        throw refused(scenarioFile, plan, "there is no such file", null);
+        throw error(scenarioFile, plan, "there is no such file", null);
       }
       return data(Files.readAllBytes(file))
-          .orElseThrow(() -> refused(scenarioFile, plan, "it is neither", null));
+          .orElseThrow(() -> error(scenarioFile, plan, "it is neither of them", null));
     } catch (IOException | InvalidPathException e) {
-      throw refused(scenarioFile, plan, "it cannot be read", e);
+      throw error(scenarioFile, plan, "it cannot be read", e);
     }
   }
 
-  /** The picture as a data URI; nothing if it is neither PNG nor JPEG. */
+  /** The picture as a data URI; empty if it is neither PNG nor JPEG. */
   private static Optional<String> data(byte[] bytes) throws IOException {
     try (ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(bytes))) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
@@ -92,34 +95,34 @@ public final class FloorPictures {
       }
       reader.setInput(in);
       BufferedImage image = read(reader);
-      boolean small = Math.max(reader.getWidth(0), reader.getHeight(0)) <= MAX_PIXELS;
-      return Optional.of(small && bytes.length <= MAX_BYTES ? uri(type, bytes) : smaller(image));
+      boolean small = Math.max(reader.getWidth(0), reader.getHeight(0)) <= MAX_SIDE;
+      return Optional.of(small && bytes.length <= MAX_BYTES ? uri(type, bytes) : shrunkUri(image));
     } catch (RuntimeException e) {
-      throw new IOException(e); // readers throw what they like
+      throw new IOException(e); // readers throw exceptions of any kind
     }
   }
 
-  private static InputException refused(
-      Path scenarioFile, Floorplan plan, String why, Throwable cause) {
+  private static InputException error(
+      Path scenarioFile, Floorplan plan, String reason, Throwable cause) {
     return InputException.of(
             "%s: floorplan is '%s', expected a PNG or JPEG, its path from the scenario's"
                 + " folder; %s",
-            scenarioFile, plan.file(), why)
+            scenarioFile, plan.file(), reason)
         .because(cause);
   }
 
-  /** Leaves out pixels of a huge picture as it is read, so that it fits into the memory. */
+  /** Reads a picture, a very large one with fewer pixels, so that it fits into memory. */
   private static BufferedImage read(ImageReader reader) throws IOException {
     int side = Math.max(reader.getWidth(0), reader.getHeight(0));
-    int step = Math.max(1, side / (FINER * MAX_PIXELS));
-    ImageReadParam asked = reader.getDefaultReadParam();
-    asked.setSourceSubsampling(step, step, 0, 0);
-    return reader.read(0, asked);
+    int step = Math.max(1, side / (OVERSAMPLING * MAX_SIDE));
+    ImageReadParam parameters = reader.getDefaultReadParam();
+    parameters.setSourceSubsampling(step, step, 0, 0);
+    return reader.read(0, parameters);
   }
 
-  /** As PNG, or where that is too many bytes as JPEG, of half the size as often as it takes. */
-  private static String smaller(BufferedImage image) throws IOException {
-    BufferedImage scaled = scaled(image, MAX_PIXELS);
+  /** Returns a PNG; if that is too large, a JPEG, halved until it is small enough. */
+  private static String shrunkUri(BufferedImage image) throws IOException {
+    BufferedImage scaled = scaled(image, MAX_SIDE);
     byte[] png = bytes(scaled, "png");
     if (png.length <= MAX_BYTES) {
       return uri("png", png);
@@ -132,9 +135,9 @@ public final class FloorPictures {
     return uri("jpeg", jpeg);
   }
 
-  /** On white, the longer side no longer than this. */
-  private static BufferedImage scaled(BufferedImage image, int most) {
-    double factor = Math.min(1, (double) most / Math.max(image.getWidth(), image.getHeight()));
+  /** Returns the picture on white, with its longer side at most this long. */
+  private static BufferedImage scaled(BufferedImage image, int maxSide) {
+    double factor = Math.min(1, (double) maxSide / Math.max(image.getWidth(), image.getHeight()));
     int width = Math.max(1, (int) Math.round(factor * image.getWidth()));
     int height = Math.max(1, (int) Math.round(factor * image.getHeight()));
     BufferedImage scaled = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -152,6 +155,6 @@ public final class FloorPictures {
   }
 
   private static String uri(String type, byte[] bytes) {
-    return START + type + BASE64 + Base64.getEncoder().encodeToString(bytes);
+    return URI_START + type + BASE64 + Base64.getEncoder().encodeToString(bytes);
   }
 }

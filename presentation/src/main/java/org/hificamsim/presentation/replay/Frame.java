@@ -5,23 +5,23 @@ import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.StepCoverage;
 
 /**
- * What one step left: a copy, not a view. Arrays are indexed by the numbers of cameras and targets
- * in the {@link Setup}; the values of a camera that is not online, or of a target that is not
- * present, mean nothing.
+ * The state after one step, as a copy. Arrays are indexed by the numbers of cameras and targets in
+ * the {@link Setup}; the values of a camera that is not online, or of a target that is not present,
+ * are undefined.
  *
- * @param level by camera, the view that it chose last; where it cannot turn, its zoom level: 0 is
- *     the narrowest
- * @param detected by camera, number of targets
- * @param x by target, metres, where the cameras observed it
+ * @param level by camera, the view that it chose last; the zoom level if it cannot turn, 0 for the
+ *     narrowest
+ * @param detected by camera, the number of targets that it detects
+ * @param x by target, metres, as the cameras observed it
  * @param y by target, metres
  * @param coverage by target, the number of cameras that detect it: k_j of thesis 7.1
- * @param estimates by camera and view, what the agent knows, NaN where nothing; without any camera
- *     where the policy estimates nothing
- * @param counts by camera and view, how many observations an estimate rests on, NaN if not known;
- *     as {@code estimates}
- * @param seeing by camera, the view through which it sees, -1 while it moves blindly; empty where
- *     no camera needs time for a move
- * @param belief what the first camera online believes, as {@link BeliefFrame} has it; empty where
+ * @param estimates by camera and view, what the agent estimates, NaN if it has no estimate; of
+ *     length 0 if the policy estimates nothing
+ * @param counts by camera and view, the number of observations of an estimate, NaN if not known; of
+ *     the same length as {@code estimates}
+ * @param seeing by camera, the view that it has, -1 while it turns and sees nothing; empty if no
+ *     camera needs time to turn
+ * @param belief what the first camera online believes, as numbers of {@link BeliefFrame}; empty if
  *     cameras believe nothing
  */
 public record Frame(
@@ -39,12 +39,12 @@ public record Frame(
     @JsonInclude(JsonInclude.Include.NON_EMPTY) double[] belief)
     implements CoveredTargets {
   /**
-   * A frame to be filled.
+   * Returns a frame of zeros.
    *
-   * @param estimated whether it has room for estimates
-   * @param believed whether it has room for what is believed
+   * @param hasEstimates whether the frame holds estimates
+   * @param hasBelief whether the frame holds a belief
    */
-  static Frame blank(Setup setup, long step, boolean estimated, boolean believed) {
+  static Frame blank(Setup setup, long step, boolean hasEstimates, boolean hasBelief) {
     int cameras = setup.cameras().size();
     int targets = setup.targets().size();
     return new Frame(
@@ -56,10 +56,10 @@ public record Frame(
         new double[targets],
         new double[targets],
         new int[targets],
-        byView(setup, estimated ? cameras : 0),
-        byView(setup, estimated ? cameras : 0),
+        byView(setup, hasEstimates ? cameras : 0),
+        byView(setup, hasEstimates ? cameras : 0),
         new int[setup.slow().isEmpty() ? 0 : cameras],
-        new double[believed ? BeliefFrame.length(setup) : 0]);
+        new double[hasBelief ? BeliefFrame.length(setup) : 0]);
   }
 
   private static double[][] byView(Setup setup, int cameras) {
@@ -70,19 +70,30 @@ public record Frame(
     return values;
   }
 
-  /** The same without what the agents know. */
+  /** Returns this frame without estimates and beliefs. */
   public Frame withoutEstimates() {
-    double[][] none = {};
-    double[] nothing = {};
+    double[][] noEstimates = {};
+    double[] noBelief = {};
     return new Frame(
-        step, online, level, detected, present, x, y, coverage, none, none, seeing, nothing);
+        step,
+        online,
+        level,
+        detected,
+        present,
+        x,
+        y,
+        coverage,
+        noEstimates,
+        noEstimates,
+        seeing,
+        noBelief);
   }
 
-  /** How the targets present are covered: k_min and the rest of a row of {@code steps.csv}. */
+  /** Returns the coverage of the step, as in a row of {@code steps.csv}. */
   public StepCoverage measure() {
-    StepCoverage measured = new StepCoverage();
-    measured.measure(this);
-    return measured;
+    StepCoverage coverage = new StepCoverage();
+    coverage.measure(this);
+    return coverage;
   }
 
   @Override

@@ -7,7 +7,7 @@ import com.fasterxml.jackson.annotation.Nulls;
 import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 
-/** Of a list: left out of the JSON where it is empty, and empty where it was left out. */
+/** Omits a list from the JSON if it is empty, and reads an omitted list as empty. */
 @JacksonAnnotationsInside
 @JsonInclude(JsonInclude.Include.NON_EMPTY)
 @JsonSetter(nulls = Nulls.AS_EMPTY)

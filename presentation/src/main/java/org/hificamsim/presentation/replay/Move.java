@@ -1,7 +1,7 @@
 package org.hificamsim.presentation.replay;
 
 /**
- * A camera that stands, looks or sees otherwise from a step on.
+ * The new pose of a camera from a step on.
  *
  * @param camera its number
  */

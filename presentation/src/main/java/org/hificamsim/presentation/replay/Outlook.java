@@ -22,24 +22,26 @@ import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.UnaryUnionNG;
 
 /**
- * What solid obstacles leave in sight, as corners to be drawn: a disc about the camera, with the
- * shadows of walls, sides and pillars cut out.
+ * Computes the region that no solid obstacle hides from a camera, as corners to be drawn: a disc
+ * about the camera without the shadows of walls, sides and pillars.
  */
 final class Outlook {
-  /** Beyond what a camera reaches, so that few corners do where nothing is in the way. */
-  private static final double BEYOND = 1.1;
+  /**
+   * The radius of the disc by the camera's reach; above 1, so that few corners contain the reach.
+   */
+  private static final double DISC_FACTOR = 1.1;
 
-  // Corners of a quarter of a circle.
-  private static final int OF_DISC = 6;
-  private static final int OF_PILLAR = 12;
+  // The numbers of corners of a quarter of a circle.
+  private static final int DISC_CORNERS = 6;
+  private static final int PILLAR_CORNERS = 12;
 
   private static final GeometryFactory SHAPES = new GeometryFactory();
 
-  /** All corners come to lie on it, of a micrometre: cutting fails where rounding is left open. */
+  /** Corners are rounded to a micrometre, because cutting fails for unrounded ones. */
   private static final PrecisionModel GRID = new PrecisionModel(1e6);
 
   private final List<Obstacle> obstacles;
-  private final Map<Double, Obstacles> hiding = new HashMap<>(); // by a camera's height
+  private final Map<Double, Obstacles> opaqueByHeight = new HashMap<>();
   private final Scale scale;
 
   Outlook(List<Obstacle> obstacles, Field field) {
@@ -48,52 +50,54 @@ final class Outlook {
   }
 
   /**
-   * The corners as in {@link CameraPose#visible}; the place itself where a camera sees nothing.
+   * Returns the corners as in {@link CameraPose#visible}; the camera's place if it is in an
+   * obstacle.
    *
    * @param z of the camera, metres; NaN in a flat world
    * @param reach of the camera, metres
    */
   List<Double> from(double x, double y, double z, double reach) {
-    Obstacles walls = hiding.computeIfAbsent(z, this::hiding);
+    Obstacles walls = opaqueByHeight.computeIfAbsent(z, this::opaque);
     if (walls.isEmpty() || !(reach > 0)) {
       return List.of();
     }
-    Coordinate at = new Coordinate(x, y);
+    Coordinate camera = new Coordinate(x, y);
     return walls.containing(x, y).isPresent()
         ? List.of(rounded(x), rounded(y))
-        : rounded(seen(walls.all(), at, BEYOND * reach));
+        : rounded(visible(walls.all(), camera, DISC_FACTOR * reach));
   }
 
-  /** Those that a camera cannot look over, as if they had no top. */
-  private Obstacles hiding(double z) {
+  /** The obstacles that a camera at this height cannot look over, as if they had no top. */
+  private Obstacles opaque(double z) {
     return new Obstacles(
         obstacles.stream()
-            .filter(one -> one.solid() && (one.full() || (one.base() == 0 && one.height() >= z)))
-            .map(one -> one.between(0, Double.POSITIVE_INFINITY))
+            .filter(Obstacle::solid)
+            .filter(obstacle -> obstacle.full() || (obstacle.base() == 0 && obstacle.height() >= z))
+            .map(obstacle -> obstacle.between(0, Double.POSITIVE_INFINITY))
             .toList());
   }
 
-  /** The border of what is seen, counterclockwise. */
-  private static List<Coordinate> seen(List<Obstacle> walls, Coordinate at, double reach) {
-    Geometry disc = disc(at.x, at.y, reach, OF_DISC);
+  /** Returns the border of the visible region, counterclockwise. */
+  private static List<Coordinate> visible(List<Obstacle> walls, Coordinate camera, double reach) {
+    Geometry disc = disc(camera.x, camera.y, reach, DISC_CORNERS);
     List<Geometry> shadows =
         walls.stream()
             .flatMap(Outlook::parts)
-            .filter(part -> part.distance(SHAPES.createPoint(at)) <= reach)
-            .map(part -> shadow(part.getCoordinates(), at, reach))
-            .filter(shadow -> shadow.getDimension() == 2) // what is seen end on has none
+            .filter(part -> part.distance(SHAPES.createPoint(camera)) <= reach)
+            .map(part -> shadow(part.getCoordinates(), camera, reach))
+            .filter(shadow -> shadow.getDimension() == 2) // a wall seen end on has none
             .toList();
-    Geometry seen =
+    Geometry visible =
         shadows.isEmpty()
             ? disc
             : OverlayNG.overlay(
                 disc, UnaryUnionNG.union(shadows, GRID), OverlayNG.DIFFERENCE, GRID);
-    Geometry around = // all of it, but for crumbs
-        IntStream.range(0, seen.getNumGeometries())
-            .mapToObj(seen::getGeometryN)
+    Geometry largest = // rounding may leave tiny other parts
+        IntStream.range(0, visible.getNumGeometries())
+            .mapToObj(visible::getGeometryN)
             .max(Comparator.comparingDouble(Geometry::getArea))
             .orElseThrow();
-    Coordinate[] border = ((Polygon) around.norm()).getExteriorRing().reverse().getCoordinates();
+    Coordinate[] border = ((Polygon) largest.norm()).getExteriorRing().reverse().getCoordinates();
     return Arrays.asList(border).subList(1, border.length);
   }
 
@@ -101,10 +105,10 @@ final class Outlook {
     return SHAPES.createPoint(new Coordinate(x, y)).buffer(radius, corners);
   }
 
-  /** What of an obstacle hides something, in convex parts. */
+  /** The parts of an obstacle that hide something, each of them convex. */
   private static Stream<Geometry> parts(Obstacle obstacle) {
     if (obstacle instanceof Obstacle.Pillar pillar) {
-      return Stream.of(disc(pillar.x(), pillar.y(), pillar.radius(), OF_PILLAR));
+      return Stream.of(disc(pillar.x(), pillar.y(), pillar.radius(), PILLAR_CORNERS));
     }
     if (obstacle instanceof Obstacle.Wall wall) {
       return Stream.of(side(wall.x1(), wall.y1(), wall.x2(), wall.y2()));
@@ -124,24 +128,26 @@ final class Outlook {
         new Coordinate[] {new Coordinate(x1, y1), new Coordinate(x2, y2)});
   }
 
-  /** A convex part and what is behind it, beyond the reach. */
-  private static Geometry shadow(Coordinate[] corners, Coordinate at, double reach) {
-    double far = 2 * reach + Arrays.stream(corners).mapToDouble(at::distance).max().orElse(0);
-    Vector2D one = Vector2D.create(at, corners[0]).normalize();
-    Vector2D other = Vector2D.create(at, corners[corners.length - 1]).normalize();
-    Vector2D middle = one.add(other);
-    if (middle.length() < 1e-6) { // a side as good as beside the camera: half a turn wide
-      int side = Orientation.index(corners[0], corners[1], at);
+  /** Returns a convex part and the area behind it, to beyond the reach. */
+  private static Geometry shadow(Coordinate[] corners, Coordinate camera, double reach) {
+    double far = 2 * reach + Arrays.stream(corners).mapToDouble(camera::distance).max().orElse(0);
+    Vector2D first = Vector2D.create(camera, corners[0]).normalize();
+    Vector2D last = Vector2D.create(camera, corners[corners.length - 1]).normalize();
+    Vector2D middle = first.add(last);
+    if (middle.length() < 1e-6) { // the camera is at the side, whose shadow is half a turn wide
+      int side = Orientation.index(corners[0], corners[1], camera);
       middle = Vector2D.create(corners[0], corners[1]).rotateByQuarterCircle(-side);
     }
-    Stream<Vector2D> behind =
+    Stream<Vector2D> directions =
         Stream.concat(
-            Stream.of(middle), Arrays.stream(corners).map(corner -> Vector2D.create(at, corner)));
+            Stream.of(middle),
+            Arrays.stream(corners).map(corner -> Vector2D.create(camera, corner)));
     return SHAPES
         .createMultiPointFromCoords(
             Stream.concat(
                     Arrays.stream(corners),
-                    behind.map(way -> way.normalize().multiply(4 * far).translate(at)))
+                    directions.map(
+                        direction -> direction.normalize().multiply(4 * far).translate(camera)))
                 .toArray(Coordinate[]::new))
         .convexHull();
   }

@@ -11,11 +11,13 @@ import org.hificamsim.runs.heat.HeatMap;
 /**
  * A heat map in few bytes, for a page.
  *
- * @param steps that it is of
- * @param first of these
- * @param areaCovered see {@link HeatMap#covered}; the next two as well
- * @param perUnit parts of a unit that figures are rounded to
- * @param figures what can be shown of it
+ * @param first the first step of the map
+ * @param steps the number of steps of the map
+ * @param areaCovered see {@link HeatMap#covered}
+ * @param areaCoveredK see {@link HeatMap#coveredK}
+ * @param areaBlind see {@link HeatMap#blind}
+ * @param perUnit values are rounded to multiples of 1 / perUnit
+ * @param figures the figures of the map that can be shown
  * @param data a {@link Series} for each figure: 0 for NaN, else zigzag + 1 of the number times
  *     {@code perUnit}; deflated (zlib), in Base64
  */
@@ -33,11 +35,11 @@ public record PackedHeat(
   private static final double PER_UNIT = 1e6; // as in heatmap.csv
 
   /**
-   * How a figure of a map is shown.
+   * A figure of a map as it is shown.
    *
-   * @param never what 0 says
-   * @param end of its scale
-   * @param logarithmic whether the scale is: from 1, not 0, to the end
+   * @param never what a value of 0 means
+   * @param end of the scale
+   * @param logarithmic whether the scale is logarithmic, from 1 instead of 0 to the end
    * @param least the start of the scale in words
    * @param most its end in words
    */
@@ -51,7 +53,7 @@ public record PackedHeat(
       boolean logarithmic,
       String least,
       String most) {
-    /** The figure as it is shown of a map. */
+    /** Returns a figure of a map. */
     public static ShownFigure of(HeatFigure figure, HeatMap map) {
       double end = figure.end(map);
       return new ShownFigure(
@@ -79,14 +81,14 @@ public record PackedHeat(
         map.blind(),
         PER_UNIT,
         Arrays.stream(HeatFigure.values()).map(figure -> ShownFigure.of(figure, map)).toList(),
-        Deflated.base64(Deflated.FAST, out -> pack(out, map)));
+        Deflated.base64(Deflated.FAST_LEVEL, out -> pack(out, map)));
   }
 
   private static void pack(OutputStream out, HeatMap map) throws IOException {
     Scale scale = new Scale(PER_UNIT);
     for (HeatFigure figure : HeatFigure.values()) {
       Series.write(
-          out, map.places().stream().mapToLong(place -> scale.packOptional(figure.of(place))));
+          out, map.places().stream().mapToLong(cell -> scale.packOptional(figure.of(cell))));
     }
   }
 }

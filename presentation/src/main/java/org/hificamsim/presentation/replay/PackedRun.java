@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.ObjLongConsumer;
 import java.util.function.ToLongFunction;
 import java.util.zip.InflaterInputStream;
@@ -17,10 +18,10 @@ import java.util.zip.InflaterInputStream;
 /**
  * A {@link RecordedRun} in few bytes.
  *
- * @param frames how many there are
- * @param scale parts of a metre that positions are rounded to
- * @param estimateScale parts of a unit that estimates are rounded to
- * @param beliefs how many numbers of {@link BeliefFrame} each frame has; 0 for none
+ * @param frames the number of frames
+ * @param scale positions are rounded to multiples of 1 / scale metres
+ * @param estimateScale estimates are rounded to multiples of 1 / estimateScale
+ * @param beliefs the count of numbers of {@link BeliefFrame} in each frame; 0 for none
  * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn};
  *     deflated (zlib), in Base64
  */
@@ -38,11 +39,11 @@ public record PackedRun(
     String data) {
   /** Packs a recording, each frame rounded. */
   static PackedRun of(Setup setup, RecordedRun recording) {
-    Scale place = Scale.of(setup.field());
-    Scale estimate = Scale.of(largestEstimate(recording.frames()));
+    Scale positions = Scale.of(setup.field());
+    Scale estimates = Scale.of(largestEstimate(recording.frames()));
     int beliefs = recording.frames().get(0).belief().length;
     List<FrameColumn> columns =
-        FrameColumn.of(setup, place, estimate, !recording.estimated().isEmpty(), beliefs);
+        FrameColumn.of(setup, positions, estimates, !recording.estimated().isEmpty(), beliefs);
     return new PackedRun(
         recording.run(),
         recording.seed(),
@@ -51,31 +52,31 @@ public record PackedRun(
         recording.estimated(),
         recording.moves(),
         recording.frames().size(),
-        place.perUnit(),
-        estimate.perUnit(),
+        positions.perUnit(),
+        estimates.perUnit(),
         beliefs,
         pack(recording.frames(), columns));
   }
 
-  /** How many bytes this takes in a file, but for a hundred or so. */
+  /** The number of bytes that this takes in a file, to within about a hundred. */
   long bytes() {
     return data.length() + (long) ReplayJson.of(moves).length();
   }
 
   /**
-   * The frames, as rounded.
+   * Unpacks the recording, with rounded numbers.
    *
-   * @throws IOException when the data are not what {@link #of} makes for this setup
+   * @throws IOException if the data are not those that {@link #of} makes for this setup
    */
   RecordedRun unpack(Setup setup) throws IOException {
-    boolean known = !estimated.isEmpty();
+    boolean hasEstimates = !estimated.isEmpty();
     List<FrameColumn> columns =
-        FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), known, beliefs);
+        FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), hasEstimates, beliefs);
     List<Frame> unpacked = new ArrayList<>(frames);
     try (InputStream in =
         new InflaterInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(data)))) {
       for (long step : Series.read(in, frames)) {
-        unpacked.add(Frame.blank(setup, step, known, beliefs > 0));
+        unpacked.add(Frame.blank(setup, step, hasEstimates, beliefs > 0));
       }
       for (FrameColumn column : columns) {
         long[] numbers = Series.read(in, frames);
@@ -84,14 +85,14 @@ public record PackedRun(
         }
       }
     } catch (IllegalArgumentException e) {
-      throw new IOException("no Base64", e);
+      throw new IOException("the data are not Base64", e);
     }
     return new RecordedRun(run, seed, steps, every, estimated, moves, unpacked);
   }
 
   private static String pack(List<Frame> frames, List<FrameColumn> columns) {
     return Deflated.base64(
-        Deflated.FAST,
+        Deflated.FAST_LEVEL,
         out -> {
           Series.write(out, frames.stream().mapToLong(Frame::step));
           for (FrameColumn column : columns) {
@@ -111,76 +112,82 @@ public record PackedRun(
   }
 
   /**
-   * One number of each frame, as a whole number: to be packed and unpacked.
+   * Converts one value of each frame to a whole number and back.
    *
-   * <p>{@link #of} gives the order of columns in {@code replay.json}, which {@code docs/report.md}
-   * and the page's {@code recording.js} follow.
+   * <p>{@link #of} defines the order of columns in {@code replay.json}, which {@code
+   * docs/report.md} and the page's {@code recording.js} follow.
    */
   private record FrameColumn(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
     private static final Scale COUNT = new Scale(1);
-    private static final Scale BELIEF = new Scale(BeliefFrame.PARTS);
+    private static final Scale BELIEF = new Scale(BeliefFrame.PER_UNIT);
 
     /** The columns of all frames, in the order in which they are stored. */
     static List<FrameColumn> of(
-        Setup setup, Scale place, Scale estimate, boolean estimated, int beliefs) {
+        Setup setup, Scale positions, Scale estimates, boolean hasEstimates, int beliefs) {
       List<FrameColumn> columns = new ArrayList<>();
       for (int camera = 0; camera < setup.cameras().size(); camera++) {
         addCamera(columns, camera);
       }
       for (int target = 0; target < setup.targets().size(); target++) {
-        addTarget(columns, target, place);
+        addTarget(columns, target, positions);
       }
-      for (int camera = 0; estimated && camera < setup.cameras().size(); camera++) {
+      for (int camera = 0; hasEstimates && camera < setup.cameras().size(); camera++) {
         int views = setup.cameras().get(camera).pose().views();
         for (int view = 0; view < views; view++) {
-          addEstimate(columns, camera, view, estimate);
+          addEstimate(columns, camera, view, estimates);
         }
       }
       for (int camera = 0; !setup.slow().isEmpty() && camera < setup.cameras().size(); camera++) {
-        addSeeing(columns, camera);
+        columns.add(ofInts(Frame::seeing, camera));
       }
       for (int i = 0; i < beliefs; i++) {
-        addBelief(columns, i);
+        columns.add(ofDoubles(Frame::belief, i, BELIEF));
       }
       return columns;
     }
 
-    private static void addCamera(List<FrameColumn> columns, int c) {
-      columns.add(new FrameColumn(f -> bit(f.online()[c]), (f, v) -> f.online()[c] = v != 0));
-      columns.add(new FrameColumn(f -> f.level()[c], (f, v) -> f.level()[c] = (int) v));
-      columns.add(new FrameColumn(f -> f.detected()[c], (f, v) -> f.detected()[c] = (int) v));
+    private static void addCamera(List<FrameColumn> columns, int camera) {
+      columns.add(ofBooleans(Frame::online, camera));
+      columns.add(ofInts(Frame::level, camera));
+      columns.add(ofInts(Frame::detected, camera));
     }
 
-    private static void addTarget(List<FrameColumn> columns, int t, Scale s) {
-      columns.add(new FrameColumn(f -> bit(f.present()[t]), (f, v) -> f.present()[t] = v != 0));
-      columns.add(new FrameColumn(f -> s.pack(f.x()[t]), (f, v) -> f.x()[t] = s.unpack(v)));
-      columns.add(new FrameColumn(f -> s.pack(f.y()[t]), (f, v) -> f.y()[t] = s.unpack(v)));
-      columns.add(new FrameColumn(f -> f.coverage()[t], (f, v) -> f.coverage()[t] = (int) v));
+    private static void addTarget(List<FrameColumn> columns, int target, Scale positions) {
+      columns.add(ofBooleans(Frame::present, target));
+      columns.add(ofDoubles(Frame::x, target, positions));
+      columns.add(ofDoubles(Frame::y, target, positions));
+      columns.add(ofInts(Frame::coverage, target));
     }
 
-    private static void addSeeing(List<FrameColumn> columns, int c) {
-      columns.add(new FrameColumn(f -> f.seeing()[c], (f, v) -> f.seeing()[c] = (int) v));
+    private static void addEstimate(
+        List<FrameColumn> columns, int camera, int view, Scale estimates) {
+      columns.add(ofOptionals(frame -> frame.estimates()[camera], view, estimates));
+      columns.add(ofOptionals(frame -> frame.counts()[camera], view, COUNT));
     }
 
-    private static void addBelief(List<FrameColumn> columns, int i) {
-      columns.add(
-          new FrameColumn(
-              f -> BELIEF.pack(f.belief()[i]), (f, v) -> f.belief()[i] = BELIEF.unpack(v)));
+    private static FrameColumn ofBooleans(Function<Frame, boolean[]> array, int index) {
+      return new FrameColumn(
+          frame -> array.apply(frame)[index] ? 1 : 0,
+          (frame, value) -> array.apply(frame)[index] = value != 0);
     }
 
-    private static void addEstimate(List<FrameColumn> columns, int c, int l, Scale s) {
-      columns.add(
-          new FrameColumn(
-              f -> s.packOptional(f.estimates()[c][l]),
-              (f, v) -> f.estimates()[c][l] = s.unpackOptional(v)));
-      columns.add(
-          new FrameColumn(
-              f -> COUNT.packOptional(f.counts()[c][l]),
-              (f, v) -> f.counts()[c][l] = COUNT.unpackOptional(v)));
+    private static FrameColumn ofInts(Function<Frame, int[]> array, int index) {
+      return new FrameColumn(
+          frame -> array.apply(frame)[index],
+          (frame, value) -> array.apply(frame)[index] = (int) value);
     }
 
-    private static long bit(boolean value) {
-      return value ? 1 : 0;
+    private static FrameColumn ofDoubles(Function<Frame, double[]> array, int index, Scale scale) {
+      return new FrameColumn(
+          frame -> scale.pack(array.apply(frame)[index]),
+          (frame, value) -> array.apply(frame)[index] = scale.unpack(value));
+    }
+
+    private static FrameColumn ofOptionals(
+        Function<Frame, double[]> array, int index, Scale scale) {
+      return new FrameColumn(
+          frame -> scale.packOptional(array.apply(frame)[index]),
+          (frame, value) -> array.apply(frame)[index] = scale.unpackOptional(value));
     }
   }
 }

@@ -3,7 +3,6 @@ package org.hificamsim.presentation.replay;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
@@ -26,88 +25,112 @@ import org.hificamsim.presentation.replay.CameraPose.Level;
 import org.hificamsim.presentation.replay.CameraPose.LevelOptics;
 
 /**
- * Makes the poses of cameras: what each sees from where it is, and at which distances it detects
- * targets of one size; along the heading where the model depends on the bearing.
+ * Makes the poses of cameras: what each sees from where it is, and the distances at which it
+ * detects targets of one size, along the heading if the model depends on the bearing.
  */
 final class Poses {
   private final Detection detection;
-  private final double size;
+  private final double targetSize;
   private final Map<ZoomLevel, Level> levels = new HashMap<>();
   private final Outlook outlook;
 
   /**
-   * @param size of the target whose detected ranges are shown, metres
+   * The views of a camera: its zoom levels at the first pan angle, then at the next one.
+   *
+   * @param levels the number of zoom levels
+   * @param count the number of views
+   * @param pan by view, radians
+   * @param zoom by view
    */
-  Poses(Detection detection, double size, List<Obstacle> obstacles, Field field) {
+  private record CameraViews(
+      int levels, int count, IntToDoubleFunction pan, IntFunction<ZoomLevel> zoom) {
+    /** The levels at the first pan angle. */
+    List<ZoomLevel> firstDirection() {
+      return IntStream.range(0, levels).mapToObj(zoom).toList();
+    }
+
+    /** The narrowest level at each pan angle. */
+    List<ZoomLevel> narrowest() {
+      return IntStream.range(0, count / levels).mapToObj(i -> zoom.apply(i * levels)).toList();
+    }
+
+    List<Double> pans() {
+      return IntStream.range(0, count / levels)
+          .mapToObj(i -> pan.applyAsDouble(i * levels))
+          .toList();
+    }
+  }
+
+  /**
+   * @param targetSize of the targets whose detected ranges are shown, metres
+   */
+  Poses(Detection detection, double targetSize, List<Obstacle> obstacles, Field field) {
     this.detection = new Detection(new OnAxis(detection.model()), detection.threshold());
-    this.size = size;
+    this.targetSize = targetSize;
     this.outlook = new Outlook(obstacles, field);
   }
 
-  /** A camera at the start; one that is yet to be added stands where the scenario says. */
+  /** Returns the pose of a camera at the start, or where an event will add it. */
   CameraPose of(Cameras cameras, int camera, CameraSpec spec) {
     return pose(
         new Point(spec.x(), spec.y()),
         Math.toRadians(spec.heading()),
-        cameras.zooms(camera),
-        cameras.views(camera),
-        view -> cameras.pan(camera, view),
-        view -> cameras.zoom(camera, view),
-        Optional.empty());
+        new CameraViews(
+            cameras.zooms(camera),
+            cameras.views(camera),
+            view -> cameras.pan(camera, view),
+            view -> cameras.zoom(camera, view)),
+        null);
   }
 
-  /** A camera that is online, which was in another pose before. */
+  /**
+   * Returns the pose of a camera that is online.
+   *
+   * @param before its last known pose
+   */
   CameraPose of(NetworkView network, int camera, CameraPose before) {
     return pose(
         new Point(network.cameraX(camera), network.cameraY(camera)),
         network.cameraHeading(camera),
-        network.zooms(camera),
-        network.views(camera),
-        view -> network.pan(camera, view),
-        view -> network.zoom(camera, view),
-        Optional.of(before));
+        new CameraViews(
+            network.zooms(camera),
+            network.views(camera),
+            view -> network.pan(camera, view),
+            view -> network.zoom(camera, view)),
+        before);
   }
 
-  /** Views are the zoom levels at the first pan angle, then at the next one. */
-  private CameraPose pose(
-      Point at,
-      double heading,
-      int levelCount,
-      int views,
-      IntToDoubleFunction pan,
-      IntFunction<ZoomLevel> zoom,
-      Optional<CameraPose> before) {
-    List<ZoomLevel> zooms = IntStream.range(0, levelCount).mapToObj(zoom).toList();
-    List<ZoomLevel> turned =
-        IntStream.range(0, views / levelCount).mapToObj(i -> zoom.apply(i * levelCount)).toList();
-    List<Double> pans =
-        IntStream.range(0, turned.size()).mapToObj(i -> pan.applyAsDouble(i * levelCount)).toList();
-    List<Double> tilts = turned.stream().map(level -> level.vertical().tilt()).toList();
+  private CameraPose pose(Point place, double heading, CameraViews views, CameraPose before) {
+    List<ZoomLevel> zooms = views.firstDirection();
+    List<Double> pans = views.pans();
+    List<Double> tilts = views.narrowest().stream().map(zoom -> zoom.vertical().tilt()).toList();
     List<LevelOptics> lenses = zooms.stream().map(LevelOptics::of).toList();
-    boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
-    List<Level> detecting = levels(zooms);
+    boolean sameLens = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
+    List<Level> poseLevels = levels(zooms);
+    boolean sameVisible =
+        before != null
+            && place.x() == before.x()
+            && place.y() == before.y()
+            && poseLevels.equals(before.levels());
     return new CameraPose(
-        at.x(),
-        at.y(),
+        place.x(),
+        place.y(),
         heading,
         zooms.get(0).viewingAngle(),
-        detecting,
+        poseLevels,
         pans.equals(List.of(0.0)) ? List.of() : pans,
         Set.copyOf(tilts).size() == 1 ? List.of() : tilts,
-        alike ? List.of() : lenses,
-        before
-            .filter(was -> at.x() == was.x() && at.y() == was.y())
-            .filter(was -> detecting.equals(was.levels()))
-            .map(CameraPose::visible)
-            .orElseGet(
-                () -> outlook.from(at.x(), at.y(), zooms.get(0).vertical().z(), reach(detecting))),
-        grounds(views, zoom));
+        sameLens ? List.of() : lenses,
+        sameVisible
+            ? before.visible()
+            : outlook.from(place.x(), place.y(), zooms.get(0).vertical().z(), reach(poseLevels)),
+        grounds(views));
   }
 
-  /** The levels of the first pan angle, at each tilt; those of the others are the same. */
-  private List<List<Double>> grounds(int views, IntFunction<ZoomLevel> zoom) {
-    return IntStream.range(0, views)
-        .mapToObj(zoom)
+  /** Returns the grounds of all different levels; those at the same tilt are the same. */
+  private List<List<Double>> grounds(CameraViews views) {
+    return IntStream.range(0, views.count())
+        .mapToObj(views.zoom())
         .filter(level -> !Double.isNaN(level.vertical().angle()))
         .distinct()
         .map(
@@ -123,18 +146,18 @@ final class Poses {
   }
 
   private List<Level> levels(List<ZoomLevel> zooms) {
-    return zooms.stream().map(zoom -> levels.computeIfAbsent(zoom, this::detecting)).toList();
+    return zooms.stream().map(zoom -> levels.computeIfAbsent(zoom, this::levelOf)).toList();
   }
 
   private double farthest(ZoomLevel zoom) {
-    Level level = levels.computeIfAbsent(zoom, this::detecting);
+    Level level = levels.computeIfAbsent(zoom, this::levelOf);
     return level.detected().stream().mapToDouble(Interval::to).max().orElse(level.radius());
   }
 
-  private Level detecting(ZoomLevel zoom) {
+  private Level levelOf(ZoomLevel zoom) {
     VerticalView vertical = zoom.vertical();
     Detection onGround = vertical.flat() ? detection : detection.inSpace(vertical.z(), false);
-    DetectedDistances distances = onGround.distances(size, zoom);
+    DetectedDistances distances = onGround.distances(targetSize, zoom);
     List<Interval> intervals =
         IntStream.range(0, distances.intervals())
             .mapToObj(i -> new Interval(Math.sqrt(distances.from(i)), Math.sqrt(distances.to(i))))

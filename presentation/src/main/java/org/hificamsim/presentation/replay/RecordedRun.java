@@ -3,14 +3,14 @@ package org.hificamsim.presentation.replay;
 import java.util.List;
 
 /**
- * One run as it was recorded.
+ * One recorded run.
  *
- * @param run the repeat, from 0
- * @param steps how many there were
- * @param every how many steps lie between two frames; the last step has a frame in any case
- * @param estimated what the agents' estimates are; empty where they have none
- * @param moves by step
- * @param frames by step
+ * @param run the number of the repeat, from 0
+ * @param steps the number of steps of the run
+ * @param every the number of steps from one frame to the next; the last step always has a frame
+ * @param estimated what the agents estimate; empty if they estimate nothing
+ * @param moves in the order of steps
+ * @param frames in the order of steps
  */
 public record RecordedRun(
     int run,

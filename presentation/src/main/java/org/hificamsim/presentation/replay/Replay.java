@@ -10,10 +10,10 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
- * What {@code run --record} keeps for pages and pictures: {@code replay.json}.
+ * The recording of a plan's repeats for pages and pictures: {@code replay.json}.
  *
- * @param repeat how many repeats there were
- * @param runs the first of them, 1 or more
+ * @param repeat the number of repeats
+ * @param runs the first repeats, 1 or more
  */
 public record Replay(String format, int repeat, Setup setup, List<PackedRun> runs) {
   static final String FORMAT = "hificamsim-replay-1";
@@ -21,7 +21,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
   /**
    * Reads the file in a run's folder.
    *
-   * @throws InputException when it is missing or is not what a run writes
+   * @throws InputException if the file is missing or is not a recording
    */
   public static Replay read(Path folder) throws IOException {
     Path file = new ResultFolder(folder).file(ResultFolder.REPLAY);
@@ -38,10 +38,10 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
   }
 
   /**
-   * One run's frames.
+   * Unpacks one run.
    *
    * @param index in {@link #runs}
-   * @throws InputException when its data are broken
+   * @throws InputException if its data are broken
    */
   public RecordedRun recording(Path folder, int index) {
     try {
@@ -59,19 +59,19 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     if (runs.isEmpty()) {
       throw broken(file, "runs", null);
     }
-    boolean fit = setup.widths().isEmpty() || setup.widths().size() == setup.targets().size();
-    if (!fit || !setup.cameras().stream().allMatch(camera -> camera.pose().consistent())) {
+    boolean fits = setup.widths().isEmpty() || setup.widths().size() == setup.targets().size();
+    if (!fits || !setup.cameras().stream().allMatch(camera -> camera.pose().isConsistent())) {
       throw broken(file, "setup", null);
     }
-    int most = ReplayRecorder.Limits.USUAL.frames(setup, false) + 2;
+    int maxFrames = ReplayRecorder.Limits.DEFAULT.frames(setup, false) + 2;
     for (PackedRun run : runs) {
-      if (run.frames() < 1 || run.frames() > most || run.steps() < run.frames()) {
+      if (run.frames() < 1 || run.frames() > maxFrames || run.steps() < run.frames()) {
         throw broken(file, "frames of run " + run.run(), null);
       }
       for (Move move : run.moves()) {
         if (move.camera() < 0
             || move.camera() >= setup.cameras().size()
-            || !move.pose().consistent()) {
+            || !move.pose().isConsistent()) {
           throw broken(file, "moves of run " + run.run(), null);
         }
       }
@@ -79,10 +79,10 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     return this;
   }
 
-  private static InputException broken(Path file, String what, Throwable cause) {
+  private static InputException broken(Path file, String part, Throwable cause) {
     return InputException.of(
             "%s: %s cannot be read, expected what 'run' with %s writes",
-            file, what, setting("record"))
+            file, part, setting("record"))
         .because(cause);
   }
 }

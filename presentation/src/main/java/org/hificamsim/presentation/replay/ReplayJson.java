@@ -18,8 +18,8 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.core.obstacle.Obstacle;
 
 /**
- * The JSON form of everything here: an object per record, its fields named as its components. NaN
- * is null.
+ * The JSON form of the records of this package: an object for each record, with its components as
+ * fields. NaN becomes null.
  */
 public final class ReplayJson {
   private static final ObjectMapper MAPPER =
@@ -32,7 +32,7 @@ public final class ReplayJson {
 
   private ReplayJson() {}
 
-  /** A setup, a frame or a move as JSON. */
+  /** Writes a setup, a frame, a move or another record. */
   public static String of(Object value) {
     return Io.get(() -> MAPPER.writeValueAsString(value));
   }
@@ -41,14 +41,14 @@ public final class ReplayJson {
     return MAPPER;
   }
 
-  /** What kind an obstacle is: the name of its element in scenarios. */
+  /** Adds the kind of an obstacle, which is the name of its element in scenarios. */
   @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "kind")
   @JsonSubTypes({
     @JsonSubTypes.Type(value = Obstacle.Wall.class, name = "wall"),
     @JsonSubTypes.Type(value = Obstacle.Polygon.class, name = "polygon"),
     @JsonSubTypes.Type(value = Obstacle.Pillar.class, name = "pillar")
   })
-  @SuppressWarnings("UnusedMethod") // a mix-in: Jackson reads what is said of them
+  @SuppressWarnings("UnusedMethod") // Jackson reads the annotations of a mix-in
   private interface ByKind {
     @JsonInclude(value = JsonInclude.Include.CUSTOM, valueFilter = Ground.class)
     @JsonDeserialize(using = Ground.class)
@@ -59,13 +59,13 @@ public final class ReplayJson {
     double height();
   }
 
-  /** A number that goes without saying where it has one value. */
-  private abstract static class Usual extends StdDeserializer<Double> {
-    private final double usual;
+  /** Omits a number that has its default value. */
+  private abstract static class OmittedDefault extends StdDeserializer<Double> {
+    private final double defaultValue;
 
-    Usual(double usual) {
+    OmittedDefault(double defaultValue) {
       super(Double.class);
-      this.usual = usual;
+      this.defaultValue = defaultValue;
     }
 
     @Override
@@ -75,27 +75,27 @@ public final class ReplayJson {
 
     @Override
     public Object getAbsentValue(DeserializationContext context) {
-      return usual;
+      return defaultValue;
     }
 
     @Override
     public boolean equals(Object value) {
-      return value instanceof Double number && number == usual;
+      return value instanceof Double number && number == defaultValue;
     }
 
     @Override
     public int hashCode() {
-      return Double.hashCode(usual);
+      return Double.hashCode(defaultValue);
     }
   }
 
-  private static final class Ground extends Usual {
+  private static final class Ground extends OmittedDefault {
     Ground() {
       super(0);
     }
   }
 
-  private static final class Endless extends Usual {
+  private static final class Endless extends OmittedDefault {
     Endless() {
       super(Double.POSITIVE_INFINITY);
     }

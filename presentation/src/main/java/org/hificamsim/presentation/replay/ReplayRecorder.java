@@ -13,28 +13,28 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * Records the repeats of a plan for {@code replay.json}: the first ones, as many as fit. Repeats
- * may run at the same time.
+ * Records the first repeats of a plan, as many as fit into {@code replay.json}. Repeats may run at
+ * the same time.
  */
 public final class ReplayRecorder {
   private static final int MAX_RUNS = 50;
-  private static final StepListener NOTHING = (network, coverage) -> {};
+  private static final StepListener NO_RECORDING = (network, coverage) -> {};
 
   /**
-   * How much is kept.
+   * The limits of a recording.
    *
-   * @param frames most frames of a run
-   * @param numbers most numbers in all frames of a run together
-   * @param bytes most bytes of all runs together, packed, and of the setup; frames are left out for
-   *     it down to the first and the last one, whatever the cameras' poses take
+   * @param frames of one run
+   * @param numbers in all frames of one run
+   * @param bytes of all packed runs and the setup; frames are left out until it is kept, but the
+   *     first and the last frame always stay
    */
   record Limits(int frames, long numbers, int bytes) {
-    /** A page of less than 5 MB, the memory of a small machine. */
-    static final Limits USUAL = new Limits(20_000, 1 << 23, 4_400_000);
+    /** For a page of less than 5 MB and the memory of a small machine. */
+    static final Limits DEFAULT = new Limits(20_000, 1 << 23, 4_400_000);
 
-    /** The most frames of one run, 2 or more. */
-    int frames(Setup setup, boolean believed) {
-      long perFrame = setup.numbersPerFrame() + (believed ? BeliefFrame.length(setup) : 0);
+    /** The limit of frames for a setup, 2 or more. */
+    int frames(Setup setup, boolean hasBelief) {
+      long perFrame = setup.numbersPerFrame() + (hasBelief ? BeliefFrame.length(setup) : 0);
       return (int) Math.max(2, Math.min(frames, numbers / (1 + perFrame)));
     }
   }
@@ -43,14 +43,14 @@ public final class ReplayRecorder {
   private final Detection detection;
   private final int repeats;
   private final Limits limits;
-  private final int mostBytes; // 0 with a large setup: one run of two frames is kept
+  private final int maxBytes; // 0 if the setup is large; one run of two frames is kept then
   private final Map<Integer, Tape> tapes = new ConcurrentSkipListMap<>();
 
   /**
-   * @param repeats how many there will be
+   * @param repeats the number of repeats
    */
   public ReplayRecorder(Setup setup, Detection detection, int repeats) {
-    this(setup, detection, repeats, Limits.USUAL);
+    this(setup, detection, repeats, Limits.DEFAULT);
   }
 
   ReplayRecorder(Setup setup, Detection detection, int repeats, Limits limits) {
@@ -58,50 +58,48 @@ public final class ReplayRecorder {
     this.detection = detection;
     this.repeats = repeats;
     this.limits = limits;
-    this.mostBytes = Math.max(0, limits.bytes() - ReplayJson.of(setup).length());
+    this.maxBytes = Math.max(0, limits.bytes() - ReplayJson.of(setup).length());
   }
 
-  /** The listener that records one repeat. */
+  /** Returns the listener that records one repeat. */
   public StepListener listener(int run) {
-    if (run >= MAX_RUNS || full()) {
-      return NOTHING;
+    if (run >= MAX_RUNS || isFull()) {
+      return NO_RECORDING;
     }
     Tape tape = new Tape(run);
     tapes.put(run, tape);
     return tape;
   }
 
-  /** Whether the first repeats that have ended already fill the file: later ones are not kept. */
-  private boolean full() {
+  /** Whether the repeats that have ended fill the file, so that later ones are not recorded. */
+  private boolean isFull() {
     long bytes = 0;
     for (int run = 0; tapes.containsKey(run) && tapes.get(run).packed != null; run++) {
       bytes += tapes.get(run).packed.bytes();
     }
-    return bytes > mostBytes;
+    return bytes > maxBytes;
   }
 
-  /** Writes what was recorded. */
+  /** Writes the recording. */
   public void write(OutputStream out) throws IOException {
     List<PackedRun> runs = new ArrayList<>();
     long bytes = 0;
     for (Tape tape : tapes.values()) {
       bytes += tape.packed.bytes();
-      if (bytes <= mostBytes || runs.isEmpty()) {
+      if (bytes <= maxBytes || runs.isEmpty()) {
         runs.add(tape.packed);
       }
     }
     ReplayJson.mapper().writeValue(out, new Replay(Replay.FORMAT, repeats, setup, runs));
   }
 
-  /**
-   * Records one run: every step as long as they fit, then every other one, every fourth, and so on.
-   */
+  /** Records one run: every step while they fit, then every other one, every fourth, and so on. */
   private final class Tape implements StepListener {
     private final int run;
     private final List<Frame> frames = new ArrayList<>();
     private final List<Move> moves = new ArrayList<>();
     private Snapshots snapshots;
-    private int mostFrames;
+    private int maxFrames;
     private Frame last;
     private long every = 1;
     private volatile PackedRun packed; // null before the run has ended
@@ -113,17 +111,17 @@ public final class ReplayRecorder {
     @Override
     public void started(OracleView network, ZoomPolicy policy) {
       snapshots = new Snapshots(setup, detection, policy);
-      mostFrames = limits.frames(setup, snapshots.believed(network));
+      maxFrames = limits.frames(setup, snapshots.hasBelief(network));
     }
 
-    /** Targets may move before the run ends, so that the last frame is taken here too. */
+    /** Takes each frame at once, because targets may move before the run ends. */
     @Override
     public void stepped(OracleView network, StepCoverage coverage) {
       moves.addAll(snapshots.moves(network));
       last = snapshots.take(network);
       if (last.step() % every == 0) {
         frames.add(last);
-        if (frames.size() > mostFrames) {
+        if (frames.size() > maxFrames) {
           thin();
         }
       }
@@ -131,12 +129,12 @@ public final class ReplayRecorder {
 
     @Override
     public void ended(OracleView network) {
-      PackedRun all = pack(snapshots.estimated(network));
-      while (all.bytes() > mostBytes && frames.size() > 2) {
+      PackedRun candidate = pack(snapshots.estimated(network));
+      while (candidate.bytes() > maxBytes && frames.size() > 2) {
         thin();
-        all = pack(all.estimated());
+        candidate = pack(candidate.estimated());
       }
-      packed = all;
+      packed = candidate;
       frames.clear();
     }
 
@@ -146,14 +144,20 @@ public final class ReplayRecorder {
     }
 
     private PackedRun pack(String estimated) {
-      List<Frame> all = new ArrayList<>(frames);
+      List<Frame> kept = new ArrayList<>(frames);
       if (last.step() % every != 0) {
-        all.add(last);
+        kept.add(last);
       }
       return PackedRun.of(
           setup,
           new RecordedRun(
-              run, setup.seed() + run, last.step() + 1, every, estimated, List.copyOf(moves), all));
+              run,
+              setup.seed() + run,
+              last.step() + 1,
+              every,
+              estimated,
+              List.copyOf(moves),
+              kept));
     }
   }
 }

@@ -3,20 +3,21 @@ package org.hificamsim.presentation.replay;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * Numbers as whole multiples of a power of ten, so that they are few bytes and decimals stay exact.
+ * Converts numbers to whole multiples of a power of ten, which take few bytes and keep decimals
+ * exact.
  *
- * @param perUnit how many parts a unit has
+ * @param perUnit the number of parts of a unit
  */
 record Scale(double perUnit) {
   private static final double SMALLEST = 1e-6;
 
-  /** Millimetres; finer in a field below 10 m, coarser where numbers would not fit. */
+  /** Returns a scale of millimetres; finer in a field below 10 m, coarser in a very large one. */
   static Scale of(Field field) {
     double magnitude = magnitude(Math.max(field.width(), field.height()));
     return new Scale(Math.pow(10, Math.min(Math.max(3, 4 - magnitude), 12 - magnitude)));
   }
 
-  /** Five digits for the largest number. */
+  /** Returns a scale with five digits for the largest number. */
   static Scale of(double largest) {
     return new Scale(Math.pow(10, 4 - magnitude(largest)));
   }
@@ -33,7 +34,7 @@ record Scale(double perUnit) {
     return parts / perUnit;
   }
 
-  /** As {@link #pack} with 0 for NaN, other numbers from 1. */
+  /** Converts NaN to 0, other numbers to 1 or more. */
   long packOptional(double number) {
     return Double.isNaN(number) ? 0 : Series.zigzag(pack(number)) + 1;
   }

@@ -7,16 +7,16 @@ import java.io.OutputStream;
 import java.util.stream.LongStream;
 
 /**
- * Whole numbers as bytes: each as its difference to the one before, signs in the last bit, seven
- * bits a byte, the lowest first (LEB128).
+ * Writes whole numbers as bytes: the difference to the last number, with its sign in the lowest bit
+ * (zigzag), seven bits in each byte, the lowest first (LEB128).
  */
 final class Series {
   private static final int BITS = 7;
-  private static final int MORE = 1 << BITS;
+  private static final int CONTINUES = 1 << BITS;
 
   private Series() {}
 
-  /** 0, -1, 1, -2, ... as 0, 1, 2, 3, ... */
+  /** Converts 0, -1, 1, -2, ... to 0, 1, 2, 3, ... */
   static long zigzag(long number) {
     return (number << 1) ^ (number >> (Long.SIZE - 1));
   }
@@ -35,17 +35,17 @@ final class Series {
 
   private static void add(OutputStream out, long difference) throws IOException {
     long rest = zigzag(difference);
-    while ((rest & -MORE) != 0) {
-      out.write((int) (rest & (MORE - 1)) | MORE);
+    while ((rest & -CONTINUES) != 0) {
+      out.write((int) (rest & (CONTINUES - 1)) | CONTINUES);
       rest >>>= BITS;
     }
     out.write((int) rest);
   }
 
   /**
-   * Reads this many numbers.
+   * Reads {@code count} numbers.
    *
-   * @throws EOFException when there are fewer
+   * @throws EOFException if there are fewer
    */
   static long[] read(InputStream in, int count) throws IOException {
     long[] numbers = new long[count];
@@ -62,8 +62,8 @@ final class Series {
       if (next < 0) {
         throw new EOFException();
       }
-      code |= (long) (next & (MORE - 1)) << shift;
-      if (next < MORE) {
+      code |= (long) (next & (CONTINUES - 1)) << shift;
+      if (next < CONTINUES) {
         break;
       }
     }

@@ -1,5 +1,6 @@
 package org.hificamsim.presentation.replay;
 
+import com.fasterxml.jackson.annotation.JsonIgnore;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -14,23 +15,23 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.runs.Reach;
 
 /**
- * What does not change while a run is watched: the scenario and the settings.
+ * What does not change while a run is shown: the scenario and the settings.
  *
- * @param scenario its name
+ * @param scenario name
  * @param order when targets move: {@code coverage} or {@code camsim}
- * @param detection the model's name
+ * @param detection name
  * @param policy name and options
  * @param seed of the run, or of the first repeat
- * @param targetSize the most frequent size of a target, metres: that of the detected ranges
- * @param onAxis whether detection depends on the bearing, so that ranges are those along the
- *     heading
- * @param cameras by number, with those that events add
- * @param targets by number, with those that events add
- * @param widths of targets, by number, metres; empty where all are as wide as their size
- * @param slow the numbers of cameras that need time for a move
+ * @param targetSize the most frequent size of a target, metres; the detected ranges are for it
+ * @param onAxis whether detection depends on the bearing; the detected ranges are along the heading
+ *     then
+ * @param cameras by number, including those that events add
+ * @param targets by number, including those that events add
+ * @param widths of targets, by number, metres; empty if all widths equal the sizes
+ * @param slow the numbers of cameras that need time to turn
  * @param obstacles in the order of the scenario
- * @param floor pictures under the field, one at most
- * @param zones each with the detection and number of cameras that it asks for
+ * @param floor pictures under the field, at most one
+ * @param zones each with the detection and number of cameras that it demands
  */
 public record Setup(
     String scenario,
@@ -55,14 +56,14 @@ public record Setup(
   /**
    * A target.
    *
-   * @param size edge of its bounding box, metres
+   * @param size the edge of its bounding box, metres
    */
   public record Target(String name, double size) {}
 
   /**
-   * A picture of the place, to be drawn under the field.
+   * A picture that is drawn under the field.
    *
-   * @param area what it shows, metres
+   * @param area that it shows, metres
    * @param data the picture as a data URI, PNG or JPEG
    */
   public record Floor(Field area, String data) {}
@@ -70,7 +71,7 @@ public record Setup(
   private static final Pattern BY_CHANCE = Pattern.compile("@(chance|probability)");
 
   /**
-   * The set-up of a world that has not begun yet.
+   * Returns the setup of a world before its first step.
    *
    * @param floor pictures under the field
    */
@@ -112,9 +113,9 @@ public record Setup(
   }
 
   private static List<Double> widths(Targets targets) {
-    boolean square =
+    boolean widthsEqualSizes =
         IntStream.range(0, targets.count()).allMatch(i -> targets.width(i) == targets.size(i));
-    return square
+    return widthsEqualSizes
         ? List.of()
         : IntStream.range(0, targets.count()).mapToObj(targets::width).toList();
   }
@@ -126,17 +127,18 @@ public record Setup(
         .toList();
   }
 
-  /** How wide a target is, metres. */
+  /** The width of a target, metres. */
   public double width(int target) {
     return widths.isEmpty() ? targets.get(target).size() : widths.get(target);
   }
 
-  /** Whether targets are detected by chance, as the detection's name says. */
-  public boolean byChance() {
+  /** Whether targets are detected by chance, according to the detection's name. */
+  @JsonIgnore
+  public boolean isByChance() {
     return BY_CHANCE.matcher(detection).find();
   }
 
-  /** How many numbers a frame holds, but for its step. */
+  /** The count of numbers in a frame, without its step. */
   public long numbersPerFrame() {
     return 4L * targets.size()
         + (slow.isEmpty() ? 0 : cameras.size())

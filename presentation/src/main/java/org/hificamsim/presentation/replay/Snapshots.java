@@ -8,40 +8,42 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Takes frames of one run, at the end of any step, and notes the cameras that moved. */
+/** Takes frames of one run after its steps, and finds the cameras whose poses have changed. */
 public final class Snapshots {
   private final Setup setup;
-  private final Poses made;
+  private final Poses poseMaker;
   private final ZoomPolicy policy;
   private final CameraPose[] poses;
   private String estimated;
-  private int revision = Integer.MIN_VALUE;
-  private boolean forgotten;
+  private int knownRevision = Integer.MIN_VALUE;
+  private boolean posesForgotten;
 
   /**
-   * @param policy what decides in the run
+   * @param policy that decides in the run
    */
   public Snapshots(Setup setup, Detection detection, ZoomPolicy policy) {
     this.setup = setup;
-    this.made = new Poses(detection, setup.targetSize(), setup.obstacles(), setup.field());
+    this.poseMaker = new Poses(detection, setup.targetSize(), setup.obstacles(), setup.field());
     this.policy = policy;
     this.poses = setup.cameras().stream().map(Setup.Camera::pose).toArray(CameraPose[]::new);
   }
 
-  /** What the agents' estimates are ("mean reward", "Q"); empty where they have none. */
+  /** What the agents estimate, such as "mean reward" or "Q"; empty if they estimate nothing. */
   public String estimated(NetworkView network) {
     if (estimated == null) {
-      int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
+      int maxViews = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
       estimated =
-          network.cameras() == 0 ? "" : policy.estimates(0, new double[most], new double[most]);
+          network.cameras() == 0
+              ? ""
+              : policy.estimates(0, new double[maxViews], new double[maxViews]);
     }
     return estimated;
   }
 
-  /** The network as it is now. */
+  /** Takes a frame of the current state. */
   public Frame take(OracleView network) {
     Frame frame =
-        Frame.blank(setup, network.step(), !estimated(network).isEmpty(), believed(network));
+        Frame.blank(setup, network.step(), !estimated(network).isEmpty(), hasBelief(network));
     for (int camera = 0; camera < network.cameras(); camera++) {
       frame.online()[camera] = network.online(camera);
       frame.level()[camera] = network.view(camera);
@@ -60,18 +62,18 @@ public final class Snapshots {
       policy.estimates(camera, frame.estimates()[camera], frame.counts()[camera]);
     }
     if (frame.belief().length > 0) {
-      BeliefFrame belief = believes(network);
+      BeliefFrame belief = belief(network);
       System.arraycopy(belief.numbers(), 0, frame.belief(), 0, frame.belief().length);
     }
     return frame;
   }
 
-  /** Whether cameras believe anything of where targets are. */
-  public boolean believed(NetworkView network) {
+  /** Whether cameras have a belief of where targets are. */
+  public boolean hasBelief(NetworkView network) {
     return policy.believe(0, new BeliefFrame(setup));
   }
 
-  private BeliefFrame believes(NetworkView network) {
+  private BeliefFrame belief(NetworkView network) {
     BeliefFrame belief = new BeliefFrame(setup);
     IntStream.range(0, network.cameras())
         .filter(network::online)
@@ -80,29 +82,27 @@ public final class Snapshots {
     return belief;
   }
 
-  /** Has the next call of {@link #moves} say of every camera where it is. */
+  /** Lets the next call of {@link #moves} return the poses of all cameras. */
   public void forgetPoses() {
-    forgotten = true;
+    posesForgotten = true;
   }
 
-  /**
-   * The cameras that stand, look or see otherwise than at the call before, or than at the start.
-   */
+  /** Returns the cameras whose poses have changed since the last call, or since the start. */
   public List<Move> moves(NetworkView network) {
-    if (network.revision() == revision && !forgotten) {
+    if (network.revision() == knownRevision && !posesForgotten) {
       return List.of();
     }
-    revision = network.revision();
+    knownRevision = network.revision();
     List<Move> moves = new ArrayList<>();
     for (int camera = 0; camera < network.cameras(); camera++) {
       CameraPose before = poses[camera];
-      CameraPose pose = network.online(camera) ? made.of(network, camera, before) : before;
-      if (forgotten || !pose.equals(before)) {
+      CameraPose pose = network.online(camera) ? poseMaker.of(network, camera, before) : before;
+      if (posesForgotten || !pose.equals(before)) {
         poses[camera] = pose;
         moves.add(new Move(network.step(), camera, pose));
       }
     }
-    forgotten = false;
+    posesForgotten = false;
     return moves;
   }
 }

@@ -1,2 +1,2 @@
-/** What happened in a run, step by step, for pages, pictures and the live view. */
+/** Recordings of runs, frame by frame, for pages, pictures and the live view. */
 package org.hificamsim.presentation.replay;

@@ -23,12 +23,12 @@ import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
 /**
- * The page of a comparison, a reproduction, a sensitivity analysis or a ladder: its tables and
- * pictures, made from its folder alone.
+ * Makes the page of a comparison, a reproduction, a sensitivity analysis or a ladder from the
+ * tables and pictures of its folder.
  */
 final class ComparisonReport {
-  /** The tables that stand on the page as they are, in its order. */
-  private static final List<String> OTHERS =
+  /** The tables that the page shows unchanged, in this order. */
+  private static final List<String> PLAIN_TABLES =
       List.of(
           Choice.FILE.file(),
           "adapting.csv",
@@ -43,7 +43,7 @@ final class ComparisonReport {
           AggregateFiles.IMPROVEMENT.file(),
           AggregateFiles.PAIRS.file());
 
-  private static final int MAX_PICTURES = 3_000_000; // bytes
+  private static final int MAX_PICTURE_BYTES = 3_000_000;
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_DRAWN_ROWS = 50_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
@@ -55,16 +55,16 @@ final class ComparisonReport {
     this.folder = folder;
   }
 
-  /** Whether a folder holds any table that this page shows. */
+  /** Whether a folder has a table that this page shows. */
   static boolean suits(Path folder) {
     return ComparisonFiles.SUMMARY.isIn(folder)
-        || OTHERS.stream().anyMatch(name -> Table.of(name).isIn(folder));
+        || PLAIN_TABLES.stream().anyMatch(name -> Table.of(name).isIn(folder));
   }
 
   /**
-   * The page.
+   * Makes the page.
    *
-   * @throws org.hificamsim.core.InputException when a table is missing or broken
+   * @throws org.hificamsim.core.InputException if a table is missing or broken
    */
   static Page of(Path folder, String name) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);
@@ -86,7 +86,7 @@ final class ComparisonReport {
 
   private void addTables() throws IOException {
     ArrayNode tables = data.putArray("tables");
-    for (String name : OTHERS) {
+    for (String name : PLAIN_TABLES) {
       Table<?> table = Table.of(name);
       if (table.isIn(folder)) {
         write(tables.addObject(), table.read(folder), MAX_ROWS);
@@ -110,7 +110,7 @@ final class ComparisonReport {
     addColors(summary);
   }
 
-  /** The pictures (SVG), deflated; without their data once they are too many. */
+  /** Adds the deflated SVG pictures; those beyond the limit of bytes without their data. */
   private void addPictures() throws IOException {
     ArrayNode pictures = data.putArray("pictures");
     int bytes = 0;
@@ -121,7 +121,7 @@ final class ComparisonReport {
         pictures
             .addObject()
             .put("name", file.getFileName().toString())
-            .put("data", bytes <= MAX_PICTURES ? packed : "");
+            .put("data", bytes <= MAX_PICTURE_BYTES ? packed : "");
       }
     }
   }
@@ -134,10 +134,10 @@ final class ComparisonReport {
     policies.forEach(policy -> node.put(policy, Palette.hex(colors.of(policy))));
   }
 
-  static void write(ObjectNode node, CsvRows table, int max) {
+  static void write(ObjectNode node, CsvRows table, int maxRows) {
     node.put("name", table.file().getFileName().toString());
     node.put("count", table.rows().size());
     node.putPOJO("columns", table.columns());
-    node.putPOJO("rows", table.rows().stream().limit(max).map(CsvRow::texts).toList());
+    node.putPOJO("rows", table.rows().stream().limit(maxRows).map(CsvRow::texts).toList());
   }
 }

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.regex.Pattern;
 import org.hificamsim.runs.Metric;
 
-/** What pages call metrics: each by its name in files, with title, unit and meaning. */
+/** The names of metrics on pages: title, unit and meaning by the name in files. */
 final class MetricNames {
   private static final Pattern LINK = Pattern.compile("\\[([^]]*)]\\([^)]*\\)");
 
@@ -23,7 +23,7 @@ final class MetricNames {
     return names;
   }
 
-  /** Without the links and code marks of {@code docs/data.md}. */
+  /** Removes the links and code marks of {@code docs/data.md}. */
   private static String plain(String text) {
     return LINK.matcher(text).replaceAll("$1").replace("`", "");
   }

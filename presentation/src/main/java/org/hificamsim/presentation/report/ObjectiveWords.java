@@ -3,12 +3,12 @@ package org.hificamsim.presentation.report;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * What a page calls its score.
+ * How pages name the score.
  *
  * @param text the objective as an option
- * @param title what the score of a step is
- * @param share whether it is shown in percent
- * @param kMin whether it is k_min, which pages have anyway
+ * @param title of the score of a step
+ * @param share whether the score is shown in percent
+ * @param kMin whether the score is k_min, which pages always show
  */
 public record ObjectiveWords(String text, String title, boolean share, boolean kMin) {
   public static ObjectiveWords of(Objective objective) {

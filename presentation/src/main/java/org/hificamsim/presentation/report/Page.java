@@ -7,16 +7,15 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
- * A page that needs no other file: script, style, data and uPlot inside. Its content security
- * policy lets it run these scripts alone and load nothing, so that no name in the data can make it
- * do otherwise.
+ * A page that needs no other file: it contains its script, style, data and uPlot. Its content
+ * security policy lets it run only these scripts and load nothing, so that names in the data cannot
+ * change what it does.
  *
  * @param title of the window
- * @param module the script that shows it
- * @param function that the module exports: called with the page's element and the data
+ * @param module the script of the page
+ * @param function that the module exports and that is called with the page's element and the data
  * @param data JSON
- * @param connections what the page may connect to, as in {@code connect-src}: {@code 'none'} for a
- *     file
+ * @param connections the value of {@code connect-src}: {@code 'none'} for a file
  */
 public record Page(String title, String module, String function, String data, String connections) {
   private static final String PAGE =
@@ -41,7 +40,7 @@ public record Page(String title, String module, String function, String data, St
 </html>
 """;
 
-  /** A page that connects to nothing. */
+  /** Creates a page that connects to nothing. */
   public Page(String title, String module, String function, String data) {
     this(title, module, function, data, "'none'");
   }

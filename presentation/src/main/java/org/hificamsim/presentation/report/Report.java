@@ -8,16 +8,16 @@ import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
 
-/** Makes the page of a folder that a command has written. */
+/** Makes the page of a folder that a command wrote. */
 public final class Report {
   private Report() {}
 
   /**
-   * The page.
+   * Returns the page as HTML.
    *
    * @param name of the folder
    * @param notation of the settings in the commands that the page shows
-   * @throws InputException when the folder does not hold what a page is made of
+   * @throws InputException if the folder does not contain what a page needs
    */
   public static String html(Path folder, String name, NamedSetting.Notation notation)
       throws IOException {

@@ -25,7 +25,7 @@ import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.StepRow;
 
-/** The page of a run that was recorded: made from its folder alone. */
+/** Makes the page of a recorded run from its folder. */
 final class RunReport {
   private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -40,9 +40,9 @@ final class RunReport {
   }
 
   /**
-   * The page.
+   * Makes the page.
    *
-   * @throws InputException when a file is missing or broken
+   * @throws InputException if a file is missing or broken
    */
   static Page of(Path folder) throws IOException {
     RunReport report = new RunReport(folder);
@@ -68,7 +68,9 @@ final class RunReport {
   }
 
   /**
-   * The folder's record of hashes may be missing: another run's files do not pass for this one's.
+   * Checks that all files are of one run, because the folder may have no record of hashes.
+   *
+   * @throws InputException if they are not
    */
   private void requireOneRun() {
     Setup setup = replay.setup();
@@ -87,7 +89,7 @@ final class RunReport {
     }
   }
 
-  /** Of a folder that names none, the default. */
+  /** The objective of the run; the default one if the folder names none. */
   private ObjectiveWords objective() {
     String text = summary.path("objective").asText();
     return ObjectiveWords.of(text.isEmpty() ? Objective.kMin() : Objective.parse(text));
@@ -99,9 +101,9 @@ final class RunReport {
   }
 
   /**
-   * Of the recorded frames, by run.
+   * The scores of the recorded frames, by run.
    *
-   * @throws InputException when a frame has none; tables of version 0.1 have no scores at all
+   * @throws InputException if a frame has no score; tables of version 0.1 have none
    */
   private Collection<List<Double>> scores() throws IOException {
     if (!summary.has("score_words")) {
@@ -110,28 +112,28 @@ final class RunReport {
           folder.resolve(ResultFolder.SUMMARY));
     }
     Map<Integer, List<Double>> scores = new LinkedHashMap<>();
-    Set<String> recorded = new HashSet<>();
+    Set<String> missing = new HashSet<>();
     for (int i = 0; i < replay.runs().size(); i++) {
       RecordedRun run = replay.recording(folder, i);
-      run.frames().forEach(frame -> recorded.add(run.run() + "," + frame.step()));
+      run.frames().forEach(frame -> missing.add(run.run() + "," + frame.step()));
     }
     Path file =
         StepRow.each(
             folder,
             row -> {
-              if (recorded.remove(row.run() + "," + row.step())) {
-                scores.computeIfAbsent(row.run(), any -> new ArrayList<>()).add(row.score());
+              if (missing.remove(row.run() + "," + row.step())) {
+                scores.computeIfAbsent(row.run(), run -> new ArrayList<>()).add(row.score());
               }
             });
-    if (!recorded.isEmpty()) {
+    if (!missing.isEmpty()) {
       throw InputException.of(
           "%s: no row for run,step %s, expected one for each step that was recorded",
-          file, Collections.min(recorded));
+          file, Collections.min(missing));
     }
     return scores.values();
   }
 
-  /** The settings, and each figure with its interval. */
+  /** The settings, and each metric with its interval. */
   private ObjectNode figures() {
     ObjectNode figures = JSON.createObjectNode();
     ObjectNode settings = figures.putObject("settings");

@@ -11,9 +11,9 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
- * The page's modules as one script: each in a function of its own, after those that it imports, so
- * that a file opened from a mailbox needs no other one. Understands what the modules here use:
- * imports of names on one line, exports where a name is declared.
+ * Bundles the modules of a page into one script, so that a page needs no other file. Each module is
+ * a function, after the modules that it imports. Supports what the modules here use: imports of
+ * names, and exports where a name is declared.
  */
 public final class Scripts {
   private static final Pattern IMPORT =
@@ -25,19 +25,19 @@ public final class Scripts {
 
   private Scripts() {}
 
-  /** The module of this name and all that it needs, ending with the object of its exports. */
+  /** Returns a module and all modules that it needs. */
   public static String bundle(String entry) {
     Scripts scripts = new Scripts();
     scripts.add(entry);
     return "'use strict';\n" + Palette.script() + String.join("", scripts.modules.values());
   }
 
-  /** The variable that holds a module's exports. */
+  /** The variable of a bundle that has a module's exports. */
   public static String variable(String module) {
     return "module_" + module.replace(".js", "").replace('-', '_');
   }
 
-  /** The text of a file that pages are made of. */
+  /** Reads a file of this folder, such as a style sheet. */
   public static String text(String name) {
     return new String(Io.resource(Scripts.class, name), StandardCharsets.UTF_8);
   }

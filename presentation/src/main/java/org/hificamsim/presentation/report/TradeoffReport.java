@@ -24,13 +24,15 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
-/** The page of a study of CamSim's network, made from its folder alone. */
+/** Makes the page of a study of CamSim's network from its folder. */
 public final class TradeoffReport {
   private static final Table<?> NETWORKS = Table.of("networks.csv");
   private static final List<String> KINDS = List.of("heterogeneous", "bandit", "homogeneous");
   private static final List<Color> COLORS = List.of(Palette.SKY, Palette.VERMILION, Palette.BLUE);
-  private static final String REPLAY = "replay-";
-  private static final double WITH_ROOM = 0.94; // of a panel, so that no dot is cut
+  private static final String REPLAY_PREFIX = "replay-";
+
+  /** The share of a panel that dots are in, so that none is cut off. */
+  private static final double CONTENT_SHARE = 0.94;
 
   /** Settings that are options of {@code run}. */
   private static final List<String> OPTIONS =
@@ -38,7 +40,7 @@ public final class TradeoffReport {
 
   private TradeoffReport() {}
 
-  /** Whether a folder is that of a study. */
+  /** Whether a folder has a study. */
   public static boolean suits(Path folder) {
     return NETWORKS.isIn(folder);
   }
@@ -58,7 +60,7 @@ public final class TradeoffReport {
       String scenario = plan.path("scenario").asText();
       Path copy = folder.resolve("scenario-" + scenario + ".xml");
       ArrayNode names = cameras.putArray(scenario);
-      ScenarioReader.read(copy, any -> true, warning -> {})
+      ScenarioReader.read(copy, movement -> true, warning -> {})
           .cameras()
           .forEach(camera -> names.add(camera.name()));
       runs.put(
@@ -67,7 +69,7 @@ public final class TradeoffReport {
     ObjectNode replays = data.putObject("replays");
     for (CsvRow row : networks.rows()) {
       String network = row.text("scenario") + "-" + row.text("network");
-      String page = REPLAY + network + "/report.html";
+      String page = REPLAY_PREFIX + network + "/report.html";
       if (Files.isRegularFile(folder.resolve(page))) {
         replays.put(network, page);
       }
@@ -78,23 +80,24 @@ public final class TradeoffReport {
     return new Page(name, "tradeoff-page.js", "tradeoffPage", data.toString());
   }
 
-  /** Utility against cost of every network, a panel per scenario. */
+  /** Draws utility against cost of all networks, with a panel for each scenario. */
   public static Figure figure(Path folder) {
     List<CsvRow> rows = NETWORKS.read(folder).rows();
     List<XyPanel> panels = new ArrayList<>();
     for (String scenario : rows.stream().map(row -> row.text("scenario")).distinct().toList()) {
       XyPanel panel = new XyPanel(scenario, "messages", "utility");
-      List<CsvRow> all =
+      List<CsvRow> networks =
           rows.stream().filter(row -> row.text("scenario").equals(scenario)).toList();
       for (int i = 0; i < KINDS.size(); i++) {
         String kind = KINDS.get(i);
-        List<CsvRow> own = all.stream().filter(row -> row.text("kind").equals(kind)).toList();
-        if (!own.isEmpty()) {
-          panel.dots(new Curve(values(own, "cost"), values(own, "utility")), COLORS.get(i));
+        List<CsvRow> ofKind =
+            networks.stream().filter(row -> row.text("kind").equals(kind)).toList();
+        if (!ofKind.isEmpty()) {
+          panel.dots(new Curve(values(ofKind, "cost"), values(ofKind, "utility")), COLORS.get(i));
         }
       }
-      panel.straight(steps(front(folder, scenario, all)), Palette.BLACK);
-      panel.getStyler().setPlotContentSize(WITH_ROOM);
+      panel.straight(steps(front(folder, scenario, networks)), Palette.BLACK);
+      panel.getStyler().setPlotContentSize(CONTENT_SHARE);
       panels.add(panel);
     }
     List<LegendEntry> legend =
@@ -116,7 +119,7 @@ public final class TradeoffReport {
         .toList();
   }
 
-  /** What a front beats has corners. */
+  /** The border of what a front beats, as steps. */
   private static Curve steps(List<CsvRow> front) {
     double[] cost = values(front, "cost");
     double[] utility = values(front, "utility");
@@ -131,7 +134,8 @@ public final class TradeoffReport {
   }
 
   /**
-   * The commands that record the first seed of each network of the fronts, next to the study.
+   * Returns the commands that record the first seed of each network of the fronts, in the study's
+   * folder.
    *
    * @param notation of the commands' settings
    */
@@ -144,7 +148,7 @@ public final class TradeoffReport {
       for (CsvRow row : networks.rows()) {
         if (row.text("scenario").equals(scenario) && row.numberOrNaN("below_front") <= 0) {
           List<String> words = new ArrayList<>(run(plan, folder, row.text("option"), notation));
-          String replay = REPLAY + scenario + "-" + row.text("network");
+          String replay = REPLAY_PREFIX + scenario + "-" + row.text("network");
           words.addAll(
               List.of(
                   notation.name("quiet"), notation.name("out"), folder.resolve(replay).toString()));
@@ -155,7 +159,7 @@ public final class TradeoffReport {
     return commands;
   }
 
-  /** The command that records the first seed of a network, as a plan's settings have it. */
+  /** Returns the command that records the first seed of a network, by the settings of a plan. */
   private static List<String> run(
       JsonNode plan, Path folder, String network, NamedSetting.Notation notation) {
     String copy = "scenario-" + plan.path("scenario").asText() + ".xml";

@@ -1,2 +1,2 @@
-/** Pages: one self-contained HTML file that shows a run or a comparison. */
+/** Pages: self-contained HTML files that show a run or a comparison. */
 package org.hificamsim.presentation.report;

@@ -14,7 +14,7 @@ import org.knowm.xchart.XYSeries;
 
 class KMinPanelTest {
   @Test
-  void theAxisHoldsEveryPointThatIsDrawn() {
+  void axisContainsAllDrawnPoints() {
     double[] peak = new double[1000];
     Arrays.fill(peak, 0.5);
     Arrays.fill(peak, 400, 405, 2.9);
@@ -27,14 +27,14 @@ class KMinPanelTest {
   }
 
   @Test
-  void whatIsThinnedOrSmoothedIsSaid() {
+  void noteTellsSmoothingAndThinning() {
     assertEquals("Mean over the runs", KMinPanel.note(19));
     assertEquals("Thick: LOWESS; pale: mean over the runs", KMinPanel.note(250));
     assertTrue(KMinPanel.note(251).contains("in 250 groups of steps"));
   }
 
   @Test
-  void nothingButWhatIsSmoothIsBent() {
+  void curvesOnlySmoothLines() {
     for (int steps : new int[] {5, 1000}) {
       double[] means = new double[steps];
       Arrays.setAll(means, i -> i % 2);
@@ -45,8 +45,8 @@ class KMinPanelTest {
   }
 
   private static KMinPanel panel(double[] means) {
-    double most = KMinPanel.ceiling(List.of(means));
-    KMinPanel panel = new KMinPanel("", Objective.kMin(), means.length, most);
+    double ceiling = KMinPanel.ceiling(List.of(means));
+    KMinPanel panel = new KMinPanel("", Objective.kMin(), means.length, ceiling);
     panel.raw(means, Color.BLUE);
     panel.smooth("sarsa", means, Color.BLUE);
     return panel;

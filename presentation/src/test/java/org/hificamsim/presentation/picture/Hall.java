@@ -7,16 +7,16 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Setup;
 
-/** A hall of 30 by 20 metres, in which pictures are tested. */
+/** A hall of 30 by 20 metres for tests of pictures. */
 final class Hall {
   static final Field FIELD = new Field(0, 30, 0, 20);
 
   private Hall() {}
 
   /**
-   * Cameras and targets in it.
+   * The setup of cameras and targets in the hall.
    *
-   * @param slow the numbers of cameras that need time for a move
+   * @param slow the numbers of cameras that need time to turn
    */
   static Setup setup(
       List<Setup.Camera> cameras,
@@ -45,9 +45,9 @@ final class Hall {
   }
 
   /**
-   * A step of it.
+   * A frame of the hall.
    *
-   * @param seeing by camera, the view through which it sees, -1 while it moves blindly
+   * @param seeing by camera, the view that it has, -1 while it turns
    * @param present whether the targets are there
    */
   static Frame frame(int step, int[] seeing, boolean present, double[] x, double[] y) {

@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Pictures of a field of 30 x 20 m in six cells of ten metres. */
 class HeatPictureTest {
-  private static final int WIDTH = 800; // one pixel a point
+  private static final int WIDTH = 800; // one pixel per point
   private static final Field FIELD = Hall.FIELD;
   private static final double NONE = Double.NaN;
   private static final Color NEVER = new Color(0xD55E00);
@@ -50,7 +50,7 @@ class HeatPictureTest {
               new Place(1.7, 0, 0.3, 0.7, 30, 1, 0)));
 
   @Test
-  void aCellHasTheColourOfItsFigure() {
+  void paintsCellsInColoursOfScale() {
     BufferedImage image = image(HeatFigure.MEAN_K, frames(false, STAYS));
     assertHatched(image, 5.3, 5.2);
     assertSeen(0.25, at(image, 15.3, 5.2));
@@ -60,7 +60,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void visitsGoByTheirLogarithmAndOtherSharesByTheirWhole() {
+  void scalesVisitsByLogarithm() {
     BufferedImage visits = image(HeatFigure.VISITS, frames(false, STAYS));
     assertEquals(Color.WHITE, at(visits, 5.3, 5.2), "nobody was there");
     assertSeen(1 / 3.0, at(visits, 15.3, 15.2));
@@ -70,7 +70,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void theGroundIsWhiteToTheLastRowAtAnyWidth() {
+  void paintsWhiteGroundToLastRow() {
     for (int width = 400; width < 500; width += 7) {
       BufferedImage image =
           FigureFile.image(new HeatPicture(frames(false, STAYS), MAP, HeatFigure.MEAN_K, 1), width);
@@ -79,7 +79,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void ticksAreRoundAndFew() {
+  void labelsScaleWithFewRoundNumbers() {
     assertEquals(List.of(0.0, 0.25, 0.5, 0.75, 1.0), HeatFigure.MEAN_K.ticks(1));
     assertEquals("0.25 1", HeatFigure.MEAN_K.tick(0.25) + " " + HeatFigure.MEAN_K.tick(1));
     assertEquals(List.of(0.0, 3.0, 6.0, 9.0, 12.0), HeatFigure.MEAN_K.ticks(14));
@@ -90,7 +90,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void theLegendAndTheSummaryAreInThePicture() throws IOException {
+  void writesLegendAndSummary() throws IOException {
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
     FigureFile.write(
         svg, "svg", new HeatPicture(frames(false, STAYS), MAP, HeatFigure.COVERED_K, 1));
@@ -111,10 +111,10 @@ class HeatPictureTest {
         "0.367322 0.860646 -0.227968 0.280085 0.672501 0.047413 -0.011820 0.042940 0.968881",
         "1.255528 -0.076749 -0.178779 -0.078411 0.930809 0.147602 0.004733 0.691367 0.303900"
       })
-  void everyEyeTellsTheColoursApart(String eye) {
+  void coloursDifferForAllEyes(String eye) {
     double[] matrix = Arrays.stream(eye.split(" ")).mapToDouble(Double::parseDouble).toArray();
     List<double[]> colors =
-        frames(false, STAYS).script().scale(101).stream().map(one -> lab(one, matrix)).toList();
+        frames(false, STAYS).script().scale(101).stream().map(color -> lab(color, matrix)).toList();
     for (int i = 0; i <= 100; i++) {
       double[] here = colors.get(i);
       assertTrue(apart(here, lab(NEVER, matrix)) > 20, "never from " + i);
@@ -124,7 +124,7 @@ class HeatPictureTest {
   }
 
   @Test
-  void aTrackIsBrokenWhereItsTargetIsAway() {
+  void breaksTrackWhileTargetIsAbsent() {
     boolean[] away = {true, false, false, true};
     BufferedImage image = image(HeatFigure.VISITS, frames(true, away));
     BufferedImage bare = image(HeatFigure.VISITS, frames(false, away));
@@ -135,7 +135,7 @@ class HeatPictureTest {
     assertNotEquals(at(bare, 8, 17), at(image, 8, 17), "and where it comes again");
   }
 
-  /** Within a few metres there is the ground of the hatch, and there are its lines. */
+  /** Asserts that there are both the ground and the lines of the hatching within a few metres. */
   private static void assertHatched(BufferedImage image, double x, double y) {
     int palest = 0;
     int darkest = 255;
@@ -148,7 +148,7 @@ class HeatPictureTest {
     assertTrue(darkest < 130, "a line, whose blue is " + darkest);
   }
 
-  /** A colour of the scale as it is seen on white. */
+  /** A colour of the scale as it looks on white. */
   private static Color seen(double share) {
     return frames(false, STAYS).script().scale(1000).get(Math.min(999, (int) (1000 * share)));
   }

@@ -28,11 +28,11 @@ import org.junit.jupiter.api.Test;
 
 /** Pictures of a camera at (5, 10) that looks east, with a wall at x = 10 in its way. */
 class SitePictureTest {
-  private static final int WIDTH = 800; // one pixel a point
+  private static final int WIDTH = 800; // one pixel per point
   private static final Field FIELD = Hall.FIELD;
   private static final Obstacle WALL = new Obstacle.Wall(10, 8, 10, 12, 0);
 
-  /** Sees to both sides of the wall, but not behind it. */
+  /** The area on both sides of the wall, but not behind it. */
   private static final List<Double> VISIBLE =
       List.of(5.0, 10.0, 30.0, -10.0, 30.0, 0.0, 10.0, 8.0, 10.0, 12.0, 30.0, 20.0, 30.0, 30.0);
 
@@ -41,15 +41,15 @@ class SitePictureTest {
   private static final Color WALL_COLOR = new Color(0x1D2733);
 
   @Test
-  void whatAWallHidesIsInShadowAndWhatIsBeforeItIsLit() {
-    BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), 1, Look.USUAL);
+  void hatchesWhatWallHides() {
+    BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), 1, Look.DEFAULT);
     assertEquals(LIT, at(image, 8.3, 10.2));
     assertShadow(image, 12.3, 10.2);
     assertEquals(Color.WHITE, at(image, 2.3, 10.2), "behind the camera");
     assertEquals(WALL_COLOR, at(image, 10, 9.2));
   }
 
-  /** Within a metre there is the pale ground of the hatch, and there are its lines. */
+  /** Asserts that there are both the ground and the lines of the hatching within a metre. */
   private static void assertShadow(BufferedImage image, double x, double y) {
     int palest = 0;
     int darkest = 255;
@@ -62,31 +62,31 @@ class SitePictureTest {
   }
 
   @Test
-  void aCameraThatMovesBlindlyLightsNothing() {
-    BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), -1, Look.USUAL);
+  void paintsNoDetectionRangeOfTurningCamera() {
+    BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), -1, Look.DEFAULT);
     assertEquals(Color.WHITE, at(image, 8.3, 10.2));
     assertEquals(Color.WHITE, at(image, 12.3, 10.2));
   }
 
   @Test
-  void itsPanTurnsItsView() {
-    BufferedImage image = image(setup(List.of(), List.of(), List.of()), 0, Look.USUAL);
+  void turnsViewByPan() {
+    BufferedImage image = image(setup(List.of(), List.of(), List.of()), 0, Look.DEFAULT);
     assertEquals(Color.WHITE, at(image, 8.3, 10.2));
     assertEquals(LIT, at(image, 5.3, 14.2), "a quarter to the left");
   }
 
   @Test
-  void whatLetsLightThroughIsPaler() {
+  void paintsTransparentObstaclesPaler() {
     Obstacle solid = new Obstacle.Pillar(20, 16, 1.5, 0);
     Obstacle pale = new Obstacle.Pillar(25, 16, 1.5, 0.3);
-    BufferedImage image = image(setup(List.of(solid, pale), List.of(), List.of()), 0, Look.USUAL);
+    BufferedImage image = image(setup(List.of(solid, pale), List.of(), List.of()), 0, Look.DEFAULT);
     int dark = at(image, 20.3, 16.3).getGreen();
     int light = at(image, 25.3, 16.3).getGreen();
     assertTrue(dark < light - 60 && light < 250, dark + " and " + light);
   }
 
   @Test
-  void pixelDensitiesAreShownOfTheCameraThatIsAskedFor() {
+  void paintsDensityZonesOfChosenCamera() {
     Setup setup = setup(List.of(), List.of(), List.of());
     BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0), false));
     Color characterise = at(image, 6.3, 10.4); // 500 px/m at a metre: characterise to 2 m
@@ -102,23 +102,23 @@ class SitePictureTest {
   }
 
   @Test
-  void theFloorplanIsUnderItAllAsOpaqueAsIsAskedFor() throws IOException {
+  void paintsFloorPlanWithOpacity() throws IOException {
     Setup setup = setup(List.of(), List.of(), List.of(floor()));
-    Color half = at(image(setup, 1, Look.USUAL), 20.3, 17.3);
+    Color half = at(image(setup, 1, Look.DEFAULT), 20.3, 17.3);
     assertEquals(255, half.getRed());
     assertEquals(127.5, half.getGreen(), 1);
-    Look whole = new Look(1, OptionalInt.empty(), false);
-    assertEquals(Color.RED, at(image(setup, 1, whole), 20.3, 17.3));
-    assertEquals(Color.WHITE, at(image(setup, 1, whole), 20.3, 3.3), "beside the plan");
+    Look opaqueFloor = new Look(1, OptionalInt.empty(), false);
+    assertEquals(Color.RED, at(image(setup, 1, opaqueFloor), 20.3, 17.3));
+    assertEquals(Color.WHITE, at(image(setup, 1, opaqueFloor), 20.3, 3.3), "outside the plan");
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
-    FigureFile.write(svg, "svg", new StepPicture(frames(setup, 1, whole), 0));
+    FigureFile.write(svg, "svg", new StepPicture(frames(setup, 1, opaqueFloor), 0));
     assertTrue(svg.toString(StandardCharsets.UTF_8).contains("xlink:href=\"data:image/png;base64"));
   }
 
   @Test
-  void widerTargetsAreDrawnLarger() {
+  void paintsWiderTargetsLarger() {
     Setup setup = setup(List.of(), List.of(), List.of());
-    RunFrames frames = frames(setup, 1, Look.USUAL, true);
+    RunFrames frames = frames(setup, 1, Look.DEFAULT, true);
     BufferedImage image = FigureFile.image(new StepPicture(frames, 0), WIDTH);
     double off = 12 / new Places(FIELD).scale(); // 12 points aside and up
     assertNotEquals(NO_CAMERA, at(image, 13 + off, 2 + off));

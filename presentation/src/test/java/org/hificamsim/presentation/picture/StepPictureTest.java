@@ -42,7 +42,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Pictures of recorded steps: to scale, in the colours of coverage. */
 class StepPictureTest {
-  private static final int WIDTH = 800; // one pixel a point
+  private static final int WIDTH = 800; // one pixel per point
   private static final Color[] COVER = {
     new Color(0xD55E00), new Color(0xE69F00), new Color(0x56B4E9), new Color(0x009E73)
   };
@@ -52,7 +52,7 @@ class StepPictureTest {
   static void record(@TempDir Path folder) throws IOException {
     Path file =
         Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-random.xml");
-    run = recorded(ScenarioReader.read(file, any -> true, warning -> {}), 300, folder);
+    run = recorded(ScenarioReader.read(file, movement -> true, warning -> {}), 300, folder);
   }
 
   private static RunFrames recorded(Scenario scenario, int steps, Path folder) throws IOException {
@@ -77,11 +77,11 @@ class StepPictureTest {
   }
 
   @Test
-  void whatIsFarBeyondThePictureIsNotPainted(@TempDir Path folder) throws IOException {
+  void omitsTrailsFarOutside(@TempDir Path folder) throws IOException {
     RunFrames far =
         recorded(
             ScenarioReader.read(
-                Files.writeString(folder.resolve("far.xml"), FAR), any -> true, warning -> {}),
+                Files.writeString(folder.resolve("far.xml"), FAR), movement -> true, warning -> {}),
             30,
             folder);
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
@@ -101,9 +101,7 @@ class StepPictureTest {
     assertTrue(lines > 10, lines + " lines");
   }
 
-  /**
-   * A target that is a hundred thousand kilometres further at each step, and one that passes by.
-   */
+  /** A target that moves a hundred thousand kilometres in each step, and one that passes by. */
   private static final String FAR =
       """
       <root><simulation min_x="-10" max_x="10" min_y="-10" max_y="10"><cameras><zoom>2 4</zoom>
@@ -113,7 +111,7 @@ class StepPictureTest {
       """;
 
   @Test
-  void everyTargetStandsWhereItIsInTheColourOfItsCoverage() {
+  void paintsTargetsInColourOfCoverage() {
     Set<Integer> seen = new HashSet<>();
     for (int step = 0; step < 300; step += 7) {
       BufferedImage image = FigureFile.image(new StepPicture(run, step), WIDTH);
@@ -148,7 +146,7 @@ class StepPictureTest {
   }
 
   @Test
-  void anAnimationShowsWhatThePicturesShowAndGoesOnForEver() throws IOException {
+  void animatesPicturesForEver() throws IOException {
     Animation animation = new Animation(run, 100, 130, 7);
     assertEquals(6, animation.pictures()); // 100, 107, ..., 128, 130
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -195,17 +193,18 @@ class StepPictureTest {
   }
 
   @Test
-  void longAnimationsAreThinned() {
+  void thinsLongAnimations() {
     Animation animation = Animation.of(run, 0, 299);
     assertEquals(2, animation.stepsApart());
     assertEquals(151, animation.pictures());
   }
 
   @Test
-  void stepsThatAreNotThereAreReportedWithThoseThatAre() {
-    assertEquals(299, run.at("--step", 299));
-    String told = assertThrows(InputException.class, () -> run.at("--step", 300)).getMessage();
-    assertEquals("--step is 300, expected a step from 0 to 299", told);
-    assertThrows(InputException.class, () -> run.at("--step", -1));
+  void reportsStepsThatWereNotRecorded() {
+    assertEquals(299, run.indexOf("--step", 299));
+    String message =
+        assertThrows(InputException.class, () -> run.indexOf("--step", 300)).getMessage();
+    assertEquals("--step is 300, expected a step from 0 to 299", message);
+    assertThrows(InputException.class, () -> run.indexOf("--step", -1));
   }
 }

@@ -56,7 +56,7 @@ class FigureFileTest {
   }
 
   @Test
-  void aPngHasTwoPixelsPerPointAndIsNotBlank() throws IOException {
+  void writesPngWithTwoPixelsPerPoint() throws IOException {
     BufferedImage image = ImageIO.read(new ByteArrayInputStream(png()));
     assertEquals(FigureFile.SCALE * figure().width(), image.getWidth());
     assertEquals(FigureFile.SCALE * figure().height(), image.getHeight());
@@ -68,7 +68,7 @@ class FigureFileTest {
   }
 
   @Test
-  void anSvgIsWellFormedAndAsksForNoDtd() throws Exception {
+  void writesWellFormedSvgWithoutDtd() throws Exception {
     DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
     factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
     Document document = factory.newDocumentBuilder().parse(new ByteArrayInputStream(svg()));
@@ -80,18 +80,20 @@ class FigureFileTest {
   }
 
   @Test
-  void aPdfShowsWhatThePngShows() throws IOException {
+  void pdfEqualsPng() throws IOException {
     BufferedImage png = ImageIO.read(new ByteArrayInputStream(png()));
     BufferedImage pdf = page(written("pdf"), 72 * FigureFile.SCALE);
     assertEquals(png.getWidth(), pdf.getWidth());
     assertEquals(png.getHeight(), pdf.getHeight());
-    long apart = 0;
+    long difference = 0;
     for (int i = 0; i < png.getWidth() * png.getHeight(); i++) {
       int x = i % png.getWidth();
       int y = i / png.getWidth();
-      apart += Math.abs((png.getRGB(x, y) >> 8 & 255) - (pdf.getRGB(x, y) >> 8 & 255)); // greens
+      difference +=
+          Math.abs((png.getRGB(x, y) >> 8 & 255) - (pdf.getRGB(x, y) >> 8 & 255)); // greens
     }
-    assertTrue(apart < 2L * png.getWidth() * png.getHeight(), "greens " + apart + " apart");
+    assertTrue(
+        difference < 2L * png.getWidth() * png.getHeight(), "greens differ by " + difference);
   }
 
   private static BufferedImage page(byte[] pdf, int dotsPerInch) throws IOException {
@@ -102,14 +104,14 @@ class FigureFileTest {
   }
 
   @Test
-  void theSameFigureGivesTheSameBytes() throws IOException {
+  void writesSameBytesForSameFigure() throws IOException {
     for (String format : FigureFile.FORMATS) {
       assertArrayEquals(written(format), written(format), format);
     }
   }
 
   @Test
-  void figuresThatAreDrawnSideBySideAreTheSameBytesAsAlone() throws IOException {
+  void writesSameBytesOnSeveralThreads() throws IOException {
     List<Integer> seeds = IntStream.range(0, 12).boxed().toList();
     List<FigureFile.Drawn> drawn = Parallel.map(seeds, 4, FigureFileTest::drawn);
     for (int seed : seeds) {
@@ -129,7 +131,7 @@ class FigureFileTest {
   }
 
   @Test
-  void panelsThatDoNotFitInARowStartAnother() {
+  void startsNewRowOfPanels() {
     Figure wide = figure();
     Figure tall = new Figure(wide.title(), wide.note(), wide.legend(), wide.panels(), 1, 300, 200);
     assertEquals(wide.height() + 200, tall.height());
@@ -137,27 +139,28 @@ class FigureFileTest {
   }
 
   @Test
-  void aNoteThatIsTooLongGoesOnInAnotherLine() throws IOException {
-    Figure one = figure();
+  void breaksLongNote() throws IOException {
+    Figure figure = figure();
     String note = "Means over seeds with 95% bootstrap intervals; ".repeat(4).strip();
-    Figure two =
-        new Figure(one.title(), note, one.legend(), one.panels().subList(0, 1), 1, 300, 200);
-    assertTrue(two.noteLines().size() > 2, two.noteLines().toString());
-    assertEquals(note, String.join(" ", two.noteLines()));
-    for (String line : two.noteLines()) {
-      assertTrue(Fonts.width(line, Fonts.TEXT) <= two.width() - 2 * Figure.MARGIN, line);
+    Figure withNote =
+        new Figure(
+            figure.title(), note, figure.legend(), figure.panels().subList(0, 1), 1, 300, 200);
+    assertTrue(withNote.noteLines().size() > 2, withNote.noteLines().toString());
+    assertEquals(note, String.join(" ", withNote.noteLines()));
+    for (String line : withNote.noteLines()) {
+      assertTrue(Fonts.width(line, Fonts.TEXT) <= withNote.width() - 2 * Figure.MARGIN, line);
     }
-    Figure noNote = new Figure(one.title(), "", one.legend(), two.panels(), 1, 300, 200);
-    assertEquals(noNote.height() + two.noteLines().size() * Figure.NOTE, two.height());
+    Figure noNote = new Figure(figure.title(), "", figure.legend(), withNote.panels(), 1, 300, 200);
+    assertEquals(
+        noNote.height() + withNote.noteLines().size() * Figure.NOTE_LINE, withNote.height());
     ByteArrayOutputStream out = new ByteArrayOutputStream();
-    FigureFile.write(out, "svg", two);
+    FigureFile.write(out, "svg", withNote);
     String svg = out.toString(StandardCharsets.UTF_8);
-    two.noteLines().forEach(line -> assertTrue(svg.contains(line), line));
+    withNote.noteLines().forEach(line -> assertTrue(svg.contains(line), line));
   }
 
   @Test
-  void inPrintTextIsReadableAtAnyWidthAndPanelsGoBelowEachOther(@TempDir Path folder)
-      throws Exception {
+  void keepsTextReadableInPrintAtAnyWidth(@TempDir Path folder) throws Exception {
     for (int millimetres : new int[] {88, 180}) {
       try (OutputFolder out = new OutputFolder(folder)) {
         FigureFile.draw(figure(), Optional.of(new PrintWidth(millimetres))).write(out, "a");
@@ -186,10 +189,10 @@ class FigureFileTest {
   }
 
   @Test
-  void aWidthThatIsNoneIsReported() {
+  void rejectsInvalidWidths() {
     for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
-      InputException wrong = assertThrows(InputException.class, () -> PrintWidth.parse(width));
-      assertTrue(wrong.getMessage().startsWith("figure_width is '" + width + "', expected "));
+      InputException error = assertThrows(InputException.class, () -> PrintWidth.parse(width));
+      assertTrue(error.getMessage().startsWith("figure_width is '" + width + "', expected "));
     }
     assertEquals(88, PrintWidth.parse("88mm").millimetres());
   }

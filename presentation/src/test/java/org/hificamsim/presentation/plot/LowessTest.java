@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class LowessTest {
   @Test
-  void leavesAStraightLineStraight() {
+  void keepsStraightLines() {
     Curve smooth = Lowess.smooth(Curve.of(line(10_000)));
     assertEquals(500, smooth.size());
     for (int i = 0; i < smooth.size(); i++) {
@@ -19,7 +19,7 @@ class LowessTest {
   }
 
   @Test
-  void takesAwayMostOfTheNoise() {
+  void removesMostNoise() {
     double[] noisy = line(2000);
     SplittableRandom random = new SplittableRandom(5);
     Arrays.setAll(noisy, i -> noisy[i] + random.nextDouble() - 0.5);
@@ -30,7 +30,7 @@ class LowessTest {
   }
 
   @Test
-  void leavesAShortCurveAsItIs() {
+  void keepsShortCurves() {
     Curve curve = Curve.of(new double[] {0, 1, 0, 1});
     assertArrayEquals(curve.y(), Lowess.smooth(curve).y());
   }
@@ -43,7 +43,7 @@ class LowessTest {
   }
 
   @Test
-  void thinningLosesNoPoint() {
+  void thinningUsesAllPoints() {
     double[] ones = new double[1003];
     Arrays.fill(ones, 1);
     Curve thin = Curve.of(ones).thinned(7);

@@ -25,7 +25,7 @@ class FloorPicturesTest {
   @TempDir Path folder;
 
   @Test
-  void aSmallPictureIsTakenAsItIs() throws IOException {
+  void keepsSmallPictures() throws IOException {
     draw(60, 40, "png", "plan.png");
     Setup.Floor picture = read("plan.png").get(0);
     assertTrue(picture.data().startsWith("data:image/png;base64,"));
@@ -36,7 +36,7 @@ class FloorPicturesTest {
   }
 
   @Test
-  void aLargePictureIsScaledDown() throws IOException {
+  void scalesLargePicturesDown() throws IOException {
     draw(9000, 300, "png", "plan.png");
     Setup.Floor picture = read("plan.png").get(0);
     assertEquals(2000, FloorPictures.image(picture).getWidth());
@@ -46,7 +46,7 @@ class FloorPicturesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"none.png", "hall.xml", ".", "cut.png", "\u0000"})
-  void whatIsNoPictureIsReportedInOneLine(String name) throws IOException {
+  void reportsInvalidPicturesInOneLine(String name) throws IOException {
     draw(60, 40, "png", "plan.png");
     byte[] whole = Files.readAllBytes(folder.resolve("plan.png"));
     Files.write(folder.resolve("cut.png"), java.util.Arrays.copyOf(whole, 60));
@@ -62,7 +62,7 @@ class FloorPicturesTest {
   }
 
   @Test
-  void anotherPictureInARecordingIsRefused() {
+  void rejectsInvalidPicturesInRecordings() {
     Field field = new Field(0, 1, 0, 1);
     for (String data : List.of("", "data:image/png;base64,AAAA", "data:image/png;base64,?")) {
       assertThrows(
@@ -79,10 +79,10 @@ class FloorPicturesTest {
         Path.of(System.getProperty("hificamsim.root", "."), "src/test/resources/seen/hall.xml");
     Path copy = folder.resolve("hall.xml");
     Files.writeString(copy, Files.readString(hall).replace("floor.png", floor));
-    return ScenarioReader.read(copy, any -> true, warning -> {});
+    return ScenarioReader.read(copy, movement -> true, warning -> {});
   }
 
-  /** Noise, which no format makes small. */
+  /** Draws noise, which no format can compress. */
   private void draw(int width, int height, String type, String name) throws IOException {
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
     Random random = new Random(1);

@@ -47,9 +47,9 @@ class ReplayRecorderTest {
         "cooperative",
         "zoom-out"
       })
-  void givesBackEveryStepToTheMillimetre(String policy) throws IOException {
+  void keepsStepsToTheMillimetre(String policy) throws IOException {
     RunPlan plan = plan("cluster-random", policy, 300, 1);
-    List<Frame> seen = record(plan, ReplayRecorder.Limits.USUAL);
+    List<Frame> seen = record(plan, ReplayRecorder.Limits.DEFAULT);
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(300, recording.frames().size());
     assertEquals(policy.equals("zoom-out"), recording.estimated().isEmpty());
@@ -60,7 +60,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void thinsALongRunAndKeepsItsLastStep() throws IOException {
+  void thinsLongRunsButKeepsLastStep() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 1000, 1);
     List<Frame> seen = record(plan, new ReplayRecorder.Limits(100, 1 << 20, 1 << 20));
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
@@ -86,7 +86,7 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void keepsTheFirstAndTheLastStepsOfOneRunWhereTheSetupAloneIsTooLarge() throws IOException {
+  void keepsTwoFramesIfSetupIsTooLarge() throws IOException {
     record(plan("lattice-random", "sarsa", 100, 2), new ReplayRecorder.Limits(10_000, 1 << 20, 10));
     Replay replay = Replay.read(folder);
     assertEquals(1, replay.runs().size());
@@ -99,21 +99,21 @@ class ReplayRecorderTest {
   @Test
   void keepsAsManyRepeatsAsFit() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 200, 5);
-    record(plan, ReplayRecorder.Limits.USUAL);
-    Replay all = Replay.read(folder);
-    assertEquals(5, all.runs().size());
-    assertEquals(4, all.runs().get(4).seed());
-    int setup = ReplayJson.of(all.setup()).length();
+    record(plan, ReplayRecorder.Limits.DEFAULT);
+    Replay unlimited = Replay.read(folder);
+    assertEquals(5, unlimited.runs().size());
+    assertEquals(4, unlimited.runs().get(4).seed());
+    int setup = ReplayJson.of(unlimited.setup()).length();
     record(
         plan,
         new ReplayRecorder.Limits(
-            1000, 1 << 20, setup + 2 * all.runs().get(0).data().length() + 2000));
+            1000, 1 << 20, setup + 2 * unlimited.runs().get(0).data().length() + 2000));
     assertEquals(2, Replay.read(folder).runs().size());
     assertEquals(5, Replay.read(folder).repeat());
   }
 
   @Test
-  void notesCamerasThatAnEventMovesAddsOrSwitchesOff() throws IOException {
+  void recordsCamerasChangedByEvents() throws IOException {
     Path scenario = folder.resolve("moving.xml");
     Files.writeString(
         scenario,
@@ -125,7 +125,7 @@ class ReplayRecorderTest {
 <event timestep="3" participant="camera" event="change" name="Cam_01" x="1.5" y="-1" heading="90" viewing_angle="-1" range="-1"/>
 <event timestep="5" participant="camera" event="error" name="Cam_02" duration="-1"/>
 </events></simulation>"""));
-    record(plan(scenario, "epsilon-greedy", 10, 1), ReplayRecorder.Limits.USUAL);
+    record(plan(scenario, "epsilon-greedy", 10, 1), ReplayRecorder.Limits.DEFAULT);
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(1, recording.moves().size(), recording.moves().toString());
     Move move = recording.moves().get(0);
@@ -137,10 +137,10 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void givesBackWhatMovingCamerasSeeAndWhatStandsInTheirWay() throws IOException {
+  void recordsTurningCamerasAndObstacles() throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
     RunPlan plan = plan(hall, "epsilon-greedy:epsilon=0.5", 100, 1);
-    List<Frame> seen = record(plan, ReplayRecorder.Limits.USUAL);
+    List<Frame> seen = record(plan, ReplayRecorder.Limits.DEFAULT);
     Replay replay = Replay.read(folder);
     List<Frame> frames = replay.recording(folder, 0).frames();
     int blind = 0;
@@ -163,8 +163,8 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void saysNothingOfWhatAScenarioDoesNotHave() throws IOException {
-    record(plan("lattice-random", "zoom-out", 3, 1), ReplayRecorder.Limits.USUAL);
+  void omitsWhatScenarioDoesNotHave() throws IOException {
+    record(plan("lattice-random", "zoom-out", 3, 1), ReplayRecorder.Limits.DEFAULT);
     String json = Files.readString(folder.resolve(ResultFolder.REPLAY));
     for (String name :
         List.of("pans", "lenses", "visible", "widths", "slow", "obstacles", "floor", "seeing")) {
@@ -173,8 +173,8 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void tellsTheRangesInWhichTargetsAreDetected() throws IOException {
-    record(plan("lattice-random", "zoom-out", 1, 1), ReplayRecorder.Limits.USUAL);
+  void recordsDetectionRanges() throws IOException {
+    record(plan("lattice-random", "zoom-out", 1, 1), ReplayRecorder.Limits.DEFAULT);
     Setup setup = Replay.read(folder).setup();
     assertEquals("lattice-random", setup.scenario());
     assertEquals(0.66, setup.targetSize());
@@ -195,7 +195,7 @@ class ReplayRecorderTest {
         "{\"format\":\"hificamsim-replay-0\",\"repeat\":1,\"setup\":null,\"runs\":[]}",
         ""
       })
-  void refusesAnotherFileInOneLine(String text) throws IOException {
+  void rejectsOtherFilesInOneLine(String text) throws IOException {
     Files.writeString(folder.resolve(ResultFolder.REPLAY), text);
     InputException refused = assertThrows(InputException.class, () -> Replay.read(folder));
     assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
@@ -210,9 +210,9 @@ class ReplayRecorderTest {
         "\"kind\":\"wall\"|\"kind\":\"door\"",
         "\"radius\":0.8|\"radius\":-1",
       })
-  void refusesAPlaceThatDoesNotFitInOneLine(String change) throws IOException {
+  void rejectsInconsistentPosesInOneLine(String change) throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
-    record(plan(hall, "zoom-out", 3, 1), ReplayRecorder.Limits.USUAL);
+    record(plan(hall, "zoom-out", 3, 1), ReplayRecorder.Limits.DEFAULT);
     Path file = folder.resolve(ResultFolder.REPLAY);
     String[] words = change.split("\\|");
     String json = Files.readString(file);
@@ -224,8 +224,8 @@ class ReplayRecorderTest {
   }
 
   @Test
-  void refusesDataThatEndEarly() throws IOException {
-    record(plan("lattice-random", "sarsa", 50, 1), ReplayRecorder.Limits.USUAL);
+  void rejectsDataThatEndEarly() throws IOException {
+    record(plan("lattice-random", "sarsa", 50, 1), ReplayRecorder.Limits.DEFAULT);
     Path file = folder.resolve(ResultFolder.REPLAY);
     Files.writeString(file, Files.readString(file).replaceFirst("\"frames\":50", "\"frames\":49"));
     Files.writeString(file, Files.readString(file).replaceFirst("(\"data\":\".{400})[^\"]*", "$1"));
@@ -248,7 +248,7 @@ class ReplayRecorderTest {
         repeats);
   }
 
-  /** Records a plan into the folder; returns the first run's frames as they were. */
+  /** Records a plan into the folder, and returns the first run's original frames. */
   private List<Frame> record(RunPlan plan, ReplayRecorder.Limits limits) throws IOException {
     World world = new World(plan.scenario(), catalogue.movements(), 0);
     Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0, List.of());
@@ -282,7 +282,7 @@ class ReplayRecorderTest {
     }
   }
 
-  /** Keeps all frames, and checks that each measures what the engine measured. */
+  /** Keeps all frames, and checks that each has the coverage that the engine measured. */
   private static final class Watch implements StepListener {
     private final Setup setup;
     private final Detection detection;

@@ -20,7 +20,7 @@ class PageTest {
       new Page(HOSTILE, "run-page.js", "runPage", "{\"name\":\"" + HOSTILE + "\"}").html();
 
   @Test
-  void noTextOfTheDataCanEndItsElement() {
+  void escapesTextsThatEndElements() {
     assertFalse(html.contains("<img"));
     assertTrue(html.contains("<title>&lt;/script&gt;"));
     assertTrue(html.contains("\\u003c/script>"));
@@ -28,7 +28,7 @@ class PageTest {
   }
 
   @Test
-  void thePolicyLetsTheseScriptsRunAndNothingBeLoaded() throws Exception {
+  void allowsOnlyOwnScripts() throws Exception {
     String policy =
         html.replaceFirst("(?s).*Content-Security-Policy\" content=\"([^\"]*)\".*", "$1");
     assertTrue(policy.startsWith("default-src 'none';"), policy);
@@ -47,13 +47,13 @@ class PageTest {
   }
 
   @Test
-  void keepsTheLicenceOfWhatItBringsAlong() {
+  void includesLicenceOfUplot() {
     assertTrue(html.contains("The MIT License (MIT)") && html.contains("Leon Sorokin"));
   }
 
   @ParameterizedTest
   @CsvSource({"run-page.js", "comparison-page.js"})
-  void bundlesEachModuleOnceAfterThoseThatItImports(String entry) {
+  void bundlesModulesOnceAfterTheirImports(String entry) {
     String bundle = Scripts.bundle(entry);
     assertFalse(Pattern.compile("(?m)^(import|export) ").matcher(bundle).find(), "left over");
     assertEquals(1, bundle.split("const module_dom = ", -1).length - 1);
