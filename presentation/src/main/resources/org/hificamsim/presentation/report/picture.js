@@ -28,10 +28,10 @@ export const never = host => hatch(host, NEVER_COVERED, 1);
 
 /**
  * Paints a frame of a run, or else a heat map or the cells of a plan.
- * @param picture `colours`, `width`, `height`; `columns` of the run: `frame`, the one that is shown,
- *   `mostTargets`, and the lists `step`, `online`, ...; `poses` of the cameras as JSON; `images` of
- *   the floor and their `opacity`; `densityCamera`, the camera whose density zones are shown, -1
- *   for none; `tracked`, whether tracks are shown
+ * @param picture `colours`, `width`, `height`; `columns` of the run: `frame`, the one that is
+ *   shown, `mostTargets`, and the lists `step`, `online`, ...; `poses` of the cameras as JSON;
+ *   `images` of the floor and their `opacity`; `densityCamera`, the camera whose density zones
+ *   are shown, -1 for none; `tracked`, whether tracks are shown
  * @param heat the figure that is shown as JSON, and the values of its cells; null for none
  */
 export function paint(host, setup, picture, heat, values) {
