@@ -8,9 +8,9 @@ import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OraclePolicy;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.ReferencePolicies;
@@ -81,7 +81,7 @@ public final class OptimumTime {
   }
 
   /** Cameras that never change, while every n-th step's optimum is searched and timed. */
-  private final class Trial implements ZoomPolicy {
+  private final class Trial implements OraclePolicy {
     private final ProvingZoomPolicy optimal =
         (ProvingZoomPolicy)
             catalogue.policies().create(Yardstick.OPTIMAL.policy() + ":nodes=" + NODES);
@@ -120,12 +120,12 @@ public final class OptimumTime {
     }
 
     @Override
-    public void begin(NetworkView network, SplittableRandom random) {
+    public void begin(OracleView network, SplittableRandom random) {
       optimal.begin(network, random);
     }
 
     @Override
-    public void decide(NetworkView network, int[] views) {
+    public void decide(OracleView network, int[] views) {
       if (network.step() % interval == 0) {
         long start = System.nanoTime();
         long unproven = optimal.unprovenSteps();
