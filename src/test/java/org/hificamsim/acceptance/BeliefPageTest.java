@@ -40,7 +40,7 @@ class BeliefPageTest {
   }
 
   @Test
-  void saysWhatTheBestViewsAddAndShowsWhoHeardTheChosenCamera() {
+  void showsGainsAndReceiversOfTheChosenCamera() {
     open();
     String note = browser.text(".agent .note");
     Matcher best =
@@ -61,7 +61,7 @@ class BeliefPageTest {
   }
 
   @Test
-  void nobodyHearsWhatIsLost() {
+  void showsNoReceiverOfLostMessages() {
     open("--channel", "loss=1");
     String note = browser.text(".agent .note");
     assertTrue(note.contains("sent what it saw in one message"), note);
@@ -69,7 +69,7 @@ class BeliefPageTest {
   }
 
   @Test
-  void theLiveViewSaysItToo() {
+  void liveViewShowsGainsAndReceivers() {
     try (ViewProcess view = new ViewProcess(Cli.scenario("corridor"), "--policy", "cooperative")) {
       browser.open(view.address());
       browser.until("return hificamsim.runs[0].count > 3");

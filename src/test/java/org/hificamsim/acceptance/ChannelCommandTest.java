@@ -45,7 +45,7 @@ class ChannelCommandTest {
   /** None of these loses or delays anything, but messages go the long way. */
   @ParameterizedTest
   @ValueSource(strings = {"range=1000", "bandwidth=1000000"})
-  void whatLosesAndDelaysNothingChangesNothing(String channel) throws IOException {
+  void losslessChannelChangesNothing(String channel) throws IOException {
     Path plain = run("plain", "--policy qb-sarsa");
     Path over = run("over", "--policy qb-sarsa --channel " + channel);
     assertEquals(steps(plain), steps(over));
@@ -57,14 +57,14 @@ class ChannelCommandTest {
   }
 
   @Test
-  void whereNothingArrivesVotersLearnAlone() throws IOException {
+  void votersLearnAloneIfNothingArrives() throws IOException {
     assertEquals(
         steps(run("alone", "--policy sarsa")),
         steps(run("deaf", "--policy qb-sarsa --channel loss=1")));
   }
 
   @Test
-  void losesAndDelaysAlikeOnAnyNumberOfThreads() throws IOException {
+  void channelIsTheSameOnAnyNumberOfThreads() throws IOException {
     String options = "--policy qb-sarsa --channel loss=0.3,burst=4,delay=0..3,range=8 --threads ";
     Path one = run("one", options + 1);
     assertEquals(steps(one), steps(run("three", options + 3)));
@@ -72,7 +72,7 @@ class ChannelCommandTest {
   }
 
   @Test
-  void camerasThatShareWhatTheySeeDoAlikeOnAnyNumberOfThreads() throws IOException {
+  void cooperativeRunsAreTheSameOnAnyNumberOfThreads() throws IOException {
     List<String> steps = new ArrayList<>();
     for (String options :
         List.of(
@@ -95,7 +95,7 @@ class ChannelCommandTest {
   }
 
   @Test
-  void aLateAnswerCountsUntilItsQueryIsTooOld() throws IOException {
+  void lateAnswerCountsUntilTheTimeOut() throws IOException {
     String late = "--policy qb-sarsa:state=none,timeout=%s --channel delay=3";
     Path alone = run("alone", "--policy sarsa:state=none");
     assertEquals(steps(alone), steps(run("short", late.formatted(5))));
@@ -103,7 +103,7 @@ class ChannelCommandTest {
   }
 
   @Test
-  void theOptionGoesBeforeTheScenario() throws IOException {
+  void optionOverridesScenario() throws IOException {
     Path scenario = folder.resolve("lossy.xml");
     String text = Files.readString(Cli.scenario("ring-random"));
     Files.writeString(scenario, text.replaceFirst("<simulation", "$0 channel=\"loss=1\""));
@@ -125,7 +125,7 @@ class ChannelCommandTest {
   }
 
   @Test
-  void aWrongChannelIsRefusedInOneLine() {
+  void rejectsWrongChannelsInOneLine() {
     Cli.assertRefuses(
         "--channel delay=soon",
         "channel: delay is 'soon', expected steps up to 10000, as 2, 1..5 or exponential:2",
@@ -153,12 +153,12 @@ class ChannelCommandTest {
   }
 
   @Test
-  void auctionsAreTheSameWhereNothingIsLostOrLate() throws IOException {
+  void losslessChannelDoesNotChangeAuctions() throws IOException {
     assertEquals(auctions("plain.csv", "perfect"), auctions("over.csv", "range=100000"));
   }
 
   @Test
-  void camerasThatHearNothingEachOwnWhatTheySee() throws IOException {
+  void camerasWithoutMessagesOwnWhatTheySee() throws IOException {
     String perfect = auctions("0.csv", "perfect");
     String deaf = auctions("1.csv", "loss=1");
     assertEquals(0, DoubleStream.of(column(deaf, COMMUNICATION)).sum());
@@ -167,7 +167,7 @@ class ChannelCommandTest {
   }
 
   @Test
-  void lateBidsAreTakenAsTheyArrive() throws IOException {
+  void acceptsLateBids() throws IOException {
     String late = auctions("late.csv", "delay=2");
     assertNotEquals(auctions("perfect.csv", "perfect"), late);
     assertTrue(DoubleStream.of(column(late, COMMUNICATION)).sum() > 0);

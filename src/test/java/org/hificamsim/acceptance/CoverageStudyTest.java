@@ -18,12 +18,12 @@ class CoverageStudyTest {
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4, 5})
-  void kMinOfOurScenariosEqualsTheRecordedOne(int number) throws IOException {
+  void ownScenariosHaveTheRecordedKMin(int number) throws IOException {
     assertEquals(200, compared("own-coverage/own-" + number));
   }
 
   @Test
-  void theStudysScenariosRunAndTheirKMinEqualsTheRecordedOne() throws IOException {
+  void scenariosOfTheStudyHaveTheRecordedKMin() throws IOException {
     List<Path> all = Reference.scenarios("coverage-study");
     assertEquals(11, all.size());
     all.forEach(file -> Cli.assertValidAndRuns(file, folder));

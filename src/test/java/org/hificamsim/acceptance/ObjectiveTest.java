@@ -24,7 +24,7 @@ class ObjectiveTest {
   @TempDir Path folder;
 
   @Test
-  void theCommandLineGoesBeforeTheScenarioAndTheScenarioBeforeKMin() throws IOException {
+  void optionOverridesScenarioAndDefault() throws IOException {
     Path covered = scored("covered:k=2");
     assertEquals("kmin", run(Cli.scenario("ring-random")).get("objective").asText());
     assertEquals("covered:k=2", run(covered).get("objective").asText());
@@ -33,7 +33,7 @@ class ObjectiveTest {
   }
 
   @Test
-  void aRunsScoreIsTheShareCoveredSummedOverItsSteps() throws IOException {
+  void scoreOfARunIsTheSumOfItsSteps() throws IOException {
     JsonNode run = run(Cli.scenario("ring-random"), "--objective", "covered");
     assertEquals(30 * (1 - run.get("covered_0").asDouble()), run.get("score").asDouble(), 1e-9);
     JsonNode twice = run(Cli.scenario("ring-random"), "--objective", "covered:k=2");
@@ -44,8 +44,7 @@ class ObjectiveTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"covered:k=1", "covered:k=3", "sum:cap=2", "lexicographic"})
-  void noPolicyScoresMoreThanTheOptimumAndNoConstantOneMoreThanTheBestFixed(String objective)
-      throws IOException {
+  void optimumAndBestFixedAreUpperBounds(String objective) throws IOException {
     Cli compare =
         compare(objective, "zoom-out,zoom-in,fixed:1,random,sarsa,ucb1,optimal,best-fixed");
     assertEquals(0, compare.exit(), compare.err());
@@ -77,7 +76,7 @@ class ObjectiveTest {
   }
 
   @Test
-  void underKMinTheTableOnTheTerminalHasNoScore() {
+  void terminalTableHasNoScoreUnderKMin() {
     assertFalse(compare("kmin", "zoom-out").out().contains("score"));
   }
 
@@ -89,7 +88,7 @@ class ObjectiveTest {
         "run | covered:k=0 | objective covered: k is '0', expected a whole number from 1",
         "compare | sum:k=2 | objective sum: unknown option 'k=2', expected one of cap",
       })
-  void anObjectiveThatIsNoneIsRefused(String command, String objective, String expected) {
+  void rejectsUnknownObjectives(String command, String objective, String expected) {
     Cli refused =
         Cli.run(command, Cli.scenario("ring-random"), "--objective", objective, "--out", folder);
     assertEquals(2, refused.exit());
@@ -97,7 +96,7 @@ class ObjectiveTest {
   }
 
   @Test
-  void aPolicyOfKMinAloneRefusesAnother() throws IOException {
+  void optimalExpectedRejectsOtherObjectives() throws IOException {
     Path scenario = scored("covered:k=1");
     Cli run = Cli.run("run", scenario, "--policy", "optimal-expected", "--out", folder);
     assertEquals(2, run.exit());

@@ -36,7 +36,7 @@ class OwnPolicyTest {
   }
 
   @Test
-  void runsFromTheCommandLineWithNothingButItsJar(@TempDir Path out) throws Exception {
+  void runsFromItsJarOnTheCommandLine(@TempDir Path out) throws Exception {
     Cli run =
         lookout.run(
             "run",
@@ -52,7 +52,7 @@ class OwnPolicyTest {
   }
 
   @Test
-  void anUnknownOptionOfItIsAnErrorThatListsItsOwn(@TempDir Path out) throws Exception {
+  void unknownOptionListsThePolicysOptions(@TempDir Path out) throws Exception {
     Cli run =
         lookout.run(
             "run",
@@ -67,7 +67,7 @@ class OwnPolicyTest {
   }
 
   @Test
-  void aServiceWithoutItsClassIsOneErrorLine(@TempDir Path jar) throws Exception {
+  void missingServiceClassIsOneErrorLine(@TempDir Path jar) throws Exception {
     Path services = Files.createDirectories(jar.resolve("META-INF/services"));
     Files.writeString(services.resolve(ZoomPolicy.class.getName()), "org.example.Missing");
     Process run =
@@ -85,7 +85,7 @@ class OwnPolicyTest {
   }
 
   @Test
-  void aThrownExceptionIsOneLineAndWithDebugItsStackTraceToo(@TempDir Path jar) throws Exception {
+  void exceptionIsOneLineWithStackTraceUnderDebug(@TempDir Path jar) throws Exception {
     Path services = Files.createDirectories(jar.resolve("META-INF/services"));
     Files.writeString(services.resolve(ZoomPolicy.class.getName()), Broken.class.getName());
     List<String> brief = said(jar, List.of());

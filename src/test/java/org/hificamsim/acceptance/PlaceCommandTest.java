@@ -48,7 +48,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void plansThatRunAndThatTheCheckConfirms() throws IOException {
+  void plansRunAndPassTheCheck() throws IOException {
     Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\"/>");
     for (String words :
         new String[] {
@@ -70,7 +70,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void whereASiteHasHeightsNewCamerasHangAndTilt() throws IOException {
+  void newCamerasHangAndTiltOnSitesWithHeights() throws IOException {
     Path site = site(WALL.replace("/>", " height=\"1.2\"/>"), "");
     Path plan = folder.resolve("plan");
     Cli made = place(site, "--cameras 3 --reading fixed --out " + plan);
@@ -87,7 +87,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void aPlanOfTheSitesOwnLensesIsTrueWhateverTheirLawAndTilts() throws IOException {
+  void plansOfTheSitesLensesPassTheCheck() throws IOException {
     for (String words :
         new String[] {
           "mate-4v8-9 --reading fixed", "warehouse-heights", "warehouse-heights --reading any"
@@ -110,7 +110,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void runAndCompareSayHowMuchOfTheZonesIsMetAsPlaceDoes() throws IOException {
+  void runAndCompareMeasureZonesAsPlaceDoes() throws IOException {
     Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\" weight=\"0.5\"/>");
     Path plan = folder.resolve("plan");
     Cli.run(
@@ -135,7 +135,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void theSameSeedGivesTheSamePlan() throws IOException {
+  void sameSeedGivesTheSamePlan() throws IOException {
     Path site = site("", "");
     place(site, "--cameras 3 --seed 4 --out " + folder.resolve("a"));
     place(site, "--cameras 3 --seed 4 --out " + folder.resolve("b"));
@@ -147,7 +147,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void theCheckRefusesWhatIsNotSo() throws IOException {
+  void checkRejectsChangedFiles() throws IOException {
     Path plan = folder.resolve("plan");
     place(site(WALL, ""), "--cameras 3 --out " + plan);
     refusesWith(
@@ -161,7 +161,7 @@ class PlaceCommandTest {
    * The zone lies 37 degrees wide around 52.5, too far for the wide lens: 40 at 45 or 60 miss some.
    */
   @Test
-  void refinementFindsWhatLiesBetweenHeadingsAndIsChecked() throws IOException {
+  void refinementFindsHeadingsBetweenCandidates() throws IOException {
     Path site =
         site(
             "",
@@ -199,7 +199,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void refinementKeepsWhatStaysAndOffWhatIsForbidden() throws IOException {
+  void refinementRespectsKeptCamerasAndForbiddenZones() throws IOException {
     Path site = site(WALL, DOOR + "<zone name=\"low\" points=\"0,0 20,3\"/>");
     Path plan = folder.resolve("plan");
     for (String words :
@@ -239,7 +239,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void instancesAreSolvedAndWrittenInBothForms() throws IOException {
+  void solvesAndWritesInstancesInBothForms() throws IOException {
     Path scp = Files.writeString(folder.resolve("scp.txt"), "3 4\n1 1 1 3\n2 1 4\n2 2 4\n2\n3 4\n");
     Cli solved = Cli.run("place", "--instance", scp);
     assertEquals(0, solved.exit(), solved.err());
@@ -254,7 +254,7 @@ class PlaceCommandTest {
   }
 
   @Test
-  void saysInOneLineWhatIsWrong() throws IOException {
+  void reportsEachErrorInOneLine() throws IOException {
     Path plain = site("", "");
     refuses(plain, "", "expected one of --cameras N, --budget EUR and --cover");
     refuses(plain, "--cameras 0", "--cameras is 0");

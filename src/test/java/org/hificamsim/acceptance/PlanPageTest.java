@@ -33,7 +33,7 @@ class PlanPageTest {
   }
 
   @Test
-  void thePageSaysWhatTheTablesSayAndIsReadableAtAllWidths() throws IOException {
+  void pageShowsTheTablesAtAllWidths() throws IOException {
     Browser browser = Browser.shared();
     browser.open(plan.resolve("index.html").toUri().toString());
     String text = browser.text("main");
@@ -49,7 +49,7 @@ class PlanPageTest {
   }
 
   @Test
-  void thePdfIsOfA4AndTheFloorPlanNamesEachCamera() throws IOException {
+  void pdfIsA4AndFloorPlanNamesCameras() throws IOException {
     try (PDDocument pdf = Loader.loadPDF(plan.resolve("plan.pdf").toFile())) {
       assertTrue(pdf.getNumberOfPages() >= 2);
       assertEquals(595, pdf.getPage(1).getMediaBox().getWidth());

@@ -18,7 +18,7 @@ class ProofTest {
   @TempDir Path folder;
 
   @Test
-  void stepsWithoutAProofAreToldWithTheirBound() throws IOException {
+  void runReportsUnprovenStepsWithTheirBound() throws IOException {
     Path scenario = dense();
     Cli limited = run(scenario, "one-hop:nodes=0");
     JsonNode unproven = summary();
@@ -33,13 +33,13 @@ class ProofTest {
   }
 
   @Test
-  void policiesThatProveNothingSayNothing() throws IOException {
+  void otherPoliciesReportNoProof() throws IOException {
     run(Cli.scenario("cluster-random"), "sarsa");
     assertFalse(summary().has("unproven_steps"));
   }
 
   @Test
-  void comparisonsTellStepsWithoutAProof() throws IOException {
+  void comparisonReportsUnprovenSteps() throws IOException {
     Cli compared = compare(dense());
     assertTrue(
         compared.err().contains("'one-hop:nodes=0' is not proven to be the best in "),

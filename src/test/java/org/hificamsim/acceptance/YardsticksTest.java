@@ -60,7 +60,7 @@ class YardsticksTest {
   }
 
   @Test
-  void byDefaultTheyAreTheOptimumAndTheBestFixedConfiguration() throws IOException {
+  void defaultsAreOptimumAndBestFixed() throws IOException {
     Path named = folder.resolve("named");
     compare(named, "--yardsticks", "optimal,best-fixed");
     for (String file : List.of("results.csv", "metrics.csv", "summary.csv", "yardsticks.csv")) {
@@ -73,7 +73,7 @@ class YardsticksTest {
   }
 
   @Test
-  void theBoundIsNotBelowTheOptimumAndIsCalledABoundEverywhere() throws IOException {
+  void boundIsNamedABoundAndNotBelowTheOptimum() throws IOException {
     assertEquals("bound at most, bound at most, bound at most", yardsticks(bound));
     double[] optima = column(usual, "yardsticks.csv", "score");
     double[] bounds = column(bound, "yardsticks.csv", "score");
@@ -90,7 +90,7 @@ class YardsticksTest {
   }
 
   @Test
-  void resultsKeepTheirRowsAndColumnsAndSayNothingOfAnOptimum() throws IOException {
+  void resultsWithBoundKeepRowsAndColumns() throws IOException {
     List<Map<String, String>> rows = rows(bound, "results.csv");
     assertEquals(
         Files.readAllLines(usual.resolve("results.csv")).get(0),
@@ -112,7 +112,7 @@ class YardsticksTest {
   }
 
   @Test
-  void withoutAnyPoliciesAreComparedByTheirScores() throws IOException {
+  void comparesScoresWithoutYardsticks() throws IOException {
     Path none = folder.resolve("none");
     Cli compare = compare(none, "--yardsticks", "none");
     assertEquals(0, compare.exit(), compare.err());
@@ -126,7 +126,7 @@ class YardsticksTest {
   }
 
   @Test
-  void theBestFixedConfigurationAloneIsAYardstickToo() throws IOException {
+  void bestFixedAloneIsAYardstick() throws IOException {
     Path fixed = folder.resolve("fixed");
     Cli compare = compare(fixed, "--yardsticks", "best-fixed");
     assertTrue(compare.out().contains("over best-fixed"), compare.out());
@@ -136,7 +136,7 @@ class YardsticksTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"best", "optimal,optimal", "optimal,", "none,bound", ""})
-  void othersAreRefused(String text) {
+  void rejectsUnknownYardsticks(String text) {
     Cli compare = compare(folder.resolve("refused"), "--yardsticks", text);
     assertEquals(2, compare.exit());
     assertEquals(1, compare.err().lines().count(), compare.err());
@@ -146,7 +146,7 @@ class YardsticksTest {
   }
 
   @Test
-  void partsOfComparisonsWithOtherYardsticksAreNotMerged() {
+  void rejectsMergingPartsWithOtherYardsticks() {
     Path one = folder.resolve("one");
     Path two = folder.resolve("two");
     compare(one, "--yardsticks", "bound", "--shard", "1/2");

@@ -17,25 +17,25 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 class CoveragePoliciesTest {
-  private static final Set<String> GLOBAL =
+  private static final Set<String> ORACLES =
       Set.of("optimal", "bound", "optimal-expected", "one-hop", "best-fixed", "independent-greedy");
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   @TestFactory
-  Stream<DynamicNode> everyRegisteredPolicyKeepsTheContract() {
+  Stream<DynamicNode> everyPolicyKeepsTheContract() {
     return registry.names().stream()
         .map(
             name ->
                 DynamicContainer.dynamicContainer(
                     name,
-                    new ZoomPolicyContract(() -> registry.create(name), GLOBAL.contains(name))
+                    new ZoomPolicyContract(() -> registry.create(name), ORACLES.contains(name))
                         .tests()));
   }
 
-  /** Beyond the defaults: what learners may take as their state. */
+  /** Learners with states other than the default. */
   @TestFactory
-  Stream<DynamicNode> learnersOfPicturesKeepTheContract() {
+  Stream<DynamicNode> pictureLearnersKeepTheContract() {
     return Stream.of("sarsa", "q-learning", "qb-sarsa")
         .flatMap(name -> Stream.of(name + ":state=picture", name + ":state=view-picture-depth"))
         .map(
@@ -45,12 +45,12 @@ class CoveragePoliciesTest {
   }
 
   @TestFactory
-  Stream<? extends DynamicNode> aPolicyOfTwoMethodsKeepsTheContract() {
+  Stream<? extends DynamicNode> smallestPossiblePolicyKeepsTheContract() {
     return new ZoomPolicyContract(MiddlePolicy::new, false).tests();
   }
 
   @Test
-  void everyPolicyIsRegisteredUnderItsOwnNameWithASummary() {
+  void everyPolicyHasItsNameAndASummary() {
     for (Registry.Entry<ZoomPolicy> entry : registry.entries()) {
       assertEquals(entry.name(), registry.create(entry.name()).name());
       assertFalse(entry.summary().isBlank());
@@ -58,13 +58,13 @@ class CoveragePoliciesTest {
   }
 
   @Test
-  void thePolicyThatWasCalledGreedyIsUnderstoodByThatNameAndNotListed() {
+  void oldNameGreedyIsAcceptedButNotListed() {
     assertEquals("independent-greedy", registry.create("greedy:among=all").name());
     assertFalse(registry.names().contains("greedy"));
   }
 
   @Test
-  void everyOptionIsListedWithItsMeaning() {
+  void everyOptionHasAMeaning() {
     for (String name : registry.names()) {
       registry.options(name).forEach(option -> assertFalse(option.meaning().isBlank(), name));
     }
@@ -74,15 +74,15 @@ class CoveragePoliciesTest {
   }
 
   @Test
-  void anUnknownOptionIsRefusedWithTheValidOnes() {
+  void rejectsUnknownOptions() {
     for (String name : registry.names()) {
-      InputException refused =
+      InputException error =
           assertThrows(InputException.class, () -> registry.create(name + ":nonsense=1"));
-      assertTrue(refused.getMessage().contains("nonsense"), refused.getMessage());
+      assertTrue(error.getMessage().contains("nonsense"), error.getMessage());
     }
   }
 
-  /** The least that a user can write. */
+  /** The smallest policy that a user can write. */
   private static final class MiddlePolicy implements ZoomPolicy {
     @Override
     public String name() {

@@ -19,7 +19,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.DynamicTest;
 
 /**
- * What every zoom policy owes the engine, as tests: for the built-in ones and a user's own.
+ * Tests of the contract between zoom policies and the engine, for built-in policies and users' own.
  *
  * @param policies makes a new instance for each run
  * @param global whether the policy is an upper bound that may use global knowledge
@@ -36,15 +36,18 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
         dynamicTest("hasTheSameNameInEveryInstance", this::hasTheSameNameInEveryInstance),
         dynamicTest("choosesLevelsThatTheCameraHas", this::choosesLevelsThatTheCameraHas),
         dynamicTest("choosesViewsThatTurningCamerasHave", this::choosesViewsThatTurningCamerasHave),
-        dynamicTest("toleratesComingAndGoing", this::toleratesComingAndGoing),
+        dynamicTest(
+            "toleratesCamerasAndTargetsThatComeAndGo",
+            this::toleratesCamerasAndTargetsThatComeAndGo),
         dynamicTest("toleratesNetworksWithoutTargets", this::toleratesNetworksWithoutTargets),
         dynamicTest("toleratesNetworksWithoutCameras", this::toleratesNetworksWithoutCameras),
         dynamicTest("repeatsItselfForTheSameSeed", this::repeatsItselfForTheSameSeed),
         dynamicTest("sharesNoStateBetweenInstances", this::sharesNoStateBetweenInstances),
         dynamicTest("allocatesNothingPerStep", this::allocatesNothingPerStep),
         dynamicTest("knowsOnlyWhatItsCamerasKnow", this::knowsOnlyWhatItsCamerasKnow),
-        dynamicTest("tellsWhatItEstimates", this::tellsWhatItEstimates),
-        dynamicTest("decidesAlikeWhenLookedAt", this::decidesAlikeWhenLookedAt));
+        dynamicTest("reportsConsistentEstimates", this::reportsConsistentEstimates),
+        dynamicTest(
+            "decidesTheSameWhenEstimatesAreRead", this::decidesTheSameWhenEstimatesAreRead));
   }
 
   private void hasTheSameNameInEveryInstance() {
@@ -57,14 +60,14 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     }
   }
 
-  /** Some turn and some do not, and moves take up to three steps. */
+  /** Some cameras turn and some do not; moves take up to three steps. */
   private void choosesViewsThatTurningCamerasHave() {
     for (int world = 0; world < 20; world++) {
       run(GeometricNetwork.random(MIXED, world).turned(3, world % 3), world, 50, true);
     }
   }
 
-  private void toleratesComingAndGoing() {
+  private void toleratesCamerasAndTargetsThatComeAndGo() {
     for (int world = 0; world < 20; world++) {
       run(GeometricNetwork.random(MIXED, world), world, 50, true);
     }
@@ -100,9 +103,9 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     GeometricNetwork network = GeometricNetwork.random(MIXED, 5);
     GeometricNetwork other = GeometricNetwork.random(MIXED, 6);
     ZoomPolicy policy = network.begin(policies.get(), 11);
-    ZoomPolicy disturbing = other.begin(policies.get(), 12);
+    ZoomPolicy otherPolicy = other.begin(policies.get(), 12);
     for (int step = 0; step < STEPS; step++) {
-      other.step(disturbing);
+      other.step(otherPolicy);
       network.step(policy);
       assertArrayEquals(alone[step], network.currentLevels(), "step " + step);
       network.scatter();
@@ -135,8 +138,11 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     assertTrue(global || network.globalQueries() == 0, network.globalQueries() + " queries");
   }
 
-  /** One name for all cameras and steps; a number or NaN for each view, counts from 0; or none. */
-  private void tellsWhatItEstimates() {
+  /**
+   * A policy reports one name for all cameras and steps, a number or NaN for each view, and counts
+   * of 0 or more; or it reports nothing.
+   */
+  private void reportsConsistentEstimates() {
     GeometricNetwork network = GeometricNetwork.random(MIXED, 8);
     ZoomPolicy policy = network.begin(policies.get(), 1);
     Set<String> names = new TreeSet<>();
@@ -159,7 +165,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     String name = policy.estimates(camera, estimates, counts);
     for (int view = 0; view < estimates.length; view++) {
       if (name.isEmpty()) {
-        assertEquals(UNTOUCHED, estimates[view], "no name but an estimate");
+        assertEquals(UNTOUCHED, estimates[view], "an estimate without a name");
       } else {
         assertNotEquals(UNTOUCHED, estimates[view], name + " of view " + view);
         assertFalse(Double.isInfinite(estimates[view]), name + " of view " + view);
@@ -169,7 +175,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     return name;
   }
 
-  private void decidesAlikeWhenLookedAt() {
+  private void decidesTheSameWhenEstimatesAreRead() {
     int[][] unseen = run(GeometricNetwork.random(MIXED, 5), 11, STEPS, false);
     GeometricNetwork network = GeometricNetwork.random(MIXED, 5);
     ZoomPolicy policy = network.begin(policies.get(), 11);
@@ -194,7 +200,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     return allocated;
   }
 
-  /** Runs the engine's step and checks each decision; returns the views after each step. */
+  /** Runs steps as the engine does, and checks each decision; returns the views after each step. */
   private int[][] run(GeometricNetwork network, long seed, int steps, boolean disturbed) {
     ZoomPolicy policy = policies.get();
     policy.begin(network, new SplittableRandom(seed));

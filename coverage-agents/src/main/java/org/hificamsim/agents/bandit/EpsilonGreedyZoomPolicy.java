@@ -11,16 +11,16 @@ import org.hificamsim.core.registry.Options;
  * The epsilon-greedy bandit (thesis 7.4.3, Eq 7.3): each camera takes the view with the best
  * average number of detected targets, and explores with probability epsilon.
  *
- * <p>A view never used counts as 0. Open in the thesis and so an option: which of equally good
- * views is best ({@code ties}), what exploring draws from ({@code explore}), whether epsilon decays
- * ({@code epsilon-decay}, {@code epsilon-min}).
+ * <p>The average of a view that was never used is 0. What the thesis leaves open is an option:
+ * which of equally good views is best ({@code ties}), what exploring draws from ({@code explore}),
+ * and whether epsilon decays ({@code epsilon-decay}, {@code epsilon-min}).
  */
 public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   private final EpsilonGreedyChoice choice;
   private final Ties ties;
-  private TieBreak breaking;
+  private TieBreak tieBreak;
 
-  /** Reads the options, each with the default that reproduces the thesis. */
+  /** Reads the options, whose defaults reproduce the thesis. */
   public EpsilonGreedyZoomPolicy(Options options) {
     choice = new EpsilonGreedyChoice(options);
     ties = Ties.from(options);
@@ -35,13 +35,13 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
-    breaking = new TieBreak(ties, network);
+    tieBreak = new TieBreak(ties, network);
     choice.begin(network, random);
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
     int views = network.views(camera);
-    return choice.choose(camera, views, breaking.best(camera, means(camera), 0, views));
+    return choice.choose(camera, views, tieBreak.best(camera, means(camera), 0, views));
   }
 }

@@ -6,14 +6,14 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * Every camera looks ahead at one of its zoom levels, always: at the widest ({@code zoom-out},
- * thesis 7.4.2) or at the narrowest ({@code zoom-in}). Ahead is the pan angle that is nearest to
- * how it is mounted.
+ * Every camera always looks ahead at the same zoom level: the widest ({@code zoom-out}, thesis
+ * 7.4.2) or the narrowest ({@code zoom-in}). Ahead is the pan angle nearest to the camera's
+ * heading.
  */
 public final class AheadZoomPolicy implements ZoomPolicy {
   private final String name;
   private final PatrolZoomPolicy.Zoom zoom;
-  private int[] ahead = {};
+  private int[] aheadViews = {};
 
   public AheadZoomPolicy(String name, PatrolZoomPolicy.Zoom zoom) {
     this.name = name;
@@ -27,15 +27,15 @@ public final class AheadZoomPolicy implements ZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    ahead = new int[network.cameras()];
-    for (int camera = 0; camera < ahead.length; camera++) {
+    aheadViews = new int[network.cameras()];
+    for (int camera = 0; camera < aheadViews.length; camera++) {
       int pan = PanAngles.home(network, camera);
-      ahead[camera] = network.viewAt(camera, pan, zoom.of(network.zooms(camera)));
+      aheadViews[camera] = network.viewAt(camera, pan, zoom.number(network.zooms(camera)));
     }
   }
 
   @Override
   public void decide(NetworkView network, int[] views) {
-    System.arraycopy(ahead, 0, views, 0, ahead.length);
+    System.arraycopy(aheadViews, 0, views, 0, aheadViews.length);
   }
 }

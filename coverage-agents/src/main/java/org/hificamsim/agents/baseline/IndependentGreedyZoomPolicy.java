@@ -8,25 +8,28 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Each camera takes the view in which it would detect most targets now, whatever the others detect;
- * by chance, the view in which it is expected to detect most. It knows what no camera knows, what
- * it would detect in other views, but not the luck that is drawn.
+ * Each camera takes the view in which it would detect most targets now, whatever the others detect.
+ * If detections depend on chance, it takes the view with the greatest expected number. It uses what
+ * no camera knows, what it would detect in other views, but not the luck that will be drawn.
  *
- * <p>It chooses among the views that it {@linkplain OracleView#reaches reaches}; where it would
- * detect nothing in any of these, it sets out for the best view of all, however far. Of equally
- * good views it takes the one it is in, then the widest, then the one that it turns least for.
+ * <p>A camera chooses among the views that it {@linkplain OracleView#reaches reaches}. If it would
+ * detect nothing in any of these, it moves towards the best of all views, however far. Of equally
+ * good views it takes the present one, then the widest, then the one for which it turns least.
  *
- * <p>It is not the greedy approach of thesis 7.4.1, which is {@code optimal} or {@code one-hop}.
+ * <p>This is not the greedy approach of thesis 7.4.1, which is {@code optimal} or {@code one-hop}.
  */
 public final class IndependentGreedyZoomPolicy implements OraclePolicy {
-  /** Which views a camera chooses among. */
+  /** The views among which a camera chooses. */
   private enum Among {
     REACHED,
     ALL
   }
 
   private final Among among;
-  private double[] expected = {}; // number of targets, by view
+
+  /** By view, the expected number of detected targets. */
+  private double[] expected = {};
+
   private int[] targets = {};
   private double[] chances = {};
   private long[] masks = {};
@@ -66,13 +69,13 @@ public final class IndependentGreedyZoomPolicy implements OraclePolicy {
   }
 
   private int choose(OracleView network, int camera) {
-    expect(network, camera);
+    updateExpected(network, camera);
     int reached = among == Among.REACHED ? best(network, camera, false) : network.view(camera);
     return among == Among.ALL || expected[reached] == 0 ? best(network, camera, true) : reached;
   }
 
-  /** Without luck, all views are asked at once. */
-  private void expect(OracleView network, int camera) {
+  /** If detections do not depend on chance, all views are computed at once. */
+  private void updateExpected(OracleView network, int camera) {
     if (network.certain()) {
       network.detections(camera, masks, words);
     }
@@ -98,22 +101,22 @@ public final class IndependentGreedyZoomPolicy implements OraclePolicy {
     return sum;
   }
 
-  private int best(OracleView network, int camera, boolean any) {
+  private int best(OracleView network, int camera, boolean unreached) {
     int best = network.view(camera);
-    double most = any || network.reaches(camera, best) ? expected[best] : 0;
+    double greatest = unreached || network.reaches(camera, best) ? expected[best] : 0;
     for (int view = 0; view < network.views(camera); view++) {
       boolean better =
-          expected[view] > most
-              || (expected[view] == most && isPreferred(network, camera, view, best));
-      if (better && (any || network.reaches(camera, view))) {
+          expected[view] > greatest
+              || (expected[view] == greatest && isPreferred(network, camera, view, best));
+      if (better && (unreached || network.reaches(camera, view))) {
         best = view;
-        most = expected[view];
+        greatest = expected[view];
       }
     }
     return best;
   }
 
-  /** Whether a view is better than another one in which as much is detected. */
+  /** Whether a view is preferred to another one in which as many targets are detected. */
   private static boolean isPreferred(OracleView network, int camera, int view, int other) {
     int current = network.view(camera);
     if (other == current) {
@@ -126,6 +129,7 @@ public final class IndependentGreedyZoomPolicy implements OraclePolicy {
   }
 
   private static double turn(OracleView network, int camera, int view, int from) {
-    return PanAngles.off(network, camera, network.panOf(camera, view), network.pan(camera, from));
+    return PanAngles.difference(
+        network, camera, network.panOf(camera, view), network.pan(camera, from));
   }
 }

@@ -6,17 +6,18 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
-/** Each camera patrols over its pan angles back and forth, at one zoom level, whatever it sees. */
+/** Each camera sweeps its pan angles back and forth, at one zoom level, whatever it sees. */
 public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
   static final int MAX_DWELL = 1_000_000;
 
-  /** Which of its zoom levels a camera patrols with. */
+  /** The zoom level at which a camera patrols. */
   public enum Zoom {
     WIDEST,
     MIDDLE,
     NARROWEST;
 
-    int of(int zooms) {
+    /** The number of this level, for a camera with so many levels. */
+    int number(int zooms) {
       return switch (this) {
         case WIDEST -> zooms - 1;
         case MIDDLE -> zooms / 2;
@@ -25,35 +26,35 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
     }
   }
 
-  /** A camera's way over its pan angles, back and forth. */
-  static final class Round {
+  /** The movement of a camera over its pan angles, back and forth. */
+  static final class Sweep {
     private final int dwell;
-    private int left;
+    private int stepsLeft;
     private int direction = 1;
 
     /**
-     * @param dwell steps that the camera stays in each view, 1 or more
+     * @param dwell number of steps that the camera stays in each view, 1 or more
      */
-    Round(int dwell) {
+    Sweep(int dwell) {
       this.dwell = dwell;
-      left = dwell;
+      stepsLeft = dwell;
     }
 
-    /** The camera's next view; first of all one with the zoom level that was asked for. */
+    /** Returns the camera's next view; it changes its zoom level before it turns. */
     int next(NetworkView network, int camera, int zoom) {
       int view = network.view(camera);
       int pan = network.panOf(camera, view);
-      boolean zoomed = view != network.viewAt(camera, pan, zoom);
-      if (!zoomed && left > 0) {
-        left--;
+      boolean atZoom = view == network.viewAt(camera, pan, zoom);
+      if (atZoom && stepsLeft > 0) {
+        stepsLeft--;
         return view;
       }
-      left = dwell - 1;
-      int next = zoomed ? pan : turn(pan, network.pans(camera));
-      return network.viewAt(camera, next, zoom);
+      stepsLeft = dwell - 1;
+      int nextPan = atZoom ? nextPan(pan, network.pans(camera)) : pan;
+      return network.viewAt(camera, nextPan, zoom);
     }
 
-    private int turn(int pan, int pans) {
+    private int nextPan(int pan, int pans) {
       if (pans == 1) {
         return pan;
       }
@@ -65,7 +66,7 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
 
   private final int dwell;
   private final Zoom zoom;
-  private Round[] rounds = {};
+  private Sweep[] sweeps = {};
 
   /** Reads the options {@code dwell} and {@code zoom}. */
   public PatrolZoomPolicy(Options options) {
@@ -81,12 +82,12 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    rounds = new Round[network.cameras()];
-    Arrays.setAll(rounds, camera -> new Round(dwell));
+    sweeps = new Sweep[network.cameras()];
+    Arrays.setAll(sweeps, camera -> new Sweep(dwell));
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    return rounds[camera].next(network, camera, zoom.of(network.zooms(camera)));
+    return sweeps[camera].next(network, camera, zoom.number(network.zooms(camera)));
   }
 }

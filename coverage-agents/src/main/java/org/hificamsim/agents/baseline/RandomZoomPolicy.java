@@ -5,8 +5,8 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * A view drawn uniformly for each camera at each step (thesis 7.4.2); where moves take time, for
- * each camera that has arrived.
+ * Each camera draws its view uniformly in each step (thesis 7.4.2); if moves take time, once it has
+ * arrived.
  */
 public final class RandomZoomPolicy extends AbstractDistributedZoomPolicy {
   private SplittableRandom[] randoms = {};

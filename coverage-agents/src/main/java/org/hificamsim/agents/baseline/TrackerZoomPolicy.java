@@ -10,13 +10,13 @@ import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Each camera keeps the nearest target that it sees in the middle of its picture, and as large as
- * it can: it turns to the pan angle nearest to the target's direction, and takes the narrowest zoom
- * level that has the target in angle and reach with a margin. Where none has, it stays where it
- * sees the target.
+ * Each camera keeps the nearest target that it sees in the middle of its picture, as large as it
+ * can. It turns to the pan angle nearest to the target's direction, and takes the narrowest zoom
+ * level that has the target in its angle and reach with a margin. If there is none, it keeps the
+ * view through which it sees the target.
  *
- * <p>A camera that sees no target widens, and then patrols over its pan angles. It knows what it
- * sees, and how far its views reach, and nothing else.
+ * <p>A camera that sees no target zooms out, and then sweeps its pan angles. It knows only what it
+ * sees, and how far its views reach.
  */
 public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final double MAX_MARGIN = 0.9;
@@ -26,9 +26,14 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private final int dwell;
   private final PatrolZoomPolicy.Zoom search;
   private final SeenPairs pairs = new SeenPairs();
-  private int[] nearest = {}; // target that each camera sees, or NONE
-  private double[] distances = {}; // to it, metres
-  private PatrolZoomPolicy.Round[] rounds = {};
+
+  /** By camera, the nearest target that it sees, or {@link #NONE}. */
+  private int[] nearestTargets = {};
+
+  /** By camera, the distance to this target, metres. */
+  private double[] distances = {};
+
+  private PatrolZoomPolicy.Sweep[] sweeps = {};
 
   /** Reads the options {@code margin}, {@code dwell} and {@code search}. */
   public TrackerZoomPolicy(Options options) {
@@ -56,15 +61,15 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    nearest = new int[network.cameras()];
+    nearestTargets = new int[network.cameras()];
     distances = new double[network.cameras()];
-    rounds = new PatrolZoomPolicy.Round[network.cameras()];
-    Arrays.setAll(rounds, camera -> new PatrolZoomPolicy.Round(dwell));
+    sweeps = new PatrolZoomPolicy.Sweep[network.cameras()];
+    Arrays.setAll(sweeps, camera -> new PatrolZoomPolicy.Sweep(dwell));
   }
 
   @Override
   public void decide(NetworkView network, int[] views) {
-    Arrays.fill(nearest, NONE);
+    Arrays.fill(nearestTargets, NONE);
     network.findSeen(pairs);
     for (int i = 0; i < pairs.count(); i++) {
       consider(pairs.camera(i), pairs.target(i), network);
@@ -72,47 +77,47 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
     super.decide(network, views);
   }
 
-  /** Of equally near targets the first one counts. */
+  /** Compares a target with the nearest one so far; of equally near targets the first is kept. */
   private void consider(int camera, int target, NetworkView network) {
     double distance = network.distance(camera, target);
-    boolean tie = distance == distances[camera] && target < nearest[camera];
-    if (nearest[camera] == NONE || distance < distances[camera] || tie) {
-      nearest[camera] = target;
+    boolean tie = distance == distances[camera] && target < nearestTargets[camera];
+    if (nearestTargets[camera] == NONE || distance < distances[camera] || tie) {
+      nearestTargets[camera] = target;
       distances[camera] = distance;
     }
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    return nearest[camera] != NONE
+    return nearestTargets[camera] != NONE
         ? follow(network, camera)
-        : rounds[camera].next(network, camera, search.of(network.zooms(camera)));
+        : sweeps[camera].next(network, camera, search.number(network.zooms(camera)));
   }
 
-  /** A camera that sees while it moves follows what comes into its picture. */
+  /** A camera that sees while it moves follows a target that comes into its picture. */
   @Override
   protected int travel(NetworkView network, int camera) {
-    return nearest[camera] != NONE ? follow(network, camera) : network.view(camera);
+    return nearestTargets[camera] != NONE ? follow(network, camera) : network.view(camera);
   }
 
   private int follow(NetworkView network, int camera) {
     double axis = network.pan(camera, network.seeing(camera));
-    double direction = axis + network.bearing(camera, nearest[camera]);
+    double direction = axis + network.bearing(camera, nearestTargets[camera]);
     int pan = PanAngles.nearest(network, camera, direction);
-    double off = PanAngles.off(network, camera, pan, direction);
+    double off = PanAngles.difference(network, camera, pan, direction);
     for (int zoom = 0; zoom < network.zooms(camera); zoom++) {
       int view = network.viewAt(camera, pan, zoom);
-      if (fits(network, camera, view, off)) {
+      if (fitsWithMargin(network, camera, view, off)) {
         return view;
       }
     }
     return network.seeing(camera);
   }
 
-  private boolean fits(NetworkView network, int camera, int view, double off) {
+  private boolean fitsWithMargin(NetworkView network, int camera, int view, double off) {
     ZoomLevel zoom = network.zoom(camera, view);
-    double kept = 1 - margin;
-    return distances[camera] <= kept * network.reach(camera, view)
-        && (zoom.allRound() || off <= kept * zoom.viewingAngle() / 2);
+    double usedShare = 1 - margin;
+    return distances[camera] <= usedShare * network.reach(camera, view)
+        && (zoom.allRound() || off <= usedShare * zoom.viewingAngle() / 2);
   }
 }

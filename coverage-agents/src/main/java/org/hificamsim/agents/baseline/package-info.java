@@ -1,5 +1,5 @@
 /**
  * Policies that do not learn: the baselines of thesis 7.4.2, and greedy, tracker and patrol, which
- * people expect of cameras that turn.
+ * are usual for cameras that can turn.
  */
 package org.hificamsim.agents.baseline;

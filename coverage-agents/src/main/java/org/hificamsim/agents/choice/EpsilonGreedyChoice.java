@@ -6,17 +6,17 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Takes the best view, but explores with probability epsilon; each camera on its own. Over a
+ * Takes the best view, but explores with probability epsilon, independently for each camera. At a
  * camera's decisions n = 0, 1, ... epsilon is {@code max(least, first * decay^n)}, or {@code first}
- * where that is below the least. The defaults keep it constant at the 0.1 of thesis 7.4.3 and
- * 7.4.4.
+ * if this is below {@code least}. The defaults keep it at the 0.1 of thesis 7.4.3 and 7.4.4.
  */
 public final class EpsilonGreedyChoice {
-  /** What exploring draws from, uniformly; the thesis leaves it open. */
+  /** The views from which exploring draws uniformly; the thesis leaves this open. */
   private enum Exploration {
-    /** Every view but the best one. */
+    /** All views except the best one. */
     OTHER,
-    /** Every view, the best one included. */
+
+    /** All views, including the best one. */
     ANY
   }
 
@@ -44,7 +44,12 @@ public final class EpsilonGreedyChoice {
     Arrays.fill(epsilon, first);
   }
 
-  /** The camera's next view: {@code best}, or what exploring draws out of {@code views}. */
+  /**
+   * Returns the camera's next view.
+   *
+   * @param views number of views of the camera
+   * @param best the view to take unless the camera explores
+   */
   public int choose(int camera, int views, int best) {
     double probability = epsilon[camera];
     epsilon[camera] = Math.min(probability, Math.max(least, probability * decay));
@@ -58,7 +63,7 @@ public final class EpsilonGreedyChoice {
     if (views == 1) {
       return best;
     }
-    int other = randoms[camera].nextInt(views - 1);
-    return other < best ? other : other + 1;
+    int drawn = randoms[camera].nextInt(views - 1);
+    return drawn < best ? drawn : drawn + 1;
   }
 }

@@ -2,11 +2,11 @@ package org.hificamsim.agents.choice;
 
 import org.hificamsim.core.policy.NetworkView;
 
-/** Which of a camera's pan angles, by number, is nearest to a direction. */
+/** Finds the number of a camera's pan angle that is nearest to a direction. */
 public final class PanAngles {
   private PanAngles() {}
 
-  /** The pan angle nearest to where the camera is mounted to look: the first of equally near. */
+  /** Returns the pan angle nearest to the camera's heading; of equally near ones the first. */
   public static int home(NetworkView network, int camera) {
     int home = 0;
     for (int pan = 1; pan < network.pans(camera); pan++) {
@@ -18,25 +18,26 @@ public final class PanAngles {
   }
 
   /**
-   * The pan angle nearest to a direction, all round: the first of equally near.
+   * Returns the pan angle nearest to a direction, across the whole turn; of equally near ones the
+   * first.
    *
    * @param direction radians off the camera's heading, to the right
    */
   public static int nearest(NetworkView network, int camera, double direction) {
     int nearest = 0;
-    double least = off(network, camera, 0, direction);
+    double least = difference(network, camera, 0, direction);
     for (int pan = 1; pan < network.pans(camera); pan++) {
-      double off = off(network, camera, pan, direction);
-      nearest = off < least ? pan : nearest;
-      least = Math.min(off, least);
+      double difference = difference(network, camera, pan, direction);
+      nearest = difference < least ? pan : nearest;
+      least = Math.min(difference, least);
     }
     return nearest;
   }
 
-  /** How far a direction is off a pan angle, radians in [0, pi]. */
-  public static double off(NetworkView network, int camera, int pan, double direction) {
-    double off = direction - angle(network, camera, pan);
-    return Math.abs(Math.IEEEremainder(off, 2 * Math.PI));
+  /** Returns the angle between a direction and a pan angle, radians in [0, pi]. */
+  public static double difference(NetworkView network, int camera, int pan, double direction) {
+    double difference = direction - angle(network, camera, pan);
+    return Math.abs(Math.IEEEremainder(difference, 2 * Math.PI));
   }
 
   private static double angle(NetworkView network, int camera, int pan) {

@@ -4,30 +4,33 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * How each camera decides between equally good views: it looks ahead, at its widest or narrowest
- * zoom level, where that is one of them; otherwise {@link Ties} decides by the views' numbers.
+ * Decides between equally good views of a camera. If the view ahead at its widest or narrowest zoom
+ * level is one of them, the camera takes it; otherwise {@link Ties} decides by the views' numbers.
  */
 public final class TieBreak {
   private final Ties ties;
-  private final int[] ahead;
+  private final int[] aheadViews;
 
   public TieBreak(Ties ties, NetworkView network) {
     this.ties = ties;
-    ahead = IntStream.range(0, network.cameras()).map(camera -> ahead(network, camera)).toArray();
+    aheadViews =
+        IntStream.range(0, network.cameras()).map(camera -> aheadView(network, camera)).toArray();
   }
 
-  private int ahead(NetworkView network, int camera) {
+  private int aheadView(NetworkView network, int camera) {
     int zoom = ties.best(network.zooms(camera));
     return network.viewAt(camera, PanAngles.home(network, camera), zoom);
   }
 
-  /** The camera's view where all are equally good. */
+  /** Returns the camera's view when all are equally good. */
   public int best(int camera) {
-    return ahead[camera];
+    return aheadViews[camera];
   }
 
-  /** The camera's view with the largest value, see {@link Ties#best(double[], int, int)}. */
+  /**
+   * Returns the camera's view with the greatest value, see {@link Ties#best(double[], int, int)}.
+   */
   public int best(int camera, double[] values, int from, int views) {
-    return ties.best(values, from, views, ahead[camera]);
+    return ties.best(values, from, views, aheadViews[camera]);
   }
 }

@@ -2,53 +2,53 @@ package org.hificamsim.agents.choice;
 
 import org.hificamsim.core.registry.Options;
 
-/**
- * Which of several equally good views a camera takes; the thesis does not say. All learners and
- * votes ask here.
- */
+/** Which of several equally good views a camera takes, for all learners and votes. */
 public enum Ties {
   WIDEST,
   NARROWEST;
 
-  /** The option {@code ties}. */
+  /** Reads the option {@code ties}. The thesis leaves this open. */
   public static Ties from(Options options) {
     return options.choice("ties", WIDEST, "which of equally good views: widest, narrowest");
   }
 
-  /** The view to take where all are equally good. */
+  /** Returns the view to take when all are equally good. */
   public int best(int views) {
     return this == WIDEST ? views - 1 : 0;
   }
 
   /**
-   * The view with the largest value.
+   * Returns the view with the greatest value.
    *
-   * @param values holds the value of view l at {@code from + l}; infinite values are allowed, NaN
-   *     is not
-   * @param views the number of views, 1 or more
+   * @param values the value of view i at index {@code from + i}; may be infinite, but not NaN
+   * @param views number of views, 1 or more
    */
   public int best(double[] values, int from, int views) {
     int best = 0;
-    double most = values[from];
+    double greatest = values[from];
     for (int view = 1; view < views; view++) {
       double value = values[from + view];
-      boolean better = value > most || (value == most && this == WIDEST);
+      boolean better = value > greatest || (value == greatest && this == WIDEST);
       best = better ? view : best;
-      most = better ? value : most;
+      greatest = better ? value : greatest;
     }
     return best;
   }
 
-  /** The view with the largest value: of several this one, where it is among them. */
+  /** Returns the view with the greatest value, {@code preferred} if it is one of several. */
   public int best(double[] values, int from, int views, int preferred) {
     int best = best(values, from, views);
     return values[from + preferred] == values[from + best] ? preferred : best;
   }
 
-  /** The view with most votes, if these are more than {@code least}; else {@code otherwise}. */
-  public int mostVotes(int[] votes, int least, int otherwise) {
-    int most = least;
-    int winner = otherwise;
+  /**
+   * Returns the view with most votes.
+   *
+   * @param fallback the view to return if no view has more than {@code minimum} votes
+   */
+  public int mostVotes(int[] votes, int minimum, int fallback) {
+    int most = minimum;
+    int winner = fallback;
     for (int i = 0; i < votes.length; i++) {
       int view = this == NARROWEST ? i : votes.length - 1 - i;
       if (votes[view] > most) {

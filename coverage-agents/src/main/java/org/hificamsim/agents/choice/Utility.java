@@ -5,20 +5,21 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * What a camera makes of an observation: the number of targets that it detects (U_i of Eq 7.3), or
- * its difference reward (Wolpert and Tumer, 2002), which is what the score would lose without it.
+ * The utility of an observation for a camera: the number of targets that it detects (U_i of Eq
+ * 7.3), or its difference reward (Wolpert and Tumer, 2002), which is what the score would lose
+ * without it.
  *
- * <p>For the difference a camera has to know, of the targets that it detects, by how many cameras
- * they are detected: its neighbours' reports. Of {@code covered:k} it is the number of its targets
- * that just k cameras detect, of {@code sum:cap} of those that at most cap do. Under {@code
- * lexicographic} and {@code kmin} the score of the whole network hangs on one target that a camera
- * may never see; there each of its targets counts 1/k, the difference of a harmonic sum, so that
- * those which few detect count most.
+ * <p>For the difference, a camera needs to know how many cameras detect each of its targets, from
+ * its neighbours' reports. For {@code covered:k} the difference is the number of its targets that
+ * exactly k cameras detect; for {@code sum:cap}, the number of those that at most cap cameras
+ * detect. Under {@code lexicographic} and {@code kmin} the score depends on one target that a
+ * camera may never see. There each target counts 1/k, the difference of a harmonic sum, so that
+ * targets which few cameras detect count most.
  */
 public final class Utility {
-  /** The words of the option {@code utility}. */
+  /** The values of the option {@code utility}. */
   public enum Reading {
-    /** The count under kmin, as in the thesis, and the difference under any other objective. */
+    /** The count under kmin, as in the thesis; the difference under any other objective. */
     OBJECTIVE,
     COUNT,
     DIFFERENCE
@@ -33,7 +34,7 @@ public final class Utility {
         reading == Reading.COUNT || (reading == Reading.OBJECTIVE && objective.rewardsCount());
   }
 
-  /** The option {@code utility}. */
+  /** Reads the option {@code utility}. */
   public static Reading from(Options options) {
     return options.choice(
         "utility",
@@ -42,12 +43,12 @@ public final class Utility {
             + " objective (count under kmin, difference else)");
   }
 
-  /** Whether it is the number of targets detected. */
+  /** Whether the utility is the number of detected targets. */
   public boolean counts() {
     return counts;
   }
 
-  /** A camera's utility at the observation just made; 0 while it is offline. */
+  /** Returns a camera's utility in the present observation; 0 while it is offline. */
   public double of(NetworkView network, int camera) {
     int detected = network.detected(camera);
     return counts || detected == 0 ? detected : difference(network, camera);

@@ -1,2 +1,2 @@
-/** How a camera picks among its views: ties, exploration, randomness of its own. */
+/** How a camera chooses among its views: ties, exploration, utility, and its own random numbers. */
 package org.hificamsim.agents.choice;

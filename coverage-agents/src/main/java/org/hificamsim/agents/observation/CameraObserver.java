@@ -6,9 +6,9 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
 /**
- * Observes a network as each of its cameras knows it before a decision: what it sees where all are
- * now, and what was detected in the step before. One instance for one run, asked once before each
- * decision; a policy and an environment that ask at the same points get the same numbers.
+ * Observes a network as each of its cameras knows it before a decision: what the camera sees now,
+ * and what was detected in the step before. Each run needs an instance of its own, which is to be
+ * called once before each decision. A policy and an environment that do so get the same numbers.
  */
 public final class CameraObserver {
   private static final int MOVING = ObservationLayout.at("moving");
@@ -19,64 +19,72 @@ public final class CameraObserver {
   private final int size;
   private final ViewFeatures.Standpoints standpoints;
   private final NearestCameras nearest;
-  private final float[] ofCameras; // the share of all that a number is
-  private final float[] ofTargets;
+
+  /** By number of cameras, the share of all cameras. */
+  private final float[] cameraShares;
+
+  /** By number of targets, the share of all targets. */
+  private final float[] targetShares;
+
   private final SeenPairs pairs = new SeenPairs();
-  private final int[] ways; // decisions since the camera set out
+
+  /** By camera, the number of decisions since it began to move. */
+  private final int[] movingDecisions;
+
   private ViewFeatures views;
   private int revision;
 
-  /** Of the network as it is before the first decision. */
+  /** Creates the observer of a network, before its first decision. */
   public CameraObserver(NetworkView network, ObservationLayout layout) {
     this(network, layout, Bounds.shares(network.cameras()), Bounds.shares(network.targets()));
   }
 
   private CameraObserver(
-      NetworkView network, ObservationLayout layout, float[] ofCameras, float[] ofTargets) {
+      NetworkView network, ObservationLayout layout, float[] cameraShares, float[] targetShares) {
     this.layout = layout;
-    this.ofCameras = ofCameras;
-    this.ofTargets = ofTargets;
+    this.cameraShares = cameraShares;
+    this.targetShares = targetShares;
     size = layout.size();
     standpoints = new ViewFeatures.Standpoints(network);
     nearest = new NearestCameras(network, layout.neighbours());
-    ways = new int[network.cameras()];
-    note(network);
+    movingDecisions = new int[network.cameras()];
+    update(network);
   }
 
   /**
-   * Of another network of the same scenario: what both know alike is kept once.
+   * Creates the observer of another network of the same scenario, which shares equal numbers.
    *
-   * @param other with the same layout
+   * @param other an observer with the same layout
    */
   public CameraObserver(NetworkView network, ObservationLayout layout, CameraObserver other) {
-    this(network, layout, other.ofCameras, other.ofTargets);
-    views = views.or(other.views);
+    this(network, layout, other.cameraShares, other.targetShares);
+    views = views.sharedWith(other.views);
   }
 
-  private void note(NetworkView network) {
+  private void update(NetworkView network) {
     revision = network.revision();
     nearest.update(network);
     views = new ViewFeatures(network, layout, standpoints, nearest);
   }
 
-  /** Observes for every camera. */
+  /** Writes the observations of all cameras. */
   public void observe(NetworkView network, float[] out) {
     observe(network, pairs, out);
   }
 
   /**
-   * Observes for every camera.
+   * Writes the observations of all cameras.
    *
-   * @param pairs is used meanwhile
+   * @param pairs working memory
    * @param out receives the observations, one camera after the other
    */
   public void observe(NetworkView network, SeenPairs pairs, float[] out) {
     if (network.revision() != revision) {
-      note(network);
+      update(network);
     }
     boolean allOnline = true;
-    for (int camera = 0; camera < ways.length; camera++) {
-      ways[camera] = network.moving(camera) ? ways[camera] + 1 : 0;
+    for (int camera = 0; camera < movingDecisions.length; camera++) {
+      movingDecisions[camera] = network.moving(camera) ? movingDecisions[camera] + 1 : 0;
       write(network, camera, out);
       allOnline &= network.online(camera);
     }
@@ -91,14 +99,14 @@ public final class CameraObserver {
 
   private void write(NetworkView network, int camera, float[] out) {
     int at = camera * size;
+    int decisions = movingDecisions[camera];
     views.write(camera, network.view(camera), network.seeing(camera), out, at);
-    int way = ways[camera];
-    out[at + MOVING] = way > 0 ? 1 : 0;
-    out[at + WAY] = way / (way + 1f);
-    out[at + DETECTED] = share(network.detected(camera), ofTargets); // 0 while it is off
+    out[at + MOVING] = decisions > 0 ? 1 : 0;
+    out[at + WAY] = decisions / (decisions + 1f);
+    out[at + DETECTED] = share(network.detected(camera), targetShares);
   }
 
-  /** Writes the nearest targets that each camera sees, as many as there is room for. */
+  /** Writes the nearest targets that each camera sees, as many as the layout has. */
   private void writeSeen(NetworkView network, SeenPairs pairs, float[] out) {
     network.findSeen(pairs);
     pairs.sort(layout.targets());
@@ -126,16 +134,16 @@ public final class CameraObserver {
     out[at + 3] =
         Bounds.share(network.targetSize(target) / distance * views.perAngle(camera, view));
     out[at + 4] = Bounds.share(network.seenConfidence(camera, target, distance));
-    out[at + 5] = share(network.coverage(target), ofCameras);
+    out[at + 5] = share(network.coverage(target), cameraShares);
   }
 
-  /** 1 for what is more than the whole, as detections with phantoms may be. */
-  private static float share(int part, float[] shares) {
-    return shares[Math.min(part, shares.length - 1)];
+  /** Returns the share of a count; 1 if it exceeds the total, as detections with phantoms may. */
+  private static float share(int count, float[] shares) {
+    return shares[Math.min(count, shares.length - 1)];
   }
 
   private void clearOffline(NetworkView network, float[] out) {
-    for (int camera = 0; camera < ways.length; camera++) {
+    for (int camera = 0; camera < movingDecisions.length; camera++) {
       if (!network.online(camera)) {
         Arrays.fill(out, camera * size, (camera + 1) * size, 0);
       }

@@ -3,20 +3,23 @@ package org.hificamsim.agents.observation;
 /**
  * One number of an observation.
  *
- * @param low the least that it can be
- * @param high the most that it can be
- * @param meaning what it says, with its unit
+ * @param low the least possible value
+ * @param high the greatest possible value
+ * @param meaning of the number, with its unit
  */
 public record Feature(String name, float low, float high, String meaning) {
+  /** Returns a feature from 0 to 1. */
   static Feature share(String name, String meaning) {
     return new Feature(name, 0, 1, meaning);
   }
 
+  /** Returns a feature from -1 to 1. */
   static Feature signed(String name, String meaning) {
     return new Feature(name, -1, 1, meaning);
   }
 
-  Feature of(String what, int number) {
-    return new Feature(what + number + "_" + name, low, high, meaning);
+  /** Returns the feature of a numbered neighbour or target. */
+  Feature of(String owner, int number) {
+    return new Feature(owner + number + "_" + name, low, high, meaning);
   }
 }

@@ -6,16 +6,16 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
- * Which numbers an observation has, in their order: of the camera itself, of its nearest
- * neighbours, of the nearest targets that it sees. Where there are fewer neighbours or targets, the
- * numbers of the rest are 0; so are all numbers of a camera that is off.
+ * The numbers of an observation in their order: those of the camera itself, of its nearest
+ * neighbours, and of the nearest targets that it sees. The numbers of neighbours and targets that
+ * do not exist are 0, and so are all numbers of a camera that is off.
  *
- * @param targets how many targets there is room for, 0 or more
- * @param neighbours how many neighbours there is room for, 0 or more
- * @param heights whether it says how high cameras hang and how they tilt
+ * @param targets number of targets in the observation, 0 or more
+ * @param neighbours number of neighbours in the observation, 0 or more
+ * @param heights whether the heights and tilts of cameras are in the observation
  */
 public record ObservationLayout(int targets, int neighbours, boolean heights) {
-  /** What there is room for where nothing else is asked for. */
+  /** The default layout: 4 targets and 2 neighbours, without heights. */
   public static final ObservationLayout DEFAULT = new ObservationLayout(4, 2, false);
 
   private static final int MAX_OBSERVED = 1_000;
@@ -58,19 +58,19 @@ public record ObservationLayout(int targets, int neighbours, boolean heights) {
           Feature.share("confidence", "the detection model's"),
           Feature.share("coverage", "share of the cameras that detected it in the last step"));
 
-  /** Checks the numbers. */
+  /** Checks that the numbers of targets and neighbours are in their range. */
   public ObservationLayout {
     check("targets", targets);
     check("neighbours", neighbours);
   }
 
-  private static void check(String what, int number) {
+  private static void check(String name, int number) {
     if (number < 0 || number > MAX_OBSERVED) {
-      throw InputException.of("observed %s is %s, expected 0 to %s", what, number, MAX_OBSERVED);
+      throw InputException.of("observed %s is %s, expected 0 to %s", name, number, MAX_OBSERVED);
     }
   }
 
-  /** Where a number of the camera itself is. */
+  /** Returns the index of a number of the camera itself. */
   static int at(String name) {
     return IntStream.range(0, OWN.size())
         .filter(i -> OWN.get(i).name().equals(name))
@@ -78,34 +78,35 @@ public record ObservationLayout(int targets, int neighbours, boolean heights) {
         .orElseThrow();
   }
 
-  /** How many numbers an observation has. */
+  /** The number of numbers of an observation. */
   public int size() {
     return firstTarget() + targets * TARGET.size();
   }
 
-  /** How many numbers are of the camera itself, which come first. */
+  /** The number of numbers of the camera itself, which come first. */
   public int ownSize() {
     return OWN.size() + (heights ? OWN_HEIGHTS.size() : 0);
   }
 
+  /** The index of the first number of the first target. */
   int firstTarget() {
     return ownSize() + neighbours * NEIGHBOUR.size();
   }
 
-  /** All numbers, in order. */
+  /** The numbers of an observation, in order. */
   public List<Feature> features() {
-    List<Feature> all = new ArrayList<>(OWN);
+    List<Feature> features = new ArrayList<>(OWN);
     if (heights) {
-      all.addAll(OWN_HEIGHTS);
+      features.addAll(OWN_HEIGHTS);
     }
     for (int i = 0; i < neighbours; i++) {
       int number = i;
-      NEIGHBOUR.forEach(feature -> all.add(feature.of("neighbour", number)));
+      NEIGHBOUR.forEach(feature -> features.add(feature.of("neighbour", number)));
     }
     for (int i = 0; i < targets; i++) {
       int number = i;
-      TARGET.forEach(feature -> all.add(feature.of("target", number)));
+      TARGET.forEach(feature -> features.add(feature.of("target", number)));
     }
-    return all;
+    return features;
   }
 }

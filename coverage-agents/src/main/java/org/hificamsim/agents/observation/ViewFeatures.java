@@ -8,25 +8,29 @@ import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What an observation has of a camera in each of its views wherever targets are: a row for each,
- * with the numbers of the camera itself, where its neighbours stand, and 0 for all else. Good until
- * the network's revision changes.
+ * The numbers of an observation that do not depend on targets: a row for each view of a camera,
+ * with the numbers of the camera itself and the positions of its neighbours, and 0 for all others.
+ * Valid until the revision of the network changes.
  */
 final class ViewFeatures {
-  private static final int GOAL = ObservationLayout.at("goal_pan");
-  private static final int SEEING = ObservationLayout.at("pan");
+  private static final int GOAL_PAN = ObservationLayout.at("goal_pan");
+  private static final int PAN = ObservationLayout.at("pan");
   private static final int BLIND = ObservationLayout.at("blind");
-  private static final int OF_A_VIEW = 3; // pan, zoom and angle
-  private static final double HIGH = 10; // metres
+
+  /** The numbers of a view: pan, zoom and angle. */
+  private static final int VIEW_NUMBERS = 3;
+
+  /** The height that counts as 1, metres. */
+  private static final double HEIGHT_SCALE = 10;
 
   /**
-   * A scale for where cameras stand: the middle of those that are online at first is 0, and the
-   * outermost of them, in x or y, is at 1 or -1.
+   * A scale for the positions of cameras: the centre of those that are online at the beginning is
+   * at 0, and the outermost of them, in x or y, is at 1 or -1.
    */
   static final class Standpoints {
     private final double middleX;
     private final double middleY;
-    private final double half;
+    private final double halfExtent;
 
     Standpoints(NetworkView network) {
       double left = least(network, network::cameraX);
@@ -35,39 +39,48 @@ final class ViewFeatures {
       double top = -least(network, camera -> -network.cameraY(camera));
       middleX = (left + right) / 2;
       middleY = (bottom + top) / 2;
-      half = Math.max(Math.max(right - left, top - bottom) / 2, Double.MIN_NORMAL);
+      halfExtent = Math.max(Math.max(right - left, top - bottom) / 2, Double.MIN_NORMAL);
     }
 
-    private static double least(NetworkView network, IntToDoubleFunction of) {
+    private static double least(NetworkView network, IntToDoubleFunction coordinate) {
       return IntStream.range(0, network.cameras())
           .filter(network::online)
-          .mapToDouble(of)
+          .mapToDouble(coordinate)
           .min()
           .orElse(0);
     }
 
+    /** Returns an x coordinate on the scale. */
     float x(double metres) {
-      return Bounds.signed((metres - middleX) / half);
+      return Bounds.signed((metres - middleX) / halfExtent);
     }
 
+    /** Returns a y coordinate on the scale. */
     float y(double metres) {
-      return Bounds.signed((metres - middleY) / half);
+      return Bounds.signed((metres - middleY) / halfExtent);
     }
 
-    /** A distance in x or y: half the scale, so that the outermost are at 1 from each other. */
-    float between(double metres) {
-      return Bounds.signed(metres / half / 2);
+    /** Returns a difference in x or y on half the scale, so that it is 1 between the outermost. */
+    float difference(double metres) {
+      return Bounds.signed(metres / halfExtent / 2);
     }
   }
 
   private final int size;
-  private final int tilt; // where that of the view is that a camera sees through; 0: nowhere
+
+  /** The index of the tilt of the view through which a camera sees; 0 without heights. */
+  private final int tiltIndex;
+
   private final int[] firstRow;
   private final float[] rows;
   private final double[] perReach;
   private final double[] perAngle;
-  private final int[] copyTo; // where each neighbour's last number is, in the observations of all
-  private final int[] copyFrom; // where that neighbour's own numbers begin
+
+  /** By link to a neighbour, the index of its last number in the observations of all cameras. */
+  private final int[] copyTo;
+
+  /** By link to a neighbour, the index of the neighbour's own numbers. */
+  private final int[] copyFrom;
 
   ViewFeatures(
       NetworkView network,
@@ -75,7 +88,7 @@ final class ViewFeatures {
       Standpoints standpoints,
       NearestCameras nearest) {
     size = layout.size();
-    tilt = layout.heights() ? layout.ownSize() - 1 : 0;
+    tiltIndex = layout.heights() ? layout.ownSize() - 1 : 0;
     firstRow = new int[network.cameras() + 1];
     int links = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -121,16 +134,16 @@ final class ViewFeatures {
     rows[at + 2] = standpoints.y(network.cameraY(camera));
     rows[at + 3] = Bounds.signed(Math.sin(network.cameraHeading(camera)));
     rows[at + 4] = Bounds.signed(Math.cos(network.cameraHeading(camera)));
-    rows[at + SEEING] = Bounds.signed(network.pan(camera, view) / Math.PI);
-    rows[at + SEEING + 1] =
+    rows[at + PAN] = Bounds.signed(network.pan(camera, view) / Math.PI);
+    rows[at + PAN + 1] =
         zooms == 1 ? 1 : Bounds.share(network.zoomOf(camera, view) / (zooms - 1.0));
-    rows[at + SEEING + 2] = Bounds.share(angle / (2 * Math.PI));
-    System.arraycopy(rows, at + SEEING, rows, at + GOAL, 2);
-    if (tilt > 0) {
+    rows[at + PAN + 2] = Bounds.share(angle / (2 * Math.PI));
+    System.arraycopy(rows, at + PAN, rows, at + GOAL_PAN, 2);
+    if (tiltIndex > 0) {
       VerticalView vertical = network.zoom(camera, view).vertical();
-      rows[at + tilt - 2] = Bounds.share(vertical.z() / HIGH);
-      rows[at + tilt - 1] = Bounds.signed(vertical.tilt() / (Math.PI / 2));
-      rows[at + tilt] = rows[at + tilt - 1];
+      rows[at + tiltIndex - 2] = Bounds.share(vertical.z() / HEIGHT_SCALE);
+      rows[at + tiltIndex - 1] = Bounds.signed(vertical.tilt() / (Math.PI / 2));
+      rows[at + tiltIndex] = rows[at + tiltIndex - 1];
     }
   }
 
@@ -138,61 +151,65 @@ final class ViewFeatures {
       NetworkView network, Standpoints standpoints, NearestCameras nearest, int camera, int first) {
     int at = first;
     for (int i = 0; i < nearest.count(camera); i++) {
-      int other = nearest.neighbour(camera, i);
-      rows[at] = standpoints.between(network.cameraX(other) - network.cameraX(camera));
-      rows[at + 1] = standpoints.between(network.cameraY(other) - network.cameraY(camera));
+      int neighbour = nearest.neighbour(camera, i);
+      rows[at] = standpoints.difference(network.cameraX(neighbour) - network.cameraX(camera));
+      rows[at + 1] = standpoints.difference(network.cameraY(neighbour) - network.cameraY(camera));
       at += ObservationLayout.NEIGHBOUR.size();
     }
   }
 
   /**
-   * Writes them.
+   * Writes the numbers of a camera.
    *
    * @param goal the view that the camera chose last
-   * @param seeing the view that it sees through, -1 while it sees nothing
+   * @param seeing the view through which it sees, or -1 while it sees nothing
    */
   void write(int camera, int goal, int seeing, float[] out, int at) {
     System.arraycopy(rows, (firstRow[camera] + goal) * size, out, at, size);
     if (seeing < 0) {
-      Arrays.fill(out, at + SEEING, at + SEEING + OF_A_VIEW, 0);
+      Arrays.fill(out, at + PAN, at + PAN + VIEW_NUMBERS, 0);
       out[at + BLIND] = 1;
     } else if (seeing != goal) {
       int from = (firstRow[camera] + seeing) * size;
-      System.arraycopy(rows, from + SEEING, out, at + SEEING, OF_A_VIEW);
+      System.arraycopy(rows, from + PAN, out, at + PAN, VIEW_NUMBERS);
     }
-    if (tilt > 0) {
-      out[at + tilt] = seeing < 0 ? 0 : rows[(firstRow[camera] + seeing) * size + tilt];
+    if (tiltIndex > 0) {
+      out[at + tiltIndex] = seeing < 0 ? 0 : rows[(firstRow[camera] + seeing) * size + tiltIndex];
     }
   }
 
   /**
-   * Copies a number of each camera to the last one that others have of it as their neighbour.
+   * Copies a number of each camera to the observations of the cameras that have it as a neighbour,
+   * as its last number there.
    *
    * @param out the observations of all cameras
-   * @param which of the camera's own numbers
+   * @param index of the number among the camera's own ones
    */
-  void copyToNeighbours(float[] out, int which) {
+  void copyToNeighbours(float[] out, int index) {
     for (int link = 0; link < copyTo.length; link++) {
-      out[copyTo[link]] = out[copyFrom[link] + which];
+      out[copyTo[link]] = out[copyFrom[link] + index];
     }
   }
 
-  /** One by the distance beyond which the camera detects nothing in a view, per metre. */
+  /** The inverse of the reach of a view, beyond which nothing is detected, per metre. */
   double perReach(int camera, int view) {
     return perReach[firstRow[camera] + view];
   }
 
-  /** One by the opening angle of a view, per radian. */
+  /** The inverse of the opening angle of a view, per radian. */
   double perAngle(int camera, int view) {
     return perAngle[firstRow[camera] + view];
   }
 
-  /** Others, if they are the same numbers: kept once for many worlds, they stay near. */
-  ViewFeatures or(ViewFeatures others) {
-    return isLike(others) ? others : this;
+  /**
+   * Returns the other object if its numbers are equal, else this one. Many worlds that share one
+   * object keep it in the processor's cache.
+   */
+  ViewFeatures sharedWith(ViewFeatures others) {
+    return equalsNumbers(others) ? others : this;
   }
 
-  private boolean isLike(ViewFeatures others) {
+  private boolean equalsNumbers(ViewFeatures others) {
     return size == others.size
         && Arrays.equals(firstRow, others.firstRow)
         && Arrays.equals(rows, others.rows)

@@ -6,11 +6,11 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * A policy that finds the best configuration of each step where targets are, exactly, and counts
- * where it gave up the proof. With no target present the views stay.
+ * A policy that finds the best configuration of each step exactly, and counts the steps in which it
+ * gave up the proof. Cameras keep their views in steps without a target.
  */
 abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
-  /** By default; more than steps of some hundred cameras need, and seconds of search. */
+  /** The default limit: more than steps of a few hundred cameras need, and seconds of search. */
   static final int DEFAULT_NODES = 1_000_000;
 
   private ConfigurationSets sets;
@@ -18,22 +18,22 @@ abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
   private long unprovenSteps;
   private double gap;
 
-  /** The option {@code nodes}: how long the proof of a step may take. */
-  static int nodes(Options options, int byDefault) {
+  /** Reads the option {@code nodes}: how long the proof of a step may take. */
+  static int nodes(Options options, int defaultNodes) {
     return options.integer(
         "nodes",
-        byDefault,
+        defaultNodes,
         0,
         Integer.MAX_VALUE,
         "search nodes of a step before the best configuration found is taken, unproven");
   }
 
   /**
-   * Says what is searched; to be called before the first decision.
+   * Sets the solver, before the first decision.
    *
-   * @param newSets what the network makes of the solver's problem
+   * @param newSets fills the solver's problem in each step
    */
-  final void search(ConfigurationSets newSets, Solver newSolver) {
+  final void solveWith(ConfigurationSets newSets, Solver newSolver) {
     sets = newSets;
     solver = newSolver;
   }

@@ -9,19 +9,19 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The constant configuration with the best score, the performance (Eq 7.2) by default, over the
- * very run that follows: what the best fixed zoom of each camera would have been, in hindsight.
+ * The constant configuration with the best score, by default the performance (Eq 7.2), over the run
+ * that follows: the best fixed view of each camera in hindsight.
  *
- * <p>Exact where each camera has a view that includes what its others detect, as under any model
- * that falls with distance on round fields of view, and wherever the search ends within {@code
- * nodes}; otherwise the best configuration found until then.
+ * <p>It is exact if each camera has a view that detects all that its other views detect, as under
+ * any model that falls with distance on round fields of view, and if the search ends within {@code
+ * nodes}. Otherwise it is the best configuration found.
  */
 public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
-  private static final int NODES = 10_000;
+  private static final int DEFAULT_NODES = 10_000;
 
   private final int nodes;
   private final RunDetections run = new RunDetections();
-  private int[] best;
+  private int[] bestViews;
   private boolean proven;
 
   /** Reads the option {@code nodes}. */
@@ -29,7 +29,7 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
     nodes =
         options.integer(
             "nodes",
-            NODES,
+            DEFAULT_NODES,
             0,
             Integer.MAX_VALUE,
             "partial configurations to look at before the best one found is taken");
@@ -40,7 +40,7 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
     return "best-fixed";
   }
 
-  /** A bound on what is possible: its cameras need no time for a move. */
+  /** Cameras need no time for a move, so that the score is a bound on what is possible. */
   @Override
   public boolean jumps() {
     return true;
@@ -53,12 +53,12 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
 
   @Override
   public void decide(OracleView network, int[] views) {
-    if (best == null) {
+    if (bestViews == null) {
       search();
     }
-    for (int camera = 0; camera < best.length; camera++) {
+    for (int camera = 0; camera < bestViews.length; camera++) {
       if (network.online(camera)) {
-        views[camera] = best[camera];
+        views[camera] = bestViews[camera];
       }
     }
   }
@@ -68,11 +68,11 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
     Solver solver = new RunSolver(run.objective(), problem, run.ends(), nodes);
     solver.solve();
     proven = solver.proven();
-    best = new int[problem.cameras()];
-    Arrays.setAll(best, camera -> solver.chosen(camera) - problem.firstSet(camera));
+    bestViews = new int[problem.cameras()];
+    Arrays.setAll(bestViews, camera -> solver.chosen(camera) - problem.firstSet(camera));
   }
 
-  /** Whether the configuration is proven to be the best constant one; known from the first step. */
+  /** Whether the configuration is proven to be the best constant one, from the first step on. */
   public boolean proven() {
     return proven;
   }

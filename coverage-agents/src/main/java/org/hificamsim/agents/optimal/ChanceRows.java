@@ -5,45 +5,51 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * What each online camera's views are worth in a step: rows of chances, by target. A view that is
- * nowhere better than another one of its camera is left out; of equal ones the narrowest stays.
+ * The chances of each online camera's views to detect each target in a step: a row for each view. A
+ * view that is nowhere better than another view of its camera is left out; of equal views the
+ * narrowest stays.
  */
 final class ChanceRows implements ConfigurationSets {
-  /** A view with the targets that it may detect; used again for each step. */
+  /** A view with the targets that it may detect, reused in each step. */
   private static final class Row {
     private int view;
     private int count;
     private int[] targets = {};
     private double[] chances = {};
 
-    private void set(int newView, int[] who, double[] sure, int newCount) {
+    private void set(int newView, int[] newTargets, double[] newChances, int newCount) {
       view = newView;
       count = newCount;
       if (count > targets.length) {
         targets = new int[2 * count];
         chances = new double[2 * count];
       }
-      System.arraycopy(who, 0, targets, 0, count);
-      System.arraycopy(sure, 0, chances, 0, count);
+      System.arraycopy(newTargets, 0, targets, 0, count);
+      System.arraycopy(newChances, 0, chances, 0, count);
     }
   }
 
-  private final Row[] rows; // those in use first, camera by camera
-  private final int[] who;
-  private final double[] chances;
-  private final double[] dense;
-  private final int[] present;
+  /** The rows in use come first, camera by camera. */
+  private final Row[] rows;
+
+  private final int[] viewTargets;
+  private final double[] viewChances;
+  private final double[] chanceByTarget;
+  private final int[] presentTargets;
+
+  /** By online camera. */
   private final int[] firstRow;
+
   private int targets;
   private int cameras;
 
   ChanceRows(OracleView network) {
     rows = new Row[IntStream.range(0, network.cameras()).map(network::views).sum()];
     Arrays.setAll(rows, row -> new Row());
-    who = new int[network.targets()];
-    chances = new double[network.targets()];
-    dense = new double[network.targets()];
-    present = new int[network.targets()];
+    viewTargets = new int[network.targets()];
+    viewChances = new double[network.targets()];
+    chanceByTarget = new double[network.targets()];
+    presentTargets = new int[network.targets()];
     firstRow = new int[network.cameras() + 1];
   }
 
@@ -62,20 +68,21 @@ final class ChanceRows implements ConfigurationSets {
 
   private void findPresent(OracleView network) {
     targets = 0;
-    for (int one = 0; one < network.targets(); one++) {
-      if (network.present(one)) {
-        present[targets++] = one;
+    for (int target = 0; target < network.targets(); target++) {
+      if (network.present(target)) {
+        presentTargets[targets++] = target;
       }
     }
   }
 
-  /** Adds the rows of a camera from an index on; returns the index behind the last. */
+  /** Adds the rows of a camera at an index; returns the index after the last one. */
   private int addRows(OracleView network, int camera, int from) {
     int end = from;
     for (int view = 0; view < network.views(camera); view++) {
-      rows[end].set(view, who, chances, network.chances(camera, view, who, chances));
+      int count = network.chances(camera, view, viewTargets, viewChances);
+      rows[end].set(view, viewTargets, viewChances, count);
       if (!isDominated(from, end)) {
-        end = withoutDominated(from, end);
+        end = removeDominated(from, end);
       }
     }
     return end;
@@ -89,14 +96,14 @@ final class ChanceRows implements ConfigurationSets {
     return dominated;
   }
 
-  /** Takes out the rows that the one behind them dominates; returns the index behind that one. */
-  private int withoutDominated(int from, int last) {
+  /** Removes the rows that the last one dominates; returns the index after the last one. */
+  private int removeDominated(int from, int last) {
     int kept = from;
     for (int row = from; row <= last; row++) {
       if (row == last || !dominates(rows[last], rows[row])) {
-        Row one = rows[row];
+        Row keptRow = rows[row];
         rows[row] = rows[kept];
-        rows[kept++] = one;
+        rows[kept++] = keptRow;
       }
     }
     return kept;
@@ -104,14 +111,14 @@ final class ChanceRows implements ConfigurationSets {
 
   private boolean dominates(Row better, Row worse) {
     for (int i = 0; i < better.count; i++) {
-      dense[better.targets[i]] = better.chances[i];
+      chanceByTarget[better.targets[i]] = better.chances[i];
     }
     boolean dominates = true;
     for (int i = 0; i < worse.count; i++) {
-      dominates &= worse.chances[i] <= dense[worse.targets[i]];
+      dominates &= worse.chances[i] <= chanceByTarget[worse.targets[i]];
     }
     for (int i = 0; i < better.count; i++) {
-      dense[better.targets[i]] = 0;
+      chanceByTarget[better.targets[i]] = 0;
     }
     return dominates;
   }
@@ -121,7 +128,7 @@ final class ChanceRows implements ConfigurationSets {
   }
 
   int maxTargets() {
-    return who.length;
+    return viewTargets.length;
   }
 
   /** The number of online cameras. */
@@ -129,17 +136,17 @@ final class ChanceRows implements ConfigurationSets {
     return cameras;
   }
 
-  /** The number of targets present. */
+  /** The number of targets that are present. */
   int targets() {
     return targets;
   }
 
-  /** The i-th target present. */
+  /** The i-th target that is present. */
   int target(int i) {
-    return present[i];
+    return presentTargets[i];
   }
 
-  /** The first row of an online camera; those of the next follow its last. */
+  /** The first row of an online camera; the rows of the next camera follow its last one. */
   int first(int camera) {
     return firstRow[camera];
   }
@@ -149,20 +156,20 @@ final class ChanceRows implements ConfigurationSets {
     return rows[row].view;
   }
 
-  /** Adds a row's chances, times a factor, to the coverage of targets. */
-  void add(int row, double factor, double[] coverage) {
-    Row one = rows[row];
-    for (int i = 0; i < one.count; i++) {
-      coverage[one.targets[i]] += factor * one.chances[i];
+  /** Adds the chances of a row, times a factor, to the coverage of targets. */
+  void add(int number, double factor, double[] coverage) {
+    Row row = rows[number];
+    for (int i = 0; i < row.count; i++) {
+      coverage[row.targets[i]] += factor * row.chances[i];
     }
   }
 
-  /** The sum of a row's chances, each weighed by its target. */
-  double weigh(int row, double[] weights) {
-    Row one = rows[row];
+  /** The sum of the chances of a row, weighted by target. */
+  double weightedSum(int number, double[] weights) {
+    Row row = rows[number];
     double sum = 0;
-    for (int i = 0; i < one.count; i++) {
-      sum += weights[one.targets[i]] * one.chances[i];
+    for (int i = 0; i < row.count; i++) {
+      sum += weights[row.targets[i]] * row.chances[i];
     }
     return sum;
   }

@@ -3,16 +3,16 @@ package org.hificamsim.agents.optimal;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * What each camera could detect, as the problem of a {@link org.hificamsim.agents.search.Solver}.
+ * Fills the problem of a {@link org.hificamsim.agents.search.Solver} with what cameras can detect.
  */
 interface ConfigurationSets {
   /**
-   * Fills the problem with the network as it is now; its cameras are the online ones.
+   * Fills the problem with the network as it is now. Its cameras are the online ones.
    *
-   * @return whether any target is present; if none is, the problem stays as it was
+   * @return whether any target is present; if not, the problem is unchanged
    */
   boolean fill(OracleView network);
 
-  /** The view behind a set of the problem. */
+  /** The view to which a set of the problem belongs. */
   int viewOf(int set);
 }

@@ -5,63 +5,73 @@ import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * The detection sets of each camera's candidate views over the targets that are present, in order
- * of preference, as a coverage problem.
+ * The detection sets of each camera's candidate views, in order of preference, as a coverage
+ * problem of the targets that are present.
  *
- * <p>Candidates are the views that a camera may take at the next step, widest or narrowest first. A
- * set that is included in a more preferred one of the same camera is left out: it would never be
+ * <p>Candidates are the views that a camera may take in the next step, widest or narrowest first. A
+ * set that a more preferred set of the same camera includes is left out, because it would never be
  * chosen.
  */
 final class DetectionSets implements ConfigurationSets {
   private final boolean mostTargets;
-  private final int[][] candidates; // by camera
-  private final int[] counts; // of candidates, by camera
+  private final int[][] candidates;
+  private final int[] candidateCounts;
   private final CoverageProblem problem;
-  private final int[] placeOf;
+
+  /** By target that is present, its number in the problem. */
+  private final int[] problemNumber;
+
   private final int[] viewOf;
-  private final int allWords;
-  private final long[] seen;
-  private final long[] masks;
-  private final int[] order;
-  private final int[] sizes;
+  private final int networkWords;
+
+  /** By view, the mask of the network's targets that it detects. */
+  private final long[] viewMasks;
+
+  /** By candidate, the mask of the problem's targets that it detects. */
+  private final long[] candidateMasks;
+
+  private final int[] candidateSizes;
+
+  /** The candidates of a camera in order of preference. */
+  private final int[] preferred;
+
   private int targets;
   private int words;
 
   /**
-   * @param mostTargets whether a view that detects more targets is preferred, before its width
-   *     counts
+   * @param mostTargets whether views that detect more targets are preferred, whatever their width
    */
   DetectionSets(OracleView network, boolean mostTargets) {
     this.mostTargets = mostTargets;
     candidates = new int[network.cameras()][];
     Arrays.setAll(candidates, camera -> new int[network.views(camera)]);
-    int all = Arrays.stream(candidates).mapToInt(views -> views.length).sum();
-    int most = Arrays.stream(candidates).mapToInt(views -> views.length).max().orElse(0);
-    counts = new int[network.cameras()];
-    problem = new CoverageProblem(network.cameras(), all, network.targets());
-    placeOf = new int[network.targets()];
-    viewOf = new int[all];
-    allWords = CoverageProblem.wordsFor(network.targets());
-    seen = new long[most * allWords];
-    masks = new long[most * allWords];
-    order = new int[most];
-    sizes = new int[most];
+    int allViews = Arrays.stream(candidates).mapToInt(views -> views.length).sum();
+    int maxViews = Arrays.stream(candidates).mapToInt(views -> views.length).max().orElse(0);
+    candidateCounts = new int[network.cameras()];
+    problem = new CoverageProblem(network.cameras(), allViews, network.targets());
+    problemNumber = new int[network.targets()];
+    viewOf = new int[allViews];
+    networkWords = CoverageProblem.wordsFor(network.targets());
+    viewMasks = new long[maxViews * networkWords];
+    candidateMasks = new long[maxViews * networkWords];
+    preferred = new int[maxViews];
+    candidateSizes = new int[maxViews];
   }
 
-  /** Takes all candidates from a camera. */
+  /** Removes all candidates of a camera. */
   void clear(int camera) {
-    counts[camera] = 0;
+    candidateCounts[camera] = 0;
   }
 
-  /** Adds a candidate after the camera's others. */
+  /** Adds a candidate of a camera, after its others. */
   void add(int camera, int view) {
-    candidates[camera][counts[camera]] = view;
-    counts[camera]++;
+    candidates[camera][candidateCounts[camera]] = view;
+    candidateCounts[camera]++;
   }
 
-  /** How many candidates a camera has. */
+  /** The number of candidates of a camera. */
   int candidates(int camera) {
-    return counts[camera];
+    return candidateCounts[camera];
   }
 
   /** The camera's i-th candidate. */
@@ -70,22 +80,22 @@ final class DetectionSets implements ConfigurationSets {
   }
 
   /**
-   * Takes from a camera the candidates that another one dominates; of candidates that dominate each
-   * other the first stays.
+   * Removes the candidates of a camera that another one dominates; of candidates that dominate each
+   * other the first one stays.
    */
   void removeDominated(OracleView network, int camera) {
     int[] views = candidates[camera];
-    for (int i = counts[camera] - 1; i >= 0; i--) {
-      if (dominated(network, camera, i)) {
-        counts[camera]--;
-        System.arraycopy(views, i + 1, views, i, counts[camera] - i);
+    for (int i = candidateCounts[camera] - 1; i >= 0; i--) {
+      if (isDominated(network, camera, i)) {
+        candidateCounts[camera]--;
+        System.arraycopy(views, i + 1, views, i, candidateCounts[camera] - i);
       }
     }
   }
 
-  private boolean dominated(OracleView network, int camera, int i) {
+  private boolean isDominated(OracleView network, int camera, int i) {
     int view = candidate(camera, i);
-    for (int other = 0; other < counts[camera]; other++) {
+    for (int other = 0; other < candidateCounts[camera]; other++) {
       if (other != i && network.dominates(camera, candidate(camera, other), view)) {
         return true;
       }
@@ -114,7 +124,7 @@ final class DetectionSets implements ConfigurationSets {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         problem.addCamera();
-        add(network, camera);
+        addSets(network, camera);
       }
     }
     return true;
@@ -124,47 +134,49 @@ final class DetectionSets implements ConfigurationSets {
     targets = 0;
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
-        placeOf[target] = targets++;
+        problemNumber[target] = targets++;
       }
     }
   }
 
-  private void add(OracleView network, int camera) {
-    network.detections(camera, seen, allWords);
-    for (int i = 0; i < counts[camera]; i++) {
-      look(camera, i);
-      place(i);
+  private void addSets(OracleView network, int camera) {
+    network.detections(camera, viewMasks, networkWords);
+    for (int i = 0; i < candidateCounts[camera]; i++) {
+      fillMask(camera, i);
+      insertByPreference(i);
     }
-    for (int i = 0; i < counts[camera]; i++) {
-      if (!problem.lastCameraIncludes(masks, order[i] * words)) {
-        viewOf[problem.sets()] = candidate(camera, order[i]);
-        problem.addSet(masks, order[i] * words);
+    for (int i = 0; i < candidateCounts[camera]; i++) {
+      if (!problem.lastCameraIncludes(candidateMasks, preferred[i] * words)) {
+        viewOf[problem.sets()] = candidate(camera, preferred[i]);
+        problem.addSet(candidateMasks, preferred[i] * words);
       }
     }
   }
 
-  /** Copies what a camera sees as a candidate, by target, into its row, by target present. */
-  private void look(int camera, int row) {
-    int from = candidate(camera, row) * allWords;
-    int to = row * words;
-    Arrays.fill(masks, to, to + words, 0);
-    sizes[row] = 0;
-    for (int word = 0; word < allWords; word++) {
-      sizes[row] += Long.bitCount(seen[from + word]);
-      for (long bits = seen[from + word]; bits != 0; bits &= bits - 1) {
-        int at = placeOf[(word << 6) + Long.numberOfTrailingZeros(bits)];
-        masks[to + (at >> 6)] |= 1L << at;
+  /** Copies the mask of a candidate's view, with the problem's numbers of targets. */
+  private void fillMask(int camera, int candidate) {
+    int from = candidate(camera, candidate) * networkWords;
+    int to = candidate * words;
+    Arrays.fill(candidateMasks, to, to + words, 0);
+    candidateSizes[candidate] = 0;
+    for (int word = 0; word < networkWords; word++) {
+      candidateSizes[candidate] += Long.bitCount(viewMasks[from + word]);
+      for (long bits = viewMasks[from + word]; bits != 0; bits &= bits - 1) {
+        int number = problemNumber[(word << 6) + Long.numberOfTrailingZeros(bits)];
+        candidateMasks[to + (number >> 6)] |= 1L << number;
       }
     }
   }
 
-  /** Inserts a row into the order of preference; the candidates come in order of width. */
-  private void place(int row) {
-    int at = row;
-    while (mostTargets && at > 0 && sizes[order[at - 1]] < sizes[row]) {
-      order[at] = order[at - 1];
-      at--;
+  /** Inserts a candidate into the order of preference; they are inserted in order of width. */
+  private void insertByPreference(int candidate) {
+    int index = candidate;
+    while (mostTargets
+        && index > 0
+        && candidateSizes[preferred[index - 1]] < candidateSizes[candidate]) {
+      preferred[index] = preferred[index - 1];
+      index--;
     }
-    order[at] = row;
+    preferred[index] = candidate;
   }
 }

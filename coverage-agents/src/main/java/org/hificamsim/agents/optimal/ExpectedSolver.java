@@ -5,20 +5,25 @@ import org.hificamsim.agents.search.BranchAndBound;
 import org.hificamsim.agents.search.Solver;
 
 /**
- * Finds the configuration with the best least expected coverage: of one row for each camera, the
- * greatest minimum over the targets of the sum of their chances.
+ * Finds the configuration with the greatest least expected coverage. It chooses a row for each
+ * camera so that the minimum over the targets of the sum of their chances is as large as possible.
  *
- * <p>For any weights of the targets that add up to 1, the sum over the cameras of their best
- * weighed row bounds every configuration's minimum from above (Lagrangian relaxation).
- * Multiplicative weights (Arora, Hazan and Kale, Theory of Computing 8, 2012) make the bound tight,
- * and local search makes a good configuration; {@link BranchAndBound} with that bound, camera by
- * camera, then proves the best one, to {@value #TOLERANCE}.
+ * <p>For any weights of the targets with a sum of 1, the greatest weighted sums of all cameras'
+ * rows add up to an upper bound of this minimum (Lagrangian relaxation). Multiplicative weights
+ * (Arora, Hazan and Kale, Theory of Computing 8, 2012) tighten the bound, and local search finds a
+ * good configuration. {@link BranchAndBound} over the cameras, with this bound, then proves the
+ * best one to within {@value #TOLERANCE}.
  */
 final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   static final double TOLERANCE = 1e-9;
 
   private static final int ROUNDS = 60;
-  private static final double RATE = 2;
+  private static final double FIRST_RATE = 2;
+  private static final double MIN_WEIGHT = 1e-12;
+
+  /** Limits how far the weight of a target falls in a round. */
+  private static final double MAX_DIFFERENCE = 20;
+
   private static final int MAX_PASSES = 20;
 
   private final ChanceRows rows;
@@ -28,17 +33,22 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   private final double[] bestWeights;
   private final int[] chosen;
   private final int[] best;
-  private final int[] next; // row to try, by camera
-  private final double[] rest; // what this camera and those after it weigh at most
+
+  /** By camera, the row to try next. */
+  private final int[] nextRows;
+
+  /** By camera, the greatest weighted sums of its rows and of all later cameras' rows. */
+  private final double[] restBounds;
+
   private final BranchAndBound search = new BranchAndBound();
   private int depth;
-  private double weight;
+  private double chosenWeight;
   private double value;
   private double bound;
 
   /**
-   * @param rows what each call of {@link #solve} reads
-   * @param maxNodes search nodes after which a call gives up the proof
+   * @param rows the problem, which each call of {@link #solve} reads
+   * @param maxNodes number of search nodes after which a call gives up the proof
    */
   ExpectedSolver(ChanceRows rows, long maxNodes) {
     this.rows = rows;
@@ -48,8 +58,8 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
     bestWeights = new double[rows.maxTargets()];
     chosen = new int[rows.maxCameras()];
     best = new int[rows.maxCameras()];
-    next = new int[rows.maxCameras()];
-    rest = new double[rows.maxCameras() + 1];
+    nextRows = new int[rows.maxCameras()];
+    restBounds = new double[rows.maxCameras() + 1];
   }
 
   @Override
@@ -57,7 +67,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
     value = -1;
     tuneWeights();
     proven = bound <= value + TOLERANCE || search();
-    measure();
+    recomputeValue();
     gap = proven ? 0 : Math.max(bound, 0) - Math.max(value, 0);
   }
 
@@ -66,8 +76,8 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
     return best[camera];
   }
 
-  /** What was added and taken away again leaves its rounding: all is added once more. */
-  private void measure() {
+  /** Adds all rows again, because rows that were added and removed leave rounding errors. */
+  private void recomputeValue() {
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < rows.cameras(); camera++) {
       rows.add(best[camera], 1, coverage);
@@ -81,44 +91,47 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
       weights[rows.target(i)] = 1.0 / rows.targets();
     }
     for (int round = 0; round < ROUNDS && bound > value + TOLERANCE; round++) {
-      double reached = respond();
-      if (reached < bound) {
-        bound = reached;
+      double newBound = chooseGreatestRows();
+      if (newBound < bound) {
+        bound = newBound;
         System.arraycopy(weights, 0, bestWeights, 0, weights.length);
       }
-      reweigh(RATE / Math.sqrt(1.0 + round));
+      updateWeights(FIRST_RATE / Math.sqrt(1.0 + round));
       improve();
     }
   }
 
-  /** Each camera takes the row that weighs most; returns what all weigh together. */
-  private double respond() {
+  /** Chooses each camera's row with the greatest weighted sum; returns the total of these sums. */
+  private double chooseGreatestRows() {
     Arrays.fill(coverage, 0);
     double sum = 0;
     for (int camera = 0; camera < rows.cameras(); camera++) {
-      chosen[camera] = heaviest(camera, weights);
-      sum += rows.weigh(chosen[camera], weights);
+      chosen[camera] = greatestRow(camera, weights);
+      sum += rows.weightedSum(chosen[camera], weights);
       rows.add(chosen[camera], 1, coverage);
     }
     return sum;
   }
 
-  private int heaviest(int camera, double[] by) {
-    int heaviest = rows.first(camera);
-    for (int row = heaviest + 1; row < rows.first(camera + 1); row++) {
-      heaviest = rows.weigh(row, by) > rows.weigh(heaviest, by) ? row : heaviest;
+  private int greatestRow(int camera, double[] targetWeights) {
+    int greatest = rows.first(camera);
+    for (int row = greatest + 1; row < rows.first(camera + 1); row++) {
+      boolean greater =
+          rows.weightedSum(row, targetWeights) > rows.weightedSum(greatest, targetWeights);
+      greatest = greater ? row : greatest;
     }
-    return heaviest;
+    return greatest;
   }
 
-  /** Targets with little coverage gain weight. */
-  private void reweigh(double rate) {
+  /** Raises the weights of targets with little coverage. */
+  private void updateWeights(double rate) {
     double least = least();
     double sum = 0;
     for (int i = 0; i < rows.targets(); i++) {
       int target = rows.target(i);
-      weights[target] *= StrictMath.exp(-rate * Math.min(coverage[target] - least, 20));
-      weights[target] = Math.max(weights[target], 1e-12);
+      double difference = Math.min(coverage[target] - least, MAX_DIFFERENCE);
+      weights[target] *= StrictMath.exp(-rate * difference);
+      weights[target] = Math.max(weights[target], MIN_WEIGHT);
       sum += weights[target];
     }
     for (int i = 0; i < rows.targets(); i++) {
@@ -126,7 +139,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
     }
   }
 
-  /** Changes one camera after the other while that helps the target that is covered least. */
+  /** Changes one camera after the other as long as the least coverage rises. */
   private void improve() {
     double reached = least();
     boolean better = true;
@@ -134,32 +147,32 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
       better = false;
       for (int camera = 0; camera < rows.cameras(); camera++) {
         for (int row = rows.first(camera); row < rows.first(camera + 1); row++) {
-          double tried = row == chosen[camera] ? reached : swap(camera, row, reached);
-          better |= tried > reached;
-          reached = tried;
+          double changed = row == chosen[camera] ? reached : swap(camera, row, reached);
+          better |= changed > reached;
+          reached = changed;
         }
       }
     }
     keep(least());
   }
 
-  /** Takes another row if that is better; returns what is reached then. */
+  /** Chooses another row of a camera if that is better; returns the least coverage then. */
   private double swap(int camera, int row, double reached) {
     rows.add(chosen[camera], -1, coverage);
     rows.add(row, 1, coverage);
-    double tried = least();
-    if (tried > reached + TOLERANCE) {
+    double changed = least();
+    if (changed > reached + TOLERANCE) {
       chosen[camera] = row;
-      return tried;
+      return changed;
     }
     rows.add(row, -1, coverage);
     rows.add(chosen[camera], 1, coverage);
     return reached;
   }
 
-  private void keep(double reached) {
-    if (reached > value) {
-      value = reached;
+  private void keep(double newValue) {
+    if (newValue > value) {
+      value = newValue;
       System.arraycopy(chosen, 0, best, 0, rows.cameras());
     }
   }
@@ -173,12 +186,13 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   }
 
   private boolean search() {
-    rest[rows.cameras()] = 0;
+    restBounds[rows.cameras()] = 0;
     for (int camera = rows.cameras() - 1; camera >= 0; camera--) {
-      rest[camera] = rest[camera + 1] + rows.weigh(heaviest(camera, bestWeights), bestWeights);
+      restBounds[camera] =
+          restBounds[camera + 1] + rows.weightedSum(greatestRow(camera, bestWeights), bestWeights);
     }
     Arrays.fill(coverage, 0);
-    weight = 0;
+    chosenWeight = 0;
     begin(0);
     search.reset();
     return search.search(this, maxNodes);
@@ -187,7 +201,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   private void begin(int camera) {
     depth = camera;
     if (depth < rows.cameras()) {
-      next[depth] = rows.first(depth);
+      nextRows[depth] = rows.first(depth);
     }
   }
 
@@ -197,16 +211,16 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
       keep(least());
       return NONE;
     }
-    boolean arrives = depth > 0 && next[depth] == rows.first(depth);
-    boolean cut = arrives && weight + rest[depth] <= value + TOLERANCE;
-    return cut || next[depth] == rows.first(depth + 1) ? NONE : next[depth];
+    boolean firstVisit = depth > 0 && nextRows[depth] == rows.first(depth);
+    boolean cut = firstVisit && chosenWeight + restBounds[depth] <= value + TOLERANCE;
+    return cut || nextRows[depth] == rows.first(depth + 1) ? NONE : nextRows[depth];
   }
 
   @Override
   public void take(int row) {
     chosen[depth] = row;
     rows.add(row, 1, coverage);
-    weight += rows.weigh(row, bestWeights);
+    chosenWeight += rows.weightedSum(row, bestWeights);
     begin(depth + 1);
   }
 
@@ -214,7 +228,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   public void refuse(int row) {
     depth--;
     rows.add(row, -1, coverage);
-    weight -= rows.weigh(row, bestWeights);
-    next[depth]++;
+    chosenWeight -= rows.weightedSum(row, bestWeights);
+    nextRows[depth]++;
   }
 }

@@ -6,27 +6,27 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best score, k_min (Eq 7.1) by default, among those that the cameras
- * reach within the step ({@link OracleView#reaches}): thesis 7.4.1's "reachable from the current
- * zoom level", found exactly at each step.
+ * The configuration with the best score, by default k_min (Eq 7.1), of those that the cameras reach
+ * within the step ({@link OracleView#reaches}; thesis 7.4.1: "reachable from the current zoom
+ * level"), found exactly in each step.
  *
- * <p>Which of several best configurations is taken decides what can be reached next. It is the one
- * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
- * the widest by default.
+ * <p>If several configurations are best, the choice decides what can be reached next. The policy
+ * takes the one in which camera 0 has the view that the option {@code ties} prefers, by default the
+ * widest, then camera 1, and so on.
  */
 public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
-  /** What decides between configurations with the same score, camera by camera. */
+  /** What decides between configurations with equal scores, camera by camera. */
   enum Preference {
     MOST_TARGETS_THEN_NARROWEST,
     MOST_TARGETS_THEN_WIDEST,
     NARROWEST,
     WIDEST;
 
-    private boolean mostTargets() {
+    private boolean prefersMostTargets() {
       return this == MOST_TARGETS_THEN_NARROWEST || this == MOST_TARGETS_THEN_WIDEST;
     }
 
-    private boolean widest() {
+    private boolean prefersWidest() {
       return this == MOST_TARGETS_THEN_WIDEST || this == WIDEST;
     }
   }
@@ -53,8 +53,8 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
 
   @Override
   public void begin(OracleView network, SplittableRandom random) {
-    sets = new DetectionSets(network, preference.mostTargets());
-    search(sets, new StepSolver(network.objective(), sets.problem(), nodes));
+    sets = new DetectionSets(network, preference.prefersMostTargets());
+    solveWith(sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
   @Override
@@ -65,12 +65,12 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
     super.decide(network, views);
   }
 
-  /** A camera that reaches no view within the step goes on to the one it has chosen. */
+  /** A camera that reaches no view within the step goes on to its chosen view. */
   private void findCandidates(OracleView network, int camera) {
     sets.clear(camera);
     int last = network.views(camera) - 1;
     for (int i = 0; i <= last; i++) {
-      int view = preference.widest() ? last - i : i;
+      int view = preference.prefersWidest() ? last - i : i;
       if (network.reaches(camera, view)) {
         sets.add(camera, view);
       }

@@ -6,19 +6,19 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best least expected coverage: where detections are by chance, the best
- * that can be done without knowing the luck that will be drawn ({@code docs/detection.md}). Found
- * exactly at each step by {@link ExpectedSolver}. By a threshold it looks for the best k_min, as
- * {@link OptimalZoomPolicy} does, but without reporting what it could not prove.
+ * The configuration with the greatest least expected coverage, found exactly in each step by {@link
+ * ExpectedSolver}. If detections depend on chance, this is the best that is possible without
+ * knowing the luck that will be drawn ({@code docs/detection.md}). If they depend on a threshold,
+ * it is the best k_min, as {@link OptimalZoomPolicy} finds it.
  */
 public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
-  private static final int EXPECTED_NODES = 100_000;
+  private static final int DEFAULT_EXPECTED_NODES = 100_000;
 
   private final int nodes;
 
   /** Reads the option {@code nodes}. */
   public OptimalExpectedZoomPolicy(Options options) {
-    nodes = nodes(options, EXPECTED_NODES);
+    nodes = nodes(options, DEFAULT_EXPECTED_NODES);
   }
 
   @Override
@@ -26,7 +26,7 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
     return "optimal-expected";
   }
 
-  /** A bound on what is possible: its cameras need no time for a move. */
+  /** Cameras need no time for a move, so that the score is a bound on what is possible. */
   @Override
   public boolean jumps() {
     return true;
@@ -46,6 +46,6 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
           network.objective().text());
     }
     ChanceRows rows = new ChanceRows(network);
-    search(rows, new ExpectedSolver(rows, nodes));
+    solveWith(rows, new ExpectedSolver(rows, nodes));
   }
 }

@@ -11,26 +11,26 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best score of all, k_min (Eq 7.1) unless the network has another
- * objective, found exactly at each step: the upper bound that thesis 7.4.1 calls greedy, computed
- * there by trying all Z^C configurations.
+ * The configuration with the best score, k_min (Eq 7.1) unless the network has another objective,
+ * found exactly in each step. This is the upper bound that thesis 7.4.1 calls greedy, and computes
+ * by trying all Z^C configurations.
  *
- * <p>A camera with a view proven to detect all that its others detect stays at that view, the
- * narrowest such; where all cameras have one, there is nothing to search. Otherwise views that
- * another one dominates are left out, and among configurations of the remaining views with the best
- * score it is the one in which camera 0 detects most targets, then at its narrowest view, then
+ * <p>A camera with a view that is proven to detect all that its other views detect stays at that
+ * view, at the narrowest if there are several; if all cameras have one, nothing needs to be
+ * searched. Otherwise dominated views are left out. Of the configurations with the best score, the
+ * policy takes the one in which camera 0 detects most targets, then in its narrowest view, then
  * camera 1, and so on.
  *
- * <p>As {@code bound} it does not search: it takes a good configuration, and what it says that the
- * score could have been at most is a bound on the optimum, in a small part of the time.
+ * <p>The policy {@code bound} does not search: it takes a good configuration, and its gap bounds
+ * the optimum, in a small part of the time.
  */
 public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   private final String name;
-  private final BiFunction<Objective, CoverageProblem, Solver> solver;
+  private final BiFunction<Objective, CoverageProblem, Solver> solverFactory;
   private DetectionSets sets;
   private int revision;
-  private boolean settled;
-  private boolean prepared;
+  private boolean hasDominantViews;
+  private boolean hasSolver;
 
   /** Reads the option {@code nodes}. */
   public OptimalZoomPolicy(Options options) {
@@ -38,18 +38,19 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   }
 
   /**
-   * @param nodes search nodes after which a step's proof is given up, 0 or more
+   * @param nodes number of search nodes after which the proof of a step is given up, 0 or more
    */
   OptimalZoomPolicy(int nodes) {
     this("optimal", (objective, problem) -> new StepSolver(objective, problem, nodes));
   }
 
-  private OptimalZoomPolicy(String name, BiFunction<Objective, CoverageProblem, Solver> solver) {
+  private OptimalZoomPolicy(
+      String name, BiFunction<Objective, CoverageProblem, Solver> solverFactory) {
     this.name = name;
-    this.solver = solver;
+    this.solverFactory = solverFactory;
   }
 
-  /** The policy that bounds the optimum. */
+  /** Returns the policy that bounds the optimum. */
   public static OptimalZoomPolicy bound() {
     return new OptimalZoomPolicy("bound", BoundSolver::new);
   }
@@ -59,7 +60,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     return name;
   }
 
-  /** A bound on what is possible: its cameras need no time for a move. */
+  /** Cameras need no time for a move, so that the score is a bound on what is possible. */
   @Override
   public boolean jumps() {
     return true;
@@ -76,31 +77,31 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     if (network.revision() != revision) {
       findCandidates(network);
     }
-    if (!settled) {
-      if (!prepared) {
-        prepared = true;
-        search(sets, solver.apply(network.objective(), sets.problem()));
+    if (!hasDominantViews) {
+      if (!hasSolver) {
+        hasSolver = true;
+        solveWith(sets, solverFactory.apply(network.objective(), sets.problem()));
       }
       super.decide(network, views);
     } else if (anyPresent(network)) {
-      settle(network, views);
+      takeDominantViews(network, views);
     }
   }
 
   private void findCandidates(OracleView network) {
     revision = network.revision();
-    settled = true;
+    hasDominantViews = true;
     for (int camera = 0; camera < network.cameras(); camera++) {
       sets.clear(camera);
       for (int view = 0; view < network.views(camera); view++) {
         sets.add(camera, view);
       }
       sets.removeDominated(network, camera);
-      settled &= sets.candidates(camera) == 1 || !network.online(camera);
+      hasDominantViews &= sets.candidates(camera) == 1 || !network.online(camera);
     }
   }
 
-  private void settle(OracleView network, int[] views) {
+  private void takeDominantViews(OracleView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         views[camera] = sets.candidate(camera, 0);

@@ -9,58 +9,65 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * What each camera would have detected at each of its views over a whole run.
+ * What each camera would have detected in each of its views over a whole run.
  *
- * <p>A moment is one target present in one step that counts by the objective; the moments of a step
- * follow each other. Each camera and view has the set of moments that it detects.
+ * <p>A moment is a target that is present in a step and counts for the objective. The moments of a
+ * step have consecutive numbers. Each view of a camera has the set of moments that it detects.
  */
 final class RunDetections {
-  private final List<BitSet[]> seen = new ArrayList<>();
-  private int[] momentOf = {}; // by target, of the step that is added
-  private boolean[] coverable = {}; // by target
+  /** By camera and view, the moments that are detected. */
+  private final List<BitSet[]> detectedMoments = new ArrayList<>();
+
+  /** By target, its moment in the step that is added. */
+  private int[] momentOf = {};
+
+  private boolean[] coverable = {};
   private long[] masks = {};
+
+  /** By step, the number after that of its last moment. */
   private int[] ends = new int[16];
+
   private int steps;
   private int moments;
   private Objective objective = Objective.kMin();
 
-  /** Adds a step, as the network is now. */
+  /** Adds a step with the network as it is now. */
   void add(OracleView network) {
     objective = network.objective();
-    for (int camera = seen.size(); camera < network.cameras(); camera++) {
+    for (int camera = detectedMoments.size(); camera < network.cameras(); camera++) {
       BitSet[] views = new BitSet[network.views(camera)];
       Arrays.setAll(views, view -> new BitSet());
-      seen.add(views);
+      detectedMoments.add(views);
     }
-    number(network);
+    numberMoments(network);
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        look(network, camera);
+        addDetections(network, camera);
       }
     }
     ends = steps == ends.length ? Arrays.copyOf(ends, 2 * steps) : ends;
     ends[steps++] = moments;
   }
 
-  /** Gives each target that counts in this step its moment. */
-  private void number(OracleView network) {
+  /** Gives each target that counts in this step the number of its moment. */
+  private void numberMoments(OracleView network) {
     if (momentOf.length < network.targets()) {
       momentOf = new int[network.targets()];
       coverable = new boolean[network.targets()];
     }
-    boolean all = !objective.countsCoverableOnly();
-    if (!all) {
+    boolean allCount = !objective.countsCoverableOnly();
+    if (!allCount) {
       network.markCoverable(coverable);
     }
     for (int target = 0; target < network.targets(); target++) {
       momentOf[target] = moments;
-      moments += network.present(target) && (all || coverable[target]) ? 1 : 0;
+      moments += network.present(target) && (allCount || coverable[target]) ? 1 : 0;
     }
   }
 
-  /** Notes what a camera detects at each of its views; what is detected counts. */
-  private void look(OracleView network, int camera) {
-    BitSet[] views = seen.get(camera);
+  /** Adds what a camera detects in each of its views. Every detected target counts. */
+  private void addDetections(OracleView network, int camera) {
+    BitSet[] views = detectedMoments.get(camera);
     int words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
     masks = masks.length < views.length * words ? new long[views.length * words] : masks;
     network.detections(camera, masks, words);
@@ -72,12 +79,12 @@ final class RunDetections {
     }
   }
 
-  /** The moments that each camera has at each of its views, as a set for each view. */
+  /** Returns the problem of choosing a view for each camera; its targets are the moments. */
   CoverageProblem problem() {
-    int sets = seen.stream().mapToInt(views -> views.length).sum();
-    CoverageProblem problem = new CoverageProblem(seen.size(), sets, moments);
+    int sets = detectedMoments.stream().mapToInt(views -> views.length).sum();
+    CoverageProblem problem = new CoverageProblem(detectedMoments.size(), sets, moments);
     problem.clear(moments);
-    for (BitSet[] views : seen) {
+    for (BitSet[] views : detectedMoments) {
       problem.addCamera();
       for (BitSet view : views) {
         problem.addSet(Arrays.copyOf(view.toLongArray(), problem.words()), 0);
@@ -86,12 +93,12 @@ final class RunDetections {
     return problem;
   }
 
-  /** For each step one more than the last of its moments. */
+  /** By step, the number after that of its last moment. */
   int[] ends() {
     return Arrays.copyOf(ends, steps);
   }
 
-  /** What the steps are scored by. */
+  /** The objective by which the steps are scored. */
   Objective objective() {
     return objective;
   }

@@ -10,9 +10,9 @@ import org.hificamsim.core.policy.NetworkView;
 /**
  * The Q tables of all cameras (Eq 7.6), and the best action of each state.
  *
- * <p>In a small network every table has all its states from the start; in a big one, where most
- * percepts never occur, a table grows to what its camera has met. States that it lacks have the
- * initial value.
+ * <p>In a small network every table has all its states from the beginning. In a big one, where most
+ * percepts never occur, a table grows with the percepts that its camera meets; states beyond it
+ * have the initial value.
  *
  * <p>Two things are for speed alone. The best actions have tables of their own, which stay in the
  * processor's cache when the values no longer fit: neighbours read nothing else (without these
@@ -21,94 +21,96 @@ import org.hificamsim.core.policy.NetworkView;
  * SARSA takes 1.2 times as long with 14 cameras).
  */
 public final class ActionValues {
-  /** Values up to which all tables together are made whole at once: 32 MiB. */
-  private static final long MAX_WHOLE = 1 << 22;
+  /** The number of values up to which all tables have all their states at once: 32 MiB. */
+  private static final long MAX_COMPLETE_VALUES = 1 << 22;
 
-  /** Values of one table: what an array can hold, with room to spare. */
-  private static final long MAX_VALUES = 1 << 28;
+  /** The greatest number of values of one table, which an array can hold. */
+  private static final long MAX_TABLE_VALUES = 1 << 28;
 
-  /** Percepts that a table of a big network has room for at first. */
+  /** The number of percepts of a table of a big network at the beginning. */
   private static final int FIRST_PERCEPTS = 4;
 
   private final StateReading reading;
-  private final TieBreak breaking;
+  private final TieBreak tieBreak;
   private final double initialValue;
   private final int percepts;
-  private final int[] views;
+  private final int[] viewCounts;
 
-  /** By camera; a row for each state: its actions' values, then a bound on those but the best. */
+  /**
+   * By camera, a row for each state: the values of its actions, and then an upper bound on those of
+   * all actions except the best one.
+   */
   private final double[][] values;
 
   /** By camera and state. */
-  private final int[][] best;
+  private final int[][] bestActions;
 
   /**
-   * @throws InputException when a camera's table would not fit into an array
+   * @throws InputException if a camera's table does not fit into an array
    */
   ActionValues(NetworkView network, StateReading reading, Ties ties, double initialValue) {
     this.reading = reading;
     this.initialValue = initialValue;
-    breaking = new TieBreak(ties, network);
+    tieBreak = new TieBreak(ties, network);
     percepts = reading.percepts(network.targets());
-    views = IntStream.range(0, network.cameras()).map(network::views).toArray();
-    if (size(Arrays.stream(views).max().orElse(1)) > MAX_VALUES) {
+    viewCounts = IntStream.range(0, network.cameras()).map(network::views).toArray();
+    if (size(Arrays.stream(viewCounts).max().orElse(1)) > MAX_TABLE_VALUES) {
       throw InputException.of(
           "a camera's table of action values needs more than %s entries for %s targets"
               + " and %s views. Maybe give the option state=none",
-          MAX_VALUES, network.targets(), Arrays.stream(views).max().orElse(1));
+          MAX_TABLE_VALUES, network.targets(), Arrays.stream(viewCounts).max().orElse(1));
     }
-    boolean whole = Arrays.stream(views).mapToLong(this::size).sum() <= MAX_WHOLE;
-    values = new double[views.length][0];
-    best = new int[views.length][0];
-    for (int camera = 0; camera < views.length; camera++) {
-      resize(camera, whole ? percepts : Math.min(percepts, FIRST_PERCEPTS));
+    boolean complete = Arrays.stream(viewCounts).mapToLong(this::size).sum() <= MAX_COMPLETE_VALUES;
+    values = new double[viewCounts.length][0];
+    bestActions = new int[viewCounts.length][0];
+    for (int camera = 0; camera < viewCounts.length; camera++) {
+      resize(camera, complete ? percepts : Math.min(percepts, FIRST_PERCEPTS));
     }
   }
 
-  private long size(int ofViews) {
-    return (long) percepts * reading.statesPerPercept(ofViews) * width(ofViews);
+  private long size(int views) {
+    return (long) percepts * reading.statesPerPercept(views) * rowLength(views);
   }
 
-  private static int width(int ofViews) {
-    return ofViews + 1;
+  private static int rowLength(int views) {
+    return views + 1;
   }
 
   /**
    * The number of a camera's state, from 0.
    *
    * @param view view in [0, views of the camera)
-   * @param percept what it perceives, from 0: the number of targets detected, or {@link
-   *     PicturePercept}'s
+   * @param percept from 0: the number of targets detected, or that of {@link PicturePercept}
    */
   public int state(int camera, int view, int percept) {
-    return reading.state(view, percept, views[camera]);
+    return reading.state(view, percept, viewCounts[camera]);
   }
 
-  /** How many states a camera with most views has. */
+  /** The number of states of a camera with most views. */
   public long states() {
-    return (long) percepts * reading.statesPerPercept(Arrays.stream(views).max().orElse(1));
+    return (long) percepts * reading.statesPerPercept(Arrays.stream(viewCounts).max().orElse(1));
   }
 
   /** The best action in a state. */
   public int best(int camera, int state) {
-    int[] actions = best[camera];
-    return state < actions.length ? actions[state] : breaking.best(camera);
+    int[] actions = bestActions[camera];
+    return state < actions.length ? actions[state] : tieBreak.best(camera);
   }
 
   /** The value of an action in a state. */
   public double value(int camera, int state, int action) {
     double[] table = values[camera];
-    int row = state * width(views[camera]);
+    int row = state * rowLength(viewCounts[camera]);
     return row < table.length ? table[row + action] : initialValue;
   }
 
   /** Sets the value of an action in a state. */
   public void set(int camera, int state, int action, double value) {
-    grow(camera, state);
+    ensureState(camera, state);
     double[] table = values[camera];
-    int row = state * width(views[camera]);
-    int bound = row + views[camera];
-    int bestAction = best[camera][state];
+    int row = state * rowLength(viewCounts[camera]);
+    int bound = row + viewCounts[camera];
+    int bestAction = bestActions[camera][state];
     table[row + action] = value;
     if (action == bestAction ? value <= table[bound] : value >= table[row + bestAction]) {
       findBest(camera, state);
@@ -119,32 +121,37 @@ public final class ActionValues {
 
   private void findBest(int camera, int state) {
     double[] table = values[camera];
-    int row = state * width(views[camera]);
-    int end = row + views[camera];
-    best[camera][state] = breaking.best(camera, table, row, views[camera]);
+    int row = state * rowLength(viewCounts[camera]);
+    int end = row + viewCounts[camera];
+    bestActions[camera][state] = tieBreak.best(camera, table, row, viewCounts[camera]);
     table[end] = Double.NEGATIVE_INFINITY;
     for (int i = row; i < end; i++) {
-      if (i != row + best[camera][state]) {
+      if (i != row + bestActions[camera][state]) {
         table[end] = Math.max(table[end], table[i]);
       }
     }
   }
 
-  /** Makes room for a state: where there is none, for at least twice as many. */
-  private void grow(int camera, int state) {
-    int states = best[camera].length;
+  /** Extends a table to a state that is beyond it, at least to twice its size. */
+  private void ensureState(int camera, int state) {
+    int states = bestActions[camera].length;
     if (state >= states) {
-      int each = reading.statesPerPercept(views[camera]);
-      resize(camera, Math.min(percepts, Math.max(2 * states, state + each) / each));
+      int statesPerPercept = reading.statesPerPercept(viewCounts[camera]);
+      int needed = Math.max(2 * states, state + statesPerPercept) / statesPerPercept;
+      resize(camera, Math.min(percepts, needed));
     }
   }
 
-  private void resize(int camera, int toPercepts) {
-    int before = best[camera].length;
-    int states = toPercepts * reading.statesPerPercept(views[camera]);
-    best[camera] = Arrays.copyOf(best[camera], states);
-    values[camera] = Arrays.copyOf(values[camera], states * width(views[camera]));
-    Arrays.fill(values[camera], before * width(views[camera]), values[camera].length, initialValue);
+  private void resize(int camera, int newPercepts) {
+    int before = bestActions[camera].length;
+    int states = newPercepts * reading.statesPerPercept(viewCounts[camera]);
+    bestActions[camera] = Arrays.copyOf(bestActions[camera], states);
+    values[camera] = Arrays.copyOf(values[camera], states * rowLength(viewCounts[camera]));
+    Arrays.fill(
+        values[camera],
+        before * rowLength(viewCounts[camera]),
+        values[camera].length,
+        initialValue);
     for (int state = before; state < states; state++) {
       findBest(camera, state);
     }

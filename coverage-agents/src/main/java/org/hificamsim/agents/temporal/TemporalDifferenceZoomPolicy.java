@@ -13,18 +13,17 @@ import org.hificamsim.core.registry.Options;
  * Temporal-difference learning (thesis 7.4.4): each camera learns the values Q(s, a) of its
  * actions, which are its views, in its states.
  *
- * <p>An action is rewarded for the count that it led to; rewarding it for the change of the step
- * after would teach nothing. A camera that was offline in between gets no reward for what it
- * missed, and keeps what it has learned.
+ * <p>An action is rewarded for the count to which it led. A camera that was offline gets no reward
+ * for what it missed, and keeps what it has learned.
  *
- * <p>Where moves take time, an action lasts until the camera has arrived, n steps after it was
- * chosen. It earns the rewards r_1 to r_n of these, and what follows is discounted by as many
- * steps: Q(s, a) moves towards {@code r_1 + gamma r_2 + ... + gamma^(n-1) r_n + gamma^n Q(s', a')},
- * the update of a semi-Markov decision process (Bradtke and Duff 1994).
+ * <p>If moves take time, an action lasts until the camera has arrived, n steps after it was chosen.
+ * It earns the rewards r_1 to r_n of these steps, and all later ones are discounted by n steps:
+ * Q(s, a) moves towards {@code r_1 + gamma r_2 + ... + gamma^(n-1) r_n + gamma^n Q(s', a')}, the
+ * update of a semi-Markov decision process (Bradtke and Duff 1994).
  */
 public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
-  private static final double LARGE = 1e6;
+  private static final double MAX_PARAMETER = 1e6;
 
   private final String name;
   private final boolean onPolicy;
@@ -39,21 +38,28 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   private final EpsilonGreedyChoice choice;
   private NetworkView network;
   private ActionValues q;
-  private PicturePercept picture; // null where a percept is the number of targets detected
+
+  /** Null if a percept is the number of targets detected. */
+  private PicturePercept picture;
+
   private int[] lastState;
   private int[] lastAction;
   private double[] lastUtility;
   private Utility utility;
   private double[] utilities;
-  private double[] earned; // on the way
-  private double[] discount; // of what comes next
+
+  /** By camera, the discounted rewards of its last action before it arrived. */
+  private double[] earlierRewards;
+
+  /** By camera, the discount of the next reward of its last action. */
+  private double[] nextDiscount;
 
   /**
    * Reads the parameters of Eqs 7.5 and 7.6, the readings that the thesis leaves open, and how to
    * explore. The defaults come closest to Table 8.1; the discount is not published.
    *
-   * @param onPolicy whether the value of what comes next is that of the action chosen, as of SARSA,
-   *     or of the best one, as of Q-learning
+   * @param onPolicy whether the next value is that of the chosen action, as in SARSA, and not that
+   *     of the best one, as in Q-learning
    */
   protected TemporalDifferenceZoomPolicy(String name, boolean onPolicy, Options options) {
     this.name = name;
@@ -70,8 +76,9 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     reading = Utility.from(options);
     alpha = options.number("alpha", 0.1, 0, 1, "learning rate");
     gamma = options.number("gamma", 0.9, 0, 1, "discount factor");
-    lambda = options.number("lambda", 1, 0, LARGE, "factor on every reward");
-    initialValue = options.number("q0", 0, -LARGE, LARGE, "value of every action at first");
+    lambda = options.number("lambda", 1, 0, MAX_PARAMETER, "factor on every reward");
+    initialValue =
+        options.number("q0", 0, -MAX_PARAMETER, MAX_PARAMETER, "value of every action at first");
     ties = Ties.from(options);
     choice = new EpsilonGreedyChoice(options);
   }
@@ -81,7 +88,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     return new TemporalDifferenceZoomPolicy("sarsa", true, options);
   }
 
-  /** Q-learning, the off-policy variant that thesis 7.4.4 sets SARSA against. */
+  /** Q-learning, the off-policy variant with which thesis 7.4.4 compares SARSA. */
   public static TemporalDifferenceZoomPolicy qLearning(Options options) {
     return new TemporalDifferenceZoomPolicy("q-learning", false, options);
   }
@@ -91,17 +98,17 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     return name;
   }
 
-  /** Q(s', a') of the action chosen in the state reached, or max Q(s', a') whichever is chosen. */
+  /** Returns Q(s', a') of the action chosen in the new state; for Q-learning max Q(s', a'). */
   private double nextValue(int camera, int state, int action) {
     return q.value(camera, state, onPolicy ? action : q.best(camera, state));
   }
 
-  /** The action that an online camera takes in a state unless it explores. */
+  /** Returns the action that an online camera takes in a state unless it explores. */
   protected int greedy(int camera, int state) {
     return q.best(camera, state);
   }
 
-  /** All cameras' action values; null before {@link #begin}. */
+  /** The action values of all cameras; null before {@link #begin}. */
   public final ActionValues q() {
     return q;
   }
@@ -121,28 +128,30 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     utility = new Utility(reading, network.objective());
     utilities = new double[network.cameras()];
     Arrays.fill(lastState, NONE);
-    earned = new double[network.cameras()];
-    discount = new double[network.cameras()];
+    earlierRewards = new double[network.cameras()];
+    nextDiscount = new double[network.cameras()];
   }
 
-  /** What all cameras do when they have looked, and before any decides. */
+  /** Called after all cameras have looked, and before any decides. */
   protected void prepare(NetworkView network) {}
 
   @Override
   public final void decide(NetworkView network, int[] views) {
     if (picture != null) {
-      picture.look(network);
+      picture.update(network);
     }
     prepare(network);
     super.decide(network, views);
   }
 
-  /** What the camera perceived before the decision that is under way, from 0. */
+  /** The camera's percept before the present decision, from 0. */
   protected final int percept(NetworkView network, int camera) {
-    return picture == null ? network.detected(camera) : picture.of(camera);
+    return picture == null ? network.detected(camera) : picture.lastPercept(camera);
   }
 
-  /** What a count does not tell is measured at once: targets move on before the next decision. */
+  /**
+   * Computes utilities other than counts at once, because targets move before the next decision.
+   */
   @Override
   public final void learn(NetworkView network) {
     if (!utility.counts()) {
@@ -154,45 +163,48 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
 
   @Override
   protected final int choose(NetworkView network, int camera) {
-    double gained = gained(network, camera);
+    double newUtility = newUtility(network, camera);
     int state = q.state(camera, network.view(camera), percept(network, camera));
     int action = choice.choose(camera, network.views(camera), greedy(camera, state));
     if (lastState[camera] != NONE) {
-      learn(camera, gained, nextValue(camera, state, action));
+      learn(camera, newUtility, nextValue(camera, state, action));
     }
     lastState[camera] = state;
     lastAction[camera] = action;
-    lastUtility[camera] = gained;
-    earned[camera] = 0;
-    discount[camera] = 1;
+    lastUtility[camera] = newUtility;
+    earlierRewards[camera] = 0;
+    nextDiscount[camera] = 1;
     return action;
   }
 
   @Override
   protected final int travel(NetworkView network, int camera) {
-    double gained = gained(network, camera);
-    earned[camera] += discount[camera] * reward(camera, gained);
-    discount[camera] *= gamma;
-    lastUtility[camera] = gained;
+    double newUtility = newUtility(network, camera);
+    earlierRewards[camera] += nextDiscount[camera] * reward(camera, newUtility);
+    nextDiscount[camera] *= gamma;
+    lastUtility[camera] = newUtility;
     return network.view(camera);
   }
 
-  private double gained(NetworkView network, int camera) {
+  private double newUtility(NetworkView network, int camera) {
     return utility.counts() ? network.detected(camera) : utilities[camera];
   }
 
-  /** Moves Q(s, a) of the decision before by alpha towards its reward and what followed. */
-  private void learn(int camera, double gained, double nextValue) {
+  /**
+   * Moves Q(s, a) of the last decision by alpha towards its rewards and the next value (Eq 7.6).
+   */
+  private void learn(int camera, double newUtility, double nextValue) {
     int state = lastState[camera];
     int action = lastAction[camera];
     double value = q.value(camera, state, action);
-    double arrived = reward(camera, gained) + gamma * nextValue;
-    double error = earned[camera] + discount[camera] * arrived - value;
-    q.set(camera, state, action, value + alpha * error); // Eq 7.6
+    double onArrival = reward(camera, newUtility) + gamma * nextValue;
+    double error = earlierRewards[camera] + nextDiscount[camera] * onArrival - value;
+    q.set(camera, state, action, value + alpha * error);
   }
 
-  private double reward(int camera, double gained) {
-    return lambda * rewards.reward(lastUtility[camera], gained); // Eq 7.5
+  /** The reward of Eq 7.5. */
+  private double reward(int camera, double newUtility) {
+    return lambda * rewards.reward(lastUtility[camera], newUtility);
   }
 
   @Override
@@ -201,12 +213,13 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   }
 
   /**
-   * The values of all actions in the camera's present state; how often each was learned is not
-   * counted.
+   * Reports the values of all actions in the camera's present state. How often each was learned is
+   * not counted.
    */
   @Override
   public final String estimates(int camera, double[] estimates, double[] counts) {
-    int percept = picture == null ? network.detected(camera) : picture.now(network, camera);
+    int percept =
+        picture == null ? network.detected(camera) : picture.presentPercept(network, camera);
     int state = q.state(camera, network.view(camera), percept);
     for (int view = 0; view < network.views(camera); view++) {
       estimates[view] = q.value(camera, state, view);

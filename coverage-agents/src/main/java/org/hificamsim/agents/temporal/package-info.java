@@ -1,4 +1,5 @@
 /**
- * Temporal-difference learning, one learner per camera with its views as actions (thesis 7.4.4).
+ * Temporal-difference learning: a learner for each camera, with its views as actions (thesis
+ * 7.4.4).
  */
 package org.hificamsim.agents.temporal;

@@ -6,78 +6,84 @@ import org.hificamsim.core.channel.Post;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Queries and answers of QB-SARSA over a channel that is not perfect. A camera asks at each
- * decision, and decides with the last answer that it has from each neighbour: one to the state that
- * it is in, to a query that is not older than the time-out. A neighbour answers as soon as it is
- * asked, from its table as it then stands; also while it is on its way to a view.
+ * The queries and answers of QB-SARSA over an imperfect channel. A camera sends a query at each
+ * decision, and decides with the last answer that it has from each neighbour. An answer counts if
+ * it is to the camera's present state, and if its query is not older than the time-out. A neighbour
+ * answers a query at once from its present table, even while it moves.
  */
 final class Inquiries {
-  /** No vote: the neighbour has not answered. */
-  static final int NONE = -1;
+  /** In place of the vote of a neighbour that has not answered. */
+  static final int NO_VOTE = -1;
 
   /**
    * A query, or the answer to it.
    *
-   * @param asked the step of the query
-   * @param state of the asker then, as its view and percept make it
-   * @param vote of an answer
+   * @param askedAt the step of the query
+   * @param state of the camera that asks, which follows from its view and percept
+   * @param vote of an answer; {@link #NO_VOTE} of a query
    */
-  private record Letter(boolean query, long asked, int state, int view, int percept, int vote) {}
+  private record Letter(boolean query, long askedAt, int state, int view, int percept, int vote) {}
 
   private record Answer(int neighbour, Letter letter) {}
 
   private final NetworkView network;
   private final NearestCameras nearest;
-  private final int bitsOfQuery;
-  private final int bitsOfAnswer;
+  private final Lengths lengths;
   private final int timeout;
-  private final ActionValues q;
   private final ViewTranslation translation;
   private final Post<Letter> post;
-  private final Answer[][] answers; // by camera and neighbour, the last of each
+
+  /** By camera and neighbour, the last answer. */
+  private final Answer[][] lastAnswers;
+
   private long messages;
   private long bits;
 
+  /** The lengths of a query and of an answer, bits. */
+  record Lengths(int query, int answer) {}
+
   /**
-   * @param timeout steps after the query in which its answer counts
+   * @param timeout number of steps after the query in which its answer counts
    */
   Inquiries(
       NetworkView network,
       NearestCameras nearest,
-      int bitsOfQuery,
-      int bitsOfAnswer,
-      int timeout,
-      ActionValues q,
-      ViewTranslation translation) {
+      ViewTranslation translation,
+      Lengths lengths,
+      int timeout) {
     this.network = network;
     this.nearest = nearest;
-    this.bitsOfQuery = bitsOfQuery;
-    this.bitsOfAnswer = bitsOfAnswer;
-    this.timeout = timeout;
-    this.q = q;
     this.translation = translation;
+    this.lengths = lengths;
+    this.timeout = timeout;
     post = new Post<>(network, network.channel());
-    answers = new Answer[network.cameras()][nearest.most()];
+    lastAnswers = new Answer[network.cameras()][nearest.maxNeighbours()];
   }
 
+  /** The number of messages sent so far. */
   long messages() {
     return messages;
   }
 
+  /** The length of all messages sent so far, bits. */
   long bits() {
     return bits;
   }
 
-  /** All cameras that decide ask their neighbours, and what arrives in this step is received. */
-  void run(IntUnaryOperator percepts) {
-    for (int camera = 0; camera < answers.length; camera++) {
+  /**
+   * Sends the queries of all cameras that decide in this step, and receives all that arrives.
+   *
+   * @param percepts by camera
+   */
+  void exchange(ActionValues q, IntUnaryOperator percepts) {
+    for (int camera = 0; camera < lastAnswers.length; camera++) {
       if (!network.moving(camera)) {
         int view = network.view(camera);
         int percept = percepts.applyAsInt(camera);
         int state = q.state(camera, view, percept);
-        Letter query = new Letter(true, network.step(), state, view, percept, NONE);
+        Letter query = new Letter(true, network.step(), state, view, percept, NO_VOTE);
         for (int i = 0; i < nearest.count(camera); i++) {
-          send(camera, nearest.neighbour(camera, i), bitsOfQuery, query);
+          send(camera, nearest.neighbour(camera, i), lengths.query, query);
         }
       }
     }
@@ -90,35 +96,36 @@ final class Inquiries {
     post.send(from, to, length, letter);
   }
 
-  private void receive(int from, int to, long sent, Letter letter) {
+  private void receive(int sender, int receiver, long sentAt, Letter letter) {
     if (letter.query) {
-      int vote = translation.answer(q, from, to, letter.state, letter.view, letter.percept);
-      Letter answer = new Letter(false, letter.asked, letter.state, 0, 0, vote);
-      send(to, from, bitsOfAnswer, answer);
+      int vote = translation.answer(sender, receiver, letter.state, letter.view, letter.percept);
+      Letter answer = new Letter(false, letter.askedAt, letter.state, 0, 0, vote);
+      send(receiver, sender, lengths.answer, answer);
     } else {
-      keep(from, to, letter);
+      keep(sender, receiver, letter);
     }
   }
 
-  /** An answer that was overtaken by a later one is dropped. */
-  private void keep(int from, int to, Letter letter) {
-    for (int i = 0; i < nearest.count(to); i++) {
-      Answer last = answers[to][i];
-      boolean newer = last == null || last.neighbour != from || last.letter.asked <= letter.asked;
-      if (nearest.neighbour(to, i) == from && newer) {
-        answers[to][i] = new Answer(from, letter);
+  /** Keeps an answer, unless an answer to a later query has arrived before it. */
+  private void keep(int neighbour, int camera, Letter letter) {
+    for (int i = 0; i < nearest.count(camera); i++) {
+      Answer last = lastAnswers[camera][i];
+      boolean newer =
+          last == null || last.neighbour != neighbour || last.letter.askedAt <= letter.askedAt;
+      if (nearest.neighbour(camera, i) == neighbour && newer) {
+        lastAnswers[camera][i] = new Answer(neighbour, letter);
       }
     }
   }
 
-  /** The vote of a camera's i-th neighbour for its state, or {@link #NONE}. */
-  int answer(int camera, int i, int state) {
-    Answer last = answers[camera][i];
+  /** Returns the vote of a camera's i-th neighbour for the camera's state, or {@link #NO_VOTE}. */
+  int vote(int camera, int i, int state) {
+    Answer last = lastAnswers[camera][i];
     boolean counts =
         last != null
             && last.neighbour == nearest.neighbour(camera, i)
             && last.letter.state == state
-            && network.step() - last.letter.asked <= timeout;
-    return counts ? last.letter.vote : NONE;
+            && network.step() - last.letter.askedAt <= timeout;
+    return counts ? last.letter.vote : NO_VOTE;
   }
 }

@@ -3,40 +3,41 @@ package org.hificamsim.agents.voting;
 import java.util.Arrays;
 import org.hificamsim.agents.choice.Ties;
 
-/** Counts votes for views and names the winner (thesis 7.4.5, majority voting). */
+/** Counts votes for views, and determines the winner (majority voting of thesis 7.4.5). */
 final class MajorityVote {
-  /** Which of the views with most votes wins; thesis 7.4.5 does not say. */
-  enum Draw {
-    /** The camera's own action where it is among them, else the widest. */
+  /** Which view wins if several have most votes; thesis 7.4.5 leaves this open. */
+  enum DrawRule {
+    /** The camera's own best view if it is one of them, else the widest. */
     OWN,
     WIDEST,
     NARROWEST
   }
 
-  private final Draw draw;
-  private final int[] votes; // by view
+  private final DrawRule drawRule;
+  private final int[] votes;
 
-  MajorityVote(Draw draw, int views) {
-    this.draw = draw;
+  MajorityVote(DrawRule drawRule, int views) {
+    this.drawRule = drawRule;
     votes = new int[views];
   }
 
-  /** Forgets all votes. */
-  void open() {
+  /** Removes all votes. */
+  void clear() {
     Arrays.fill(votes, 0);
   }
 
+  /** Adds a vote for a view. */
   void vote(int view) {
     votes[view]++;
   }
 
   /**
-   * The view with most votes.
+   * Returns the view with most votes.
    *
-   * @param own the camera's own action, which also wins where nobody voted
+   * @param own the camera's own best view, which wins if there is no vote
    */
   int winner(int own) {
-    return switch (draw) {
+    return switch (drawRule) {
       case OWN -> Ties.WIDEST.mostVotes(votes, votes[own], own);
       case WIDEST -> Ties.WIDEST.mostVotes(votes, 0, own);
       case NARROWEST -> Ties.NARROWEST.mostVotes(votes, 0, own);

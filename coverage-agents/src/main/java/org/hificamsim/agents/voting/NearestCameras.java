@@ -7,18 +7,19 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.space.PointGrid;
 
 /**
- * Each online camera's k nearest online cameras by Euclidean distance, of equally near ones those
- * with the lower numbers (thesis 7.4.5); fewer than k in a small network.
+ * The k nearest online cameras of each online camera, by Euclidean distance (thesis 7.4.5). Of
+ * equally near cameras, those with lower numbers are nearer. A small network has fewer than k
+ * neighbours.
  */
 public final class NearestCameras {
-  /** A little below 1: rounding must not make what lies just outside a square seem further away. */
-  private static final double SURE = 1 - 1e-9;
+  /** Slightly below 1, so that rounding does not hide a nearer camera just outside a square. */
+  private static final double ROUNDING = 1 - 1e-9;
 
-  /** Cameras in a cell of the grid, about. */
-  private static final double PER_CELL = 2;
+  /** The approximate number of cameras in a cell of the grid. */
+  private static final double CAMERAS_PER_CELL = 2;
 
   private final PointGrid grid;
-  private final double firstHalf;
+  private final double firstHalfSide;
   private final int k;
   private final int[] neighbours;
   private final double[] squaredDistances;
@@ -26,7 +27,7 @@ public final class NearestCameras {
   private int revision;
 
   /**
-   * @param wanted how many of each camera, 0 or more
+   * @param wanted number of neighbours of each camera, 0 or more
    */
   public NearestCameras(NetworkView network, int wanted) {
     k = Math.min(wanted, Math.max(0, network.cameras() - 1));
@@ -37,18 +38,19 @@ public final class NearestCameras {
     DoubleSummaryStatistics y = range(network, network::cameraY);
     double width = Math.max(x.getMax() - x.getMin(), 1);
     double height = Math.max(y.getMax() - y.getMin(), 1);
-    double perCamera = width * height / Math.max(1, network.cameras());
-    double side = Math.sqrt(PER_CELL * perCamera);
+    double areaPerCamera = width * height / Math.max(1, network.cameras());
+    double side = Math.sqrt(CAMERAS_PER_CELL * areaPerCamera);
     grid = PointGrid.over(x.getMin(), y.getMin(), width, height, side, network.cameras());
-    firstHalf = Math.max(side, Math.sqrt(perCamera * k) / 2);
+    firstHalfSide = Math.max(side, Math.sqrt(areaPerCamera * k) / 2);
     find(network);
   }
 
-  private static DoubleSummaryStatistics range(NetworkView network, IntToDoubleFunction of) {
-    return IntStream.range(0, network.cameras()).mapToDouble(of).summaryStatistics();
+  private static DoubleSummaryStatistics range(
+      NetworkView network, IntToDoubleFunction coordinate) {
+    return IntStream.range(0, network.cameras()).mapToDouble(coordinate).summaryStatistics();
   }
 
-  /** Finds the neighbours again where cameras have come, moved or failed. */
+  /** Finds the neighbours again if cameras were added, moved or switched. */
   public void update(NetworkView network) {
     if (network.revision() != revision) {
       find(network);
@@ -72,12 +74,12 @@ public final class NearestCameras {
     }
   }
 
-  /** How many neighbours a camera has at most. */
-  int most() {
+  /** The greatest number of neighbours of a camera. */
+  int maxNeighbours() {
     return k;
   }
 
-  /** How many neighbours the camera has. */
+  /** The number of neighbours of the camera. */
   public int count(int camera) {
     return counts[camera];
   }
@@ -87,20 +89,21 @@ public final class NearestCameras {
     return neighbours[camera * k + i];
   }
 
-  /** Looks at ever larger squares until none outside could be nearer than those found. */
+  /** Searches ever larger squares until no camera outside can be nearer than those found. */
   private void find(int camera, double x, double y) {
-    double half = firstHalf;
-    while (!lookWithin(camera, x, y, half)) {
-      half *= 2;
+    double halfSide = firstHalfSide;
+    while (!searchSquare(camera, x, y, halfSide)) {
+      halfSide *= 2;
     }
   }
 
-  private boolean lookWithin(int camera, double x, double y, double half) {
+  /** Returns whether the neighbours are found: no camera outside the square is nearer. */
+  private boolean searchSquare(int camera, double x, double y, double halfSide) {
     counts[camera] = 0;
-    int left = grid.column(x - half);
-    int right = grid.column(x + half);
-    int bottom = grid.row(y - half);
-    int top = grid.row(y + half);
+    int left = grid.column(x - halfSide);
+    int right = grid.column(x + halfSide);
+    int bottom = grid.row(y - halfSide);
+    int top = grid.row(y + halfSide);
     for (int row = bottom; row <= top; row++) {
       for (int i = grid.start(row, left); i < grid.end(row, right); i++) {
         if (grid.point(i) != camera) {
@@ -108,16 +111,17 @@ public final class NearestCameras {
         }
       }
     }
-    boolean all = left == 0 && bottom == 0 && grid.isLast(right, top);
-    boolean enough = counts[camera] == k && squaredDistances[k - 1] < half * half * SURE;
-    return all || enough;
+    boolean wholeGrid = left == 0 && bottom == 0 && grid.isLast(right, top);
+    double safeSquare = halfSide * halfSide * ROUNDING;
+    boolean enough = counts[camera] == k && squaredDistances[k - 1] < safeSquare;
+    return wholeGrid || enough;
   }
 
   private void insert(int camera, int other, double dx, double dy) {
     double squared = dx * dx + dy * dy;
     int first = camera * k;
     int at = counts[camera];
-    while (at > 0 && nearer(squared, other, at - 1, first)) {
+    while (at > 0 && isNearer(squared, other, at - 1, first)) {
       if (at < k) {
         squaredDistances[at] = squaredDistances[at - 1];
         neighbours[first + at] = neighbours[first + at - 1];
@@ -131,8 +135,9 @@ public final class NearestCameras {
     }
   }
 
-  private boolean nearer(double squared, int other, int than, int first) {
-    return squared < squaredDistances[than]
-        || (squared == squaredDistances[than] && other < neighbours[first + than]);
+  /** Whether a camera is nearer than the i-th neighbour so far. */
+  private boolean isNearer(double squared, int camera, int i, int first) {
+    return squared < squaredDistances[i]
+        || (squared == squaredDistances[i] && camera < neighbours[first + i]);
   }
 }

@@ -11,20 +11,18 @@ import org.hificamsim.core.registry.Options;
  * Query-based SARSA (thesis 7.4.5): SARSA that exploits the majority vote of a camera and its k
  * nearest neighbours.
  *
- * <p>At each decision a camera sends its state to its neighbours; each answers with the action that
- * its own table holds best for that state. Where cameras differ in their views, state and answer
- * are translated ({@link ViewTranslation}). All answers come from the tables as they stood before
- * the step's updates. Exploring starts from the vote's outcome, so it is asked for in either case;
- * a camera that is on its way to a view asks nobody.
+ * <p>At each decision a camera sends its state to its neighbours. Each answers with the best action
+ * of its own table in that state; between cameras with different views, state and answer are
+ * translated ({@link ViewTranslation}). All answers come from the tables before the step's updates.
+ * Exploring also needs the outcome of the vote, so cameras always ask, except while they move.
  *
- * <p>Over a channel that is not perfect a camera decides with the answers that it has: {@link
- * Inquiries}.
+ * <p>Over an imperfect channel a camera decides with the answers that it has: {@link Inquiries}.
  */
 public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
   private static final int MAX_NEIGHBOURS = 10_000;
   private static final int MAX_TIMEOUT = 1_000_000;
 
-  /** Whether a camera votes on its own next view; thesis 7.4.5 says that it does. */
+  /** Whether a camera's own best view counts as a vote; thesis 7.4.5 says that it does. */
   private enum OwnVote {
     YES,
     NO
@@ -32,27 +30,30 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
 
   private final int neighbours;
   private final OwnVote ownVote;
-  private final MajorityVote.Draw ties;
+  private final MajorityVote.DrawRule drawRule;
   private final int timeout;
   private NearestCameras nearest;
   private ViewTranslation translation;
   private MajorityVote vote;
   private long directMessages;
-  private int[] elected = {};
-  private Inquiries inquiries; // null over a perfect channel
-  private int bitsOfBoth; // of a query and its answer
+  private int[] electedViews = {};
 
-  /** Reads the options of SARSA and those of the vote; thesis 7.4.5 has no k. */
+  /** Null over a perfect channel. */
+  private Inquiries inquiries;
+
+  private Inquiries.Lengths lengths = new Inquiries.Lengths(0, 0);
+
+  /** Reads the options of SARSA and of the vote; thesis 7.4.5 does not give k. */
   public QbSarsaZoomPolicy(Options options) {
     super("qb-sarsa", true, options);
     neighbours =
         options.integer("k", 4, 0, MAX_NEIGHBOURS, "number of nearest cameras that are asked");
     ownVote =
         options.choice("own-vote", OwnVote.YES, "whether the own best action counts: yes, no");
-    ties =
+    drawRule =
         options.choice(
             "vote-ties",
-            MajorityVote.Draw.OWN,
+            MajorityVote.DrawRule.OWN,
             "who wins a draw: own (else widest), widest, narrowest");
     timeout =
         options.integer(
@@ -67,38 +68,40 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
 
   @Override
   public long bits() {
-    return inquiries == null ? messages() / 2 * bitsOfBoth : inquiries.bits();
+    return inquiries == null
+        ? messages() / 2 * (lengths.query() + lengths.answer())
+        : inquiries.bits();
   }
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
-    elected = new int[network.cameras()];
+    electedViews = new int[network.cameras()];
     directMessages = 0;
-    int views = IntStream.range(0, elected.length).map(network::views).max().orElse(0);
-    vote = new MajorityVote(ties, views);
+    int views = IntStream.range(0, electedViews.length).map(network::views).max().orElse(0);
+    vote = new MajorityVote(drawRule, views);
     nearest = new NearestCameras(network, neighbours);
-    translation = new ViewTranslation(network);
+    translation = new ViewTranslation(network, q());
     int address = MessageBits.address(network.cameras());
-    int query = address + MessageBits.of(q().states());
-    int answer = address + MessageBits.of(views);
-    bitsOfBoth = query + answer;
+    lengths =
+        new Inquiries.Lengths(
+            address + MessageBits.of(q().states()), address + MessageBits.of(views));
     inquiries =
         network.channel().isPerfect()
             ? null
-            : new Inquiries(network, nearest, query, answer, timeout, q(), translation);
+            : new Inquiries(network, nearest, translation, lengths, timeout);
   }
 
-  /** All vote on the values as they stand, before any camera learns. */
+  /** Lets all cameras vote before any of them learns. */
   @Override
   protected void prepare(NetworkView network) {
     nearest.update(network);
     if (inquiries != null) {
-      inquiries.run(camera -> percept(network, camera));
+      inquiries.exchange(q(), camera -> percept(network, camera));
     }
-    for (int camera = 0; camera < elected.length; camera++) {
+    for (int camera = 0; camera < electedViews.length; camera++) {
       if (!network.moving(camera)) {
-        elected[camera] = elect(network, camera);
+        electedViews[camera] = elect(network, camera);
         directMessages += 2L * nearest.count(camera);
       }
     }
@@ -106,7 +109,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
 
   @Override
   protected int greedy(int camera, int state) {
-    return elected[camera];
+    return electedViews[camera];
   }
 
   private int elect(NetworkView network, int camera) {
@@ -114,7 +117,7 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
     int percept = percept(network, camera);
     int state = q().state(camera, view, percept);
     int own = q().best(camera, state);
-    vote.open();
+    vote.clear();
     if (ownVote == OwnVote.YES) {
       vote.vote(own);
     }
@@ -123,9 +126,9 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
       int neighbour = nearest.neighbour(camera, i);
       int answer =
           inquiries != null
-              ? inquiries.answer(camera, i, state)
-              : translation.answer(q(), camera, neighbour, state, view, percept);
-      if (answer != Inquiries.NONE) {
+              ? inquiries.vote(camera, i, state)
+              : translation.answer(camera, neighbour, state, view, percept);
+      if (answer != Inquiries.NO_VOTE) {
         vote.vote(answer);
       }
     }

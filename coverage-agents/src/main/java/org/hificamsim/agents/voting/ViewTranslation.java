@@ -10,32 +10,35 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Which of a camera's views comes nearest to one of another camera's: the nearest pan angle off the
- * heading, and the nearest zoom level. Levels of two lenses are as near as the ratio of their
- * angles of view; without a lens, as their places between the narrowest level and the widest. Of
- * equally near ones the first pan angle and the widest level count. Cameras with equal views have
- * the same.
+ * Translates a view of one camera to the nearest view of another one: the nearest pan angle
+ * relative to the heading, and the nearest zoom level. Levels of two lenses are compared by the
+ * ratio of their angles of view; levels without a lens, by their relative position between the
+ * narrowest and the widest. Of equally near ones, the first pan angle and the widest level are
+ * taken. Between cameras with equal views, views stay the same.
  *
- * <p>It holds for the views that cameras begin with. Cameras of a kind share a table.
+ * <p>The translation is for the views that cameras have at the beginning. Cameras of one kind share
+ * a table.
  */
 final class ViewTranslation {
   /**
-   * Cameras whose views are alike, as far as a translation goes.
+   * Cameras with views that a translation does not distinguish.
    *
-   * @param pans radians off the heading
-   * @param lens whether {@code levels} are logarithms of angles of view, and not places in [0, 1]
+   * @param pans radians relative to the heading
+   * @param lens whether {@code levels} are logarithms of angles of view, and not positions in [0,
+   *     1]
    */
   private record Kind(List<Double> pans, boolean lens, List<Double> levels) {
     static Kind of(NetworkView network, int camera) {
       int zooms = network.zooms(camera);
-      boolean lens = IntStream.range(0, zooms).allMatch(i -> network.zoom(camera, i).hasLens());
+      boolean lens =
+          IntStream.range(0, zooms).allMatch(zoom -> network.zoom(camera, zoom).hasLens());
       return new Kind(
           IntStream.range(0, network.pans(camera))
               .mapToObj(pan -> network.pan(camera, network.viewAt(camera, pan, 0)))
               .toList(),
           lens,
           IntStream.range(0, zooms)
-              .mapToObj(i -> lens ? size(network.zoom(camera, i)) : place(i, zooms))
+              .mapToObj(zoom -> lens ? size(network.zoom(camera, zoom)) : position(zoom, zooms))
               .toList());
     }
 
@@ -43,81 +46,94 @@ final class ViewTranslation {
       return StrictMath.log(zoom.angleOfView());
     }
 
-    private static double place(int zoom, int zooms) {
+    private static double position(int zoom, int zooms) {
       return zooms == 1 ? 1 : zoom / (zooms - 1.0);
     }
 
-    int[] translated(Kind to) {
+    /** By view, the nearest view of another kind. */
+    int[] translation(Kind target) {
       int zooms = levels.size();
       return IntStream.range(0, pans.size() * zooms)
-          .map(view -> to.pan(pans.get(view / zooms)) * to.levels.size() + level(to, view % zooms))
+          .map(
+              view ->
+                  target.nearestPan(pans.get(view / zooms)) * target.levels.size()
+                      + nearestLevel(target, view % zooms))
           .toArray();
     }
 
-    private int pan(double angle) {
+    private int nearestPan(double angle) {
       int nearest = 0;
       for (int pan = 1; pan < pans.size(); pan++) {
-        nearest = turn(pan, angle) < turn(nearest, angle) ? pan : nearest;
+        nearest = difference(pan, angle) < difference(nearest, angle) ? pan : nearest;
       }
       return nearest;
     }
 
-    private double turn(int pan, double angle) {
+    private double difference(int pan, double angle) {
       return Math.abs(Math.IEEEremainder(pans.get(pan) - angle, 2 * Math.PI));
     }
 
-    private int level(Kind to, int zoom) {
-      List<Double> among = lens && to.lens ? to.levels : to.places();
-      double wanted = lens && to.lens ? levels.get(zoom) : place(zoom, levels.size());
+    private int nearestLevel(Kind target, int zoom) {
+      boolean byAngle = lens && target.lens;
+      List<Double> targetLevels = byAngle ? target.levels : target.positions();
+      double level = byAngle ? levels.get(zoom) : position(zoom, levels.size());
       int nearest = 0;
-      for (int i = 1; i < among.size(); i++) {
-        boolean nearer = Math.abs(among.get(i) - wanted) <= Math.abs(among.get(nearest) - wanted);
-        nearest = nearer ? i : nearest;
+      for (int i = 1; i < targetLevels.size(); i++) {
+        double difference = Math.abs(targetLevels.get(i) - level);
+        nearest = difference <= Math.abs(targetLevels.get(nearest) - level) ? i : nearest;
       }
       return nearest;
     }
 
-    private List<Double> places() {
+    private List<Double> positions() {
       int zooms = levels.size();
-      return IntStream.range(0, zooms).mapToObj(i -> place(i, zooms)).toList();
+      return IntStream.range(0, zooms).mapToObj(zoom -> position(zoom, zooms)).toList();
     }
   }
 
+  private final ActionValues q;
   private final int[] kinds;
   private final boolean oneKind;
-  private final int[][][] tables; // by kind, other kind, and view
 
-  ViewTranslation(NetworkView network) {
-    Map<Kind, Integer> known = new LinkedHashMap<>();
+  /** By kind, other kind, and view. */
+  private final int[][][] tables;
+
+  /**
+   * @param q from which neighbours answer
+   */
+  ViewTranslation(NetworkView network, ActionValues q) {
+    this.q = q;
+    Map<Kind, Integer> kindNumbers = new LinkedHashMap<>();
     kinds = new int[network.cameras()];
     for (int camera = 0; camera < kinds.length; camera++) {
-      kinds[camera] = known.computeIfAbsent(Kind.of(network, camera), kind -> known.size());
+      Kind cameraKind = Kind.of(network, camera);
+      kinds[camera] = kindNumbers.computeIfAbsent(cameraKind, kind -> kindNumbers.size());
     }
-    List<Kind> all = new ArrayList<>(known.keySet());
-    oneKind = all.size() == 1;
-    tables = new int[all.size()][all.size()][];
+    List<Kind> allKinds = new ArrayList<>(kindNumbers.keySet());
+    oneKind = allKinds.size() == 1;
+    tables = new int[allKinds.size()][allKinds.size()][];
     for (int from = 0; from < tables.length; from++) {
       for (int to = 0; to < tables.length; to++) {
-        tables[from][to] = all.get(from).translated(all.get(to));
+        tables[from][to] = allKinds.get(from).translation(allKinds.get(to));
       }
     }
   }
 
   /**
-   * What a neighbour answers a camera that asks for a state: its own best view in the state that is
-   * nearest to it, as the asker's view that is nearest to that.
+   * Returns the answer of a neighbour to a query: its own best view in the nearest of its states,
+   * translated to a view of the camera that asks.
    *
-   * @param state of the asker, as its view and percept make it
+   * @param state of the camera that asks, which follows from its view and percept
    */
-  int answer(ActionValues q, int asker, int neighbour, int state, int view, int percept) {
-    if (oneKind || kinds[asker] == kinds[neighbour]) {
+  int answer(int camera, int neighbour, int state, int view, int percept) {
+    if (oneKind || kinds[camera] == kinds[neighbour]) {
       return q.best(neighbour, state);
     }
-    int theirs = q.state(neighbour, view(asker, neighbour, view), percept);
-    return view(neighbour, asker, q.best(neighbour, theirs));
+    int neighbourState = q.state(neighbour, view(camera, neighbour, view), percept);
+    return view(neighbour, camera, q.best(neighbour, neighbourState));
   }
 
-  /** The other camera's view that comes nearest to a view of a camera. */
+  /** Returns the other camera's view that is nearest to a view of a camera. */
   int view(int camera, int other, int view) {
     return tables[kinds[camera]][kinds[other]][view];
   }

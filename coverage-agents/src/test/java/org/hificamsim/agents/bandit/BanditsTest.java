@@ -11,13 +11,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What all bandits have in common. */
+/** Tests that apply to all bandits. */
 class BanditsTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   @ParameterizedTest
   @ValueSource(strings = {"epsilon-greedy", "softmax:temperature=0.000001", "ucb1"})
-  void everyCameraFindsItsOwnBestView(String bandit) {
+  void everyCameraFindsItsBestView(String bandit) {
     int[] best = {0, 1, 2};
     ToyNetwork network = new ToyNetwork(3, 3, 2, 4);
     for (int camera = 0; camera < 3; camera++) {
@@ -36,7 +36,7 @@ class BanditsTest {
     }
   }
 
-  /** Of two targets another camera detects one: that counts half. */
+  /** Another camera detects one of two targets, which then counts half. */
   @ParameterizedTest
   @CsvSource({
     "epsilon-greedy, count, 2",
@@ -46,7 +46,7 @@ class BanditsTest {
     "ucb1, count, 2",
     "ucb1, difference, 1.5",
   })
-  void isRewardedByTheUtilityThatIsAskedFor(String bandit, String utility, double reward) {
+  void isRewardedByTheChosenUtility(String bandit, String utility, double reward) {
     ToyNetwork network = new ToyNetwork(2, 1, 1).see(0, 0, 0, 1).see(1, 0, 0);
     ZoomPolicy policy = network.begin(registry.create(bandit + ":utility=" + utility), 1);
     network.step(policy);

@@ -14,7 +14,7 @@ class EpsilonGreedyZoomPolicyTest {
   private final ToyNetwork network = new ToyNetwork(3, 4);
 
   @Test
-  void startsAtTheLevelThatTiesPrefer() {
+  void startsAtThePreferredLevel() {
     network.step(network.begin(greedy(0, Ties.WIDEST), 1));
     assertEquals(3, network.view(0));
     network.step(network.begin(greedy(0, Ties.NARROWEST), 1));
@@ -22,7 +22,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void staysWithALevelThatDetectsSomethingWhenItNeverExplores() {
+  void keepsADetectingLevelWithoutExploring() {
     network.see(0, 3, 0).see(0, 1, 0, 1, 2);
     EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
     for (int step = 0; step < 100; step++) {
@@ -44,7 +44,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void averagesAllRewardsOfALevelAlike() {
+  void averagesAllRewardsOfALevel() {
     EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     for (int targets = 0; targets <= 3; targets++) {
       network.see(0, 3, java.util.stream.IntStream.range(0, targets).toArray());
@@ -57,7 +57,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void tellsTheAverageAndTheUseOfEachLevel() {
+  void reportsAverageAndUseOfEachLevel() {
     network.see(0, 3, 0, 1);
     EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
     network.step(policy);
@@ -71,7 +71,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void anOfflineCameraLearnsNothing() {
+  void offlineCameraLearnsNothing() {
     EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     network.switchCamera(0, false);
     arms.learn(network);

@@ -32,14 +32,14 @@ class SoftmaxZoomPolicyTest {
   }
 
   @Test
-  void aTinyTemperatureTakesTheBestLevelOnly() {
+  void tinyTemperatureTakesOnlyTheBestLevel() {
     SoftmaxZoomPolicy policy =
         network.begin(new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=1e-6")), 1);
     assertEquals(1_000, afterLearning(policy, 1_000)[1]);
   }
 
   @Test
-  void aHugeTemperatureDrawsAllLevelsAlike() {
+  void hugeTemperatureDrawsAllLevelsEqually() {
     SoftmaxZoomPolicy policy =
         network.begin(new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=1e6")), 1);
     for (int times : afterLearning(policy, 40_000)) {
@@ -47,7 +47,7 @@ class SoftmaxZoomPolicyTest {
     }
   }
 
-  /** Shows each view once, so that averages are exact, and counts the views drawn after. */
+  /** Uses each view once, so that averages are exact, and then counts the views that are drawn. */
   private int[] afterLearning(SoftmaxZoomPolicy policy, int steps) {
     for (int view = 0; view < 4; view++) {
       network.setLevel(0, view);

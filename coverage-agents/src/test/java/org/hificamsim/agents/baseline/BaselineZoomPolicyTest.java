@@ -30,9 +30,9 @@ class BaselineZoomPolicyTest {
         levelsAfter(new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST)));
   }
 
-  /** In view 0 all happens to be detected; view 1 detects more on average. */
+  /** In view 0 all targets are detected by luck; view 1 detects more on average. */
   @Test
-  void greedyExpectsAndDoesNotKnowTheLuck() {
+  void greedyUsesChancesAndNotTheLuck() {
     double[][] chances = {{0.4, 0.4}, {0.9, 0.1}, {0.2, 0.2}};
     ToyNetwork byChance =
         new ToyNetwork(2, 3) {
@@ -53,7 +53,7 @@ class BaselineZoomPolicyTest {
   }
 
   @Test
-  void oneFixedLevelServesAllCameras() {
+  void oneFixedLevelAppliesToAllCameras() {
     assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(Options.none("fixed"))));
   }
 
@@ -64,19 +64,19 @@ class BaselineZoomPolicyTest {
   }
 
   @Test
-  void aFixedLevelThatACameraLacksIsRefusedWithItsRange() {
+  void rejectsFixedLevelThatACameraDoesNotHave() {
     ZoomPolicy policy = new FixedZoomPolicy(Options.parse("fixed", "3"));
-    InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
+    InputException error = assertThrows(InputException.class, () -> network.begin(policy, 1));
     assertEquals(
         "policy fixed: level of camera 'c1' is 3, expected 0 (narrowest) to 2 (widest)",
-        refused.getMessage());
+        error.getMessage());
   }
 
   @Test
-  void aWrongNumberOfFixedLevelsIsRefused() {
+  void rejectsWrongNumberOfFixedLevels() {
     ZoomPolicy policy = new FixedZoomPolicy(Options.parse("fixed", "0,0"));
-    InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
-    assertTrue(refused.getMessage().contains("has 2 values, expected 1 for all cameras or 3"));
+    InputException error = assertThrows(InputException.class, () -> network.begin(policy, 1));
+    assertTrue(error.getMessage().contains("has 2 values, expected 1 for all cameras or 3"));
   }
 
   @Test
@@ -95,14 +95,14 @@ class BaselineZoomPolicyTest {
   }
 
   @Test
-  void aCamerasRandomLevelsDoNotDependOnTheOthersBeingOnline() {
+  void randomLevelsDoNotDependOnOtherCameras() {
     ToyNetwork other = new ToyNetwork(1, 5, 3, 1);
     other.switchCamera(0, false);
     RandomZoomPolicy policy = network.begin(new RandomZoomPolicy(), 7);
-    RandomZoomPolicy same = other.begin(new RandomZoomPolicy(), 7);
+    RandomZoomPolicy otherPolicy = other.begin(new RandomZoomPolicy(), 7);
     for (int step = 0; step < 100; step++) {
       network.step(policy);
-      other.step(same);
+      other.step(otherPolicy);
       assertEquals(network.view(1), other.view(1));
     }
   }

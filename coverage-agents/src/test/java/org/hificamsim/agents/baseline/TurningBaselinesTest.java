@@ -17,8 +17,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * The baselines of one camera at the origin that looks along +y, with five pan angles of two zoom
- * levels each: views 0 and 1 at -60 degrees, 4 (20 degrees wide) and 5 (60 degrees) straight ahead.
+ * Tests baselines with one camera at the origin, which looks along +y and has five pan angles with
+ * two zoom levels each: views 0 and 1 at -60 degrees, 4 (20 degrees wide) and 5 (60 degrees wide)
+ * ahead.
  */
 class TurningBaselinesTest {
   private static final String LENS = "<optics name='o' hfov='20 60' reach='15' pan='-60:60:30'/>";
@@ -33,13 +34,13 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void aheadIsThePanAngleNearestToTheHeading() {
+  void looksAheadAtThePanAngleNearestToTheHeading() {
     assertViews("zoom-out", LENS.replace("-60:60:30", "-50 -10 30"), "3");
     assertViews("zoom-in", LENS.replace("-60:60:30", "20 40"), "0");
   }
 
   @Test
-  void fixedLevelsAreAheadOrAtGivenPanAngles() {
+  void fixedLevelsUseGivenPanAnglesOrLookAhead() {
     assertViews("fixed", LENS, "4 4");
     assertViews("fixed:1", LENS, "5 5");
     assertViews("fixed:1,pans=4", LENS, "9 9");
@@ -55,19 +56,19 @@ class TurningBaselinesTest {
           fixed:pans=5     | pan of camera 'a' is 5, expected 0 (first pan angle) to 4 (last)
           fixed:1,pans=1,2 | pans has 2 values, expected 1 for all cameras or 1, one for each
           """)
-  void whatACameraLacksIsRefused(String spec, String why) {
+  void rejectsLevelsAndPansThatCamerasDoNotHave(String spec, String reason) {
     ZoomPolicy policy = registry.create(spec);
-    InputException refused =
+    InputException error =
         assertThrows(InputException.class, () -> RealWorld.run(world(LENS), policy, 1));
-    assertEquals("policy fixed: " + why, refused.getMessage());
+    assertEquals("policy fixed: " + reason, error.getMessage());
   }
 
   @Test
-  void aListWithoutAKeyIsOfLevelsAlone() {
-    InputException refused =
+  void listWithoutKeyGivesLevels() {
+    InputException error =
         assertThrows(InputException.class, () -> registry.create("fixed:2,levels=1"));
     assertEquals(
-        "policy fixed: unknown option '2', expected one of levels, pans", refused.getMessage());
+        "policy fixed: unknown option '2', expected one of levels, pans", error.getMessage());
   }
 
   @Test
@@ -77,32 +78,32 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void patrolSweepsToAndFro() {
+  void patrolSweepsBackAndForth() {
     assertViews("patrol", LENS, "5 7 9 7 5 3 1 3 5");
     assertViews("patrol:zoom=narrowest", LENS, "4 6 8 6");
     assertViews("patrol:dwell=3", LENS, "5 5 5 7 7 7 9 9 9 7");
   }
 
   @Test
-  void patrolStaysWhereItCannotTurn() {
+  void patrolStaysIfTheCameraCannotTurn() {
     assertViews("patrol", LENS.replace("pan='-60:60:30'", ""), "1 1 1");
   }
 
   @Test
-  void patrolDwellsWhereItHasArrived() {
+  void patrolDwellsAfterItHasArrived() {
     assertSeeing("patrol", SLOW, "5 -1 7 -1 9 -1 7");
     assertSeeing("patrol:dwell=2", SLOW, "5 5 -1 7 7 -1 9 9");
   }
 
   @Test
-  void randomGoesWhereItWasGoing() {
+  void randomCompletesItsMoves() {
     Simulation run = run("random", SLOW);
     int arrivals = 0;
     for (int step = 0; step < 200; step++) {
       int before = run.network().view(0);
-      boolean onItsWay = run.network().seeing(0) < 0;
+      boolean moving = run.network().seeing(0) < 0;
       run.step();
-      assertTrue(!onItsWay || before == run.network().view(0), "step " + step);
+      assertTrue(!moving || before == run.network().view(0), "step " + step);
       arrivals += run.network().seeing(0) >= 0 ? 1 : 0;
     }
     assertTrue(arrivals > 40, arrivals + " steps in which it saw");
@@ -122,18 +123,18 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void trackerStaysWhereItSeesATargetThatNoZoomHasWithAMargin() {
+  void trackerStaysIfNoZoomHasTheTargetWithAMargin() {
     assertViews("tracker", LENS, "5 5", at(25, 14));
   }
 
   @Test
-  void trackerSearchesWithTheZoomLevelThatItIsGiven() {
+  void trackerSearchesWithTheGivenZoomLevel() {
     assertViews("tracker:search=narrowest", LENS, "4 6 8 6 4");
     assertViews("tracker:search=narrowest,dwell=2", LENS, "4 4 6 6 8");
   }
 
   @Test
-  void trackerKeepsTheNearestOfSeveral() {
+  void trackerKeepsTheNearestTarget() {
     assertViews("tracker", LENS, "6 6", at(-25, 11), at(25, 10));
     assertViews("tracker", LENS, "2 2", at(-25, 10), at(25, 11));
   }

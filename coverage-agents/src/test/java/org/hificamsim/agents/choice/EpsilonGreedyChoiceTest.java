@@ -15,17 +15,17 @@ class EpsilonGreedyChoiceTest {
   private static final int DRAWS = 100_000;
 
   @Test
-  void exploringOtherLevelsSpreadsEpsilonEvenlyOverThem() {
+  void exploringOthersDrawsThemEqually() {
     assertShares("other", 0.025, 0.9);
   }
 
   @Test
-  void exploringAnyLevelIncludesTheBest() {
+  void exploringAnyIncludesTheBestLevel() {
     assertShares("any", 0.02, 0.92);
   }
 
   @Test
-  void aSingleLevelIsAlwaysTaken() {
+  void takesTheOnlyLevel() {
     for (String exploration : List.of("other", "any")) {
       EpsilonGreedyChoice choice = choice("epsilon=1,explore=" + exploration);
       choice.begin(new ToyNetwork(0, 1), new SplittableRandom(1));
@@ -34,16 +34,16 @@ class EpsilonGreedyChoiceTest {
   }
 
   @Test
-  void epsilonDecaysDownToItsLeast() {
+  void epsilonDecaysToItsMinimum() {
     assertEquals(List.of(0.4, 0.2, 0.15, 0.15), sharesExplored("0.4", "0.15"));
   }
 
   @Test
-  void aLeastAboveTheStartHasNoEffect() {
+  void minimumAboveTheFirstEpsilonHasNoEffect() {
     assertEquals(List.of(0.1, 0.1, 0.1, 0.1), sharesExplored("0.1", "0.3"));
   }
 
-  /** Of each of the first four decisions of many cameras, in steps of 0.05; decay is a half. */
+  /** The share of many cameras that explore in each of the first four decisions, with decay 0.5. */
   private static List<Double> sharesExplored(String epsilon, String least) {
     int cameras = 40_000;
     EpsilonGreedyChoice choice =
@@ -75,7 +75,7 @@ class EpsilonGreedyChoiceTest {
   }
 
   @Test
-  void tiesGoWhereTheyAreSaidToGo() {
+  void tiesPreferTheGivenLevel() {
     double[] values = {9, 1, 3, 3, 2};
     assertEquals(2, Ties.WIDEST.best(values, 1, 4));
     assertEquals(1, Ties.NARROWEST.best(values, 1, 4));

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class UtilityTest {
-  /** Three cameras; the first detects targets that 1, 2 and 3 of them detect. */
+  /** Three cameras; the first one detects three targets, which 1, 2 and 3 cameras detect. */
   private static ToyNetwork network(String objective) {
     ToyNetwork network = new ToyNetwork(4, 1, 1, 1).scoredBy(Objective.parse(objective));
     network.see(0, 0, 0, 1, 2).see(1, 0, 1, 2).see(2, 0, 2);
@@ -38,7 +38,7 @@ class UtilityTest {
     "sum:cap=3, difference, 3",
     "lexicographic, objective, 1.8333333333333333"
   })
-  void isTheCountOrTheShareOfTheObjective(String objective, String utility, double expected) {
+  void isTheCountOrTheObjectivesShare(String objective, String utility, double expected) {
     ToyNetwork network = network(objective);
     Reading reading = Utility.from(Options.parse("policy", "utility=" + utility));
     assertEquals(expected, new Utility(reading, network.objective()).of(network, 0), 1e-15);
@@ -46,7 +46,7 @@ class UtilityTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"covered:k=1", "covered:k=2", "sum:cap=1", "sum:cap=2"})
-  void theDifferenceIsWhatTheScoreLosesWithoutTheCamera(String text) {
+  void differenceIsTheScoreLostWithoutTheCamera(String text) {
     SplittableRandom random = new SplittableRandom(3);
     for (int trial = 0; trial < 300; trial++) {
       ToyNetwork network = new ToyNetwork(5, 1, 1, 1, 1).scoredBy(Objective.parse(text));
@@ -65,7 +65,7 @@ class UtilityTest {
   }
 
   @Test
-  void aLearnerIsRewardedWithItsShareAndNotWithTheCount() {
+  void learnerIsRewardedWithItsShare() {
     ToyNetwork network = network("covered:k=1");
     TemporalDifferenceZoomPolicy counting =
         begin(network, "reward=literal,utility=count,state=none");

@@ -14,7 +14,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.Test;
 
-/** Two cameras at (-8, 0) and (8, 6), the first looking along +y, with a lens that is turned. */
+/** Tests with two cameras at (-8, 0) and (8, 6); the first one looks along +y and can turn. */
 class CameraObserverTest {
   private static final ObservationLayout LAYOUT = new ObservationLayout(2, 1, false);
   private static final String CAMERAS =
@@ -37,14 +37,14 @@ class CameraObserverTest {
   }
 
   @Test
-  void everyNumberHasANameOfItsOwn() {
+  void namesAreUnique() {
     List<String> names = LAYOUT.features().stream().map(Feature::name).toList();
     assertEquals(LAYOUT.size(), names.size());
     assertEquals(names.size(), names.stream().distinct().count());
   }
 
   @Test
-  void aCameraKnowsWhereItStandsAndLooks() {
+  void observesOwnPositionAndHeading() {
     Observed observed = observe(RealWorld.always(1, 1), 1);
     assertEquals(1, observed.of("online"));
     assertEquals(-1, observed.of("x"));
@@ -58,7 +58,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void theNearestTargetsComeFirst() {
+  void observesNearestTargetsFirst() {
     Observed observed = observe(RealWorld.always(1, 1), 1);
     assertEquals(0.2, observed.of("target0_ahead"), 1e-6);
     assertEquals(0.1, observed.of("target0_right"), 1e-6);
@@ -71,7 +71,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void whatIsNotSeenIsZero() {
+  void numbersOfUnseenTargetsAreZero() {
     Observed observed = observe(RealWorld.always(3, 1), 4);
     assertEquals(0.5, observed.of("pan"), "turned to the right, where nothing is");
     assertEquals(0, observed.of("target0_seen"));
@@ -79,7 +79,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void aCameraOnItsWayKnowsItsGoalAndHowLongItMoves() {
+  void movingCameraObservesItsGoalAndDuration() {
     Observed observed = observe(RealWorld.always(3, 1), 2);
     assertEquals(1, observed.of("moving"));
     assertEquals(1, observed.of("blind"));
@@ -89,7 +89,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void aCameraThatTiltsKnowsItsHeightAndItsTilts() {
+  void tiltingCameraObservesHeightAndTilts() {
     ObservationLayout high = new ObservationLayout(2, 1, true);
     String cameras =
         CAMERAS
@@ -108,7 +108,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void aCameraThatIsOffKnowsNothing() {
+  void offlineCameraObservesOnlyZeros() {
     String off = "<event timestep='1' participant='camera' event='error' name='a' duration='-1'/>";
     Watching watching = new Watching(RealWorld.always(1, 1));
     RealWorld.run(CAMERAS + TARGETS + events(off), watching, 1).run(3);
@@ -124,7 +124,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void staysWithinItsBoundsWhateverHappens() {
+  void numbersStayWithinTheirBoundsInRandomRuns() {
     Watching watching = new Watching(new RandomZoomPolicy());
     String walkers = CAMERAS + TARGETS.replace("speed='0'", "speed='1'");
     RealWorld.run(walkers, watching, 3).run(2_000);
@@ -141,7 +141,7 @@ class CameraObserverTest {
   }
 
   @Test
-  void observingAllocatesNothing() {
+  void allocatesNothing() {
     Simulation run = RealWorld.run(CAMERAS + TARGETS, RealWorld.always(1, 1), 1);
     run.step();
     CameraObserver observer = new CameraObserver(run.network(), LAYOUT);
@@ -162,7 +162,7 @@ class CameraObserverTest {
     return new Observed(watching.seen.get(steps), LAYOUT);
   }
 
-  /** What the first camera knew. */
+  /** What the first camera observed. */
   private record Observed(float[] numbers, ObservationLayout layout) {
     double of(String name) {
       List<String> names = layout.features().stream().map(Feature::name).toList();
@@ -170,7 +170,7 @@ class CameraObserverTest {
     }
   }
 
-  /** Keeps what is observed before each decision of a policy. */
+  /** Keeps the observations before each decision of a policy. */
   private static final class Watching implements ZoomPolicy {
     private final ZoomPolicy policy;
     private final ObservationLayout layout;

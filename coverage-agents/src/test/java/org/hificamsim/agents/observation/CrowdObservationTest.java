@@ -20,7 +20,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.Test;
 
-/** Three cameras with lenses that see on their way, among many targets, some equally near. */
+/** Tests with three cameras that see while they move, and many targets, some equally near. */
 class CrowdObservationTest {
   private static final ObservationLayout LAYOUT = new ObservationLayout(3, 2, false);
   private static final String OPTICS =
@@ -35,7 +35,7 @@ class CrowdObservationTest {
     return OPTICS + camera("a", -8, 0) + camera("b", 8, 6) + camera("c", xOfTheLast, 0);
   }
 
-  /** In pairs to either side of the first camera's axis. */
+  /** Targets in pairs on both sides of the first camera's axis. */
   private static String targets() {
     StringBuilder all = new StringBuilder();
     for (int name = 0; name < 24; name++) {
@@ -49,13 +49,13 @@ class CrowdObservationTest {
   }
 
   @Test
-  void theNearestTargetsComeFirstAndOfEquallyNearOnesTheLowerNumber() {
+  void ordersTargetsByDistanceThenNumber() {
     int[] compared = new int[1];
     run(
         new RandomZoomPolicy(),
         network -> {
           float[] out = new float[3 * LAYOUT.size()];
-          Arrays.fill(out, 9); // what was there before
+          Arrays.fill(out, 9); // older numbers, which must not stay
           new CameraObserver(network, LAYOUT).observe(network, out);
           for (int camera = 0; camera < 3; camera++) {
             compared[0] += assertTargets(network, camera, camera * LAYOUT.size(), out);
@@ -91,7 +91,7 @@ class CrowdObservationTest {
   }
 
   @Test
-  void itsOwnNumbersAreThoseOfTheViewsItChoseAndSeesThrough() {
+  void ownNumbersDescribeChosenAndPresentView() {
     int[] others = new int[1];
     run(
         new RandomZoomPolicy(),
@@ -114,7 +114,7 @@ class CrowdObservationTest {
   }
 
   @Test
-  void neighboursComeByDistanceWithWhatTheyDetected() {
+  void ordersNeighboursByDistance() {
     run(
         new RandomZoomPolicy(),
         network -> {
@@ -128,7 +128,7 @@ class CrowdObservationTest {
   }
 
   @Test
-  void aCameraThatIsOffLeavesNothingOfWhatWasThere() {
+  void clearsNumbersOfOfflineCameras() {
     String off = "<event timestep='0' participant='camera' event='error' name='a' duration='-1'/>";
     Checking checking =
         new Checking(
@@ -144,7 +144,7 @@ class CrowdObservationTest {
   }
 
   @Test
-  void whereACameraIsMovedIsObserved() {
+  void observesNewPositionOfMovedCamera() {
     String move =
         "<event timestep='2' participant='camera' event='change' name='c' x='4' y='0'"
             + " heading='-1' viewing_angle='-1' range='-1'/>";
@@ -165,16 +165,16 @@ class CrowdObservationTest {
   }
 
   @Test
-  void worldsOfTheSameCamerasKeepWhatTheyKnowAlikeOnce() {
+  void worldsWithEqualCamerasShareNumbers() {
     NetworkView one = network(-6);
     NetworkView same = network(-6);
     NetworkView other = network(4);
     ViewFeatures features = features(one, LAYOUT);
-    assertSame(features, features(same, LAYOUT).or(features));
+    assertSame(features, features(same, LAYOUT).sharedWith(features));
     for (ViewFeatures different :
         List.of(features(other, LAYOUT), features(same, new ObservationLayout(3, 1, false)))) {
-      assertNotSame(features, different.or(features));
-      assertSame(different, different.or(features));
+      assertNotSame(features, different.sharedWith(features));
+      assertSame(different, different.sharedWith(features));
     }
     CameraObserver known = new CameraObserver(one, LAYOUT);
     assertArrayEquals(observe(same), observe(new CameraObserver(same, LAYOUT, known), same));
@@ -205,7 +205,7 @@ class CrowdObservationTest {
     RealWorld.run(cameras(-6) + targets(), new Checking(policy, check), 1).run(200);
   }
 
-  /** Looks at the network before each decision of a policy. */
+  /** Observes the network before each decision of a policy. */
   private record Checking(ZoomPolicy policy, Consumer<NetworkView> check) implements ZoomPolicy {
     @Override
     public String name() {

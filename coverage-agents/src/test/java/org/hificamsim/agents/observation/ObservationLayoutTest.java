@@ -9,10 +9,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a layout promises of its numbers: how many there are, their scale and their bounds. */
+/** Tests the number, scale and bounds of the numbers of a layout. */
 class ObservationLayoutTest {
   @Test
-  void thereIsRoomForUpToAThousandTargetsAndNeighbours() {
+  void acceptsUpToAThousandTargetsAndNeighbours() {
     int own = new ObservationLayout(0, 0, false).size();
     assertEquals(own + 9000, new ObservationLayout(1000, 1000, false).size());
   }
@@ -24,27 +24,27 @@ class ObservationLayoutTest {
     "0, -1, observed neighbours is -1",
     "0, 1001, observed neighbours is 1001",
   })
-  void otherNumbersAreRefused(int targets, int neighbours, String refused) {
-    InputException told =
+  void rejectsOtherNumbers(int targets, int neighbours, String message) {
+    InputException error =
         assertThrows(InputException.class, () -> new ObservationLayout(targets, neighbours, false));
-    assertEquals(refused + ", expected 0 to 1000", told.getMessage());
+    assertEquals(message + ", expected 0 to 1000", error.getMessage());
   }
 
   @ParameterizedTest
   @CsvSource({"-2, -1, 0", "-1, -1, 0", "-0.5, -0.5, 0", "0.25, 0.25, 0.25", "1, 1, 1", "7, 1, 1"})
-  void numbersStayWithinTheirBounds(double value, float signed, float share) {
+  void keepsNumbersWithinTheirBounds(double value, float signed, float share) {
     assertEquals(signed, Bounds.signed(value));
     assertEquals(share, Bounds.share(value));
   }
 
   @Test
-  void whatIsNoNumberIsZero() {
+  void nanBecomesZero() {
     assertEquals(0, Bounds.signed(Double.NaN));
     assertEquals(0, Bounds.share(Double.NaN));
   }
 
   @Test
-  void theMiddleOfTheCamerasIsZeroAndTheOutermostAreAtOne() {
+  void centreOfCamerasIsZeroAndOutermostAreOne() {
     double[] x = {2, 4, 12};
     double[] y = {10, 11, 12};
     ToyNetwork network =
@@ -65,6 +65,6 @@ class ObservationLayoutTest {
     assertEquals(1, standpoints.x(12));
     assertEquals(-0.2f, standpoints.y(10));
     assertEquals(0.2f, standpoints.y(12));
-    assertEquals(0.5f, standpoints.between(5));
+    assertEquals(0.5f, standpoints.difference(5));
   }
 }

@@ -2,11 +2,11 @@ package org.hificamsim.agents.optimal;
 
 import org.hificamsim.agents.toy.ToyNetwork;
 
-/** The reference that tries every configuration of a toy network. */
+/** Finds the best configuration of a toy network by trying all of them. */
 final class BestConfiguration {
   private BestConfiguration() {}
 
-  /** The best k_min over all views in [lowest, highest] of each camera; the network is restored. */
+  /** Returns the best k_min over all views from lowest to highest of each camera. */
   static int kMin(ToyNetwork network, int[] lowest, int[] highest) {
     int[] before = network.currentLevels();
     int best = kMin(network, lowest, highest, 0);

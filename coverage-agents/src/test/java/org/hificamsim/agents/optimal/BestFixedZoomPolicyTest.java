@@ -39,7 +39,7 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void withoutNodesTakesTheBestFoundAndDoesNotClaimAProof() {
+  void claimsNoProofWithoutNodes() {
     RunDetections run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
     Found found = search(run, 0);
     assertFalse(found.proven());
@@ -48,9 +48,9 @@ class BestFixedZoomPolicyTest {
     assertTrue(reached <= best && best <= reached + found.gap());
   }
 
-  /** By climbing alone, and with 200 nodes: where the limit ends the search decides its result. */
+  /** Without nodes, and with 200 of them: the result depends on where the limit ends the search. */
   @Test
-  void findsAndProvesAsMuchAsItDid() {
+  void findsAndProvesTheSameAsEarlierVersions() {
     objective = Objective.parse("covered:k=2");
     SplittableRandom random = new SplittableRandom(2);
     double climbed = 0;
@@ -69,7 +69,7 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void itsCamerasJumpAndWithoutNodesNothingIsProven() {
+  void camerasJumpAndNothingIsProvenWithoutNodes() {
     BestFixedZoomPolicy policy =
         (BestFixedZoomPolicy)
             CoveragePolicies.register(new Registry<ZoomPolicy>("policy"))
@@ -87,7 +87,7 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void findsWithoutNodesWhatNoCameraGainsAlone() {
+  void findsGainsOfTwoCamerasWithoutNodes() {
     ToyNetwork network = new ToyNetwork(5, LEVELS, LEVELS);
     network.see(0, 0, 0);
     network.see(0, 1, 1);
@@ -111,7 +111,7 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void staysAtItsLevels() {
+  void keepsItsLevels() {
     BestFixedZoomPolicy policy =
         (BestFixedZoomPolicy)
             CoveragePolicies.register(new Registry<ZoomPolicy>("policy")).create("best-fixed");

@@ -14,13 +14,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Upper bounds under objectives other than k_min. */
+/** Tests upper bounds under objectives other than k_min. */
 class ObjectivesTest {
   private static final int LEVELS = 3;
 
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"})
-  void optimalAndOneHopReachTheBestScoreOfTheirConfigurations(String text) {
+  void optimalAndOneHopReachTheBestScore(String text) {
     SplittableRandom random = new SplittableRandom(7);
     for (int trial = 0; trial < 400; trial++) {
       ToyNetwork network = random(random).scoredBy(Objective.parse(text));
@@ -39,7 +39,7 @@ class ObjectivesTest {
     assertEquals(0, policy.gap());
   }
 
-  /** The best score of all levels up to a number from the present ones; these are restored. */
+  /** Returns the best score of all levels that differ from the present ones by a number at most. */
   private static double best(ToyNetwork network, int[] before, int hop, int camera) {
     if (camera == before.length) {
       network.observe();
@@ -71,7 +71,7 @@ class ObjectivesTest {
   }
 
   @Test
-  void theBestLeastExpectationIsOfKMinAlone() {
+  void optimalExpectedRejectsOtherObjectives() {
     ToyNetwork network = new ToyNetwork(1, LEVELS).scoredBy(Objective.parse("covered"));
     InputException fault =
         assertThrows(

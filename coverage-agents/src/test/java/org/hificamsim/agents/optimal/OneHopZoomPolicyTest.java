@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class OneHopZoomPolicyTest {
   @Test
-  void reachesTheBestOfAllReachableConfigurations() {
+  void reachesTheBestReachableScore() {
     for (Preference preference : Preference.values()) {
       for (int world = 0; world < 400; world++) {
         compare(
@@ -29,25 +29,25 @@ class OneHopZoomPolicyTest {
   }
 
   @Test
-  void staysWideOrGoesWiderWhereNothingIsGained() {
+  void prefersWiderLevelsWithoutGain() {
     ToyNetwork network = new ToyNetwork(1, 4, 4);
     network.setLevel(0, 1);
     network.decide(network.begin(new OneHopZoomPolicy(Options.none("one-hop")), 1));
     assertArrayEquals(new int[] {2, 3}, network.currentLevels());
   }
 
-  /** These names are in users' commands. */
+  /** Users' commands contain these names. */
   @ParameterizedTest
   @ValueSource(
       strings = {"widest", "narrowest", "most-targets-then-widest", "most-targets-then-narrowest"})
-  void itsTiesAreGivenByName(String ties) {
+  void acceptsNamesOfTies(String ties) {
     assertEquals(
         "one-hop",
         CoveragePolicies.register(new Registry<>("policy")).create("one-hop:ties=" + ties).name());
   }
 
   @Test
-  void canBeToldToKeepDetectionsWhereNothingIsGained() {
+  void mostTargetsKeepsDetectionsWithoutGain() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
     network.setLevel(0, 1);
     Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
@@ -56,7 +56,7 @@ class OneHopZoomPolicyTest {
   }
 
   @Test
-  void keepsTheLevelsWhileNoTargetIsPresent() {
+  void keepsLevelsWithoutTargets() {
     ToyNetwork network = new ToyNetwork(1, 4);
     network.setLevel(0, 1);
     network.showTarget(0, false);

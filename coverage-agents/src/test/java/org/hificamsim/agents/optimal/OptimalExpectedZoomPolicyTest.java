@@ -13,9 +13,9 @@ import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
-/** Against all configurations, one by one. */
+/** Compares with all configurations. */
 class OptimalExpectedZoomPolicyTest {
-  /** Chances at random: some 0, some 1, some views equal, some better than others throughout. */
+  /** Random chances: some are 0 or 1, some views are equal, and some are better for all targets. */
   private static final class Chances extends ToyNetwork {
     private final double[][][] chances;
 
@@ -91,7 +91,7 @@ class OptimalExpectedZoomPolicyTest {
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-  void tellsWhatItMayHaveMissedWhereItGivesUp(@ForAll long seed) {
+  void reportsGapWhenItGivesUp(@ForAll long seed) {
     Chances network = network(6, 5, new SplittableRandom(seed));
     OptimalExpectedZoomPolicy policy =
         network.begin(
@@ -104,7 +104,7 @@ class OptimalExpectedZoomPolicyTest {
   }
 
   @Test
-  void itsFirstConfigurationIsSeldomFarFromTheBest() {
+  void firstConfigurationIsSeldomFarFromTheBest() {
     double lost = 0;
     for (int seed = 0; seed < 200; seed++) {
       Chances network = network(6, 5, new SplittableRandom(seed));
@@ -118,7 +118,7 @@ class OptimalExpectedZoomPolicyTest {
   }
 
   @Test
-  void levelsStayWhereNoTargetIsPresent() {
+  void keepsLevelsWithoutTargets() {
     Chances network = network(3, 1, new SplittableRandom(3));
     network.showTarget(0, false);
     int[] before = network.currentLevels();
@@ -129,7 +129,7 @@ class OptimalExpectedZoomPolicyTest {
   }
 
   @Test
-  void byAThresholdItReachesTheBestKMin() {
+  void reachesTheBestKMinByAThreshold() {
     ToyNetwork network = new ToyNetwork(2, 2, 2, 1).see(0, 0, 0).see(0, 1, 1).see(1, 0, 1);
     network.see(1, 1, 0).see(2, 0, 0, 1);
     network.decide(

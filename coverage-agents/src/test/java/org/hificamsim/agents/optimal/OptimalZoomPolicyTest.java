@@ -40,7 +40,7 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void aCameraWithADominatingLevelStaysAtTheNarrowestSuchWithoutBeingAskedAgain() {
+  void keepsNarrowestDominatingLevelWithoutFurtherQueries() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
@@ -61,7 +61,7 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void asksAgainWhenTheNetworkChanged() {
+  void queriesAgainAfterChangesOfTheNetwork() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
@@ -72,7 +72,7 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void keepsTheLevelsWhileNoTargetIsPresent() {
+  void keepsLevelsWithoutTargets() {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.showTarget(0, false);
@@ -84,7 +84,7 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void keepsTheLevelsOfCamerasWithADominatingLevelTooWhileNoTargetIsPresent() {
+  void keepsLevelsOfDominatedCamerasWithoutTargets() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     int[] views = network.currentLevels();
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
@@ -99,14 +99,14 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void ofEquallyGoodLevelsTakesTheOneThatDetectsMostThenTheNarrowest() {
+  void prefersMostDetectionsThenNarrowestLevel() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 0, 1).see(0, 1, 0, 1).see(0, 2, 0, 1);
     network.decide(network.begin(new OptimalZoomPolicy(1_000_000), 1));
     assertEquals(1, network.view(0));
   }
 
   @Test
-  void leavesOfflineCamerasAlone() {
+  void doesNotChangeOfflineCameras() {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
     network.switchCamera(0, false);
     network.decide(network.begin(new OptimalZoomPolicy(1_000_000), 1));
@@ -142,7 +142,7 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void saysWhereTheNodesDidNotSufficeAndHowMuchBetterItCouldBe() {
+  void reportsUnprovenStepsAndTheirGap() {
     GeometricNetwork.Kind rings = new GeometricNetwork.Kind(12, 4, 12, 1, false, false, 20, 15);
     GeometricNetwork network = GeometricNetwork.random(rings, 1);
     OptimalZoomPolicy limited = network.begin(new OptimalZoomPolicy(0), 1);

@@ -29,7 +29,7 @@ class TiltedOptimumTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   @Test
-  void theOptimumIsTheBestOfAllConfigurations() {
+  void findsTheBestOfAllTiltedConfigurations() {
     SplittableRandom random = new SplittableRandom(7);
     int tiltPays = 0;
     for (int world = 0; world < 30; world++) {

@@ -21,28 +21,28 @@ import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
-  /** So many cameras, views and targets that tables do not have all their states at first. */
+  /** With so many cameras, views and targets, tables do not have all states at the beginning. */
   private static final int CAMERAS = 200;
 
   private static final int LEVELS = 5;
   private static final int TARGETS = 4_000;
 
   @Property(tries = 200)
-  void theBestActionIsFoundAfterAnyUpdates(
+  void findsTheBestActionAfterRandomUpdates(
       @ForAll @IntRange(min = 1, max = 6) int views, @ForAll Ties ties, @ForAll long seed) {
     ActionValues values = new ActionValues(new ToyNetwork(2, views), StateReading.COUNT, ties, 0);
     SplittableRandom random = new SplittableRandom(seed);
     double[] plain = new double[views];
     for (int i = 0; i < 100; i++) {
       int action = random.nextInt(views);
-      plain[action] = random.nextInt(-3, 4); // few values, so that many are equal
+      plain[action] = random.nextInt(-3, 4); // few different values, so that many are equal
       values.set(0, 1, action, plain[action]);
       assertEquals(ties.best(plain, 0, views), values.best(0, 1), "update " + i);
     }
   }
 
   @Property(tries = 20)
-  void tablesThatGrowHoldWhatAWholeTableWould(
+  void growingTablesHoldTheSameAsCompleteOnes(
       @ForAll StateReading reading, @ForAll Ties ties, @ForAll long seed) {
     ActionValues values = new ActionValues(bigNetwork(), reading, ties, -1);
     SplittableRandom random = new SplittableRandom(seed);
@@ -61,7 +61,7 @@ class ActionValuesTest {
   }
 
   @Test
-  void aTableHasRoomForEveryTargetAtOnce() {
+  void tableCoversDetectionsOfAllTargets() {
     ActionValues values = new ActionValues(bigNetwork(), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
     int last = values.state(0, LEVELS - 1, TARGETS);
     values.set(0, last, LEVELS - 1, 3);
@@ -70,7 +70,7 @@ class ActionValuesTest {
   }
 
   @Test
-  void aTableGrowsForItsOwnCameraAlone() {
+  void tableGrowsForOneCameraOnly() {
     ActionValues values = new ActionValues(bigNetwork(), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
     int state = values.state(0, 1, 3_000);
     values.set(0, state, 2, 3);
@@ -80,7 +80,7 @@ class ActionValuesTest {
   }
 
   @Test
-  void statesThatATableLacksAnswerLikeThoseItHasBeforeAnyUpdate() {
+  void missingStatesHaveInitialValues() {
     for (Ties ties : Ties.values()) {
       ActionValues values = new ActionValues(bigNetwork(), StateReading.COUNT, ties, 2);
       for (int detected = 0; detected < 10; detected++) {
@@ -91,7 +91,7 @@ class ActionValuesTest {
   }
 
   @Test
-  void aTableGrowsByOneStateTooWhereThatIsMissing() {
+  void tableGrowsByOneState() {
     for (StateReading reading : StateReading.values()) {
       ActionValues values = new ActionValues(bigNetwork(), reading, Ties.WIDEST, 0);
       for (int percept = 0; percept <= 40 && percept < reading.percepts(TARGETS); percept++) {
@@ -105,7 +105,7 @@ class ActionValuesTest {
   }
 
   @Test
-  void aSmallNetworkHasAllStatesAtOnceSoThatNoUpdateAllocates() {
+  void updatesOfSmallNetworksAllocateNothing() {
     Iterator<ActionValues> fresh =
         Stream.generate(
                 () ->
@@ -122,7 +122,7 @@ class ActionValuesTest {
   }
 
   @Test
-  void theLargestTableThatFitsIsTaken() {
+  void acceptsLargestTableThatFits() {
     int counts = (1 << 28) / 128; // a row has an entry for each of 127 views, and one more
     ActionValues values =
         new ActionValues(oneCamera(127, counts - 1), StateReading.COUNT, Ties.WIDEST, 0);
@@ -138,7 +138,7 @@ class ActionValuesTest {
         refused.getMessage());
   }
 
-  /** A network that says how large it is, and no more. */
+  /** A network that knows only its size. */
   private static NetworkView oneCamera(int views, int targets) {
     return (NetworkView)
         Proxy.newProxyInstance(

@@ -10,15 +10,15 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
 
-/** Where moves take time, a decision holds until the camera has arrived, and pays for the way. */
+/** Tests learners whose moves take time, so that a decision lasts until the camera has arrived. */
 class MovingLearnersTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
-  /** Two views, two more steps from one to the other; the narrow one detects two targets. */
+  /** Two views; a move takes three steps, and the narrow view detects two targets. */
   private final ToyNetwork network = new ToyNetwork(3, 2).see(0, 0, 0, 1).see(0, 1, 2).slow(2);
 
   @Test
-  void anActionEarnsWhatItsWayCostsAndIsDiscountedByItsSteps() {
+  void rewardsAndDiscountsEveryStepOfAMove() {
     TemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,alpha=1,gamma=0.5,ties=narrowest");
     network.observe();
     ActionValues values = policy.q();
@@ -52,7 +52,7 @@ class MovingLearnersTest {
   }
 
   @Test
-  void aBanditsMeanHasTheStepsOnTheWayInIt() {
+  void banditsMeanIncludesStepsOfMoves() {
     ZoomPolicy policy =
         network.begin(registry.create("epsilon-greedy:epsilon=0,ties=narrowest"), 1);
     for (int step = 0; step < 4; step++) {
@@ -66,7 +66,7 @@ class MovingLearnersTest {
   }
 
   @Test
-  void aCameraOnItsWayAsksNobody() {
+  void movingCameraSendsNoQuery() {
     ToyNetwork pair = new ToyNetwork(1, 2, 2).slow(2);
     ZoomPolicy policy = pair.begin(registry.create("qb-sarsa:epsilon=0,ties=narrowest"), 1);
     pair.step(policy);

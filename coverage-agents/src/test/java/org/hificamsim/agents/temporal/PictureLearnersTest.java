@@ -14,7 +14,7 @@ import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
 
 class PictureLearnersTest {
-  /** A camera whose target walks from its left to its right and back: it has to turn with it. */
+  /** A target walks from the camera's left to its right and back, and the camera has to follow. */
   private static final String SHUTTLE =
       "<optics name='o' hfov='20' reach='15' pan='-60:60:10'/>"
           + "<camera name='a' x='0' y='0' heading='0' viewing_angle='20' range='15' optics='o'/>"
@@ -24,7 +24,7 @@ class PictureLearnersTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   @Test
-  void theStatesOfAPictureAreThoseOfItsPartsWithOrWithoutTheView() {
+  void countsStatesOfPictures() {
     assertEquals(7, values("picture").state(0, 4, 7));
     assertEquals(63, values("picture-depth").state(0, 4, 63));
     assertEquals(7 * 6 + 4, values("view-picture").state(0, 4, 7));
@@ -32,14 +32,14 @@ class PictureLearnersTest {
   }
 
   @Test
-  void whereTheTargetIsInThePictureIsWorthMoreThanHowManyThereAre() {
+  void pictureStatesBeatCounts() {
     int picture = detected("sarsa:state=view-picture,gamma=0.9");
     int count = detected("sarsa:state=level-count,gamma=0.9");
     assertTrue(picture > 1.2 * count, picture + " beside " + count);
   }
 
   @Test
-  void tablesTooLargeForTheMachineAreRefused() {
+  void rejectsTablesThatAreTooLarge() {
     ToyNetwork turning = new ToyNetwork(1, 3_000);
     ZoomPolicy policy = registry.create("sarsa:state=view-picture-depth");
     InputException refused = assertThrows(InputException.class, () -> turning.begin(policy, 1));

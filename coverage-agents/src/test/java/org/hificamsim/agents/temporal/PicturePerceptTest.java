@@ -12,20 +12,20 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
-/** What a camera at the origin that looks along +y makes of its picture, 60 degrees wide. */
+/** Tests the percepts of a camera at the origin that looks along +y, with a 60 degree picture. */
 class PicturePerceptTest {
   private static final String CAMERA =
       "<optics name='o' hfov='60' reach='10' pan='0 60' pan_speed='40'/>"
           + "<camera name='a' x='0' y='0' heading='0' viewing_angle='60' range='10' optics='o'/>";
 
   @Test
-  void anEmptyPictureHasNothingInIt() {
+  void emptyPictureHasNoParts() {
     assertPicture(0, false, "");
     assertPicture(0, true, "");
   }
 
   @Test
-  void tellsTheThirdsOfItsAngleApart() {
+  void distinguishesThirdsOfTheAngle() {
     assertPicture(0b001, false, at(-29, 3));
     assertPicture(0b001, false, at(-11, 3));
     assertPicture(0b010, false, at(-9, 3));
@@ -36,15 +36,15 @@ class PicturePerceptTest {
   }
 
   @Test
-  void tellsNearFromFarAtHalfTheReach() {
+  void distinguishesNearAndFarAtHalfTheReach() {
     assertPicture(0b000_001, true, at(-20, 4.9));
     assertPicture(0b001_000, true, at(-20, 5.1));
     assertPicture(0b110_010, true, at(1, 3) + at(-1, 9) + at(20, 9));
   }
 
-  /** The model detects up to half of the lens's 10 m. */
+  /** The model detects up to 5 m, half the reach of the lens. */
   @Test
-  void farIsWhatTheModelHardlyReaches() {
+  void farDependsOnTheReachOfTheModel() {
     DetectionModel weak = new OnlyNear(5);
     ZoomPolicy still = new FixedZoomPolicy(Options.none("fixed"));
     Simulation run = RealWorld.run(CAMERA + at(-20, 2.4) + at(20, 2.6), weak, still, 1);
@@ -65,7 +65,7 @@ class PicturePerceptTest {
   }
 
   @Test
-  void hasNothingOfWhatIsOutsideOrHidden() {
+  void ignoresTargetsOutsideAndHidden() {
     String wall = "<wall x1='-1' y1='2' x2='1' y2='2'/>";
     assertPicture(0b001, false, at(31, 3) + at(0, 10.1) + at(-20, 3));
     assertPicture(0b100, false, wall + at(0, 3) + at(28, 6));
@@ -82,17 +82,17 @@ class PicturePerceptTest {
 
   private static void assertPicture(int parts, boolean depth, String targets) {
     PicturePercept picture = new PicturePercept(1, depth);
-    picture.look(run("fixed", at(0, -5)).network());
+    picture.update(run("fixed", at(0, -5)).network());
     NetworkView network = run("fixed", targets).network();
-    assertEquals(parts, picture.now(network, 0));
-    picture.look(network);
-    assertEquals(parts, picture.of(0));
+    assertEquals(parts, picture.presentPercept(network, 0));
+    picture.update(network);
+    assertEquals(parts, picture.lastPercept(0));
   }
 
   private static int look(NetworkView network, boolean depth) {
     PicturePercept picture = new PicturePercept(1, depth);
-    picture.look(network);
-    return picture.of(0);
+    picture.update(network);
+    return picture.lastPercept(0);
   }
 
   private static Simulation run(String policy, String targets) {
@@ -104,7 +104,7 @@ class PicturePerceptTest {
     return run;
   }
 
-  /** {@code from} degrees off the camera's heading, to the right. */
+  /** Returns a target at an angle to the right of the camera's heading, degrees. */
   private static String at(double from, double distance) {
     double angle = Math.toRadians(from);
     return "<object features='"

@@ -11,12 +11,12 @@ class RewardReadingTest {
   }
 
   @Test
-  void signIsItsSignum() {
+  void signIsTheSignOfTheDifference() {
     assertRewards(RewardReading.SIGN, 1, 0, -1);
   }
 
   @Test
-  void literalTimesTheCountReachedSoLosingAllCostsNothing() {
+  void literalRewardOfLosingAllTargetsIsZero() {
     assertRewards(RewardReading.LITERAL, 5, 0, -2);
     assertEquals(0, RewardReading.LITERAL.reward(4, 0), 0);
   }

@@ -18,7 +18,7 @@ class TemporalDifferenceZoomPolicyTest {
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
-  /** Two views; the narrow one detects two targets, the wide one (the start) none. */
+  /** Two views; the narrow one detects two targets, the wide one, which comes first, none. */
   private final ToyNetwork network = new ToyNetwork(2, 2).see(0, 0, 0, 1);
 
   @Test
@@ -37,7 +37,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void theFirstDecisionTeachesNothing() {
+  void firstDecisionTeachesNothing() {
     for (String name : BOTH) {
       TemporalDifferenceZoomPolicy policy = begun(name + ":alpha=1,ties=narrowest");
       network.setLevel(0, 0);
@@ -51,7 +51,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void sarsaUpdatesWithTheActionChosenNextByHand() {
+  void sarsaUpdatesWithTheActionChosenNext() {
     TemporalDifferenceZoomPolicy policy =
         begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
@@ -59,7 +59,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void qLearningUpdatesWithTheBestActionByHand() {
+  void qLearningUpdatesWithTheBestAction() {
     TemporalDifferenceZoomPolicy policy =
         begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
@@ -67,7 +67,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void tellsTheValuesOfThePresentState() {
+  void reportsValuesOfThePresentState() {
     for (String name : BOTH) {
       TemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
       start();
@@ -82,7 +82,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void bothLearnTheBestLevel() {
+  void sarsaAndQLearningLearnTheBestLevel() {
     for (String name : BOTH) {
       start();
       TemporalDifferenceZoomPolicy policy = begun(name);
@@ -96,7 +96,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void qLearningConvergesToTheValuesOfTheDeterministicCase() {
+  void qLearningConvergesToKnownValues() {
     start();
     TemporalDifferenceZoomPolicy policy = begun("q-learning:gamma=0.5,epsilon=0.5");
     for (int step = 0; step < 20_000; step++) {
@@ -112,7 +112,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void sarsaConvergesToTheValuesOfItsOwnExploringPolicy() {
+  void sarsaConvergesToValuesOfItsExploringPolicy() {
     start();
     TemporalDifferenceZoomPolicy policy = begun("sarsa:gamma=0.5,epsilon=0.5,alpha=0.002");
     for (int step = 0; step < 200_000; step++) {
@@ -128,7 +128,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void aCameraThatWasOfflineIsNotCreditedForWhatItMissed() {
+  void offlineCameraGetsNoRewardForMissedSteps() {
     network.see(0, 1, 1);
     TemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,gamma=0,ties=narrowest");
     start();
@@ -142,7 +142,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void stateReadingsTellStatesApartOrNot() {
+  void stateReadingsDistinguishStates() {
     assertStates("sarsa:state=level-count", 6);
     assertStates("sarsa:state=count", 3);
     assertStates("sarsa:state=none", 1);
@@ -165,14 +165,14 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void tablesTooLargeForTheMachineAreRefused() {
+  void rejectsTablesThatAreTooLarge() {
     ToyNetwork crowd = new ToyNetwork(2_000_000, 12);
     InputException refused =
         assertThrows(InputException.class, () -> crowd.begin(registry.create("sarsa"), 1));
     assertTrue(refused.getMessage().contains("state=none"), refused.getMessage());
   }
 
-  /** From the wide view to the narrow one, then explores away from it. */
+  /** Moves from the wide view to the narrow one, and then explores. */
   private ActionValues forcedRound(TemporalDifferenceZoomPolicy policy) {
     ActionValues values = policy.q();
     int wide = values.state(0, 1, 0);

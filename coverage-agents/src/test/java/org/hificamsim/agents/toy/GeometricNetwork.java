@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
  * ring of distances and inside its angle of view. Targets jump to new places on request.
  */
 public final class GeometricNetwork extends ToyNetwork {
-  /** What the random worlds are made of. */
+  /** The parameters of random worlds. */
   public record Kind(
       int cameras,
       int views,
@@ -51,7 +51,7 @@ public final class GeometricNetwork extends ToyNetwork {
     scatter();
   }
 
-  /** A random world; the same for the same kind and seed. */
+  /** Returns a random world, which is the same for the same kind and seed. */
   public static GeometricNetwork random(Kind kind, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     int[] views = new int[kind.cameras];
@@ -68,7 +68,7 @@ public final class GeometricNetwork extends ToyNetwork {
     return this;
   }
 
-  /** Puts every target somewhere else. */
+  /** Moves every target to a random position. */
   public void scatter() {
     for (int t = 0; t < targets(); t++) {
       target[t] = new double[] {anywhere(), anywhere()};

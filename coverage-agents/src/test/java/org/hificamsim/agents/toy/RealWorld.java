@@ -16,15 +16,15 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 
-/** Small worlds written as scenario files, with lenses and walls, run by the engine itself. */
+/** Small worlds from scenario files, with lenses and walls, run by the engine. */
 public final class RealWorld {
-  /** Files have at least one target. */
+  /** A scenario file needs at least one target. */
   private static final String FAR_AWAY =
       "<object features=\"0\" x=\"-19\" y=\"-19\" heading=\"0\" speed=\"0\"/>";
 
   private RealWorld() {}
 
-  /** A run, of targets that are detected wherever they are in view. */
+  /** Returns a run in which targets are detected wherever they are in view. */
   public static Simulation run(String parts, ZoomPolicy policy, long seed) {
     return run(parts, new GeometricDetection(), policy, seed);
   }
@@ -37,7 +37,7 @@ public final class RealWorld {
     return new Simulation(world, Detection.of(model), policy, seed, List.of());
   }
 
-  /** A policy that chooses these views, one for each camera, at every decision. */
+  /** Returns a policy that always chooses these views, one for each camera. */
   public static ZoomPolicy always(int... views) {
     return new ZoomPolicy() {
       @Override

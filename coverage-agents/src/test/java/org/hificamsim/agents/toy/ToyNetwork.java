@@ -37,7 +37,7 @@ public class ToyNetwork implements OracleView {
   private long step;
   private long globalQueries;
 
-  /** All cameras online at their widest view, all targets present, nothing detected. */
+  /** Creates a network with cameras online at their widest views, and all targets present. */
   public ToyNetwork(int targets, int... views) {
     this.targets = targets;
     this.views = views.clone();
@@ -58,7 +58,7 @@ public class ToyNetwork implements OracleView {
     }
   }
 
-  /** Sets what a camera detects at one view to exactly these targets. */
+  /** Makes a camera detect exactly these targets in a view. */
   public final ToyNetwork see(int camera, int atLevel, int... seen) {
     Arrays.fill(detects[camera][atLevel], false);
     for (int target : seen) {
@@ -67,7 +67,7 @@ public class ToyNetwork implements OracleView {
     return this;
   }
 
-  /** Scores steps by another objective. */
+  /** Sets the objective by which steps are scored. */
   public final ToyNetwork scoredBy(Objective newObjective) {
     objective = newObjective;
     return this;
@@ -86,8 +86,8 @@ public class ToyNetwork implements OracleView {
   }
 
   /**
-   * Gives a camera's views so many pan angles, 30 degrees from one to the next, if they can be
-   * shared out among them; it starts ahead.
+   * Arranges the views of each camera in pan angles, 30 degrees apart, if their number is
+   * divisible; cameras begin ahead.
    */
   public final ToyNetwork turning(int newPans) {
     pans = newPans;
@@ -109,7 +109,7 @@ public class ToyNetwork implements OracleView {
     }
   }
 
-  /** Lets a move take so many steps more than one, in which the camera sees nothing. */
+  /** Sets the number of additional steps of a move, in which the camera sees nothing. */
   public final ToyNetwork slow(int steps) {
     moveTime = steps;
     return this;
@@ -124,7 +124,7 @@ public class ToyNetwork implements OracleView {
     present[target] = shown;
   }
 
-  /** One step of the engine: decide, apply, observe, learn. */
+  /** Makes a step as the engine does: decide, apply, observe, learn. */
   public final void step(ZoomPolicy policy) {
     decide(policy);
     observe();
@@ -132,7 +132,7 @@ public class ToyNetwork implements OracleView {
     nextStep();
   }
 
-  /** Another step begins. */
+  /** Begins the next step. */
   public final void nextStep() {
     step++;
   }
@@ -149,7 +149,7 @@ public class ToyNetwork implements OracleView {
     }
   }
 
-  /** Counts what the cameras detect at their views. */
+  /** Counts what the cameras detect in their views. */
   public final void observe() {
     Arrays.fill(detected, 0);
     Arrays.fill(coverage, 0);
@@ -179,7 +179,7 @@ public class ToyNetwork implements OracleView {
     return least;
   }
 
-  /** How often detection sets, dominance or target positions were asked for. */
+  /** The number of queries of detection sets, dominance or target positions. */
   public final long globalQueries() {
     return globalQueries;
   }

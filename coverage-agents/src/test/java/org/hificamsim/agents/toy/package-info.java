@@ -1,2 +1,2 @@
-/** Toy networks that stand in for the engine in the tests of policies. */
+/** Toy networks that replace the engine in tests of policies. */
 package org.hificamsim.agents.toy;

@@ -6,45 +6,45 @@ import org.junit.jupiter.api.Test;
 
 class MajorityVoteTest {
   @Test
-  void mostVotesWinAgainstTheOwnAction() {
-    assertEquals(3, winner(MajorityVote.Draw.OWN, 0, 0, 3, 3));
+  void mostVotesWinAgainstTheOwnView() {
+    assertEquals(3, winner(MajorityVote.DrawRule.OWN, 0, 0, 3, 3));
   }
 
   @Test
-  void theOwnActionWinsADrawItTakesPartIn() {
-    assertEquals(1, winner(MajorityVote.Draw.OWN, 1, 1, 3));
+  void ownViewWinsADrawWithIt() {
+    assertEquals(1, winner(MajorityVote.DrawRule.OWN, 1, 1, 3));
   }
 
   @Test
-  void theWidestWinsADrawWithoutTheOwnAction() {
-    assertEquals(3, winner(MajorityVote.Draw.OWN, 0, 0, 1, 1, 3, 3));
+  void widestViewWinsADrawWithoutTheOwnView() {
+    assertEquals(3, winner(MajorityVote.DrawRule.OWN, 0, 0, 1, 1, 3, 3));
   }
 
   @Test
-  void drawsGoToTheWidestOrNarrowestWhenSaidSo() {
-    assertEquals(3, winner(MajorityVote.Draw.WIDEST, 1, 1, 3));
-    assertEquals(1, winner(MajorityVote.Draw.NARROWEST, 3, 1, 3));
+  void drawRuleDecidesForWidestOrNarrowest() {
+    assertEquals(3, winner(MajorityVote.DrawRule.WIDEST, 1, 1, 3));
+    assertEquals(1, winner(MajorityVote.DrawRule.NARROWEST, 3, 1, 3));
   }
 
   @Test
-  void withoutVotesTheOwnActionStands() {
-    for (MajorityVote.Draw ties : MajorityVote.Draw.values()) {
-      assertEquals(2, winner(ties, 2));
+  void ownViewWinsWithoutVotes() {
+    for (MajorityVote.DrawRule drawRule : MajorityVote.DrawRule.values()) {
+      assertEquals(2, winner(drawRule, 2));
     }
   }
 
   @Test
-  void aSecondVoteForgetsTheFirst() {
-    MajorityVote vote = new MajorityVote(MajorityVote.Draw.OWN, 4);
+  void clearRemovesAllVotes() {
+    MajorityVote vote = new MajorityVote(MajorityVote.DrawRule.OWN, 4);
     vote.vote(3);
-    vote.open();
+    vote.clear();
     vote.vote(1);
     assertEquals(1, vote.winner(0));
   }
 
-  private static int winner(MajorityVote.Draw ties, int own, int... votes) {
-    MajorityVote vote = new MajorityVote(ties, 4);
-    vote.open();
+  private static int winner(MajorityVote.DrawRule drawRule, int own, int... votes) {
+    MajorityVote vote = new MajorityVote(drawRule, 4);
+    vote.clear();
     for (int view : votes) {
       vote.vote(view);
     }

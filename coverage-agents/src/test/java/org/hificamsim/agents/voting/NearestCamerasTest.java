@@ -28,7 +28,7 @@ class NearestCamerasTest {
   }
 
   @Test
-  void ofEquallyNearCamerasTakesTheLowerNumber() {
+  void prefersLowerNumbersOfEquallyNearCameras() {
     ToyNetwork network = new ToyNetwork(0, 2, 2, 2, 2, 2);
     NearestCameras nearest = new NearestCameras(network, 3);
     assertArrayEquals(new int[] {1, 3, 0}, neighbours(nearest, 2));

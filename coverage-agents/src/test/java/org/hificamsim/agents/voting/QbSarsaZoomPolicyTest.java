@@ -15,9 +15,9 @@ class QbSarsaZoomPolicyTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   @Test
-  void neighboursOutvoteTheOwnAction() {
+  void neighboursOutvoteTheOwnView() {
     ToyNetwork network = new ToyNetwork(1, 3, 3, 3);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:k=2,epsilon=0");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:k=2,epsilon=0");
     prefer(policy, 0, 2, 0);
     prefer(policy, 1, 2, 1);
     prefer(policy, 2, 2, 1);
@@ -26,9 +26,9 @@ class QbSarsaZoomPolicyTest {
   }
 
   @Test
-  void theOwnVoteDecidesADraw() {
+  void ownVoteDecidesADraw() {
     ToyNetwork network = new ToyNetwork(1, 3, 3);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:epsilon=0");
     prefer(policy, 0, 2, 0);
     prefer(policy, 1, 2, 1);
     network.decide(policy);
@@ -36,9 +36,9 @@ class QbSarsaZoomPolicyTest {
   }
 
   @Test
-  void withoutTheOwnVoteTheNeighboursDecide() {
+  void neighboursDecideWithoutTheOwnVote() {
     ToyNetwork network = new ToyNetwork(1, 3, 3);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:epsilon=0,own-vote=no");
     prefer(policy, 0, 2, 0);
     prefer(policy, 1, 2, 1);
     network.decide(policy);
@@ -46,10 +46,10 @@ class QbSarsaZoomPolicyTest {
   }
 
   @Test
-  void neighboursAnswerForTheAskersStateNotTheirOwn() {
+  void neighboursAnswerForTheStateOfTheQuery() {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 2, 0);
     network.observe();
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:epsilon=0,own-vote=no");
     policy.q().set(1, policy.q().state(1, 2, 1), 0, 1);
     policy.q().set(1, policy.q().state(1, 2, 0), 1, 1);
     network.decide(policy);
@@ -57,21 +57,21 @@ class QbSarsaZoomPolicyTest {
   }
 
   @Test
-  void levelsOfCamerasThatHaveOthersGoByTheirPlaceBetweenNarrowestAndWidest() {
+  void translatesLevelsByRelativePosition() {
     ToyNetwork network = new ToyNetwork(1, 3, 2);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:epsilon=0,own-vote=no");
     prefer(policy, 1, 1, 0);
     network.decide(policy);
-    assertEquals(0, network.view(0), "asked at its widest, and answered with the narrowest");
+    assertEquals(0, network.view(0), "the query is for the widest view, the answer the narrowest");
     prefer(policy, 1, 0, 1);
     network.decide(policy);
-    assertEquals(2, network.view(0), "asked at its narrowest, and answered with the widest");
+    assertEquals(2, network.view(0), "the query is for the narrowest view, the answer the widest");
   }
 
   @Test
-  void offlineNeighboursAreNotAsked() {
+  void sendsNoQueryToOfflineNeighbours() {
     ToyNetwork network = new ToyNetwork(1, 3, 3, 3);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:k=1,epsilon=0,own-vote=no");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:k=1,epsilon=0,own-vote=no");
     prefer(policy, 1, 2, 1);
     prefer(policy, 2, 2, 0);
     network.switchCamera(1, false);
@@ -83,7 +83,7 @@ class QbSarsaZoomPolicyTest {
   @Test
   void countsAQueryAndAnAnswerForEachNeighbour() {
     ToyNetwork network = new ToyNetwork(1, 3, 3, 3, 3, 3, 3);
-    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:k=4");
+    QbSarsaZoomPolicy policy = start(network, "qb-sarsa:k=4");
     for (int step = 0; step < 10; step++) {
       network.step(policy);
     }
@@ -91,16 +91,16 @@ class QbSarsaZoomPolicyTest {
   }
 
   @Test
-  void withoutNeighboursItIsSarsa() {
+  void equalsSarsaWithoutNeighbours() {
     ToyNetwork alone = learned("qb-sarsa:k=0");
     ToyNetwork sarsa = learned("sarsa");
     assertArrayEquals(sarsa.currentLevels(), alone.currentLevels());
   }
 
   @Test
-  void learnsTheBestLevelTogether() {
+  void learnsTheBestLevel() {
     ToyNetwork network = world();
-    ZoomPolicy policy = begun(network, "qb-sarsa");
+    ZoomPolicy policy = start(network, "qb-sarsa");
     int atBest = 0;
     for (int step = 0; step < 5_000; step++) {
       network.step(policy);
@@ -118,7 +118,7 @@ class QbSarsaZoomPolicyTest {
     return network;
   }
 
-  /** Five cameras for which the middle of three views detects most. */
+  /** Returns a network of five cameras whose middle view of three detects most targets. */
   private static ToyNetwork world() {
     ToyNetwork network = new ToyNetwork(3, 3, 3, 3, 3, 3);
     for (int camera = 0; camera < 5; camera++) {
@@ -127,13 +127,13 @@ class QbSarsaZoomPolicyTest {
     return network;
   }
 
-  /** Makes the action the camera's best at that view with nothing detected. */
+  /** Makes an action the camera's best one in a view with nothing detected. */
   private static void prefer(QbSarsaZoomPolicy policy, int camera, int view, int action) {
     ActionValues values = policy.q();
     values.set(camera, values.state(camera, view, 0), action, 1);
   }
 
-  private QbSarsaZoomPolicy begun(ToyNetwork network, String spec) {
+  private QbSarsaZoomPolicy start(ToyNetwork network, String spec) {
     return (QbSarsaZoomPolicy) network.begin(registry.create(spec), 1);
   }
 }

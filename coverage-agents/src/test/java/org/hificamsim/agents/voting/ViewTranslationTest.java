@@ -19,26 +19,26 @@ class ViewTranslationTest {
   private static final String ZOOMS = "<zoom>2 4 6 8 10</zoom>";
 
   @Test
-  void equalViewsAreTheSame() {
+  void equalViewsStayTheSame() {
     assertEquals("0 1 2 3 4 5 6 7 8", translated(LONG, "long", "long"));
     assertEquals("0 1 2 3 4 5 6 7 8 9", translated(ROUND + ZOOMS, "round", "round"));
   }
 
   @Test
-  void takesTheNearestPanAngleAndTheNearestAngleOfViewByRatio() {
+  void takesNearestPanAngleAndAngleOfView() {
     assertEquals("2 2 3 6 6 7 10 10 11", translated(LONG + SHORT, "long", "short"));
     assertEquals("1 2 1 2 1 2 4 5 4 5 7 8 7 8", translated(LONG + SHORT, "short", "long"));
   }
 
   @Test
-  void withoutALensLevelsGoByTheirPlaceBetweenNarrowestAndWidest() {
+  void comparesLevelsWithoutLensByPosition() {
     assertEquals("3 4 4 5 5 6 7 7 8 8", translated(LONG + ROUND + ZOOMS, "round", "long"));
     assertEquals("0 2 4 0 2 4 5 7 9", translated(LONG + ROUND + ZOOMS, "long", "round"));
   }
 
-  /** In the state that is nearest to the asker's, and as the asker's view that is nearest to it. */
+  /** The neighbour answers for its nearest state; its view is translated back. */
   @Test
-  void aNeighbourAnswersWithItsOwnBestViewAsNearAsTheAskerHasOne() {
+  void translatesQueryAndAnswerOfANeighbour() {
     QbSarsaZoomPolicy policy =
         new QbSarsaZoomPolicy(Options.parse("qb-sarsa", "epsilon=0,own-vote=no"));
     Simulation run =
@@ -51,7 +51,7 @@ class ViewTranslationTest {
 
   private static String translated(String optics, String from, String to) {
     NetworkView network = network(optics, "optics='" + from + "'", "optics='" + to + "'");
-    ViewTranslation translation = new ViewTranslation(network);
+    ViewTranslation translation = new ViewTranslation(network, null); // asks no neighbour
     return String.join(
         " ",
         IntStream.range(0, network.views(0))
@@ -59,23 +59,23 @@ class ViewTranslationTest {
             .toList());
   }
 
-  private static NetworkView network(String optics, String one, String other) {
+  private static NetworkView network(String optics, String first, String second) {
     return RealWorld.run(
-            world(optics, one, other),
+            world(optics, first, second),
             new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST),
             1)
         .network();
   }
 
-  private static String world(String optics, String one, String other) {
+  private static String world(String optics, String first, String second) {
     String camera = "x='0' y='0' heading='0' viewing_angle='60' range='10' ";
     return optics
         + "<camera name='a' "
         + camera
-        + one
+        + first
         + "/><camera name='b' "
         + camera
-        + other
+        + second
         + "/>";
   }
 }
