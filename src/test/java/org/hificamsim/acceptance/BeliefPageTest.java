@@ -14,7 +14,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What cooperative cameras believe, tell each other and why they choose, on the pages. */
+/** Tests what pages show of cooperative cameras: beliefs, messages, and reasons for choices. */
 class BeliefPageTest {
   private static final String PIXELS =
       "const {canvas} = (hificamsim.player ?? hificamsim.players[0]).field.surface;"

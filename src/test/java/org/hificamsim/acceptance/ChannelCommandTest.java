@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code --channel}: votes and auctions over a channel that loses and delays. */
+/** Tests {@code --channel}: votes and auctions over a channel that loses and delays messages. */
 class ChannelCommandTest {
   private static final int COMMUNICATION = 2;
   private static final int PROPORTION = 9;
@@ -42,17 +42,17 @@ class ChannelCommandTest {
     return new ObjectMapper().readTree(out.resolve("summary.json").toFile()).at("/runs/0");
   }
 
-  /** None of these loses or delays anything, but messages go the long way. */
+  /** These channels lose and delay nothing, but are not perfect for the program. */
   @ParameterizedTest
   @ValueSource(strings = {"range=1000", "bandwidth=1000000"})
   void losslessChannelChangesNothing(String channel) throws IOException {
     Path plain = run("plain", "--policy qb-sarsa");
-    Path over = run("over", "--policy qb-sarsa --channel " + channel);
-    assertEquals(steps(plain), steps(over));
+    Path overChannel = run("over", "--policy qb-sarsa --channel " + channel);
+    assertEquals(steps(plain), steps(overChannel));
     for (String metric : List.of("messages", "bits")) {
-      assertEquals(first(plain).get(metric), first(over).get(metric));
+      assertEquals(first(plain).get(metric), first(overChannel).get(metric));
     }
-    assertEquals(0, first(over).get("messages_dropped").asInt());
+    assertEquals(0, first(overChannel).get("messages_dropped").asInt());
     assertTrue(first(plain).path("messages_dropped").isMissingNode());
   }
 
@@ -134,7 +134,7 @@ class ChannelCommandTest {
         Cli.scenario("ring-random"));
   }
 
-  /** The table of a run of CamSim's auctions. */
+  /** Runs CamSim's auctions, and returns their table. */
   private String auctions(String name, String channel) throws IOException {
     Path out = folder.resolve(name);
     Cli run =

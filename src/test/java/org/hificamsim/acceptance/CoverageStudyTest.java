@@ -12,27 +12,27 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the coverage study's simulator recorded comes out of {@code run} (docs/evidence.md). */
+/** Compares {@code run} with the results of the coverage study's simulator (docs/evidence.md). */
 class CoverageStudyTest {
   @TempDir Path folder;
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4, 5})
   void ownScenariosHaveTheRecordedKMin(int number) throws IOException {
-    assertEquals(200, compared("own-coverage/own-" + number));
+    assertEquals(200, comparedSteps("own-coverage/own-" + number));
   }
 
   @Test
   void scenariosOfTheStudyHaveTheRecordedKMin() throws IOException {
-    List<Path> all = Reference.scenarios("coverage-study");
-    assertEquals(11, all.size());
-    all.forEach(file -> Cli.assertValidAndRuns(file, folder));
-    assertEquals(300, compared("coverage-study/scenario7"));
-    assertEquals(300, compared("coverage-study/scenario-w1"));
+    List<Path> scenarios = Reference.scenarios("coverage-study");
+    assertEquals(11, scenarios.size());
+    scenarios.forEach(file -> Cli.assertValidAndRuns(file, folder));
+    assertEquals(300, comparedSteps("coverage-study/scenario7"));
+    assertEquals(300, comparedSteps("coverage-study/scenario-w1"));
   }
 
-  /** Compares both policies in each step, and returns the number of steps. */
-  private int compared(String name) throws IOException {
+  /** Compares both policies in each step; returns the number of steps. */
+  private int comparedSteps(String name) throws IOException {
     Path recorded = Reference.file(name + ".expected.csv");
     Path scenario = Reference.file(name + ".xml");
     List<String> optimal = column(recorded, 1);

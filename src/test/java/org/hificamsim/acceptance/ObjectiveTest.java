@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What steps are scored by: {@code --objective} and the attribute {@code objective}. */
+/** Tests the objective of steps: {@code --objective} and the attribute {@code objective}. */
 class ObjectiveTest {
   private static final ObjectMapper JSON = new ObjectMapper();
 
@@ -50,8 +50,8 @@ class ObjectiveTest {
     assertEquals(0, compare.exit(), compare.err());
     assertTrue(compare.out().contains("score [95%]"), compare.out());
     List<String> rows = Files.readAllLines(folder.resolve("results.csv"));
-    double most = 0;
-    double fixed = 0;
+    double greatestScore = 0;
+    double greatestFixedScore = 0;
     for (String row : rows.subList(1, rows.size())) {
       String[] cells = row.split(",");
       double score = Double.parseDouble(cells[11]);
@@ -59,14 +59,13 @@ class ObjectiveTest {
       assertEquals(objective, cells[10]);
       assertTrue(score <= optimum + 1e-9, row);
       assertEquals(score / optimum, Double.parseDouble(cells[5]), 1e-9, row);
-      most = Math.max(most, score);
-      fixed =
-          cells[2].startsWith("zoom") || cells[2].startsWith("fixed")
-              ? Math.max(fixed, score)
-              : fixed;
+      greatestScore = Math.max(greatestScore, score);
+      if (cells[2].startsWith("zoom") || cells[2].startsWith("fixed")) {
+        greatestFixedScore = Math.max(greatestFixedScore, score);
+      }
     }
-    assertTrue(fixed <= figure("best-fixed", "score"), "the best constant configuration");
-    assertEquals(most, figure("optimal", "score"));
+    assertTrue(greatestFixedScore <= figure("best-fixed", "score"));
+    assertEquals(greatestScore, figure("optimal", "score"));
     assertEquals(0, figure("optimal", "unproven_steps"));
     assertEquals(figure("optimal", "score"), figure("optimal", "score_bound"));
     assertEquals(

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The policy of {@code examples/own-policy}, compiled and run as its author would. */
+/** Compiles and runs the policy of {@code examples/own-policy} as its author would. */
 class OwnPolicyTest {
   @TempDir static Path folder;
 
@@ -77,10 +77,10 @@ class OwnPolicyTest {
             Cli.scenario("lattice-random"),
             "--out",
             jar.resolve("none"));
-    String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(1, run.waitFor(), said);
-    assertEquals(1, said.lines().count(), said);
-    assertTrue(said.startsWith("error: ") && said.contains("org.example.Missing"), said);
+    String output = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(1, run.waitFor(), output);
+    assertEquals(1, output.lines().count(), output);
+    assertTrue(output.startsWith("error: ") && output.contains("org.example.Missing"), output);
     assertFalse(Files.exists(jar.resolve("none")));
   }
 
@@ -88,8 +88,8 @@ class OwnPolicyTest {
   void exceptionIsOneLineWithStackTraceUnderDebug(@TempDir Path jar) throws Exception {
     Path services = Files.createDirectories(jar.resolve("META-INF/services"));
     Files.writeString(services.resolve(ZoomPolicy.class.getName()), Broken.class.getName());
-    List<String> brief = said(jar, List.of());
-    List<String> debug = said(jar, List.of("-Dhificamsim.debug=true"));
+    List<String> brief = outputLines(jar, List.of());
+    List<String> debug = outputLines(jar, List.of("-Dhificamsim.debug=true"));
     String frame = " at " + Broken.class.getName() + ".decide(OwnPolicyTest.java:";
     assertEquals(1, brief.size(), brief.toString());
     assertTrue(brief.get(0).contains("step 0: IllegalStateException: torn" + frame), brief + "");
@@ -97,7 +97,7 @@ class OwnPolicyTest {
     assertTrue(debug.stream().anyMatch(line -> line.startsWith("\t" + frame.strip())), debug + "");
   }
 
-  private static List<String> said(Path jar, List<String> options) throws Exception {
+  private static List<String> outputLines(Path jar, List<String> options) throws Exception {
     Process run =
         Java.main(
             Path.of("."),
@@ -109,12 +109,12 @@ class OwnPolicyTest {
             "broken",
             "--out",
             jar.resolve("none"));
-    String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(1, run.waitFor(), said);
-    return said.lines().toList();
+    String output = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(1, run.waitFor(), output);
+    return output.lines().toList();
   }
 
-  /** A policy whose author has made a mistake. */
+  /** A policy that throws an exception. */
   public static final class Broken implements ZoomPolicy {
     @Override
     public String name() {

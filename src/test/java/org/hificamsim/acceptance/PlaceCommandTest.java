@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code place}: plans, their check, instances, and what is refused. */
+/** Tests {@code place}: plans, their check, instances, and errors. */
 class PlaceCommandTest {
   private static final String WALL = "<wall x1=\"10\" y1=\"0\" x2=\"10\" y2=\"20\"/>";
   private static final String DOOR =
@@ -18,7 +18,7 @@ class PlaceCommandTest {
 
   @TempDir private Path folder;
 
-  /** Two rooms with one camera of two kinds each. */
+  /** Writes a site of two rooms, each with a camera of its own kind. */
   private Path site(String walls, String zones) throws IOException {
     return Files.writeString(
         folder.resolve("rooms.xml"),
@@ -58,9 +58,9 @@ class PlaceCommandTest {
           "--cover --catalogue site --reading any"
         }) {
       Path plan = folder.resolve("plan");
-      Cli made = place(site, words + " --out " + plan);
-      assertEquals(0, made.exit(), made.err());
-      assertTrue(made.out().contains("gap"), made.out());
+      Cli placed = place(site, words + " --out " + plan);
+      assertEquals(0, placed.exit(), placed.err());
+      assertTrue(placed.out().contains("gap"), placed.out());
       Cli checked = Cli.run("place", "--verify", plan);
       assertEquals(0, checked.exit(), words + checked.err());
       assertTrue(checked.out().contains("holds"), checked.out());
@@ -73,8 +73,8 @@ class PlaceCommandTest {
   void newCamerasHangAndTiltOnSitesWithHeights() throws IOException {
     Path site = site(WALL.replace("/>", " height=\"1.2\"/>"), "");
     Path plan = folder.resolve("plan");
-    Cli made = place(site, "--cameras 3 --reading fixed --out " + plan);
-    assertEquals(0, made.exit(), made.err());
+    Cli placed = place(site, "--cameras 3 --reading fixed --out " + plan);
+    assertEquals(0, placed.exit(), placed.err());
     String planned = Files.readString(plan.resolve("plan.xml"));
     assertEquals(3, planned.split("z=\"3.0\"", -1).length - 1, planned);
     assertTrue(planned.contains("tilt=\"15.0\""), planned);
@@ -97,13 +97,13 @@ class PlaceCommandTest {
       Path plan = folder.resolve(words.replace(' ', '-'));
       Files.writeString(spots, "x,y\n40,20\n79,49\n");
       String rest = words.substring(site.length()) + " --candidates " + spots + " --out " + plan;
-      Cli made =
+      Cli placed =
           Cli.run(
               (Object[])
                   ("place " + Cli.scenario(site) + " --cameras 2 --cells 12 --catalogue site")
                       .concat(rest)
                       .split(" "));
-      assertEquals(0, made.exit(), made.err());
+      assertEquals(0, placed.exit(), placed.err());
       Cli checked = Cli.run("place", "--verify", plan);
       assertEquals(0, checked.exit(), words + checked.err());
     }
@@ -158,7 +158,8 @@ class PlaceCommandTest {
   }
 
   /**
-   * The zone lies 37 degrees wide around 52.5, too far for the wide lens: 40 at 45 or 60 miss some.
+   * The zone covers 37 degrees around a heading of 52.5, too far away for the wide lens. The narrow
+   * one, 40 degrees wide, misses a part of it at the candidates' headings of 45 and 60.
    */
   @Test
   void refinementFindsHeadingsBetweenCandidates() throws IOException {
@@ -171,11 +172,11 @@ class PlaceCommandTest {
     Path plan = folder.resolve("plan");
     String words = "--cameras 1 --catalogue site --seed 2 --candidates " + spot + " --out ";
     String cells = " --cells 60";
-    Cli made = refined(site, words + folder.resolve("plain") + cells);
-    assertEquals(0, made.exit(), made.err());
+    Cli placed = refined(site, words + folder.resolve("plain") + cells);
+    assertEquals(0, placed.exit(), placed.err());
     assertFalse(Files.readString(folder.resolve("plain/summary.json")).contains("unrefined"));
-    made = refined(site, words + plan + cells + " --refine --threads 2");
-    assertTrue(made.out().contains("refined from a plan of candidates"), made.out());
+    placed = refined(site, words + plan + cells + " --refine --threads 2");
+    assertTrue(placed.out().contains("refined from a plan of candidates"), placed.out());
     refined(site, words + folder.resolve("again") + cells + " --refine --threads 1");
     assertEquals(-1L, Files.mismatch(plan.resolve("plan.xml"), folder.resolve("again/plan.xml")));
     Path summary = plan.resolve("summary.json");
@@ -207,8 +208,8 @@ class PlaceCommandTest {
           "--cameras 2 --keep A", "--budget 900 --reading any", "--cameras 1 --time 0"
         }) {
       String more = " --refine --forbid low --catalogue generic --out " + plan;
-      Cli made = place(site, words + more);
-      assertEquals(0, made.exit(), made.err());
+      Cli placed = place(site, words + more);
+      assertEquals(0, placed.exit(), placed.err());
       assertTrue(
           Double.parseDouble(value(plan.resolve("summary.json"), "gain_of_refinement")) >= 0);
       for (String row : Files.readAllLines(plan.resolve("cameras.csv"))) {
@@ -247,9 +248,10 @@ class PlaceCommandTest {
     Path plan = folder.resolve("plan");
     for (String form : new String[] {"scp", "candidates"}) {
       place(site(WALL, ""), "--cover --catalogue site --form " + form + " --out " + plan);
-      Cli again = Cli.run("place", "--instance", plan.resolve("instance.txt"), "--form", form);
-      String price = "\"price\" : " + again.out().replaceAll("(?s).*price ([0-9]+).*", "$1");
-      assertTrue(Files.readString(plan.resolve("summary.json")).contains(price), again.out());
+      Cli solvedAgain =
+          Cli.run("place", "--instance", plan.resolve("instance.txt"), "--form", form);
+      String price = "\"price\" : " + solvedAgain.out().replaceAll("(?s).*price ([0-9]+).*", "$1");
+      assertTrue(Files.readString(plan.resolve("summary.json")).contains(price), solvedAgain.out());
     }
   }
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What {@code place} hands on: the page in a browser, the PDF, the floor plan. */
+/** Tests the output of {@code place}: the page in a browser, the PDF, and the floor plan. */
 class PlanPageTest {
   @TempDir static Path folder;
   private static Path plan;

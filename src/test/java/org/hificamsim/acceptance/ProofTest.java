@@ -13,13 +13,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What runs and comparisons say where the exact optimum ran out of search nodes. */
+/** Tests what runs and comparisons report if the exact optimum runs out of search nodes. */
 class ProofTest {
   @TempDir Path folder;
 
   @Test
   void runReportsUnprovenStepsWithTheirBound() throws IOException {
-    Path scenario = dense();
+    Path scenario = denseScenario();
     Cli limited = run(scenario, "one-hop:nodes=0");
     JsonNode unproven = summary();
     assertTrue(limited.out().contains("not proven"), limited.out());
@@ -40,7 +40,7 @@ class ProofTest {
 
   @Test
   void comparisonReportsUnprovenSteps() throws IOException {
-    Cli compared = compare(dense());
+    Cli compared = compare(denseScenario());
     assertTrue(
         compared.err().contains("'one-hop:nodes=0' is not proven to be the best in "),
         compared.err());
@@ -53,16 +53,16 @@ class ProofTest {
     assertFalse(metrics().anyMatch(row -> row.contains(",zoom-out,") && row.contains("_bound,")));
   }
 
-  /** Many cameras side by side, with lenses: of their views, none sees all that another does. */
-  private Path dense() throws IOException {
+  /** Generates many close cameras with lenses, so that no view sees all that another one sees. */
+  private Path denseScenario() throws IOException {
     Path scenario = folder.resolve("dense.xml");
     Cli.run("generate", scenario, "--cameras", 24, "--targets", 30, "--area", 1);
     String lens =
         "<optics name='lens' law='constant-area' reach='4' hfov='160 80 40' pan='-90 0 90'/>";
-    String round = Files.readString(scenario);
+    String withoutLenses = Files.readString(scenario);
     return Files.writeString(
         scenario,
-        round
+        withoutLenses
             .replaceFirst("<zoom>.*</zoom>", lens)
             .replace("viewing_angle=\"360.0\"", "optics=\"lens\""));
   }

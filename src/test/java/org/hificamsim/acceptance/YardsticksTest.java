@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,26 +18,26 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code compare --yardsticks}. */
+/** Tests {@code compare --yardsticks}. */
 class YardsticksTest {
   @TempDir static Path folder;
   private static Path scenario;
-  private static Path usual;
-  private static Path bound;
-  private static Cli bounded;
+  private static Path byDefault;
+  private static Path byBound;
+  private static Cli compareByBound;
 
   @BeforeAll
   static void compareBothWays() {
     scenario = folder.resolve("site.xml");
     Cli.run("generate", scenario, "--lenses", "--cameras", 5, "--targets", 9, "--walls", 12);
-    usual = folder.resolve("usual");
-    bound = folder.resolve("bound");
-    assertEquals(0, compare(usual).exit());
-    bounded = compare(bound, "--yardsticks", "bound");
-    assertEquals(0, bounded.exit(), bounded.err());
+    byDefault = folder.resolve("byDefault");
+    byBound = folder.resolve("bound");
+    assertEquals(0, compare(byDefault).exit());
+    compareByBound = compare(byBound, "--yardsticks", "bound");
+    assertEquals(0, compareByBound.exit(), compareByBound.err());
   }
 
-  private static Cli compare(Path out, Object... further) {
+  private static Cli compare(Path out, Object... options) {
     List<Object> words =
         new ArrayList<>(
             List.of(
@@ -55,7 +54,7 @@ class YardsticksTest {
                 "--latex",
                 "--out",
                 out));
-    words.addAll(List.of(further));
+    words.addAll(List.of(options));
     return Cli.run(words.toArray());
   }
 
@@ -64,51 +63,53 @@ class YardsticksTest {
     Path named = folder.resolve("named");
     compare(named, "--yardsticks", "optimal,best-fixed");
     for (String file : List.of("results.csv", "metrics.csv", "summary.csv", "yardsticks.csv")) {
-      assertEquals(-1, Files.mismatch(usual.resolve(file), named.resolve(file)), file);
+      assertEquals(-1, Files.mismatch(byDefault.resolve(file), named.resolve(file)), file);
     }
     assertEquals(
         "optimal reached, optimal reached, optimal reached, best-fixed reached, "
             + "best-fixed reached, best-fixed reached",
-        yardsticks(usual));
+        yardsticks(byDefault));
   }
 
   @Test
   void boundIsNamedABoundAndNotBelowTheOptimum() throws IOException {
-    assertEquals("bound at most, bound at most, bound at most", yardsticks(bound));
-    double[] optima = column(usual, "yardsticks.csv", "score");
-    double[] bounds = column(bound, "yardsticks.csv", "score");
+    assertEquals("bound at most, bound at most, bound at most", yardsticks(byBound));
+    double[] optima = column(byDefault, "yardsticks.csv", "score");
+    double[] bounds = column(byBound, "yardsticks.csv", "score");
     for (int seed = 0; seed < 3; seed++) {
       assertTrue(bounds[seed] >= optima[seed], bounds[seed] + " below " + optima[seed]);
       assertTrue(bounds[seed] <= 1.3 * optima[seed], bounds[seed] + " for " + optima[seed]);
     }
-    assertTrue(bounded.out().contains("of the optimum, at least"), bounded.out());
+    assertTrue(compareByBound.out().contains("of the optimum, at least"), compareByBound.out());
     String shown = "independent-greedy reaches at least \\d+ % of what is possible";
-    assertTrue(bounded.out().lines().anyMatch(line -> line.matches(".*" + shown)), bounded.out());
-    assertTrue(Files.readString(bound.resolve("summary.tex")).contains("a bound on the optimum"));
-    assertTrue(Files.readString(bound.resolve("proportion.svg")).contains("bound"));
-    assertTrue(Files.readString(bound.resolve("profile.svg")).contains("bound"));
+    assertTrue(
+        compareByBound.out().lines().anyMatch(line -> line.matches(".*" + shown)),
+        compareByBound.out());
+    assertTrue(Files.readString(byBound.resolve("summary.tex")).contains("a bound on the optimum"));
+    assertTrue(Files.readString(byBound.resolve("proportion.svg")).contains("bound"));
+    assertTrue(Files.readString(byBound.resolve("profile.svg")).contains("bound"));
   }
 
   @Test
   void resultsWithBoundKeepRowsAndColumns() throws IOException {
-    List<Map<String, String>> rows = rows(bound, "results.csv");
+    List<Map<String, String>> rows = rows(byBound, "results.csv");
     assertEquals(
-        Files.readAllLines(usual.resolve("results.csv")).get(0),
-        Files.readAllLines(bound.resolve("results.csv")).get(0));
+        Files.readAllLines(byDefault.resolve("results.csv")).get(0),
+        Files.readAllLines(byBound.resolve("results.csv")).get(0));
     assertEquals(6, rows.size());
     for (Map<String, String> row : rows) {
       assertEquals("", row.get("optimum"));
       assertEquals("", row.get("proportion_of_optimal"));
     }
-    Map<String, Double> shares = metric(bound, "proportion_of_bound");
+    Map<String, Double> shares = metric(byBound, "proportion_of_bound");
     assertEquals(6, shares.size());
-    metric(usual, "proportion_of_optimal")
+    metric(byDefault, "proportion_of_optimal")
         .forEach((run, share) -> assertTrue(run.contains("optimal") || shares.get(run) <= share));
-    assertTrue(metric(usual, "proportion_of_bound").isEmpty());
-    assertTrue(metric(bound, "proportion_of_optimal").isEmpty());
-    assertTrue(metric(bound, "regret").isEmpty());
-    assertEquals("proportion_of_bound", rows(bound, "pairs.csv").get(0).get("metric"));
-    assertEquals("proportion_of_bound", rows(bound, "aggregate.csv").get(0).get("metric"));
+    assertTrue(metric(byDefault, "proportion_of_bound").isEmpty());
+    assertTrue(metric(byBound, "proportion_of_optimal").isEmpty());
+    assertTrue(metric(byBound, "regret").isEmpty());
+    assertEquals("proportion_of_bound", rows(byBound, "pairs.csv").get(0).get("metric"));
+    assertEquals("proportion_of_bound", rows(byBound, "aggregate.csv").get(0).get("metric"));
   }
 
   @Test
@@ -131,7 +132,7 @@ class YardsticksTest {
     Cli compare = compare(fixed, "--yardsticks", "best-fixed");
     assertTrue(compare.out().contains("over best-fixed"), compare.out());
     assertEquals("value_of_learning", rows(fixed, "pairs.csv").get(0).get("metric"));
-    assertEquals(metric(usual, "value_of_learning"), metric(fixed, "value_of_learning"));
+    assertEquals(metric(byDefault, "value_of_learning"), metric(fixed, "value_of_learning"));
   }
 
   @ParameterizedTest
@@ -147,16 +148,17 @@ class YardsticksTest {
 
   @Test
   void rejectsMergingPartsWithOtherYardsticks() {
-    Path one = folder.resolve("one");
-    Path two = folder.resolve("two");
-    compare(one, "--yardsticks", "bound", "--shard", "1/2");
-    compare(two, "--yardsticks", "bound", "--shard", "2/2");
+    Path firstPart = folder.resolve("one");
+    Path secondPart = folder.resolve("two");
+    compare(firstPart, "--yardsticks", "bound", "--shard", "1/2");
+    compare(secondPart, "--yardsticks", "bound", "--shard", "2/2");
     Path merged = folder.resolve("merged");
-    Cli other = compare(merged, "--merge", one, "--merge", two);
-    assertEquals(2, other.exit());
-    assertTrue(other.err().contains("--merge lacks 6 of 12 runs"), other.err());
-    Cli same = compare(merged, "--yardsticks", "bound", "--merge", one, "--merge", two);
-    assertEquals(0, same.exit(), same.err());
+    Cli withDefaults = compare(merged, "--merge", firstPart, "--merge", secondPart);
+    assertEquals(2, withDefaults.exit());
+    assertTrue(withDefaults.err().contains("--merge lacks 6 of 12 runs"), withDefaults.err());
+    Cli withBound =
+        compare(merged, "--yardsticks", "bound", "--merge", firstPart, "--merge", secondPart);
+    assertEquals(0, withBound.exit(), withBound.err());
   }
 
   private static String yardsticks(Path out) throws IOException {
@@ -169,7 +171,7 @@ class YardsticksTest {
     return rows(out, file).stream().mapToDouble(row -> Double.parseDouble(row.get(name))).toArray();
   }
 
-  /** By policy and seed. */
+  /** Returns the values of a metric by policy and seed. */
   private static Map<String, Double> metric(Path out, String metric) throws IOException {
     Map<String, Double> values = new HashMap<>();
     for (Map<String, String> row : rows(out, "metrics.csv")) {
@@ -187,7 +189,9 @@ class YardsticksTest {
     for (String line : lines.subList(1, lines.size())) {
       Map<String, String> row = new HashMap<>();
       String[] cells = line.split(",", -1);
-      Arrays.setAll(cells, i -> row.merge(columns[i], cells[i], (one, other) -> other));
+      for (int i = 0; i < cells.length; i++) {
+        row.put(columns[i], cells[i]);
+      }
       rows.add(row);
     }
     return rows;
