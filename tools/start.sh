@@ -29,16 +29,7 @@ start() {
     case " $* " in *' --engine spark '* | *' --engine=spark '*) part spark ;; esac
     case " $* " in *[\ =,]onnx[\ :,]*) part onnx ;; esac
     case "${1:-} $* " in 'place '*' --method exact '* | 'place '*' --method=exact '*) part ortools ;; esac
-    # A word of its own, or a folder of results that has such tables.
-    for word; do
-        case ${1:-}:$word in
-            *:parquet | *:--format=parquet) ;;
-            report:*) [ -e "$word/steps.parquet" ] || continue ;;
-            *) continue ;;
-        esac
-        part parquet
-        break
-    done
+    case " $* " in *' --format parquet '* | *' --format=parquet '*) part parquet ;; esac
     set -- -cp "$libraries${CLASSPATH:+:$CLASSPATH}" org.hificamsim.cli.Main "$@"
     # shellcheck disable=SC2086 # several options
     set -- ${HIFICAMSIM_OPTS:-} "$@"

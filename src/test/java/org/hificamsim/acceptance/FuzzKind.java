@@ -149,17 +149,6 @@ enum FuzzKind {
       return shown(among(file, results("run", "csv")));
     }
   },
-  PARQUET {
-    @Override
-    List<Path> made() throws IOException {
-      return in(results("typed", "parquet"), "steps.parquet", "zooms.parquet", "targets.parquet");
-    }
-
-    @Override
-    Cli read(Path file) throws IOException {
-      return shown(among(file, results("typed", "parquet")));
-    }
-  },
   PHOTO {
     @Override
     List<Path> made() throws IOException {
@@ -245,12 +234,12 @@ enum FuzzKind {
 
   /** Whether an error must name line and column. */
   final boolean hasPlaces() {
-    return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PARQUET, PHOTO, ONNX).contains(this);
+    return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PHOTO, ONNX).contains(this);
   }
 
   /** Whether its files are no text: all but a change of bits makes most of them another thing. */
   final boolean isBinary() {
-    return Set.of(PARQUET, PHOTO, ONNX).contains(this);
+    return Set.of(PHOTO, ONNX).contains(this);
   }
 
   /** Whether the command line answers, which shortens its lines. */

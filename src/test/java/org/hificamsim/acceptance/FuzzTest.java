@@ -42,7 +42,7 @@ class FuzzTest {
   @TestFactory
   Stream<DynamicTest> everyFileOfTheCorpus() {
     return Arrays.stream(FuzzKind.values())
-        .filter(kind -> kind != FuzzKind.PARQUET && kind != FuzzKind.ONNX) // not on this class path
+        .filter(kind -> kind != FuzzKind.ONNX) // not on this class path
         .flatMap(
             kind ->
                 kind.corpus().stream()

@@ -1,2 +1,2 @@
-/** Tables of a run as Parquet files, written and read. */
+/** Writes the tables of a run as Parquet files. */
 package org.hificamsim.parquet;

@@ -22,16 +22,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tables as files. */
 class ParquetRowsTest {
   @TempDir Path folder;
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, ParquetRows.BATCH - 1, ParquetRows.BATCH, ParquetRows.BATCH + 1})
-  void hasAsManyRowsAsWereEnded(int rows) throws IOException {
-    Path file = written(rows);
+  void hasEveryRow(int rows) throws IOException {
+    Path file = write(rows);
     List<String> read = new ArrayList<>();
-    new ParquetFormat().each(file, read::add);
+    StoredFile.each(file, read::add);
     assertEquals(rows, read.size());
     for (int row = 0; row < rows; row++) {
       assertEquals("0," + row + ",t" + row % 3 + ",0.1,-0.0", read.get(row));
@@ -39,9 +38,9 @@ class ParquetRowsTest {
   }
 
   @Test
-  void keepsOneGroupOfRowsInMemoryAtMost() throws IOException {
+  void endsGroupOfRowsBeforeItIsTooLarge() throws IOException {
     int rows = 2 * ParquetRows.MAX_ROWS + 1;
-    try (StoredFile file = new StoredFile(written(rows))) {
+    try (StoredFile file = new StoredFile(write(rows))) {
       assertTrue(file.groups().size() >= 3);
       assertEquals(rows, file.groups().stream().mapToLong(BlockMetaData::getRowCount).sum());
       for (BlockMetaData group : file.groups()) {
@@ -52,8 +51,8 @@ class ParquetRowsTest {
   }
 
   @Test
-  void columnsHaveTypesAndSayWhatTheyMean() throws IOException {
-    try (StoredFile file = new StoredFile(written(1))) {
+  void columnsHaveTypesUnitsAndMeanings() throws IOException {
+    try (StoredFile file = new StoredFile(write(1))) {
       assertEquals(
           List.of(
               "[run] required int32 run",
@@ -61,20 +60,23 @@ class ParquetRowsTest {
               "[target] required binary target (STRING)",
               "[x] optional double x",
               "[y] optional double y"),
-          file.about().getSchema().getColumns().stream().map(ColumnDescriptor::toString).toList());
-      assertEquals("m", file.about().getKeyValueMetaData().get("x.unit"));
-      assertEquals("the target's name", file.about().getKeyValueMetaData().get("target.meaning"));
+          file.metadata().getSchema().getColumns().stream()
+              .map(ColumnDescriptor::toString)
+              .toList());
+      assertEquals("m", file.metadata().getKeyValueMetaData().get("x.unit"));
+      assertEquals(
+          "the target's name", file.metadata().getKeyValueMetaData().get("target.meaning"));
     }
   }
 
   @Test
-  void aMissingValueIsAnEmptyCell() throws IOException {
-    Path file = written(1, Double.NaN, Double.POSITIVE_INFINITY);
-    new ParquetFormat().each(file, row -> assertEquals("0,0,t0,,Infinity", row));
+  void writesNanAsMissingValue() throws IOException {
+    Path file = write(1, Double.NaN, Double.POSITIVE_INFINITY);
+    StoredFile.each(file, row -> assertEquals("0,0,t0,,Infinity", row));
   }
 
   @Test
-  void withoutACommitNothingIsInThePlaceOfTheFile() throws IOException {
+  void fileAppearsOnlyAfterCommit() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       Rows rows = new ParquetFormat().create(RunTables.TARGETS, output);
       rows.add(1);
@@ -86,16 +88,15 @@ class ParquetRowsTest {
   }
 
   @Test
-  void aCellOfAnotherKindIsRefused() throws IOException {
+  void rejectsCellOfAnotherKind() throws IOException {
     try (OutputFolder output = new OutputFolder(folder);
         Rows rows = new ParquetFormat().create(RunTables.TARGETS, output)) {
       assertThrows(IllegalStateException.class, () -> rows.add(0.5));
     }
   }
 
-  /** Whatever a byte says: rows, or a fault of the file's. */
   @Test
-  void aFileWithAnotherByteIsReadOrRefused() throws IOException {
+  void readsOrRejectsFileWithAChangedByte() throws IOException {
     Path file = written(500);
     byte[] right = Files.readAllBytes(file);
     int refused = 0;
@@ -105,7 +106,7 @@ class ParquetRowsTest {
       wrong[random.nextInt(wrong.length)] = (byte) random.nextInt();
       Files.write(file, wrong);
       try {
-        new ParquetFormat().each(file, row -> {});
+        StoredFile.each(file, row -> {});
       } catch (InputException e) {
         refused++;
       }
@@ -113,11 +114,11 @@ class ParquetRowsTest {
     assertTrue(refused > 100, refused + " refused");
   }
 
-  private Path written(int count) throws IOException {
-    return written(count, 0.1, -0.0);
+  private Path write(int count) throws IOException {
+    return write(count, 0.1, -0.0);
   }
 
-  private Path written(int count, double x, double y) throws IOException {
+  private Path write(int count, double x, double y) throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       try (Rows rows = new ParquetFormat().create(RunTables.TARGETS, output)) {
         for (int row = 0; row < count; row++) {

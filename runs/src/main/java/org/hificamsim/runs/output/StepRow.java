@@ -1,32 +1,61 @@
 package org.hificamsim.runs.output;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
 
 /**
- * The score of a step, from {@code steps.csv} or the same table in another format.
+ * The score of a step: a row of {@code steps.csv}.
  *
  * @param run the repeat, from 0
  */
 public record StepRow(int run, long step, double score) {
+  private static final int BUFFER = 1 << 16;
+
   /**
-   * Reads the table of a run's folder, row by row.
+   * Reads the table of a run's folder row by row.
    *
    * @return the file
-   * @throws InputException when it is missing or a row is no such row
+   * @throws InputException when it is missing, is not CSV or has a row without a score
    */
   public static Path each(Path folder, Consumer<StepRow> taker) throws IOException {
-    TableFormat format = TableFormat.of(folder, RunTables.STEPS);
-    Path file = new ResultFolder(folder).file(RunTables.STEPS.file(format.name()));
-    int[] line = {1};
-    format.each(file, row -> taker.accept(of(file, ++line[0], row)));
+    requireCsv(folder);
+    Path file = new ResultFolder(folder).file(RunTables.STEPS.file());
+    try (InputStream in = Files.newInputStream(file);
+        // an InputStreamReader replaces malformed bytes; the row that has them is then refused
+        BufferedReader reader =
+            new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8), BUFFER)) {
+      int number = 1;
+      reader.readLine();
+      for (String line; (line = reader.readLine()) != null; ) {
+        number++;
+        taker.accept(parse(file, number, line));
+      }
+    }
     return file;
   }
 
+  private static void requireCsv(Path folder) {
+    for (String format : TableFormat.NAMES) {
+      Path file = folder.resolve(RunTables.STEPS.file(format));
+      if (!format.equals(TableFormat.CSV.name()) && Files.isRegularFile(file)) {
+        throw InputException.of(
+            "'%s' is not read here, expected a run with %s",
+            file, setting("format", TableFormat.CSV.name()));
+      }
+    }
+  }
+
   /** The score is the last cell. */
-  private static StepRow of(Path file, int number, String line) {
+  private static StepRow parse(Path file, int number, String line) {
     String[] cells = line.split(",", -1);
     try {
       if (cells.length > 2) {

@@ -2,43 +2,29 @@ package org.hificamsim.runs.output;
 
 import static org.hificamsim.core.NamedSetting.setting;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.ServiceLoader;
-import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
 
 /**
- * How the tables of a run are written, {@code --format}: as text, or as a module does that is on
- * the class path where its format is asked for.
+ * The format in which a run writes its tables: CSV, or one whose module is on the class path. Only
+ * CSV is read again, for pages and pictures.
  */
 public interface TableFormat {
-  /** All names: text comes first. */
+  /** The names of all formats, the default first. */
   List<String> NAMES = List.of("csv", "parquet");
 
-  /** Tables as text, which everything reads. */
+  /** Tables as text. */
   TableFormat CSV = new Csv();
 
-  /** Its name, which files end in. */
+  /** The name of the format, which is also the ending of its files. */
   String name();
 
-  /** Starts a table in a folder. */
+  /** Begins a table in a folder. */
   Rows create(Table<?> table, OutputFolder folder) throws IOException;
-
-  /**
-   * Reads a table of numbers, row by row as CSV has it, without the header.
-   *
-   * @throws InputException when it is no file of this format
-   */
-  void each(Path file, Consumer<String> row) throws IOException;
 
   /**
    * The format of this name.
@@ -50,23 +36,6 @@ public interface TableFormat {
       throw InputException.of(
           "%s is '%s', expected one of %s", setting("format"), name, String.join(", ", NAMES));
     }
-    return found(name, "", "");
-  }
-
-  /** What wrote a table of a folder; CSV where there is none. */
-  static TableFormat of(Path folder, Table<?> table) {
-    return NAMES.stream()
-        .filter(name -> Files.isRegularFile(folder.resolve(table.file(name))))
-        .findFirst()
-        .map(
-            name -> {
-              String file = folder.resolve(table.file(name)) + ": ";
-              return found(name, file, "the files of a run with format ");
-            })
-        .orElse(CSV);
-  }
-
-  private static TableFormat found(String name, String file, String instead) {
     return name.equals(CSV.name())
         ? CSV
         : ServiceLoader.load(TableFormat.class).stream()
@@ -76,12 +45,12 @@ public interface TableFormat {
             .orElseThrow(
                 () ->
                     InputException.of(
-                        "%sformat '%s' is not on the class path, expected its jars in CLASSPATH, or"
-                            + " %scsv",
-                        file, name, instead));
+                        "format '%s' is not on the class path, expected its jars in CLASSPATH, or"
+                            + " csv",
+                        name));
   }
 
-  /** Text. */
+  /** Comma-separated values. */
   final class Csv implements TableFormat {
     @Override
     public String name() {
@@ -91,18 +60,6 @@ public interface TableFormat {
     @Override
     public Rows create(Table<?> table, OutputFolder folder) throws IOException {
       return table.create(folder);
-    }
-
-    @Override
-    public void each(Path file, Consumer<String> row) throws IOException {
-      try (InputStream in = Files.newInputStream(file);
-          BufferedReader reader = // that takes any byte: what is wrong is said with its place
-              new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8), 1 << 16)) {
-        reader.readLine();
-        for (String line; (line = reader.readLine()) != null; ) {
-          row.accept(line);
-        }
-      }
     }
   }
 }

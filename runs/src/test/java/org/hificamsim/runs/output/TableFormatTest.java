@@ -20,21 +20,23 @@ class TableFormatTest {
   @TempDir Path folder;
 
   @Test
-  void anUnknownFormatIsRefusedWithThoseThereAre() {
+  void rejectsUnknownFormat() {
     assertRefused(
         "format is 'arrow', expected one of csv, parquet", () -> TableFormat.named("arrow"));
   }
 
   @Test
-  void aFormatWhoseModuleIsMissingSaysWhatToDo() throws IOException {
+  void namesMissingModule() {
     assertRefused(
         "format 'parquet' is not on the class path, expected its jars in CLASSPATH, or csv",
         () -> TableFormat.named("parquet"));
+  }
+
+  @Test
+  void readsOnlyCsv() throws IOException {
     Path file = Files.createFile(folder.resolve("steps.parquet"));
     assertRefused(
-        file
-            + ": format 'parquet' is not on the class path, expected its jars in CLASSPATH, or the"
-            + " files of a run with format csv",
+        "'" + file + "' is not read here, expected a run with format=csv",
         () -> StepRow.each(folder, row -> {}));
   }
 
@@ -44,7 +46,7 @@ class TableFormatTest {
 
   @ParameterizedTest
   @MethodSource("tablesOfRuns")
-  void everyColumnOfARunIsExplained(Table<?> table) {
+  void everyColumnOfARunHasAMeaning(Table<?> table) {
     List<String> names = table.columns().stream().map(Column::name).toList();
     assertFalse(names.isEmpty());
     assertEquals(names.size(), Set.copyOf(names).size());

@@ -7,20 +7,29 @@ import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.StringJoiner;
+import java.util.function.Consumer;
 import org.apache.parquet.column.ColumnDescriptor;
 import org.apache.parquet.column.page.PageReadStore;
 import org.apache.parquet.column.page.PageReader;
+import org.apache.parquet.example.data.Group;
+import org.apache.parquet.example.data.simple.convert.GroupRecordConverter;
 import org.apache.parquet.format.converter.ParquetMetadataConverter;
 import org.apache.parquet.hadoop.metadata.BlockMetaData;
 import org.apache.parquet.hadoop.metadata.ColumnChunkMetaData;
 import org.apache.parquet.hadoop.metadata.ColumnPath;
 import org.apache.parquet.hadoop.metadata.FileMetaData;
 import org.apache.parquet.hadoop.metadata.ParquetMetadata;
+import org.apache.parquet.io.ColumnIOFactory;
+import org.apache.parquet.io.RecordReader;
+import org.apache.parquet.schema.MessageType;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Io;
 
-/** A Parquet file and its footer. Parquet's own class for that does not run without Hadoop. */
+/** Reads a Parquet file. Parquet's own reader of files needs Hadoop. */
 final class StoredFile implements Closeable {
-  private static final int END = 8; // the footer's length, and four letters
+  /** The bytes after the footer: its length, and the format's four letters. */
+  private static final int END = 8;
 
   private final RandomAccessFile in;
   private final ParquetMetadata footer;
@@ -32,6 +41,38 @@ final class StoredFile implements Closeable {
     } catch (IOException | RuntimeException e) {
       in.close();
       throw e;
+    }
+  }
+
+  /**
+   * Reads a table row by row, each as a line of CSV.
+   *
+   * @throws InputException when the file is broken
+   */
+  static void each(Path path, Consumer<String> row) throws IOException {
+    try (StoredFile file = new StoredFile(path)) {
+      MessageType schema = file.metadata().getSchema();
+      for (BlockMetaData group : file.groups()) {
+        each(schema, file.pages(group), row);
+      }
+    } catch (IOException | RuntimeException e) {
+      throw new InputException(path + " is broken", e);
+    }
+  }
+
+  private static void each(MessageType schema, PageReadStore group, Consumer<String> row) {
+    RecordReader<Group> records =
+        new ColumnIOFactory()
+            .getColumnIO(schema)
+            .getRecordReader(group, new GroupRecordConverter(schema));
+    for (long i = 0; i < group.getRowCount(); i++) {
+      Group record = records.read();
+      StringJoiner cells = new StringJoiner(",");
+      for (int column = 0; column < schema.getFieldCount(); column++) {
+        boolean isMissing = record.getFieldRepetitionCount(column) == 0;
+        cells.add(isMissing ? "" : record.getValueToString(column, 0));
+      }
+      row.accept(cells.toString());
     }
   }
 
@@ -54,8 +95,8 @@ final class StoredFile implements Closeable {
     return bytes;
   }
 
-  /** The columns, and what is said of them. */
-  FileMetaData about() {
+  /** The columns with their metadata. */
+  FileMetaData metadata() {
     return footer.getFileMetaData();
   }
 
@@ -81,7 +122,7 @@ final class StoredFile implements Closeable {
   private ColumnPages columnPages(BlockMetaData group, ColumnPath path) throws IOException {
     ColumnChunkMetaData chunk =
         group.getColumns().stream()
-            .filter(one -> one.getPath().equals(path))
+            .filter(column -> column.getPath().equals(path))
             .findFirst()
             .orElseThrow();
     byte[] bytes = bytes(chunk.getStartingPos(), chunk.getTotalSize());
