@@ -69,7 +69,7 @@ def test_a_policy_of_twenty_lines_enters_and_stands_on_the_page(tmp_path: pathli
     assert scores["bench/street-v1"].mean() > 0.1
     assert "2 tasks, agrees" in hificamsim.execute("benchmark", "check", str(tmp_path / "mine"))
     hificamsim.execute("benchmark", "leaderboard", str(tmp_path / "mine"), "--out", str(tmp_path / "board"))
-    assert "&lt;stay&gt;" in (tmp_path / "board" / "leaderboard.html").read_text()
+    assert r"\u003cstay>" in (tmp_path / "board" / "leaderboard.html").read_text()
     with pytest.raises(hificamsim.InputError, match="task is 'bench/moon-v1', expected one of bench/lattice-v1"):
         hificamsim.benchmark(enter.Stay(), tmp_path / "no", name="no", only=["moon-v1"])
 

@@ -10,6 +10,7 @@ import java.util.stream.LongStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.presentation.report.LeaderboardReport;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.benchmark.Benchmark;
 import org.hificamsim.runs.benchmark.BenchmarkEntry;
@@ -94,6 +95,7 @@ final class BenchmarkCommand {
     Leaderboard board = new Leaderboard(benchmark, folders.stream().map(check::check).toList());
     try (OutputFolder folder = screen.folder(out)) {
       board.write(folder);
+      folder.write("leaderboard.html", LeaderboardReport.page(board).html());
       folder.commit(List.of());
     }
     board.lines().forEach(screen.out()::println);

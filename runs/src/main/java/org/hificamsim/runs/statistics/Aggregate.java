@@ -1,11 +1,10 @@
 package org.hificamsim.runs.statistics;
 
 import java.util.Arrays;
-import java.util.List;
+import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
@@ -49,10 +48,16 @@ public enum Aggregate {
 
   /** All numbers, each with its interval. */
   public static Map<Aggregate, Estimate> estimates(Strata strata) {
-    List<Aggregate> all = List.of(values());
     Estimate[] estimates =
-        Bootstrap.all(drawn -> all.stream().mapToDouble(one -> one.of(drawn)).toArray(), strata);
-    return all.stream().collect(Collectors.toMap(one -> one, one -> estimates[all.indexOf(one)]));
+        Bootstrap.all(
+            drawn ->
+                Arrays.stream(values()).mapToDouble(aggregate -> aggregate.of(drawn)).toArray(),
+            strata);
+    Map<Aggregate, Estimate> byAggregate = new EnumMap<>(Aggregate.class);
+    for (int i = 0; i < estimates.length; i++) {
+      byAggregate.put(values()[i], estimates[i]);
+    }
+    return byAggregate;
   }
 
   /** The name in files. */
