@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
-import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.RunPlan;
@@ -68,7 +67,7 @@ final class RunSummary {
 
   /** Says how far targets are detected where the score says nothing. */
   private void uncovered(RunPlan plan) {
-    if (Estimate.of(results, Metric.SCORE).mean() == 0) {
+    if (RunResult.mean(results, Metric.SCORE).mean() == 0) {
       line(
           plan.detection().certain() ? "detected up to" : "half of the time",
           Reach.describe(plan.scenario(), plan.detection()));

@@ -24,7 +24,7 @@ import org.hificamsim.network.study.StudyFiles.SetFront;
 import org.hificamsim.network.study.StudyGroup.Members;
 import org.hificamsim.network.study.StudyPlan;
 import org.hificamsim.network.study.StudyResults;
-import org.hificamsim.reproduction.Judgement.Judged;
+import org.hificamsim.reproduction.Judged;
 import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.StudyStatements;
 import org.hificamsim.runs.RunPlan;

@@ -61,6 +61,6 @@ public record Adapting(
   }
 
   private static long performance(CaseResult one) {
-    return one.runs().stream().mapToLong(run -> (long) Metric.PERFORMANCE.of(run)).sum();
+    return one.runs().stream().mapToLong(run -> (long) run.value(Metric.PERFORMANCE)).sum();
   }
 }

@@ -3,8 +3,6 @@ package org.hificamsim.reproduction;
 import java.io.IOException;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
-import org.hificamsim.reproduction.Judgement.Distance;
-import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;

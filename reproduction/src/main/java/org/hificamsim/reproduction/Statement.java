@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.List;
 import java.util.Objects;
 import org.hificamsim.core.file.Io;
-import org.hificamsim.reproduction.Judgement.FitRole;
 import org.hificamsim.runs.Metric;
 
 /**

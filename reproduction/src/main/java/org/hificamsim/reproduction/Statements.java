@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.Texts;
-import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.reproduction.Statement.Check;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;

@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import org.hificamsim.network.study.StudyGroup;
 import org.hificamsim.network.study.StudyGroup.Members;
-import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.reproduction.Statements.Margin;
 
 /**

@@ -1,7 +1,17 @@
 package org.hificamsim.reproduction;
 
+import static org.hificamsim.reproduction.ReproductionPlans.ANY;
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM_45;
+import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
 import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+import static org.hificamsim.reproduction.ReproductionPlans.LITERAL;
+import static org.hificamsim.reproduction.ReproductionPlans.ONE_HOP;
 import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
+import static org.hificamsim.reproduction.ReproductionPlans.ORIGIN;
+import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
+import static org.hificamsim.reproduction.ReproductionPlans.SIGN;
+import static org.hificamsim.reproduction.ReproductionPlans.STANDARD;
 import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
 import java.util.EnumMap;
@@ -9,8 +19,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.Texts;
-import org.hificamsim.reproduction.Judgement.FitRole;
-import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
@@ -28,26 +36,26 @@ public final class Table81 {
    * A cell compared with the published one.
    *
    * @param ours performance over that of the same detection model's optimum
-   * @param readings what it is when read otherwise; NaN where that changes nothing
+   * @param readings the proportion under each other reading; NaN if the reading does not change it
    */
   public record Cell(
       PublishedCell published, Estimate ours, Verdict verdict, Map<Reading, Double> readings) {
-    /** What it is under a reading. */
+    /** The proportion under a reading; NaN if the reading does not change it. */
     public double of(Reading reading) {
       return readings.get(reading);
     }
 
-    /** What it is under a reading, our defaults where that changes nothing. */
+    /** The proportion under a reading, or under our defaults if the reading does not change it. */
     double of(Optional<Reading> reading) {
       return reading.map(readings::get).filter(value -> !value.isNaN()).orElse(ours.mean());
     }
 
-    /** Ours less the published. */
+    /** Our proportion minus the published one. */
     public double difference() {
       return ours.mean() - published.proportion();
     }
 
-    /** Whether the defaults were chosen for it: the hi-fi column is what they were fitted to. */
+    /** The hi-fi column is what our defaults were fitted to. */
     public FitRole role() {
       return published.hifi() ? FitRole.FITTED : FitRole.HELD_OUT;
     }
@@ -103,9 +111,27 @@ public final class Table81 {
         ratio(published.layout().scenarios(), published.detection(), published.policy()).estimate();
     Map<Reading, Double> readings = new EnumMap<>(Reading.class);
     for (Reading reading : Reading.values()) {
-      readings.put(reading, reading.of(this, published));
+      readings.put(reading, mean(published, reading));
     }
     return new Cell(published, ours, Verdict.of(ours, published.proportion()), readings);
+  }
+
+  /** A cell under another reading; NaN if the reading does not change it. */
+  private double mean(PublishedCell cell, Reading reading) {
+    List<String> scenarios = cell.layout().scenarios();
+    return switch (reading) {
+      case ONE_HOP_GREEDY -> over(scenarios, cell.detection(), cell.policy(), ONE_HOP);
+      case HIFI_OPTIMUM -> overHiFi(cell, CAMSIM);
+      case HIFI_OPTIMUM_AT_45 -> overHiFi(cell, CAMSIM_45);
+      case EXPLORE_ANY -> instead(cell, EPSILON_GREEDY, ANY);
+      case SCRIPT_AT_ORIGIN ->
+          cell.layout() == Layout.CLUSTER
+              ? mean(List.of(cell.layout().random(), ORIGIN), cell.detection(), cell.policy())
+              : Double.NaN;
+      case EQ_62 -> cell.hifi() ? Double.NaN : mean(scenarios, STANDARD, cell.policy());
+      case SIGN_REWARD -> instead(cell, SARSA, SIGN);
+      case LITERAL_REWARD -> instead(cell, SARSA, LITERAL);
+    };
   }
 
   /** The ratio of a policy over some scenarios. */
@@ -118,21 +144,21 @@ public final class Table81 {
   }
 
   /** The ratio to another policy's performance, in place of the optimum's. */
-  double over(List<String> scenarios, String detection, String policy, String other) {
+  private double over(List<String> scenarios, String detection, String policy, String other) {
     return Ratio.overPerformance(
             find(scenarios, detection, policy), find(scenarios, detection, other))
         .mean();
   }
 
   /** A cell of one policy under another one; NaN for all others. */
-  double instead(PublishedCell cell, String policy, String other) {
+  private double instead(PublishedCell cell, String policy, String other) {
     return cell.policy().equals(policy)
         ? mean(cell.layout().scenarios(), cell.detection(), other)
         : Double.NaN;
   }
 
   /** CamSim's cell over the hi-fi optimum; NaN for hi-fi. */
-  double overHiFi(PublishedCell cell, String detection) {
+  private double overHiFi(PublishedCell cell, String detection) {
     List<String> scenarios = cell.layout().scenarios();
     return cell.hifi()
         ? Double.NaN

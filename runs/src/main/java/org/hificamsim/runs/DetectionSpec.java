@@ -1,7 +1,5 @@
 package org.hificamsim.runs;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -32,7 +30,7 @@ public record DetectionSpec(
 
   /** Checks the threshold. */
   public DetectionSpec {
-    threshold.ifPresent(value -> requireThreshold("threshold", value));
+    threshold.ifPresent(value -> Threshold.require("threshold", value));
   }
 
   /**
@@ -45,7 +43,7 @@ public record DetectionSpec(
     Matcher parts = WITH_THRESHOLD.matcher(text);
     Matcher ruled = WITH_RULE.matcher(text);
     if (parts.matches()) {
-      Optional<Double> own = Optional.of(threshold("threshold", parts.group(2)));
+      Optional<Double> own = Optional.of(Threshold.parse("threshold", parts.group(2)));
       return new DetectionSpec(text, models.apply(parts.group(1)), own, Optional.empty());
     }
     if (ruled.matches()) {
@@ -60,30 +58,6 @@ public record DetectionSpec(
   /** The same by this rule unless it has one of its own. */
   public DetectionSpec or(DetectionRule other) {
     return new DetectionSpec(text, model, threshold, rule.or(() -> Optional.of(other)));
-  }
-
-  /**
-   * A threshold.
-   *
-   * @throws InputException when it is no number from 0 to 1
-   */
-  static double threshold(String text) {
-    return threshold(setting("threshold"), text);
-  }
-
-  private static double threshold(String name, String text) {
-    try {
-      return requireThreshold(name, Double.parseDouble(text));
-    } catch (NumberFormatException e) {
-      throw InputException.of("%s is '%s', expected a number from 0 to 1", name, text).because(e);
-    }
-  }
-
-  private static double requireThreshold(String name, double threshold) {
-    if (!(threshold >= 0 && threshold <= 1)) {
-      throw InputException.of("%s is %s, expected a number from 0 to 1", name, threshold);
-    }
-    return threshold;
   }
 
   /**
@@ -129,7 +103,7 @@ public record DetectionSpec(
 
   Detection detection(
       Settings asked, OptionalDouble ofScenario, Optional<DetectionRule> ruleOfScenario) {
-    Optional<Double> asThreshold = asked.asked(Setting.THRESHOLD).map(DetectionSpec::threshold);
+    Optional<Double> asThreshold = asked.asked(Setting.THRESHOLD).map(Threshold::parse);
     DetectionRule first =
         rule(asThreshold, asked.asked(Setting.DETECT).map(DetectionRule::parse))
             .or(() -> ruleOfScenario)

@@ -1,7 +1,6 @@
 package org.hificamsim.runs;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.regex.Pattern;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.StatUtils;
@@ -32,11 +31,6 @@ public record Estimate(double mean, double low, double high) {
 
   /** Below it, the transformation is none to the precision of its formula. */
   private static final double EVEN = 1e-6;
-
-  /** The mean of one metric over repeats. */
-  public static Estimate of(List<RunResult> results, Metric metric) {
-    return mean(results.stream().mapToDouble(result -> result.value(metric)).toArray());
-  }
 
   /**
    * The mean of some values, of which a single one has no interval; values that are NaN are left

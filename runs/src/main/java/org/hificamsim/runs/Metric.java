@@ -8,9 +8,9 @@ import java.util.function.BiPredicate;
 import java.util.function.ToDoubleFunction;
 
 /**
- * The metrics of a run, in the order of files. A metric is declared here alone: what it is called,
- * its unit and meaning, how it is computed, and whether {@code run} prints it. Files, tables on the
- * terminal, pages and the table in {@code docs/data.md} follow.
+ * The metrics of a run, in the order of files. A metric is declared here alone: its name, unit and
+ * meaning, how it is computed, and whether {@code run} prints it. Files, tables on the terminal,
+ * pages and the table in {@code docs/data.md} follow.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions and records
 public enum Metric {
@@ -24,11 +24,11 @@ public enum Metric {
       "the score (the performance, unless there is another [objective](objectives.md)) divided by"
           + " that of the exact optimum of the same scenario, detection model and seed; empty where"
           + " that is 0",
-      compared(ScoredRun::optimum, ScoredRun::proportionOfOptimal)),
+      compared(ScoreComparison::optimum, ScoreComparison::proportionOfOptimal)),
   REGRET(
       "that of `score`",
       "the optimum's score minus this one",
-      compared(ScoredRun::optimum, ScoredRun::regret)),
+      compared(ScoreComparison::optimum, ScoreComparison::regret)),
   MEAN_K_MIN(
       "cameras",
       "performance per step",
@@ -75,7 +75,7 @@ public enum Metric {
   SETTLING_STEPS(
       "steps",
       "until within 90% of the final level; empty where that is 0",
-      compared(ScoredRun::settling)),
+      compared(ScoreComparison::settling)),
   UNPROVEN_STEPS(
       "steps",
       "`optimal` and `one-hop` alone: those whose search ended without a proof",
@@ -126,16 +126,16 @@ public enum Metric {
           + " configuration that never changes, in hindsight) of the same scenario, detection model"
           + " and seed; empty where that is 0. `zoom-out` and similar policies have it too: what"
           + " they are worth compared with a good fixed choice",
-      overBestFixed(false, ScoredRun::overBestFixed)),
+      overBestFixed(false, ScoreComparison::overBestFixed)),
   BEST_FIXED(
       "that of `score`",
       "of `optimal`: the score of `best-fixed`",
-      overBestFixed(true, ScoredRun::bestFixed)),
+      overBestFixed(true, ScoreComparison::bestFixed)),
   VALUE_OF_ADAPTING(
       "ratio",
       "of `optimal`: score over that of `best-fixed`, what changing zooms is worth at most; 1 where"
           + " the optimum never needs to change",
-      overBestFixed(true, ScoredRun::overBestFixed)),
+      overBestFixed(true, ScoreComparison::overBestFixed)),
   BITS("bits", "of these messages", measured(run -> run.traffic().bits())),
   MESSAGES_DROPPED(
       "number",
@@ -147,7 +147,7 @@ public enum Metric {
       "with the yardstick `bound` alone: score over [a bound](objectives.md#a-bound) on the"
           + " optimum's of the same scenario, detection model and seed, so that it is at least this"
           + " share of what is possible; empty where the bound is 0",
-      compared(ScoredRun::bound, ScoredRun::proportionOfBound)),
+      compared(ScoreComparison::bound, ScoreComparison::proportionOfBound)),
   UTILITY(
       "",
       "of CamSim's network alone, as the next five: the visibility of the targets that cameras own,"
@@ -190,17 +190,20 @@ public enum Metric {
   /** How a run prints a metric: its title, the format of the number, and a note. */
   private record Line(String title, String format, String note) {}
 
-  /**
-   * How a metric is computed.
-   *
-   * @param measured of a run alone, NaN where it has no such metric; null where others are needed
-   * @param compared of a run and its reference policies; null for a metric of the run alone
-   * @param applies whether a run has the metric: the optimum (true) or another
-   */
-  private record Source(
-      ToDoubleFunction<Measured> measured,
-      ToDoubleFunction<ScoredRun> compared,
-      BiPredicate<ScoredRun, Boolean> applies) {}
+  /** How a metric is computed. */
+  private sealed interface Source {
+    /** From a run alone; NaN if the run does not have the metric. */
+    record OfRun(ToDoubleFunction<Measured> value) implements Source {}
+
+    /**
+     * From a run and the yardsticks of its comparison.
+     *
+     * @param applies whether a run has the metric; the flag tells whether its policy is the optimum
+     */
+    record OfComparison(
+        ToDoubleFunction<ScoreComparison> value, BiPredicate<ScoreComparison, Boolean> applies)
+        implements Source {}
+  }
 
   private final String unit;
   private final String meaning;
@@ -218,33 +221,35 @@ public enum Metric {
     this.line = line;
   }
 
-  private static Source measured(ToDoubleFunction<Measured> figure) {
-    return new Source(figure, null, (run, optimum) -> false);
+  private static Source measured(ToDoubleFunction<Measured> value) {
+    return new Source.OfRun(value);
   }
 
-  private static Source compared(ToDoubleFunction<ScoredRun> figure) {
-    return new Source(null, figure, (run, optimum) -> true);
+  private static Source compared(ToDoubleFunction<ScoreComparison> value) {
+    return new Source.OfComparison(value, (scores, isOptimum) -> true);
   }
 
-  /** Of a run that has a yardstick: its score is not NaN. */
+  /** A metric of runs whose comparison has a yardstick: its score is not NaN. */
   private static Source compared(
-      ToDoubleFunction<ScoredRun> yardstick, ToDoubleFunction<ScoredRun> figure) {
-    return new Source(null, figure, (run, optimum) -> !Double.isNaN(yardstick.applyAsDouble(run)));
+      ToDoubleFunction<ScoreComparison> yardstick, ToDoubleFunction<ScoreComparison> value) {
+    return new Source.OfComparison(
+        value, (scores, isOptimum) -> !Double.isNaN(yardstick.applyAsDouble(scores)));
   }
 
-  private static Source overBestFixed(boolean ofOptimum, ToDoubleFunction<ScoredRun> figure) {
-    return new Source(
-        null, figure, (run, optimum) -> !Double.isNaN(run.bestFixed()) && optimum == ofOptimum);
+  private static Source overBestFixed(boolean ofOptimum, ToDoubleFunction<ScoreComparison> value) {
+    return new Source.OfComparison(
+        value, (scores, isOptimum) -> !Double.isNaN(scores.bestFixed()) && isOptimum == ofOptimum);
   }
 
-  /** All that a run measures on its own, each with its value. */
+  /** The values of all metrics that a run has on its own. */
   static EnumMap<Metric, Double> measure(Measured run) {
     EnumMap<Metric, Double> values = new EnumMap<>(Metric.class);
     for (Metric metric : values()) {
-      double value =
-          metric.source.measured == null ? Double.NaN : metric.source.measured.applyAsDouble(run);
-      if (!Double.isNaN(value)) {
-        values.put(metric, value);
+      if (metric.source instanceof Source.OfRun source) {
+        double value = source.value.applyAsDouble(run);
+        if (!Double.isNaN(value)) {
+          values.put(metric, value);
+        }
       }
     }
     return values;
@@ -252,33 +257,32 @@ public enum Metric {
 
   /** The metrics that {@code run} prints and the page of a run shows, in the order of files. */
   public static List<Metric> ofRuns() {
-    return Arrays.stream(values())
-        .filter(metric -> metric.source.measured != null && !metric.isClaim())
-        .toList();
+    return Arrays.stream(values()).filter(metric -> metric.isOfRun() && !metric.isClaim()).toList();
   }
 
-  /**
-   * Whether a run has it, perhaps without a value.
-   *
-   * @param optimum whether the run is the optimum's
-   */
-  public boolean appliesTo(ScoredRun run, boolean optimum) {
-    return source.measured == null ? source.applies.test(run, optimum) : run.result().has(this);
+  /** Whether a run has the metric on its own; else it needs the yardsticks of a comparison. */
+  boolean isOfRun() {
+    return source instanceof Source.OfRun;
   }
 
-  /** Whether it says how far the policy's claim to be the best is proven. */
+  /** Whether a run of a comparison has the metric, perhaps without a value. */
+  boolean appliesTo(ScoreComparison scores, boolean isOptimum) {
+    return ((Source.OfComparison) source).applies.test(scores, isOptimum);
+  }
+
+  /** The value from a comparison; NaN if there is none. */
+  double of(ScoreComparison scores) {
+    return ((Source.OfComparison) source).value.applyAsDouble(scores);
+  }
+
+  /** Whether the metric says how far the policy's claim to be the best is proven. */
   public boolean isClaim() {
     return this == UNPROVEN_STEPS || this == PERFORMANCE_BOUND || this == SCORE_BOUND;
   }
 
-  /** The value of one run; NaN where there is none. */
-  public double of(ScoredRun run) {
-    return source.compared == null ? run.result().value(this) : source.compared.applyAsDouble(run);
-  }
-
-  /** The mean over runs as people read it: its interval is held to what the metric can be. */
-  public Estimate shown(double[] figures) {
-    Estimate mean = Estimate.mean(figures);
+  /** The mean over runs for people: its interval is cut to the metric's range. */
+  public Estimate shown(double[] values) {
+    Estimate mean = Estimate.mean(values);
     double most = unit.startsWith("share") ? Math.max(1, mean.mean()) : Double.POSITIVE_INFINITY;
     return this == REGRET ? mean : mean.within(0, most);
   }
@@ -293,17 +297,17 @@ public enum Metric {
     return unit;
   }
 
-  /** What it is, as {@code docs/data.md} has it. */
+  /** The meaning, as {@code docs/data.md} has it. */
   public String meaning() {
     return meaning;
   }
 
-  /** Whether a run prints it. */
+  /** Whether {@code run} prints the metric. */
   public boolean isPrinted() {
     return line != null;
   }
 
-  /** What it is called where people read: where a run prints it, and on pages. */
+  /** The name for people, on the terminal and on pages. */
   public String title() {
     if (line != null) {
       return line.title;
@@ -313,12 +317,12 @@ public enum Metric {
         : label().replace('_', ' ');
   }
 
-  /** How its number is printed. */
+  /** The format of the printed number. */
   public String format() {
     return line.format;
   }
 
-  /** What stands behind the printed number; perhaps nothing. */
+  /** A note after the printed number; may be empty. */
   public String note() {
     return line.note;
   }

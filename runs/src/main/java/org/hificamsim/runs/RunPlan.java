@@ -1,5 +1,6 @@
 package org.hificamsim.runs;
 
+import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
@@ -8,19 +9,19 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
- * What is to be run: a scenario, what detects in it, and the {@link Setting settings} that neither
- * of them has. Nothing else decides what a run computes.
+ * A plan of runs: a scenario, a detection, and the {@link Setting settings} that neither of them
+ * keeps. Nothing else decides what a run computes.
  *
- * @param scenario with what was asked for in place of what its file says
- * @param own the values of the settings that the plan itself keeps, all of them
- * @param sources where settings come from, for people; empty where nobody knows
+ * @param scenario with the user's settings in place of those of its file
+ * @param own the values of all settings that the plan keeps itself
+ * @param sources where settings come from, for people; empty if that is not known
  */
 public record RunPlan(
     Scenario scenario,
     Detection detection,
     Map<Setting, String> own,
     Map<Setting, SettingSource> sources) {
-  /** A plan whose settings come from nobody knows where. */
+  /** A plan whose sources of settings are not known. */
   public RunPlan(Scenario scenario, Detection detection, Map<Setting, String> own) {
     this(scenario, detection, own, Map.of());
   }
@@ -39,7 +40,10 @@ public record RunPlan(
   }
 
   private static Map<Setting, String> own(String policy, int steps, long seed, int repeats) {
-    Map<Setting, String> own = Settings.NONE.own(Optional.empty());
+    Map<Setting, String> own = new EnumMap<>(Setting.class);
+    Arrays.stream(Setting.values())
+        .filter(Setting::isKeptByPlan)
+        .forEach(setting -> own.put(setting, setting.fallback()));
     own.put(Setting.POLICY, policy);
     own.put(Setting.STEPS, Integer.toString(steps));
     own.put(Setting.SEED, Long.toString(seed));
@@ -47,12 +51,19 @@ public record RunPlan(
     return own;
   }
 
+  /** The value of a setting; empty if it does not apply. */
+  public Optional<String> value(Setting setting) {
+    return setting.isKeptByPlan()
+        ? Optional.of(own.get(setting)).filter(value -> !value.isEmpty())
+        : setting.derivedFrom(scenario, detection);
+  }
+
   /** The policy's name and options. */
   public String policy() {
     return own.get(Setting.POLICY);
   }
 
-  /** The network of the cameras with its options; empty where each works for itself. */
+  /** The network of the cameras with its options; empty if each camera works alone. */
   public String network() {
     return own.get(Setting.NETWORK);
   }
@@ -72,7 +83,7 @@ public record RunPlan(
     return Integer.parseInt(own.get(Setting.REPEAT));
   }
 
-  /** The steps of all runs together. */
+  /** The number of steps of all runs together. */
   public long work() {
     return (long) repeats() * steps();
   }
@@ -82,7 +93,7 @@ public record RunPlan(
     return seed() + run;
   }
 
-  /** What a step is scored by. */
+  /** The objective that scores a step. */
   public Objective objective() {
     return scenario.objective();
   }

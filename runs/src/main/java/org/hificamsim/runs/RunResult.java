@@ -37,7 +37,12 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return values.getOrDefault(metric, Double.NaN);
   }
 
-  /** The sum over the steps of what the objective makes of them; the performance by default. */
+  /** The mean of one metric over repeats. */
+  public static Estimate mean(List<RunResult> results, Metric metric) {
+    return Estimate.mean(results.stream().mapToDouble(result -> result.value(metric)).toArray());
+  }
+
+  /** The sum of the steps' scores by the objective; the performance by default. */
   public double score() {
     return value(Metric.SCORE);
   }

@@ -5,132 +5,265 @@ import static org.hificamsim.core.NamedSetting.setting;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.BiFunction;
-import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.channel.ChannelModel;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.declaration.Property;
 import org.hificamsim.core.scenario.spec.Headings;
 import org.hificamsim.core.scenario.spec.StepOrder;
 
 /**
- * The settings of a run, in the order of files. A setting is declared here alone: its form and
- * meaning, its default, and where a plan has it. The options of commands, keyword arguments of
- * Python, the key of a run's results, {@code settings.json} and the plans that Spark sends follow.
+ * The settings of a run, in the order of files. A setting is declared here alone: its form, meaning
+ * and default, who keeps its value, and how a value changes a scenario. The options of commands,
+ * keyword arguments of Python, the key of a run's results, {@code settings.json} and the plans that
+ * Spark sends follow.
  *
- * <p>What is asked for overrides what the scenario file says, and the file overrides the default.
+ * <p>What a user asks for overrides what the scenario file says, and the file overrides the
+ * default.
  */
-@SuppressWarnings("ImmutableEnumChecker") // functions
+@SuppressWarnings("ImmutableEnumChecker") // the array of paragraphs never changes
 public enum Setting {
   DETECTION(
       Kind.TEXT,
       "NAME|FILE.json[@T|@RULE]",
       "hifi:orb-lin",
-      new Holder(
-          plan -> plan.detection().name(),
-          (name, text) -> {},
-          (scenario, text) -> scenario,
-          scenario -> scenario.find(Scenario.DETECTION)),
+      Keeper.DETECTION,
       "Detection model, optionally with a threshold or rule; see 'list detections'."
-          + " Without this option the scenario's is used, and the default only if it names none."),
+          + " Without this option the scenario's is used, and the default only if it names none.") {
+    @Override
+    boolean mayComeFromFile() {
+      return true;
+    }
+
+    @Override
+    Optional<String> inFile(Scenario scenario) {
+      return scenario.find(Scenario.DETECTION);
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return Optional.of(detection.name());
+    }
+  },
   THRESHOLD(
       Kind.NUMBER,
       "T",
       null,
-      new Holder(
-          plan -> Double.toString(plan.detection().threshold()),
-          (name, text) -> DetectionSpec.threshold(text),
-          (scenario, text) -> scenario.withoutOwnRule(),
-          null),
-      "Detection threshold, 0 to 1; default: T in NAME@T, the scenario's, else the model's."),
+      Keeper.DETECTION,
+      "Detection threshold, 0 to 1; default: T in NAME@T, the scenario's, else the model's.") {
+    @Override
+    void check(String text) {
+      Threshold.parse(text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.withoutOwnRule();
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return Optional.of(Double.toString(detection.threshold()));
+    }
+  },
   DETECT(
       Kind.TEXT,
       "RULE",
       null,
-      new Holder(
-          plan -> plan.detection().certain() ? null : plan.detection().rule().text(),
-          (name, text) -> DetectionRule.parse(text),
-          (scenario, text) -> scenario.withDetect(DetectionRule.parse(text)),
-          scenario -> scenario.detect().map(DetectionRule::text)),
+      Keeper.DETECTION,
       "When a target counts as detected: threshold, if its confidence reaches the threshold;"
           + " chance, by the scatter of the model's fit; probability, with its confidence as"
           + " probability.",
       "Settings of chance: alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
-          + " threshold."),
+          + " threshold.") {
+    @Override
+    void check(String text) {
+      DetectionRule.parse(text);
+    }
+
+    @Override
+    boolean mayComeFromFile() {
+      return true;
+    }
+
+    @Override
+    Optional<String> inFile(Scenario scenario) {
+      return scenario.detect().map(DetectionRule::text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.withDetect(DetectionRule.parse(text));
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return detection.certain() ? Optional.empty() : Optional.of(detection.rule().text());
+    }
+  },
   POLICY(
       Kind.TEXT,
       "NAME[:key=value,...]",
       "epsilon-greedy",
-      own((name, text) -> {}),
+      Keeper.PLAN,
       "The zoom policy; see 'list policies'."),
   OBJECTIVE(
       Kind.TEXT,
       Objective.CHOICES,
       null,
-      new Holder(
-          plan -> plan.objective().text(),
-          (name, text) -> Objective.parse(text),
-          (scenario, text) -> scenario.with(Scenario.OBJECTIVE, Objective.parse(text)),
-          scenario -> scenario.find(Scenario.OBJECTIVE).map(Objective::text)),
+      Keeper.SCENARIO,
       "The score of a step, and what optimal, one-hop and best-fixed maximise; overrides the"
-          + " scenario's. See docs/objectives.md."),
+          + " scenario's. See docs/objectives.md.") {
+    @Override
+    void check(String text) {
+      Objective.parse(text);
+    }
+
+    @Override
+    boolean mayComeFromFile() {
+      return true;
+    }
+
+    @Override
+    Optional<String> inFile(Scenario scenario) {
+      return scenario.find(Scenario.OBJECTIVE).map(Objective::text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.with(Scenario.OBJECTIVE, Objective.parse(text));
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return Optional.of(scenario.objective().text());
+    }
+  },
   STEPS(
       Kind.INT,
       "N",
       "1000",
-      new Holder(
-          null,
-          range(1, Scenario.MAX_STEPS),
-          (scenario, text) ->
-              scenario.with(
-                  Scenario.STEPS, scenario.find(Scenario.STEPS).map(any -> Integer.valueOf(text))),
-          scenario -> scenario.find(Scenario.STEPS).map(String::valueOf)),
+      Keeper.PLAN,
       "Number of steps, 1 to 1,000,000,000. Without this option the scenario's is used, and the"
-          + " default only if it names none."),
+          + " default only if it names none.") {
+    @Override
+    void check(String text) {
+      requireWhole(text, 1, Scenario.MAX_STEPS);
+    }
+
+    @Override
+    boolean mayComeFromFile() {
+      return true;
+    }
+
+    @Override
+    Optional<String> inFile(Scenario scenario) {
+      return scenario.find(Scenario.STEPS).map(String::valueOf);
+    }
+
+    /** A scenario that names no number of steps stays without one. */
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.find(Scenario.STEPS).isPresent()
+          ? scenario.with(Scenario.STEPS, Integer.valueOf(text))
+          : scenario;
+    }
+  },
   SEED(
       Kind.LONG,
       "N",
       "0",
-      own(range(Long.MIN_VALUE, Long.MAX_VALUE)),
-      "Random seed; with several runs, run i, counted from 0, uses seed + i."),
-  REPEAT(Kind.INT, "N", "1", own(range(1, 1_000_000)), "Number of repeats, 1 to 1,000,000."),
+      Keeper.PLAN,
+      "Random seed; with several runs, run i, counted from 0, uses seed + i.") {
+    @Override
+    void check(String text) {
+      requireWhole(text, Long.MIN_VALUE, Long.MAX_VALUE);
+    }
+  },
+  REPEAT(Kind.INT, "N", "1", Keeper.PLAN, "Number of repeats, 1 to 1,000,000.") {
+    @Override
+    void check(String text) {
+      requireWhole(text, 1, 1_000_000);
+    }
+  },
   CHANNEL(
       Kind.TEXT,
       "key=value,...",
       null,
-      new Holder(
-          plan -> plan.scenario().channel().isPerfect() ? null : plan.scenario().channel().text(),
-          (name, text) -> ChannelModel.parse(text),
-          (scenario, text) -> scenario.with(Scenario.CHANNEL, ChannelModel.parse(text)),
-          null),
+      Keeper.SCENARIO,
       "How messages between cameras are lost or delayed, such as "
           + ChannelModel.EXAMPLE
-          + ", or perfect; overrides the scenario's. See docs/channel.md."),
+          + ", or perfect; overrides the scenario's. See docs/channel.md.") {
+    @Override
+    void check(String text) {
+      ChannelModel.parse(text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.with(Scenario.CHANNEL, ChannelModel.parse(text));
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      ChannelModel channel = scenario.channel();
+      return channel.isPerfect() ? Optional.empty() : Optional.of(channel.text());
+    }
+  },
   ORDER(
       Kind.TEXT,
       "coverage|camsim",
       null,
-      choice(StepOrder.class, Scenario.ORDER),
-      "Whether targets move after (coverage) or before (camsim) the observation."),
+      Keeper.SCENARIO,
+      "Whether targets move after (coverage) or before (camsim) the observation.") {
+    @Override
+    void check(String text) {
+      require(StepOrder.class, text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.with(Scenario.ORDER, require(StepOrder.class, text));
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return Optional.of(Spelling.of(scenario.get(Scenario.ORDER)));
+    }
+  },
   HEADINGS(
       Kind.TEXT,
       "degrees|as-radians",
       null,
-      choice(Headings.class, Scenario.HEADINGS),
-      "Unit of targets' headings; as-radians as in the coverage study's simulator."),
+      Keeper.SCENARIO,
+      "Unit of targets' headings; as-radians as in the coverage study's simulator.") {
+    @Override
+    void check(String text) {
+      require(Headings.class, text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.with(Scenario.HEADINGS, require(Headings.class, text));
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return Optional.of(Spelling.of(scenario.get(Scenario.HEADINGS)));
+    }
+  },
   NETWORK(
       Kind.TEXT,
       "NAME[:key=value,...]",
       "",
-      own((name, text) -> {}),
+      Keeper.PLAN,
       "Network of the cameras, such as camsim:strategies=A0-P2; default: none, each camera works"
           + " alone. See docs/camsim-studies.md.");
 
-  /** What the values are. */
+  /** The type of a setting's values. */
   public enum Kind {
     TEXT(String.class),
     INT(Integer.class),
@@ -143,78 +276,37 @@ public enum Setting {
       this.type = type;
     }
 
-    /** The type that holds such a value. */
+    /** The Java type that holds such a value. */
     public Class<?> type() {
       return type;
     }
   }
 
-  /** Refuses a text that is no value. */
-  @FunctionalInterface
-  private interface Check {
-    void check(String name, String text);
+  /** The part of a plan of runs that keeps a setting's value. */
+  private enum Keeper {
+    SCENARIO,
+    DETECTION,
+    /** The plan itself, by the setting. */
+    PLAN
   }
-
-  /**
-   * Where a plan has a setting.
-   *
-   * @param of its value, perhaps null; not needed ({@code null}) for what the plan keeps itself
-   * @param check of a value that is asked for
-   * @param into changes what a scenario file says
-   * @param in what a scenario file says; null for what counts wherever it comes from
-   */
-  private record Holder(
-      Function<RunPlan, String> of,
-      Check check,
-      BiFunction<Scenario, String, Scenario> into,
-      Function<Scenario, Optional<String>> in) {}
 
   private final Kind kind;
   private final String form;
   private final String fallback;
-  private final Holder holder;
+  private final Keeper keeper;
   private final String[] meaning;
 
-  Setting(Kind kind, String form, String fallback, Holder holder, String... meaning) {
+  Setting(Kind kind, String form, String fallback, Keeper keeper, String... meaning) {
     this.kind = kind;
     this.form = form;
     this.fallback = fallback;
-    this.holder = holder;
+    this.keeper = keeper;
     this.meaning = meaning;
-  }
-
-  /** A setting of runs alone, such as their number of steps: the plan keeps it. */
-  private static Holder own(Check check) {
-    return new Holder(null, check, (scenario, text) -> scenario, null);
-  }
-
-  /** A setting that is an attribute of scenarios too, which it overrides. */
-  private static <E extends Enum<E>> Holder choice(Class<E> type, Property<Scenario, E> property) {
-    return new Holder(
-        plan -> Spelling.of(plan.scenario().get(property)),
-        (name, text) -> Spelling.require(type, name, text),
-        (scenario, text) -> scenario.with(property, Spelling.require(type, "", text)),
-        null);
-  }
-
-  private static Check range(long min, long max) {
-    return (name, text) -> {
-      try {
-        long number = Long.parseLong(text);
-        if (number >= min && number <= max) {
-          return;
-        }
-      } catch (NumberFormatException e) {
-        // as one that is out of range
-      }
-      throw InputException.of(
-          "%s is %s, expected a whole number from %s to %s", name, text, min, max);
-    };
   }
 
   /** The setting of a name in files, if there is one. */
   public static Optional<Setting> named(String label) {
-    return Arrays.stream(values()).filter(one -> one.label().equals(label)).findFirst();
+    return Arrays.stream(values()).filter(setting -> setting.label().equals(label)).findFirst();
   }
 
   /** The name in files and of the argument in Python; the option has {@code -} for {@code _}. */
@@ -222,63 +314,83 @@ public enum Setting {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** What the values are. */
+  /** The type of the values. */
   public Kind kind() {
     return kind;
   }
 
-  /** What a value looks like, for people. */
+  /** What a value looks like, for help texts. */
   public String form() {
     return form;
   }
 
-  /** What it says, in paragraphs. */
+  /** The meaning for help texts, in paragraphs. */
   public String[] meaning() {
     return meaning.clone();
   }
 
-  /** Its default; null where the scenario or the model decides. */
+  /** The default; null where the scenario or the detection model decides. */
   public String fallback() {
     return fallback;
   }
 
-  /** Whether results tell where it comes from: an option, the scenario or the default. */
-  public boolean hasSource() {
-    return holder.in != null;
-  }
-
-  /** What a scenario says of it; empty where it says nothing. */
-  Optional<String> in(Scenario scenario) {
-    return hasSource() ? holder.in.apply(scenario) : Optional.empty();
-  }
-
-  /** Whether it says which runs there are, and nothing of what each computes. */
+  /** Whether the setting only says which runs there are, and not what each computes. */
   public boolean countsRuns() {
     return this == SEED || this == REPEAT;
   }
 
-  /** Whether plans keep it: neither the scenario nor the detection has it. */
-  boolean isOwn() {
-    return holder.of == null;
-  }
-
-  /** The value in a plan; empty where it does not apply. */
-  public Optional<String> of(RunPlan plan) {
-    return isOwn()
-        ? Optional.of(plan.own().get(this)).filter(value -> !value.isEmpty())
-        : Optional.ofNullable(holder.of.apply(plan));
+  /** Whether a plan keeps the value itself, and not in its scenario or detection. */
+  boolean isKeptByPlan() {
+    return keeper == Keeper.PLAN;
   }
 
   /**
-   * Checks a value.
+   * Checks a value; by default, any text is one.
    *
    * @throws InputException when the setting cannot have it
    */
-  void check(String text) {
-    holder.check.check(setting(label()), text);
+  void check(String text) {}
+
+  /**
+   * Whether results say where the value is from: an option, the scenario file or the default. If
+   * so, {@link #inFile} reads it from the file.
+   */
+  boolean mayComeFromFile() {
+    return false;
   }
 
-  Scenario into(Scenario scenario, String text) {
-    return holder.into.apply(scenario, text);
+  /** The value that a scenario file has; empty if it has none. */
+  Optional<String> inFile(Scenario scenario) {
+    return Optional.empty();
+  }
+
+  /** The scenario with this value in place of what its file says. */
+  Scenario override(Scenario scenario, String text) {
+    return scenario;
+  }
+
+  /**
+   * The value that a scenario and a detection keep; empty if the setting does not apply to them.
+   */
+  Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+    throw new IllegalStateException(label() + " is kept by the plan");
+  }
+
+  /** Fails unless a text is a whole number from {@code min} to {@code max}. */
+  void requireWhole(String text, long min, long max) {
+    try {
+      long number = Long.parseLong(text);
+      if (number >= min && number <= max) {
+        return;
+      }
+    } catch (NumberFormatException e) {
+      // reported below
+    }
+    throw InputException.of(
+        "%s is %s, expected a whole number from %s to %s", setting(label()), text, min, max);
+  }
+
+  <E extends Enum<E>> E require(Class<E> type, String text) {
+    return Spelling.require(type, setting(label()), text);
   }
 }

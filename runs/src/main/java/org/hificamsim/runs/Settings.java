@@ -7,11 +7,11 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
- * The settings that users ask for, each with a value that it can have, and the defaults of the
- * command that they use.
+ * The values of settings that a user asks for, and the defaults of the command where they differ
+ * from those of {@link Setting}. Immutable.
  */
 public final class Settings {
-  /** Nothing is asked for. */
+  /** No setting is asked for. */
   public static final Settings NONE = new Settings(Map.of(), Map.of());
 
   private final Map<Setting, String> asked;
@@ -23,97 +23,97 @@ public final class Settings {
   }
 
   /**
-   * The same settings and another.
+   * The same settings with a value that is asked for.
    *
-   * @throws org.hificamsim.core.InputException when it cannot have the value
+   * @throws org.hificamsim.core.InputException when the setting cannot have the value
    */
   public Settings with(Setting setting, String value) {
     setting.check(value);
     return new Settings(with(asked, setting, value), fallbacks);
   }
 
-  /** The same settings, one of them with another default. */
+  /** The same settings with another default of one of them. */
   public Settings orElse(Setting setting, String value) {
     return new Settings(asked, with(fallbacks, setting, value));
   }
 
   private static Map<Setting, String> with(
       Map<Setting, String> values, Setting setting, String value) {
-    Map<Setting, String> all = new EnumMap<>(Setting.class);
-    all.putAll(values);
-    all.put(setting, value);
-    return all;
+    Map<Setting, String> changed = new EnumMap<>(Setting.class);
+    changed.putAll(values);
+    changed.put(setting, value);
+    return changed;
   }
 
-  /** What is asked for, if it is. */
+  /** The value that is asked for, if any. */
   public Optional<String> asked(Setting setting) {
     return Optional.ofNullable(asked.get(setting));
   }
 
-  /** What is asked for, else the default; of a setting that no scenario names. */
+  /** The value that is asked for, else the default. */
   public String value(Setting setting) {
     return value(setting, Optional.empty());
   }
 
-  /** What is asked for, else what the scenario says, else the default. */
+  /** The value that is asked for, else that of the scenario file, else the default. */
   public String value(Setting setting, Scenario scenario) {
     return value(setting, Optional.of(scenario));
   }
 
   private String value(Setting setting, Optional<Scenario> scenario) {
     return asked(setting)
-        .or(() -> scenario.flatMap(setting::in))
+        .or(() -> scenario.flatMap(setting::inFile))
         .orElseGet(() -> fallbacks.getOrDefault(setting, setting.fallback()));
   }
 
-  /** The scenario with what is asked for in place of what its file says. */
+  /** The scenario with the values that are asked for in place of those of its file. */
   public Scenario scenario(Scenario file) {
     Scenario scenario = file;
-    for (Map.Entry<Setting, String> one : asked.entrySet()) {
-      scenario = one.getKey().into(scenario, one.getValue());
+    for (Map.Entry<Setting, String> value : asked.entrySet()) {
+      scenario = value.getKey().override(scenario, value.getValue());
     }
     return scenario;
   }
 
-  /** The values of all settings that plans keep themselves. */
-  Map<Setting, String> own(Optional<Scenario> scenario) {
-    Map<Setting, String> own = new EnumMap<>(Setting.class);
+  /** The values of the settings that a plan keeps itself. */
+  private Map<Setting, String> keptByPlan(Scenario scenario) {
+    Map<Setting, String> values = new EnumMap<>(Setting.class);
     for (Setting setting : Setting.values()) {
-      if (setting.isOwn()) {
-        own.put(setting, value(setting, scenario));
+      if (setting.isKeptByPlan()) {
+        values.put(setting, value(setting, scenario));
       }
     }
-    return own;
+    return values;
   }
 
-  /** Where the settings come from that a scenario may name. */
+  /** Where each setting comes from that a scenario file may have. */
   public Map<Setting, SettingSource> sources(Scenario scenario) {
     Map<Setting, SettingSource> sources = new EnumMap<>(Setting.class);
     for (Setting setting : Setting.values()) {
-      if (setting.hasSource()) {
+      if (setting.mayComeFromFile()) {
         sources.put(setting, source(setting, scenario));
       }
     }
     return sources;
   }
 
-  /** Where a setting comes from that a scenario may name. */
+  /** Where a setting comes from that a scenario file may have. */
   public SettingSource source(Setting setting, Scenario scenario) {
     if (setting == Setting.DETECT && Scenario.hasOwnRule(value(Setting.DETECTION, scenario))) {
       return source(Setting.DETECTION, scenario);
     }
     if (setting == Setting.DETECT && asked(Setting.THRESHOLD).isPresent()) {
-      return SettingSource.OPTION; // it asks for the rule of thresholds
+      return SettingSource.OPTION; // a threshold asks for the rule of thresholds
     }
     if (asked(setting).isPresent()) {
       return SettingSource.OPTION;
     }
-    return setting.in(scenario).isPresent() ? SettingSource.SCENARIO : SettingSource.DEFAULT;
+    return setting.inFile(scenario).isPresent() ? SettingSource.SCENARIO : SettingSource.DEFAULT;
   }
 
   /** A plan of runs under the policy that is asked for. */
   public RunPlan plan(Scenario scenario, Detection detection) {
-    return new RunPlan(scenario, detection, own(Optional.of(scenario)), sources(scenario));
+    return new RunPlan(scenario, detection, keptByPlan(scenario), sources(scenario));
   }
 
   /** A plan of runs under another policy. */

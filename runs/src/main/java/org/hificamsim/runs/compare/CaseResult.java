@@ -20,9 +20,7 @@ public record CaseResult(
   /** The metrics that the case has, in the order of files. */
   List<Metric> metrics() {
     ScoredRun first = runs.get(0);
-    return Arrays.stream(Metric.values())
-        .filter(metric -> metric.appliesTo(first, isOptimum()))
-        .toList();
+    return Arrays.stream(Metric.values()).filter(metric -> first.has(metric, isOptimum())).toList();
   }
 
   /** Whether this is the exact optimum that the others are measured by. */
@@ -32,6 +30,6 @@ public record CaseResult(
 
   /** A metric's value of every run, NaN where there is none. */
   public double[] figures(Metric metric) {
-    return runs.stream().mapToDouble(metric::of).toArray();
+    return runs.stream().mapToDouble(run -> run.value(metric)).toArray();
   }
 }

@@ -37,7 +37,7 @@ public final class ComparisonFiles {
     }
 
     double value(Metric metric) {
-      return metric.of(run);
+      return run.value(metric);
     }
   }
 

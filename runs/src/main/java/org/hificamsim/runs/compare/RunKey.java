@@ -97,7 +97,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     Map<String, String> settings = new TreeMap<>();
     for (Setting setting : Setting.values()) {
       if (!setting.countsRuns()) {
-        settings.put(setting.label(), setting.of(plan).orElse(""));
+        settings.put(setting.label(), plan.value(setting).orElse(""));
       }
     }
     return settings;

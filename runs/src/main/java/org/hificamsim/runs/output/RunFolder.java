@@ -108,7 +108,7 @@ public final class RunFolder implements Closeable {
     if (results.size() > 1) {
       ObjectNode intervals = json.putObject("interval_95");
       for (Metric metric : metrics) {
-        Estimate estimate = Estimate.of(results, metric);
+        Estimate estimate = RunResult.mean(results, metric);
         intervals.putArray(metric.label()).add(estimate.low()).add(estimate.high());
       }
     }
@@ -125,7 +125,7 @@ public final class RunFolder implements Closeable {
 
   /** Of a single run, what is a sum over its steps is written as in the list of runs. */
   private static void mean(ObjectNode json, Metric metric, List<RunResult> results) {
-    double mean = Estimate.of(results, metric).mean();
+    double mean = RunResult.mean(results, metric).mean();
     if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
       json.set(metric.label(), JsonOutput.number(mean));
     } else {

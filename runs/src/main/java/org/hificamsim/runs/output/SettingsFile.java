@@ -35,7 +35,7 @@ public final class SettingsFile {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("scenario", scenario.name());
     for (Setting setting : Setting.values()) {
-      setting.of(plan).ifPresent(value -> put(json, setting, value));
+      plan.value(setting).ifPresent(value -> put(json, setting, value));
     }
     numbers(json, "zooms", scenario.zooms());
     json.put("cameras", scenario.cameras().size());
