@@ -36,7 +36,7 @@ class WorldTest {
   @TempDir Path folder;
 
   @Test
-  void everyThreadAndRepeatGivesTheSameBytes() throws IOException {
+  void sameSeedWritesSameBytes() throws IOException {
     for (String policy : List.of("random", "sarsa", "optimal")) {
       Path one = run(policy, "1");
       Path two = run(policy, "2");
@@ -107,12 +107,12 @@ class WorldTest {
         run.err());
   }
 
-  private Path run(String policy, String threads, String... options) throws IOException {
+  private Path run(String policy, String name, String... options) throws IOException {
     Path scenario = Files.writeString(folder.resolve("world.xml"), WORLD);
-    Path out = folder.resolve(policy + threads);
+    Path out = folder.resolve(policy + name);
     List<Object> words = new ArrayList<>(List.of("run", scenario, "--policy", policy));
     words.addAll(List.of("--detection", "dori-2014:level=observe", "--steps", 40));
-    words.addAll(List.of("--threads", threads, "--record", "--out", out));
+    words.addAll(List.of("--record", "--out", out));
     words.addAll(List.of(options));
     Cli run = Cli.run(words.toArray());
     assertEquals(0, run.exit(), run.err());

@@ -124,8 +124,10 @@ final class RunCommand implements Callable<Integer> {
       }
       InputFiles.write(files, List.of(plan));
       output.finish(plan, results);
-      if (replay != null) {
+      if (replay != null && tables == TableFormat.CSV) {
         files.write(ResultFolder.REPORT, page(files, folder));
+      } else if (replay != null) {
+        screen.note("no page: it is made of tables in CSV");
       }
       CrateFile.write(files, List.of(plan));
       output.commit();

@@ -22,6 +22,7 @@ import org.hificamsim.runs.cells.ZoneRecorder;
 public final class RunExecutor {
   private final Catalogue catalogue;
 
+  /** Finds the parts that plans name in this catalogue. */
   public RunExecutor(Catalogue catalogue) {
     this.catalogue = catalogue;
   }
