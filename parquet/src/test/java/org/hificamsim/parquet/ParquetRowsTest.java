@@ -97,7 +97,7 @@ class ParquetRowsTest {
 
   @Test
   void readsOrRejectsFileWithAChangedByte() throws IOException {
-    Path file = written(500);
+    Path file = write(500);
     byte[] right = Files.readAllBytes(file);
     int refused = 0;
     Random random = new Random(1);
