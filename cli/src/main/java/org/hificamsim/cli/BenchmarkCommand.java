@@ -54,7 +54,11 @@ final class BenchmarkCommand {
         Progress progress = screen.progress("", " episodes", episodes)) {
       BenchmarkEntry entry =
           BenchmarkEntry.play(
-              benchmark, name.orElse(policy), policy, asked, threads.count(), progress, folder);
+              benchmark,
+              new BenchmarkEntry.Application(name.orElse(policy), policy, asked),
+              threads.count(),
+              progress,
+              folder);
       folder.commit(List.of());
       for (String task : asked) {
         screen.say("%-14s %s", task, Estimate.mean(entry.normalized(benchmark, task)).text("%.3f"));

@@ -79,7 +79,7 @@ final class GenerateCommand implements Callable<Integer> {
     Numbers.inRange("--cameras", cameras, 1, MAX);
     long seed = settings.settings().seed();
     RandomField usual =
-        lenses ? RandomSite.usual(cameras, seed) : RandomField.ofCameras(cameras, seed);
+        lenses ? RandomSite.size(cameras, seed) : RandomField.ofCameras(cameras, seed);
     if (targets != null) {
       Numbers.inRange("--targets", targets, 1, MAX);
     }

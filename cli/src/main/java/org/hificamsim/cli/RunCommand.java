@@ -147,7 +147,7 @@ final class RunCommand implements Callable<Integer> {
     if (cells.isPresent() && !heatmap) {
       throw new InputException("--cells needs --heatmap");
     }
-    return Numbers.inRange("--cells", cells.orElse(FieldCells.USUAL), 1, FieldCells.MAX);
+    return Numbers.inRange("--cells", cells.orElse(FieldCells.DEFAULT), 1, FieldCells.MAX);
   }
 
   private void tell(HeatMap map) {

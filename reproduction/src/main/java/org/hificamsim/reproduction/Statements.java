@@ -154,7 +154,7 @@ final class Statements {
 
   /** The mean k_min over the last tenth, run by run. */
   private static double[] finalLevels(CaseResult one) {
-    return Arrays.stream(one.levels())
+    return Arrays.stream(one.partMeans())
         .mapToDouble(
             levels ->
                 Arrays.stream(levels)

@@ -123,13 +123,13 @@ public final class KMinPanel extends XyPanel {
   }
 
   private static Curve bound(CaseResult result, ToDoubleFunction<Estimate> side) {
-    int parts = result.levels()[0].length;
+    int parts = result.partMeans()[0].length;
     int steps = result.plan().steps();
     double[] x = new double[parts];
     double[] y = new double[parts];
     for (int part = 0; part < parts; part++) {
       int index = part;
-      double[] scores = Arrays.stream(result.levels()).mapToDouble(run -> run[index]).toArray();
+      double[] scores = Arrays.stream(result.partMeans()).mapToDouble(run -> run[index]).toArray();
       x[part] =
           (FinishedRun.start(part, parts, steps) + FinishedRun.start(part + 1, parts, steps) - 1)
               / 2.0;

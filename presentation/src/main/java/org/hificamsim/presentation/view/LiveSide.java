@@ -93,7 +93,7 @@ final class LiveSide {
 
   /** Begins a new heat map with the next step, or stops recording. */
   void recordHeat(boolean on) {
-    heat = on ? new HeatRecorder(world, detection, FieldCells.USUAL) : null;
+    heat = on ? new HeatRecorder(world, detection, FieldCells.DEFAULT) : null;
   }
 
   /** The heat map; empty if none is recorded or no step has been made since its beginning. */

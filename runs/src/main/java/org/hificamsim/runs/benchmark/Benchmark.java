@@ -16,12 +16,12 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunPlan;
 
-/** All tasks of a file, by their names, with the sites that they are on. */
+/** The tasks of a file by their names, with their sites. */
 public final class Benchmark {
   /** The file, in the folder of the scenarios that come with the simulator. */
   public static final String FILE = "benchmark.json";
 
-  /** What the names of tasks begin with where they are listed with names of scenarios. */
+  /** The prefix of tasks' names in lists that also have names of scenarios. */
   private static final String PREFIX = "bench/";
 
   private final Path file;
@@ -59,7 +59,7 @@ public final class Benchmark {
    * A task.
    *
    * @param name with or without {@code bench/}
-   * @throws InputException when there is none of this name
+   * @throws InputException when there is no task of this name
    */
   public BenchmarkTask task(String name) {
     BenchmarkTask task = tasks.get(plain(name));
@@ -74,7 +74,7 @@ public final class Benchmark {
     return name.startsWith(PREFIX) ? name.substring(PREFIX.length()) : name;
   }
 
-  /** The site of a task, as its file has it. */
+  /** The site of a task as its file describes it. */
   public Scenario site(String name) {
     return sites.computeIfAbsent(
         task(name).scenario(),
@@ -83,17 +83,17 @@ public final class Benchmark {
                 file.resolveSibling(scenario), catalogue.movements()::knows, warning -> {}));
   }
 
-  /** A task's site as a seed has it. */
+  /** The site of a task as it is drawn for a seed. */
   public Scenario layout(String name, long seed) {
     return task(name).draw(site(name), seed);
   }
 
-  /** One episode of a task under a policy. */
+  /** The plan of one episode of a task under a policy. */
   public RunPlan plan(String name, String policy, long seed) {
     return task(name).plan(catalogue, layout(name, seed), policy, seed);
   }
 
-  /** Everything that has a name. */
+  /** The catalogue of policies, models and movements. */
   public Catalogue catalogue() {
     return catalogue;
   }

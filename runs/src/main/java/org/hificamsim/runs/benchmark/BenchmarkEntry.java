@@ -23,14 +23,14 @@ import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.PolicyFiles;
 
 /**
- * What somebody's policy has reached: a folder of {@value #FILE} and a file of {@linkplain
+ * The results of a policy in the benchmark: a folder of {@value #FILE} and a file of {@linkplain
  * RecordedActions actions} for each task.
  *
  * @param version of the simulator
- * @param name that stands on the page
+ * @param name on the leaderboard
  * @param policy with its options
- * @param files the SHA-256 of each file that the policy decides by
- * @param tasks results, by the task's name
+ * @param files the SHA-256 of each file that the policy reads, by file name
+ * @param tasks the results by the names of the tasks
  */
 public record BenchmarkEntry(
     String version,
@@ -44,21 +44,21 @@ public record BenchmarkEntry(
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   /**
-   * What was reached in a task.
+   * The results in a task.
    *
-   * @param task its hash
+   * @param task the hash of the task
    * @param actions the SHA-256 of the file of actions
    * @param seeds of the episodes
-   * @param scores of each episode, mean of a step
+   * @param scores of the episodes, each the mean of its steps
    */
   public record TaskScores(String task, String actions, List<Long> seeds, List<Double> scores) {
-    /** Refuses what is incomplete. */
+    /** Rejects missing values. */
     public TaskScores {
       requireAll("task, actions, seeds, scores", task, actions, seeds, scores);
     }
   }
 
-  /** Refuses what is incomplete. */
+  /** Rejects missing values. */
   public BenchmarkEntry {
     requireAll("version, name, policy, files, tasks", version, name, policy, files, tasks);
   }
@@ -70,29 +70,28 @@ public record BenchmarkEntry(
   }
 
   /**
-   * Plays the testing episodes of tasks, and adds what came out to a folder's files.
+   * A policy that is to be entered.
    *
-   * @param policy in which {task} and {seed} stand for those of an episode
+   * @param name on the leaderboard
+   * @param policy with its options; {@code {task}} and {@code {seed}} stand for those of an episode
+   * @param tasks that it plays
+   */
+  public record Application(String name, String policy, List<String> tasks) {}
+
+  /**
+   * Plays the testing episodes of an application, and adds the entry to a folder's files.
+   *
+   * @param threads that share the episodes, 1 or more
    */
   public static BenchmarkEntry play(
       Benchmark benchmark,
-      String name,
-      String policy,
-      List<String> tasks,
+      Application application,
       int threads,
       RunProgress progress,
       OutputFolder folder)
       throws IOException {
-    List<RunPlan> plans = new ArrayList<>();
-    for (String task : tasks) {
-      for (long seed : BenchmarkTask.TESTING) {
-        String own = policy.replace("{task}", task).replace("{seed}", Long.toString(seed));
-        if (benchmark.catalogue().policies().create(own).jumps()) {
-          throw InputException.of("policy %s moves cameras in no time, expected another", own);
-        }
-        plans.add(benchmark.plan(task, own, seed));
-      }
-    }
+    List<String> tasks = application.tasks();
+    List<RunPlan> plans = plans(benchmark, application);
     List<Episode> episodes =
         Parallel.map(
             plans,
@@ -103,21 +102,42 @@ public record BenchmarkEntry(
               return episode;
             });
     Map<String, TaskScores> scores = new LinkedHashMap<>();
-    int each = BenchmarkTask.TESTING.size();
+    int episodesPerTask = BenchmarkTask.TESTING.size();
     for (int i = 0; i < tasks.size(); i++) {
-      List<Episode> of = episodes.subList(i * each, (i + 1) * each);
-      RecordedActions.write(folder, tasks.get(i), benchmark, of);
-      String actions = folder.hashes().get(RecordedActions.file(tasks.get(i)));
-      scores.put(tasks.get(i), scores(benchmark.task(tasks.get(i)), actions, of));
+      String task = tasks.get(i);
+      List<Episode> played = episodes.subList(i * episodesPerTask, (i + 1) * episodesPerTask);
+      RecordedActions.write(folder, task, benchmark, played);
+      String actions = folder.hashes().get(RecordedActions.file(task));
+      scores.put(task, scores(benchmark.task(task), actions, played));
     }
     BenchmarkEntry entry =
-        new BenchmarkEntry(ManifestFile.version(), name, shown(policy), files(plans), scores);
+        new BenchmarkEntry(
+            ManifestFile.version(),
+            application.name(),
+            withoutPath(application.policy()),
+            files(plans),
+            scores);
     JsonOutput.write(folder, FILE, MAPPER.valueToTree(entry));
     return entry;
   }
 
-  /** Without the path of actions that are played: they are those of the entry. */
-  private static String shown(String policy) {
+  private static List<RunPlan> plans(Benchmark benchmark, Application application) {
+    List<RunPlan> plans = new ArrayList<>();
+    for (String task : application.tasks()) {
+      for (long seed : BenchmarkTask.TESTING) {
+        String policy =
+            application.policy().replace("{task}", task).replace("{seed}", Long.toString(seed));
+        if (benchmark.catalogue().policies().create(policy).jumps()) {
+          throw InputException.of("policy %s moves cameras in no time, expected another", policy);
+        }
+        plans.add(benchmark.plan(task, policy, seed));
+      }
+    }
+    return plans;
+  }
+
+  /** Leaves out the path of actions that are played: the entry records the same actions. */
+  private static String withoutPath(String policy) {
     return policy.startsWith(PLAYED) ? PLAYED : policy;
   }
 
@@ -126,11 +146,11 @@ public record BenchmarkEntry(
     return new TaskScores(task.hash(), actions, BenchmarkTask.TESTING, scores);
   }
 
-  /** The scores of a task's episodes between 0, zoom-out, and 1, the best that is possible. */
+  /** The scores of a task's episodes on a scale from 0, zoom-out, to 1, the best possible score. */
   public double[] normalized(Benchmark benchmark, String task) {
-    List<Double> of = tasks.get(task).scores();
-    return IntStream.range(0, of.size())
-        .mapToDouble(i -> benchmark.task(task).normalized(i, of.get(i)))
+    List<Double> scores = tasks.get(task).scores();
+    return IntStream.range(0, scores.size())
+        .mapToDouble(episode -> benchmark.task(task).normalized(episode, scores.get(episode)))
         .toArray();
   }
 
@@ -149,10 +169,10 @@ public record BenchmarkEntry(
   }
 
   /**
-   * Reads one that was written before.
+   * Reads an entry.
    *
-   * @param path of the folder or of its {@value #FILE}
-   * @throws InputException when it is none
+   * @param path of its {@value #FILE}
+   * @throws InputException when the file is not an entry
    */
   static BenchmarkEntry read(Path path) {
     try {
@@ -165,7 +185,7 @@ public record BenchmarkEntry(
     }
   }
 
-  /** The file of an entry that is given by its folder, or by the file. */
+  /** The file of an entry, given the file itself or its folder. */
   static Path file(Path path) {
     return Files.isDirectory(path) ? path.resolve(FILE) : path;
   }

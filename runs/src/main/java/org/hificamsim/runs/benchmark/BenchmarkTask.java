@@ -15,18 +15,20 @@ import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.generate.SiteLayout;
 
 /**
- * A frozen task as its file declares it, and what its testing episodes are scored by. A change
- * makes another one, with the next version in its name.
+ * A frozen task as its file declares it, with the scale of its scores. A changed task is a new one,
+ * with the next version in its name.
  *
  * @param scenario a file next to that of the tasks
  * @param steps of an episode
- * @param unmapped which obstacles the cameras' map lacks, by their number in the scenario, from 0
- * @param hash of all that it is: see {@link #digest}
- * @param zoomOut mean score of a step of {@code zoom-out} in each testing episode: 0 of the scale
- * @param best the same of the optimum, or of a bound where it is not proven: 1 of the scale
- * @param proven whether the optimum is proven in every step, by testing episode
+ * @param unmapped the obstacles that the cameras' map lacks, by their index in the scenario
+ * @param hash of the whole task: see {@link #digest}
+ * @param zoomOut the mean score of a step of {@code zoom-out} in each testing episode: the scale's
+ *     0
+ * @param best that of the optimum, or of a bound on it where it is not proven: the scale's 1
+ * @param proven for each testing episode whether the optimum is proven in every step
  */
 public record BenchmarkTask(
     String scenario,
@@ -40,41 +42,43 @@ public record BenchmarkTask(
     List<Double> zoomOut,
     List<Double> best,
     List<Boolean> proven) {
-  /** Seeds of training are 0 to this; other numbers stand for one of them. */
+  /**
+   * Training uses the seeds from 0 to this number, exclusive; other seeds are reduced modulo it.
+   */
   public static final int TRAINING = 1_000_000;
 
   /** The seeds of the testing episodes. */
   public static final List<Long> TESTING =
       LongStream.rangeClosed(TRAINING + 1, TRAINING + 10).boxed().toList();
 
-  /** The site as a seed has it, with all that the task says. */
+  /** The site as it is drawn for a seed, with the settings of the task. */
   Scenario draw(Scenario site, long seed) {
     boolean isTesting = TESTING.contains(seed);
-    long of = isTesting ? seed : Math.floorMod(seed, TRAINING);
+    long layoutSeed = isTesting ? seed : Math.floorMod(seed, TRAINING);
     Scenario drawn =
         layout
-            .draw(site, of, isTesting)
+            .draw(site, layoutSeed, isTesting)
             .with(Scenario.DETECTION, detection)
             .with(Scenario.OBJECTIVE, Objective.parse(objective))
             .with(Scenario.CHANNEL, ChannelModel.parse(channel))
             .with(Scenario.STEPS, steps);
-    List<Obstacle> all = drawn.obstacles();
-    List<Obstacle> known =
-        IntStream.range(0, all.size())
+    List<Obstacle> obstacles = drawn.obstacles();
+    List<Obstacle> mapped =
+        IntStream.range(0, obstacles.size())
             .filter(i -> !unmapped.contains(i))
-            .mapToObj(all::get)
+            .mapToObj(obstacles::get)
             .toList();
-    return unmapped.isEmpty() ? drawn : drawn.with(Scenario.MAP, known);
+    return unmapped.isEmpty() ? drawn : drawn.with(Scenario.MAP, mapped);
   }
 
   RunPlan plan(Catalogue catalogue, Scenario drawn, String policy, long seed) {
-    DetectionSpec detects = DetectionSpec.parse(detection, catalogue::detection);
-    return new RunPlan(drawn, detects.detection(Settings.NONE, drawn), policy, steps, seed, 1);
+    DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
+    return new RunPlan(drawn, spec.detection(Settings.NONE, drawn), policy, steps, seed, 1);
   }
 
   /**
-   * The hash of what is declared, of the layouts of all testing seeds and of the first training
-   * ones, and of what the scale is.
+   * The hash of the declaration, of the layouts of all testing seeds and of the first ten training
+   * seeds, and of the scale.
    */
   public String digest(Scenario site) {
     LongStream seeds =
@@ -91,9 +95,9 @@ public record BenchmarkTask(
     return Sha256.of((declared + "\n" + layouts).getBytes(StandardCharsets.UTF_8));
   }
 
-  /** A score between that of zoom-out, 0, and the best that is possible, 1. */
+  /** A score on the scale from 0, that of zoom-out, to 1, the best possible one. */
   double normalized(int episode, double score) {
-    double zero = zoomOut.get(episode);
-    return (score - zero) / (best.get(episode) - zero);
+    double lowest = zoomOut.get(episode);
+    return (score - lowest) / (best.get(episode) - lowest);
   }
 }

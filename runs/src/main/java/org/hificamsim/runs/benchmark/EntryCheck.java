@@ -8,12 +8,13 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.benchmark.BenchmarkEntry.TaskScores;
 import org.hificamsim.runs.output.ManifestFile;
 
-/** Checks entries: plays their actions again, and compares what that scores. */
+/** Checks entries: plays their actions again and compares the scores. */
 public final class EntryCheck {
-  /** What a sum of rounded numbers may be above the best. */
+  /** By how much a sum of rounded numbers may exceed the best score. */
   private static final double ROUNDING = 1e-9;
 
   private final Benchmark benchmark;
@@ -27,15 +28,23 @@ public final class EntryCheck {
     this.threads = threads;
   }
 
-  /** An episode that is to be played again. */
-  private record Again(String task, TaskScores of, int number, int[][] views, Path file) {}
+  /**
+   * An episode of an entry that is to be played again.
+   *
+   * @param scores of all episodes of the task
+   * @param number of the episode, from 0
+   * @param views that each camera had chosen, by step
+   * @param file of the actions
+   */
+  private record RecordedEpisode(
+      String task, TaskScores scores, int number, int[][] views, Path file) {}
 
   /**
    * Checks an entry.
    *
-   * @param path its folder, or its file in it
+   * @param path of its folder or file
    * @return the entry
-   * @throws InputException when something does not agree, with the reason
+   * @throws InputException when something differs, with the reason
    */
   public BenchmarkEntry check(Path path) {
     Path file = BenchmarkEntry.file(path);
@@ -44,39 +53,40 @@ public final class EntryCheck {
     if (entry.tasks().isEmpty()) {
       throw InputException.of("%s: no task, expected one or more", file);
     }
-    List<Again> episodes = new ArrayList<>();
+    List<RecordedEpisode> episodes = new ArrayList<>();
     entry.tasks().forEach((task, scores) -> episodes.addAll(episodes(file, task, scores)));
-    Parallel.map(episodes, threads, this::checked);
+    Parallel.map(episodes, threads, this::check);
     return entry;
   }
 
-  private List<Again> episodes(Path file, String name, TaskScores scores) {
-    String what = file + ": " + name;
+  private List<RecordedEpisode> episodes(Path file, String name, TaskScores scores) {
+    String where = file + ": " + name;
     BenchmarkTask task = benchmark.task(name);
-    require(what, "task has hash", scores.task(), task.hash());
-    require(what, "seeds", scores.seeds(), BenchmarkTask.TESTING);
-    require(what, "number of scores", scores.scores().size(), scores.seeds().size());
+    require(where, "task has hash", scores.task(), task.hash());
+    require(where, "seeds", scores.seeds(), BenchmarkTask.TESTING);
+    require(where, "number of scores", scores.scores().size(), scores.seeds().size());
     Path actions = file.resolveSibling(RecordedActions.file(name));
     List<int[][]> views = RecordedActions.read(actions, name, benchmark);
     require(actions, "SHA-256", Io.get(() -> Sha256.of(actions)), scores.actions());
     return IntStream.range(0, views.size())
-        .mapToObj(i -> new Again(name, scores, i, views.get(i), actions))
+        .mapToObj(i -> new RecordedEpisode(name, scores, i, views.get(i), actions))
         .toList();
   }
 
-  private Again checked(Again one) {
-    long seed = BenchmarkTask.TESTING.get(one.number);
-    String what = one.file + ", seed " + seed;
-    Episode episode =
-        Episode.replay(benchmark, benchmark.plan(one.task, "zoom-out", seed), one.views, what);
-    BenchmarkTask task = benchmark.task(one.task);
-    require(what, "score", one.of.scores().get(one.number), episode.score());
-    if (task.normalized(one.number, episode.score()) > 1 + ROUNDING) {
+  private RecordedEpisode check(RecordedEpisode recorded) {
+    int number = recorded.number;
+    long seed = BenchmarkTask.TESTING.get(number);
+    String where = recorded.file + ", seed " + seed;
+    RunPlan plan = benchmark.plan(recorded.task, "zoom-out", seed);
+    double score = Episode.replay(benchmark, plan, recorded.views, where).score();
+    BenchmarkTask task = benchmark.task(recorded.task);
+    require(where, "score", recorded.scores.scores().get(number), score);
+    if (task.normalized(number, score) > 1 + ROUNDING) {
       throw InputException.of(
           "%s: score %s, expected at most %s, the best that is possible",
-          what, episode.score(), task.best().get(one.number));
+          where, score, task.best().get(number));
     }
-    return one;
+    return recorded;
   }
 
   private static void require(Object where, String what, Object found, Object expected) {

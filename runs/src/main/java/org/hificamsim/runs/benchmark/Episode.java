@@ -10,13 +10,13 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
 /**
- * An episode as it was played.
+ * A played episode.
  *
- * @param views the view that each camera had chosen last, by step
- * @param score mean of a step
+ * @param views by step the view that each camera had chosen last
+ * @param score the mean score of a step
  */
 record Episode(int[][] views, double score) {
-  /** Plays one. */
+  /** Plays an episode. */
   static Episode play(Benchmark benchmark, RunPlan plan) {
     ZoomPolicy policy = benchmark.catalogue().policies().create(plan.policy());
     return play(benchmark, plan, policy);
@@ -39,12 +39,12 @@ record Episode(int[][] views, double score) {
   }
 
   /**
-   * Plays one again by the views that were chosen.
+   * Plays an episode again with recorded views.
    *
-   * @param what names the episode in errors
-   * @throws InputException when a camera has no such view
+   * @param where names the episode in errors
+   * @throws InputException when a camera does not have its recorded view
    */
-  static Episode replay(Benchmark benchmark, RunPlan plan, int[][] views, String what) {
+  static Episode replay(Benchmark benchmark, RunPlan plan, int[][] views, String where) {
     return play(
         benchmark,
         plan,
@@ -56,18 +56,18 @@ record Episode(int[][] views, double score) {
 
           @Override
           public void decide(NetworkView network, int[] next) {
-            choose(network, views[(int) network.step()], next, what);
+            choose(network, views[(int) network.step()], next, where);
           }
         });
   }
 
-  private static void choose(NetworkView network, int[] chosen, int[] next, String what) {
+  private static void choose(NetworkView network, int[] chosen, int[] next, String where) {
     for (int camera = 0; camera < next.length; camera++) {
       int most = network.views(camera) - 1;
       if (chosen[camera] < 0 || chosen[camera] > most) {
         throw InputException.of(
             "%s, step %s: camera %s has view %s, expected 0 to %s",
-            what, network.step(), network.cameraName(camera), chosen[camera], most);
+            where, network.step(), network.cameraName(camera), chosen[camera], most);
       }
       next[camera] = network.online(camera) ? chosen[camera] : next[camera];
     }

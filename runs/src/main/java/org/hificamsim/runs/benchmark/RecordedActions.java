@@ -14,8 +14,8 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 
 /**
- * The actions of a task's testing episodes: a row for each episode and step, with the number of the
- * view that each camera had chosen last.
+ * The file of actions of a task's testing episodes: a row for each episode and step with the index
+ * of the view that each camera had chosen last.
  */
 final class RecordedActions {
   private static final String SEED = "seed";
@@ -24,7 +24,7 @@ final class RecordedActions {
 
   private RecordedActions() {}
 
-  /** Its name in the folder of an entry. */
+  /** The name of a task's file in the folder of an entry. */
   static String file(String task) {
     return task + ".csv.gz";
   }
@@ -56,7 +56,7 @@ final class RecordedActions {
    * Reads the episodes of a task.
    *
    * @return the views, by episode and step
-   * @throws InputException when one is missing, or a row is out of place
+   * @throws InputException when an episode is missing, or a row is out of place
    */
   static List<int[][]> read(Path file, String task, Benchmark benchmark) {
     List<String> columns = columns(benchmark, task);

@@ -1,4 +1,4 @@
 /**
- * Frozen tasks that others can enter: what they are, results with their actions, checks, places.
+ * The benchmark: frozen tasks, entries with their actions, the check of entries, the leaderboard.
  */
 package org.hificamsim.runs.benchmark;

@@ -12,22 +12,21 @@ import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
- * What each camera sees of the cells in each of its views. It is found when a view is first used,
- * and kept until a camera is moved, or until there is too much of it.
+ * The cells that each camera sees in each of its views. They are computed when a view is first used
+ * and kept until a camera is moved, or until they take too much memory.
  */
 public final class ViewCells {
   /**
-   * The cells in whose middle a camera would detect a target, in one view, found by the pipeline
-   * that cameras see through.
+   * The cells in whose centre a camera would detect a target in one view.
    *
-   * @param cells their numbers, rising
-   * @param chances to detect it, above 0, one for each of the cells
+   * @param cells their numbers, in ascending order
+   * @param chances of a detection in each of these cells, above 0
    */
   public record Seen(int[] cells, double[] chances) {
     private static final Seen NOTHING = new Seen(new int[0], new double[0]);
   }
 
-  /** Cells that are kept of all views together: 50 MB. */
+  /** The most cells that are kept for all views together: 50 MB. */
   private static final int MAX_KEPT = 1 << 22;
 
   private final FieldCells cells;
@@ -38,7 +37,7 @@ public final class ViewCells {
   private VisibleRegion[] regions = {};
   private Seen[][] seen = {};
   private double[][] pans = {};
-  private long kept;
+  private long keptCells;
   private Seen[] next = {};
   private Seen[] now = {};
 
@@ -52,16 +51,16 @@ public final class ViewCells {
     this.size = size;
   }
 
-  /** Forgets everything, as cameras are elsewhere now. */
+  /** Forgets everything, because the cameras may be elsewhere now. */
   public void forget(NetworkView network) {
     revision = network.revision();
     regions = new VisibleRegion[network.cameras()];
     seen = new Seen[network.cameras()][];
     pans = new double[network.cameras()][];
-    kept = 0;
+    keptCells = 0;
   }
 
-  /** What each camera sees now: the same array until one sees something else. */
+  /** What each camera sees now; the same array until a camera sees something else. */
   public Seen[] now(NetworkView network) {
     if (revision != network.revision() || seen.length != network.cameras()) {
       forget(network);
@@ -83,7 +82,7 @@ public final class ViewCells {
     if (view < 0) {
       return Seen.NOTHING; // it is turning
     }
-    if (kept > MAX_KEPT) {
+    if (keptCells > MAX_KEPT) {
       forget(network);
     }
     if (seen[camera] == null) {
@@ -94,13 +93,13 @@ public final class ViewCells {
     double pan = network.pan(camera, view);
     if (pans[camera][view] != pan) {
       pans[camera][view] = pan;
-      seen[camera][view] = find(network, camera, view, pan);
-      kept += seen[camera][view].cells().length;
+      seen[camera][view] = seenIn(network, camera, view, pan);
+      keptCells += seen[camera][view].cells().length;
     }
     return seen[camera][view];
   }
 
-  private Seen find(NetworkView network, int camera, int view, double pan) {
+  private Seen seenIn(NetworkView network, int camera, int view, double pan) {
     double cameraX = network.cameraX(camera);
     double cameraY = network.cameraY(camera);
     Pose pose = Pose.of(cameraX, cameraY, network.cameraHeading(camera)).turned(pan);
@@ -123,11 +122,11 @@ public final class ViewCells {
         int cell = row * cells.columns() + column;
         double x = cells.x(cell);
         double y = cells.y(cell);
-        double through =
+        double transmittance =
             region == null
                 ? 1
                 : region.transmittance(x, y, zoom.vertical().z(), body.low(), body.high());
-        double chance = through == 0 ? 0 : sight.chance(pose, x, y, through);
+        double chance = transmittance == 0 ? 0 : sight.chance(pose, x, y, transmittance);
         numbers[count] = cell;
         chances[count] = chance;
         count += chance > 0 ? 1 : 0;

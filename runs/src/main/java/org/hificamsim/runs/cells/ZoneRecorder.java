@@ -14,22 +14,24 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Zone;
 
 /**
- * How much of a scenario's zones is seen as they ask, over the steps of a run: of the free cells,
- * as {@code place} has them; those that fewer than k cameras see count for a part.
+ * Measures which share of a scenario's zones is seen as the zones demand, as the mean over the
+ * steps of a run. A zone's free cells count equally; a cell that fewer than its k cameras see
+ * counts in part. {@code place} counts in the same way.
  */
 public final class ZoneRecorder implements StepListener {
-  private static final int MOST = 60; // cells along the longer side
+  /** The number of cells along the longer side of the field. */
+  private static final int CELLS = 60;
 
   private final List<Watched> zones;
 
   /**
    * @param size of targets, metres
    * @param usual the detection of zones that name none
-   * @param detections finds those that they name
+   * @param detections finds a detection by the name that a zone has
    */
   public ZoneRecorder(
       Scenario site, double size, Detection usual, Function<String, Detection> detections) {
-    FieldCells cells = FieldCells.of(site.field(), MOST);
+    FieldCells cells = FieldCells.of(site.field(), CELLS);
     Obstacles obstacles = new Obstacles(site.obstacles());
     int[] free =
         IntStream.range(0, cells.count())
@@ -41,9 +43,9 @@ public final class ZoneRecorder implements StepListener {
             .filter(zone -> zone.weight() > 0)
             .map(
                 zone -> {
-                  boolean own = !zone.detection().equals(usual.name());
-                  Detection seeing = own ? detections.apply(zone.detection()) : usual;
-                  ViewCells views = new ViewCells(cells, seeing, obstacles, size);
+                  String name = zone.detection();
+                  Detection detection = name.equals(usual.name()) ? usual : detections.apply(name);
+                  ViewCells views = new ViewCells(cells, detection, obstacles, size);
                   return new Watched(zone, cells, free, views);
                 })
             .filter(zone -> zone.cells.length > 0)
@@ -60,55 +62,61 @@ public final class ZoneRecorder implements StepListener {
     zones.forEach(zone -> zone.step(network));
   }
 
-  /** The share that is met, by weight; NaN without zones. */
+  /** The weighted mean of the shares of all zones; NaN without zones. */
   public double met() {
-    double all = zones.stream().mapToDouble(Watched::weight).sum();
-    return zones.stream().mapToDouble(zone -> zone.weight() * zone.met()).sum() / all;
+    double weights = zones.stream().mapToDouble(Watched::weight).sum();
+    return zones.stream().mapToDouble(zone -> zone.weight() * zone.met()).sum() / weights;
   }
 
-  /** The share that is met of the zone of which least is; NaN without zones. */
+  /** The least share of a zone; NaN without zones. */
   public double least() {
     return zones.stream().mapToDouble(Watched::met).min().orElse(Double.NaN);
   }
 
+  /** A zone with what is seen of it. */
   private static final class Watched {
     private final Zone zone;
     private final int[] cells;
     private final ViewCells views;
-    private final double[] counts; // of cameras, by cell
-    private ViewCells.Seen[] seen = {}; // by each camera, in the last step
+    private final double[] camerasByCell;
+
+    /** What each camera saw in the last step. */
+    private ViewCells.Seen[] seenByCamera = {};
+
     private double share;
-    private double sum;
+    private double sumOfShares;
     private long steps;
 
-    Watched(Zone zone, FieldCells all, int[] free, ViewCells views) {
+    Watched(Zone zone, FieldCells field, int[] freeCells, ViewCells views) {
       this.zone = zone;
       this.cells =
-          Arrays.stream(free).filter(cell -> zone.contains(all.x(cell), all.y(cell))).toArray();
+          Arrays.stream(freeCells)
+              .filter(cell -> zone.contains(field.x(cell), field.y(cell)))
+              .toArray();
       this.views = views;
-      this.counts = new double[all.count()];
+      this.camerasByCell = new double[field.count()];
     }
 
     void step(NetworkView network) {
       ViewCells.Seen[] now = views.now(network);
-      if (now != seen) {
-        seen = now;
+      if (now != seenByCamera) {
+        seenByCamera = now;
         share = share();
       }
-      sum += share;
+      sumOfShares += share;
       steps++;
     }
 
     private double share() {
-      Arrays.fill(counts, 0);
-      for (ViewCells.Seen one : seen) {
-        for (int i = 0; i < one.cells().length; i++) {
-          counts[one.cells()[i]] += one.chances()[i];
+      Arrays.fill(camerasByCell, 0);
+      for (ViewCells.Seen seen : seenByCamera) {
+        for (int i = 0; i < seen.cells().length; i++) {
+          camerasByCell[seen.cells()[i]] += seen.chances()[i];
         }
       }
       double met = 0;
       for (int cell : cells) {
-        met += Math.min(1, counts[cell] / zone.k());
+        met += Math.min(1, camerasByCell[cell] / zone.k());
       }
       return met / cells.length;
     }
@@ -118,7 +126,7 @@ public final class ZoneRecorder implements StepListener {
     }
 
     double met() {
-      return sum / steps;
+      return sumOfShares / steps;
     }
   }
 }

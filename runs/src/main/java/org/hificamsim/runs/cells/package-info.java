@@ -1,2 +1,2 @@
-/** Equal parts of a field, and what cameras see of them. */
+/** The cells of a field, and what cameras see of them. */
 package org.hificamsim.runs.cells;

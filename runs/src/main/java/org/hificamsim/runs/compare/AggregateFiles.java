@@ -15,7 +15,7 @@ import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.statistics.Aggregate;
 import org.hificamsim.runs.statistics.PairedTest;
 
-/** The tables over all scenarios of a comparison, and those of pairs of policies. */
+/** Writes the tables over all scenarios of a comparison, and those of pairs of policies. */
 public final class AggregateFiles {
   private static final List<Column<PolicyScores>> POLICY =
       Table.<PolicyScores>of("")
@@ -28,70 +28,67 @@ public final class AggregateFiles {
       "what is compared: `proportion_of_optimal`; without the optimum as a yardstick"
           + " `proportion_of_bound`, else `value_of_learning`, else `score`";
 
-  /** Two policies under one detection, over the same scenarios. */
-  record PolicyPair(PolicyScores one, PolicyScores other) {
-    /**
-     * The two in one scenario.
-     *
-     * @param metric whose differences are looked at
-     */
-    record InScenario(CaseResult one, CaseResult other, Metric metric) {
-      /** What the first has more than the other, by seed, where both have a value. */
+  /** Two policies under the same detection and in the same scenarios. */
+  record PolicyPair(PolicyScores first, PolicyScores second) {
+    /** Both policies in one scenario, compared by a metric. */
+    record InScenario(CaseResult first, CaseResult second, Metric metric) {
+      /** The first value minus the second, for each seed that has both. */
       double[] differences() {
-        return Estimate.differences(one.figures(metric), other.figures(metric));
+        return Estimate.differences(first.figures(metric), second.figures(metric));
       }
     }
 
-    /** Each pair once, the policy that was asked for first before the other. */
+    /** All pairs of policies under the same detection, in the order of the policies. */
     static List<PolicyPair> of(List<PolicyScores> policies) {
       List<PolicyPair> pairs = new ArrayList<>();
       for (int i = 0; i < policies.size(); i++) {
-        for (PolicyScores other : policies.subList(i + 1, policies.size())) {
-          if (other.detection().equals(policies.get(i).detection())) {
-            pairs.add(new PolicyPair(policies.get(i), other));
+        for (PolicyScores second : policies.subList(i + 1, policies.size())) {
+          if (second.detection().equals(policies.get(i).detection())) {
+            pairs.add(new PolicyPair(policies.get(i), second));
           }
         }
       }
       return pairs;
     }
 
-    /** The pair scenario by scenario. */
+    /** The pair in each scenario. */
     List<InScenario> inScenarios() {
-      return IntStream.range(0, one.cases().size())
-          .mapToObj(i -> new InScenario(one.cases().get(i), other.cases().get(i), one.metric()))
+      return IntStream.range(0, first.cases().size())
+          .mapToObj(
+              i -> new InScenario(first.cases().get(i), second.cases().get(i), first.metric()))
           .toList();
     }
   }
 
-  /** A statistic of a policy. */
-  record Statistic(PolicyScores of, Aggregate aggregate, Estimate value) {}
+  /** An aggregate of a policy over all scenarios. */
+  record Statistic(PolicyScores policy, Aggregate aggregate, Estimate value) {}
 
-  /** A point of a policy's profile. */
-  record Point(PolicyScores of, double tau, Estimate share) {}
+  /** A point of a policy's performance profile. */
+  record Point(PolicyScores policy, double tau, Estimate share) {}
 
-  /** How a policy does against another. */
-  record Against(PolicyPair pair, Estimate probability) {}
+  /** The probability that the first policy of a pair has a higher score than the second. */
+  record Improvement(PolicyPair pair, Estimate probability) {}
 
-  /** A pair in one scenario, with its p-value before and after Holm's correction. */
-  record Difference(PolicyPair.InScenario pair, Estimate mean, double p, double corrected) {}
+  /** The mean difference of a pair in one scenario; its p-value before and after correction. */
+  record Difference(PolicyPair.InScenario pair, Estimate mean, double pValue, double corrected) {}
 
   /** A row per detection, policy and statistic. */
   public static final Table<Statistic> AGGREGATE =
       Table.<Statistic>of("aggregate.csv")
-          .with(POLICY, Statistic::of)
+          .with(POLICY, Statistic::policy)
           .texts(
               "statistic",
               "`iqm`, `optimality_gap`, `mean` or `median`",
               row -> row.aggregate.label())
-          .ints("scenarios", "", "how many have a value", row -> row.of.scores().scenarios())
-          .ints("runs", "", "how many have a value", row -> row.of.scores().runs())
+          .ints("scenarios", "", "how many have a value", row -> row.policy.scores().scenarios())
+          .ints("runs", "", "how many have a value", row -> row.policy.scores().runs())
           .estimates("value", "", "share", "of `metric`", Statistic::value)
-          .texts("metric", MEASURE, row -> row.of.metric().label());
+          .texts("metric", MEASURE, row -> row.policy.metric().label());
 
   /** A row per detection, policy and tau. */
   public static final Table<Point> PROFILE =
       Table.<Point>of("profile.csv")
-          .with(POLICY, Point::of)
+          .with(POLICY, Point::policy)
           .doubles("tau", "share", "0 to 1 in hundredths", Point::tau)
           .estimates(
               "share",
@@ -102,25 +99,28 @@ public final class AggregateFiles {
               Point::share);
 
   /** A row per detection and pair of policies. */
-  public static final Table<Against> IMPROVEMENT =
-      Table.<Against>of("improvement.csv")
-          .with(POLICY, row -> row.pair.one())
-          .texts("other", OTHER, row -> row.pair.other().policy())
+  public static final Table<Improvement> IMPROVEMENT =
+      Table.<Improvement>of("improvement.csv")
+          .with(POLICY, row -> row.pair.first())
+          .texts("other", OTHER, row -> row.pair.second().policy())
           .ints(
-              "scenarios", "", "how many have a value", row -> row.pair.one().scores().scenarios())
+              "scenarios",
+              "",
+              "how many have a value",
+              row -> row.pair.first().scores().scenarios())
           .estimates(
               "probability",
               "",
               "probability",
               "that a run of `policy` has a higher proportion than a run of `other` in the same"
                   + " scenario (a tie counts half; the mean over scenarios)",
-              Against::probability);
+              Improvement::probability);
 
   /** A row per scenario, detection and pair of policies. */
   public static final Table<Difference> PAIRS =
       Table.<Difference>of("pairs.csv")
-          .with(ComparisonFiles.CASE, row -> row.pair.one().plan())
-          .texts("other", OTHER, row -> row.pair.other().plan().policy())
+          .with(ComparisonFiles.CASE, row -> row.pair.first().plan())
+          .texts("other", OTHER, row -> row.pair.second().plan().policy())
           .texts("metric", MEASURE, row -> row.pair.metric().label())
           .ints("runs", "", "seeds with a value", row -> row.pair.differences().length)
           .estimates(
@@ -130,7 +130,7 @@ public final class AggregateFiles {
               "probability",
               "two-sided randomization test: each difference might as well have the other sign; all"
                   + " choices of signs up to 16 seeds, 99,999 drawn ones above",
-              Difference::p)
+              Difference::pValue)
           .doubles(
               "p_holm",
               "probability",
@@ -141,58 +141,61 @@ public final class AggregateFiles {
   private AggregateFiles() {}
 
   /**
-   * Adds the tables to a folder's.
+   * Adds the tables to a folder's files.
    *
    * @param cases every policy under every detection in every scenario
-   * @param threads that share the work, 1 or more: an interval takes thousands of draws
+   * @param threads that share the work, 1 or more; an interval takes thousands of draws
    */
   public static void write(OutputFolder folder, List<CaseResult> cases, int threads)
       throws IOException {
     List<PolicyScores> policies = PolicyScores.of(cases);
     List<PolicyPair> pairs = PolicyPair.of(policies);
-    if (Yardstick.of(cases).isPresent()) { // scores themselves are no shares of anything
+    if (Yardstick.of(cases).isPresent()) { // without one, scores are not shares
       List<List<Statistic>> statistics =
           Parallel.map(policies, threads, AggregateFiles::statistics);
       AGGREGATE.write(folder, statistics.stream().flatMap(List::stream));
       List<List<Point>> points = Parallel.map(policies, threads, AggregateFiles::points);
       PROFILE.write(folder, points.stream().flatMap(List::stream));
     }
-    List<Against> improvements = Parallel.map(pairs, threads, AggregateFiles::against);
+    List<Improvement> improvements = Parallel.map(pairs, threads, AggregateFiles::improvement);
     IMPROVEMENT.write(folder, improvements.stream());
     PAIRS.write(folder, differences(pairs, threads));
   }
 
-  private static List<Statistic> statistics(PolicyScores one) {
-    Map<Aggregate, Estimate> estimates = Aggregate.estimates(one.scores());
+  private static List<Statistic> statistics(PolicyScores policy) {
+    Map<Aggregate, Estimate> estimates = Aggregate.estimates(policy.scores());
     return Stream.of(Aggregate.values())
-        .map(aggregate -> new Statistic(one, aggregate, estimates.get(aggregate)))
+        .map(aggregate -> new Statistic(policy, aggregate, estimates.get(aggregate)))
         .toList();
   }
 
-  private static List<Point> points(PolicyScores one) {
-    Estimate[] shares = Aggregate.profile(one.scores());
+  private static List<Point> points(PolicyScores policy) {
+    Estimate[] shares = Aggregate.profile(policy.scores());
     return IntStream.range(0, shares.length)
-        .mapToObj(i -> new Point(one, Aggregate.TAUS[i], shares[i]))
+        .mapToObj(i -> new Point(policy, Aggregate.TAUS[i], shares[i]))
         .toList();
   }
 
-  private static Against against(PolicyPair pair) {
-    return new Against(pair, Aggregate.improvement(pair.one().scores(), pair.other().scores()));
+  private static Improvement improvement(PolicyPair pair) {
+    return new Improvement(
+        pair, Aggregate.improvement(pair.first().scores(), pair.second().scores()));
   }
 
-  /** Holm's correction is over all rows. */
+  /** All pairs in all scenarios; Holm's correction is over all of them. */
   private static Stream<Difference> differences(List<PolicyPair> pairs, int threads) {
-    List<PolicyPair.InScenario> all =
+    List<PolicyPair.InScenario> inScenarios =
         pairs.stream().flatMap(pair -> pair.inScenarios().stream()).toList();
-    double[] p =
-        Parallel.map(all, threads, pair -> PairedTest.p(pair.differences())).stream()
+    double[] pValues =
+        Parallel.map(inScenarios, threads, pair -> PairedTest.p(pair.differences())).stream()
             .mapToDouble(Double::doubleValue)
             .toArray();
-    double[] corrected = PairedTest.corrected(p);
-    return IntStream.range(0, p.length)
+    double[] corrected = PairedTest.corrected(pValues);
+    return IntStream.range(0, pValues.length)
         .mapToObj(
-            i ->
-                new Difference(
-                    all.get(i), Estimate.mean(all.get(i).differences()), p[i], corrected[i]));
+            i -> {
+              PolicyPair.InScenario pair = inScenarios.get(i);
+              Estimate mean = Estimate.mean(pair.differences());
+              return new Difference(pair, mean, pValues[i], corrected[i]);
+            });
   }
 }

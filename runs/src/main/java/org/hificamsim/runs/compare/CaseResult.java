@@ -7,28 +7,32 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * One plan with all its runs.
+ * The results of a plan of a comparison.
  *
- * @param runs one per repeat, by rising seed
- * @param meanKMin the mean over the repeats of k_min, by step
- * @param meanScore the same of the score
- * @param levels each repeat's mean score in {@link FinishedRun#levels equal parts} of the run: what
- *     intervals over time are made of
+ * @param runs one for each repeat, by ascending seed
+ * @param meanKMin k_min of each step, the mean over the repeats
+ * @param meanScore the score of each step, the mean over the repeats
+ * @param partMeans for each repeat the mean score in each of its {@link FinishedRun#partMeans equal
+ *     parts}, from which intervals over time are computed
  */
 public record CaseResult(
-    RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[] meanScore, double[][] levels) {
+    RunPlan plan,
+    List<ScoredRun> runs,
+    double[] meanKMin,
+    double[] meanScore,
+    double[][] partMeans) {
   /** The metrics that the case has, in the order of files. */
   List<Metric> metrics() {
     ScoredRun first = runs.get(0);
     return Arrays.stream(Metric.values()).filter(metric -> first.has(metric, isOptimum())).toList();
   }
 
-  /** Whether this is the exact optimum that the others are measured by. */
+  /** Whether this is the exact optimum that the scores of the others are compared with. */
   public boolean isOptimum() {
     return plan.policy().equals(Yardstick.OPTIMAL.policy());
   }
 
-  /** A metric's value of every run, NaN where there is none. */
+  /** The value of a metric for each run; NaN if the run does not have it. */
   public double[] figures(Metric metric) {
     return runs.stream().mapToDouble(run -> run.value(metric)).toArray();
   }

@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * The results of a comparison, found by the names of scenario, detection model and policy; and in
- * groups, in the order of their first appearance.
+ * The results of a comparison by the names of scenario, detection model and policy, and in groups
+ * that keep the order of the results.
  */
 public final class Cases {
   private record Name(String scenario, String detection, String policy) {
@@ -25,9 +25,9 @@ public final class Cases {
   }
 
   /**
-   * One result.
+   * The result of a case.
    *
-   * @throws IllegalArgumentException when it was not run
+   * @throws IllegalArgumentException when the case was not run
    */
   public CaseResult find(String scenario, String detection, String policy) {
     Name name = new Name(scenario, detection, policy);
@@ -39,15 +39,15 @@ public final class Cases {
   }
 
   public static Map<String, List<CaseResult>> byScenario(List<CaseResult> cases) {
-    return by(cases, one -> one.plan().scenario().name());
+    return by(cases, result -> result.plan().scenario().name());
   }
 
   public static Map<String, List<CaseResult>> byDetection(List<CaseResult> cases) {
-    return by(cases, one -> one.plan().detection().name());
+    return by(cases, result -> result.plan().detection().name());
   }
 
   public static Map<String, List<CaseResult>> byPolicy(List<CaseResult> cases) {
-    return by(cases, one -> one.plan().policy());
+    return by(cases, result -> result.plan().policy());
   }
 
   static <K> Map<K, List<CaseResult>> by(List<CaseResult> cases, Function<CaseResult, K> key) {

@@ -13,18 +13,19 @@ import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TextTable;
 
 /**
- * The policy that is best under one detection, and what it achieves under the last one, the most
- * real of a list: scores under two detections are of two worlds, and have no difference.
+ * The policy that is best under one detection, and what it achieves under the last detection of the
+ * list, which is taken to be the most realistic. Scores under two detections cannot be subtracted:
+ * they are of two different worlds.
  *
- * @param plan of the detection that chose
- * @param chosen the policies with its best score, several where they tie
+ * @param plan a plan with the detection that chose
+ * @param chosen the policies with the best score under it, several if they tie
  * @param predicted their mean score of a step under that detection
- * @param judge the last detection's name
- * @param achieved their mean score of a step under that one
+ * @param judge the name of the last detection
+ * @param achieved their mean score of a step under the last detection
  */
 public record Choice(
     RunPlan plan, List<String> chosen, Estimate predicted, String judge, Estimate achieved) {
-  /** A row per scenario and detection, where there are several detections. */
+  /** A row per scenario and detection if there are several detections. */
   public static final Table<Choice> FILE =
       Table.<Choice>of("choices.csv")
           .with(ComparisonFiles.CASE.subList(0, 2), Choice::plan)
@@ -47,11 +48,11 @@ public record Choice(
               "the chosen policy's score under that one",
               Choice::achieved);
 
-  /** The choices of all detections in each scenario; none with one detection or policy. */
+  /** The choices of all detections in each scenario; none if there is one detection or policy. */
   public static List<Choice> of(List<CaseResult> cases) {
-    List<CaseResult> chosen =
-        cases.stream().filter(one -> !Yardstick.isOne(one.plan().policy())).toList();
-    return Cases.byScenario(chosen).values().stream()
+    List<CaseResult> candidates =
+        cases.stream().filter(result -> !Yardstick.isYardstick(result.plan().policy())).toList();
+    return Cases.byScenario(candidates).values().stream()
         .flatMap(scenario -> of(Cases.byDetection(scenario)).stream())
         .toList();
   }
@@ -60,25 +61,25 @@ public record Choice(
     List<Choice> choices = new ArrayList<>();
     List<String> names = List.copyOf(detections.keySet());
     String judge = names.get(names.size() - 1);
-    RungScores top = RungScores.of(detections.get(judge));
-    if (names.size() > 1 && top.score().length > 1) {
-      detections.values().forEach(own -> choices.add(of(own, judge, top)));
+    RungScores judged = RungScores.of(detections.get(judge));
+    if (names.size() > 1 && judged.score().length > 1) {
+      detections.values().forEach(own -> choices.add(of(own, judge, judged)));
     }
     return choices;
   }
 
-  private static Choice of(List<CaseResult> cases, String judge, RungScores top) {
-    RungScores own = RungScores.of(cases);
-    int[] best = own.best();
+  private static Choice of(List<CaseResult> cases, String judge, RungScores judged) {
+    RungScores choosing = RungScores.of(cases);
+    int[] best = choosing.best();
     return new Choice(
         cases.get(0).plan(),
         Arrays.stream(best).mapToObj(i -> cases.get(i).plan().policy()).toList(),
-        Estimate.mean(own.bySeed(best)),
+        Estimate.mean(choosing.bySeed(best)),
         judge,
-        Estimate.mean(top.bySeed(best)));
+        Estimate.mean(judged.bySeed(best)));
   }
 
-  /** Adds the table to a folder's files, where there are choices. */
+  /** Adds the table to a folder's files if there are choices. */
   public static void write(OutputFolder folder, List<CaseResult> cases) throws IOException {
     List<Choice> choices = of(cases);
     if (!choices.isEmpty()) {
@@ -86,19 +87,19 @@ public record Choice(
     }
   }
 
-  /** One row per choice, as people read it. */
+  /** A table for the terminal with a row for each choice. */
   public static TextTable table(List<Choice> choices) {
     String achieves = "achieves under " + choices.get(0).judge;
     TextTable table =
         new TextTable(3, List.of("scenario", "detection", "chooses", "predicts", achieves));
-    for (Choice one : choices) {
+    for (Choice choice : choices) {
       table.row(
           List.of(
-              one.plan.scenario().name(),
-              one.plan.detection().name(),
-              one.policies(),
-              ScoreText.of(one.plan, one.predicted),
-              ScoreText.of(one.plan, one.achieved)));
+              choice.plan.scenario().name(),
+              choice.plan.detection().name(),
+              choice.policies(),
+              ScoreText.of(choice.plan, choice.predicted),
+              ScoreText.of(choice.plan, choice.achieved)));
     }
     return table;
   }

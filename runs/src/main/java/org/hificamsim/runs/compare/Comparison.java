@@ -13,11 +13,11 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * Runs plans side by side, every repeat a task of its own, and scores each run against the
+ * Runs plans, every repeat as a task of its own, and compares the score of each run with the
  * yardsticks of its scenario, detection model and seed.
  *
  * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
- * alone, and sums over runs are sums of whole numbers, or added in the order of seeds.
+ * alone, and sums over runs are sums of whole numbers or are added in the order of seeds.
  */
 public final class Comparison {
   private Comparison() {}
@@ -26,9 +26,9 @@ public final class Comparison {
    * Runs all plans.
    *
    * @param asked plans with the same seeds
-   * @param references what is run in addition, to score all by
-   * @param engine where the runs are computed, configured
-   * @return one result per plan that was asked for, then those of the optima that had to be added
+   * @param references the yardsticks that are run in addition
+   * @param engine that computes the runs; it is configured already
+   * @return one result for each plan that was asked for, then those of the optima that were added
    */
   public static List<CaseResult> run(
       List<RunPlan> asked, ReferencePolicies references, RunEngine engine) throws IOException {
@@ -38,7 +38,7 @@ public final class Comparison {
     return score(cases).subList(0, references.withOptimum(asked).size());
   }
 
-  /** Every run, seed by seed, so that all cases make headway together. */
+  /** Every run, seed by seed, so that all cases advance together. */
   private static List<RunTask> tasks(List<RunPlan> plans) {
     List<RunTask> tasks = new ArrayList<>();
     for (int repeat = 0; repeat < plans.get(0).repeats(); repeat++) {
@@ -52,37 +52,44 @@ public final class Comparison {
   private static List<CaseResult> score(List<CaseUnderWay> cases) {
     Map<ReferencePolicies.Group, List<CaseUnderWay>> groups =
         cases.stream().collect(Collectors.groupingBy(CaseUnderWay::group));
-    return cases.stream().map(one -> one.scored(groups.get(one.group()))).toList();
+    return cases.stream().map(running -> running.scored(groups.get(running.group()))).toList();
   }
 
-  /** A plan whose repeats are being run, by several threads. */
+  /** A case whose repeats are being run by several threads. */
   private static final class CaseUnderWay {
     private final RunPlan plan;
     private final RunResult[] results;
     private final double[] settling;
-    private final double[][] levels;
-    private final double[] sums; // of whole numbers, exact; at the end the means
-    private final double[] scores; // sums in the order of seeds; at the end the means
-    private final Map<Integer, FinishedRun> waiting = new HashMap<>(); // for those before them
+    private final double[][] partMeans;
+
+    /** k_min by step, summed over the runs: whole numbers, so that their order does not matter. */
+    private final double[] kMinSums;
+
+    /** Scores by step, summed over the runs in the order of seeds; {@link #kMinSums} if equal. */
+    private final double[] scoreSums;
+
+    /** Runs by repeat that have to wait until those of earlier seeds are added. */
+    private final Map<Integer, FinishedRun> waiting = new HashMap<>();
+
     private int added;
 
     CaseUnderWay(RunPlan plan) {
       this.plan = plan;
       this.results = new RunResult[plan.repeats()];
       this.settling = new double[plan.repeats()];
-      this.levels = new double[plan.repeats()][];
-      this.sums = new double[plan.steps()];
-      this.scores = plan.objective().hasOwnFigure() ? new double[plan.steps()] : sums;
+      this.partMeans = new double[plan.repeats()][];
+      this.kMinSums = new double[plan.steps()];
+      this.scoreSums = plan.objective().hasOwnFigure() ? new double[plan.steps()] : kMinSums;
     }
 
     synchronized void take(int repeat, FinishedRun run) {
-      for (int step = 0; step < sums.length; step++) {
-        sums[step] += run.kMin()[step];
+      for (int step = 0; step < kMinSums.length; step++) {
+        kMinSums[step] += run.kMin()[step];
       }
       settling[repeat] = run.settling();
-      levels[repeat] = run.levels();
+      partMeans[repeat] = run.partMeans();
       results[repeat] = run.result().asRun(repeat);
-      if (scores != sums) {
+      if (scoreSums != kMinSums) {
         waiting.put(repeat, run);
         for (FinishedRun next; (next = waiting.remove(added)) != null; added++) {
           add(next);
@@ -91,8 +98,8 @@ public final class Comparison {
     }
 
     private void add(FinishedRun run) {
-      for (int step = 0; step < scores.length; step++) {
-        scores[step] += run.score(step);
+      for (int step = 0; step < scoreSums.length; step++) {
+        scoreSums[step] += run.score(step);
       }
     }
 
@@ -100,33 +107,35 @@ public final class Comparison {
       return ReferencePolicies.Group.of(plan);
     }
 
-    /** With the yardsticks that are among the cases of its group. */
+    /** The result, compared with the yardsticks among the cases of its group. */
     CaseResult scored(List<CaseUnderWay> group) {
       List<ScoredRun> runs = new ArrayList<>();
       for (int repeat = 0; repeat < results.length; repeat++) {
         runs.add(
             new ScoredRun(
                 results[repeat],
-                of(group, Yardstick.OPTIMAL, repeat, RunResult::score),
-                of(group, Yardstick.BOUND, repeat, RunResult::bound),
-                of(group, Yardstick.BEST_FIXED, repeat, RunResult::score),
+                yardstickScore(group, Yardstick.OPTIMAL, repeat, RunResult::score),
+                yardstickScore(group, Yardstick.BOUND, repeat, RunResult::bound),
+                yardstickScore(group, Yardstick.BEST_FIXED, repeat, RunResult::score),
                 settling[repeat]));
       }
-      Arrays.setAll(sums, step -> sums[step] / runs.size());
-      if (scores != sums) {
-        Arrays.setAll(scores, step -> scores[step] / runs.size());
-      }
-      return new CaseResult(plan, runs, sums, scores, levels);
+      double[] meanKMin = means(kMinSums, runs.size());
+      double[] meanScore = scoreSums == kMinSums ? meanKMin : means(scoreSums, runs.size());
+      return new CaseResult(plan, runs, meanKMin, meanScore, partMeans);
     }
 
-    private static double of(
+    private static double[] means(double[] sums, int count) {
+      return Arrays.stream(sums).map(sum -> sum / count).toArray();
+    }
+
+    private static double yardstickScore(
         List<CaseUnderWay> group,
         Yardstick yardstick,
         int repeat,
-        ToDoubleFunction<RunResult> figure) {
+        ToDoubleFunction<RunResult> score) {
       return group.stream()
-          .filter(one -> one.plan.policy().equals(yardstick.policy()))
-          .mapToDouble(one -> figure.applyAsDouble(one.results[repeat]))
+          .filter(other -> other.plan.policy().equals(yardstick.policy()))
+          .mapToDouble(other -> score.applyAsDouble(other.results[repeat]))
           .findFirst()
           .orElse(Double.NaN);
     }

@@ -16,9 +16,9 @@ import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.SettingsFile;
 import org.hificamsim.runs.output.Table;
 
-/** The tables of all cases of a comparison: what {@code compare} and others like it write. */
+/** Writes the tables of the cases of a comparison, as {@code compare} and similar commands do. */
 public final class ComparisonFiles {
-  /** Which case a row is about. */
+  /** The columns that name a case. */
   public static final List<Column<RunPlan>> CASE =
       Table.<RunPlan>of("")
           .texts(
@@ -29,15 +29,19 @@ public final class ComparisonFiles {
           .texts("policy", "the zoom policy with its options", RunPlan::policy)
           .columns();
 
-  /** One run of a plan. */
-  public record Run(RunPlan plan, CaseResult of, ScoredRun run) {
+  /**
+   * One run of a plan.
+   *
+   * @param result of the plan; null for a run without a comparison
+   */
+  public record Run(RunPlan plan, CaseResult result, ScoredRun scored) {
     /** A run without any yardstick. */
     public static Run alone(RunPlan plan, RunResult result) {
       return new Run(plan, null, new ScoredRun(result, Double.NaN, Double.NaN, Double.NaN));
     }
 
     double value(Metric metric) {
-      return run.value(metric);
+      return scored.value(metric);
     }
   }
 
@@ -47,39 +51,40 @@ public final class ComparisonFiles {
   /**
    * One metric of a case.
    *
-   * @param runs how many have a value
-   * @param reference the same under the first detection model; empty for itself
+   * @param runs the number of runs with a value
+   * @param reference the case under the first detection; empty if it is this case itself
+   * @param difference the mean difference to the reference
    */
   record CaseMetric(
-      CaseResult of,
+      CaseResult result,
       Metric metric,
       int runs,
       Estimate mean,
       Optional<CaseResult> reference,
       Estimate difference) {
-    static CaseMetric of(CaseResult one, Metric metric, List<CaseResult> cases) {
-      double[] figures = one.figures(metric);
-      Optional<CaseResult> reference = firstDetection(one, cases);
+    static CaseMetric of(CaseResult result, Metric metric, List<CaseResult> cases) {
+      double[] figures = result.figures(metric);
+      Optional<CaseResult> reference = firstDetection(result, cases);
       Estimate difference =
           reference
               .map(other -> Estimate.difference(figures, other.figures(metric)))
               .orElse(Estimate.single(Double.NaN));
       int runs = Estimate.known(figures).length;
-      return new CaseMetric(one, metric, runs, Estimate.mean(figures), reference, difference);
+      return new CaseMetric(result, metric, runs, Estimate.mean(figures), reference, difference);
     }
   }
 
-  /** What a yardstick came to with a run. */
-  record Measure(Run run, Yardstick yardstick) {}
+  /** The score of a yardstick with the seed of a run. */
+  record YardstickScore(Run run, Yardstick yardstick) {}
 
-  /** One step of a case. */
-  record CaseStep(CaseResult of, int step) {}
+  /** A step of a case. */
+  record CaseStep(CaseResult result, int step) {}
 
   private static final String SEED = "the run's seed: first seed + repeat";
   private static final List<Column<Run>> RUN =
       Table.<Run>of("")
           .with(CASE, Run::plan)
-          .longs("seed", "", SEED, run -> run.run.result().seed())
+          .longs("seed", "", SEED, run -> run.scored.result().seed())
           .columns();
 
   /** A row per run that was asked for. */
@@ -95,7 +100,7 @@ public final class ComparisonFiles {
               "optimum",
               "that of `score`",
               "the optimum's score, which the proportion is of; empty where it is no yardstick",
-              run -> run.run.optimum())
+              run -> run.scored.optimum())
           .texts(
               "objective",
               "what a step is scored by ([objectives](objectives.md))",
@@ -103,27 +108,27 @@ public final class ComparisonFiles {
           .plain(Metric.SCORE, Run::value);
 
   /** A row per scenario, detection, yardstick and seed. */
-  public static final Table<Measure> YARDSTICKS =
-      Table.<Measure>of("yardsticks.csv")
+  public static final Table<YardstickScore> YARDSTICKS =
+      Table.<YardstickScore>of("yardsticks.csv")
           .with(CASE.subList(0, 2), row -> row.run.plan())
           .texts(
               "yardstick",
               "`optimal`, `bound` or `best-fixed`: what scores are compared with (the setting"
                   + " `yardsticks`)",
               row -> row.yardstick.policy())
-          .longs("seed", "", SEED, row -> row.run.run.result().seed())
+          .longs("seed", "", SEED, row -> row.run.scored.result().seed())
           .plain(
               "score",
               "that of `score`",
               "what it came to",
-              row -> row.yardstick.score(row.run.run))
+              row -> row.yardstick.score(row.run.scored))
           .texts(
               "is",
               "`reached`: a configuration of each step has it; `at most`: none has more, and"
                   + " perhaps none as much",
               row -> row.yardstick.isBound() ? "at most" : "reached");
 
-  /** A row per run and metric, the optima's included. */
+  /** A row per run and metric, including the runs of the optima. */
   public static final Table<RunMetric> METRICS =
       Table.<RunMetric>of("metrics.csv")
           .with(RUN, RunMetric::run)
@@ -133,14 +138,14 @@ public final class ComparisonFiles {
   /** A row per case and metric. */
   public static final Table<CaseMetric> SUMMARY =
       Table.<CaseMetric>of("summary.csv")
-          .with(CASE, row -> row.of.plan())
+          .with(CASE, row -> row.result.plan())
           .texts("metric", "its name", row -> row.metric.label())
           .ints("runs", "", "how many have a value", row -> row.runs)
           .estimates("mean", "", "", "the mean over the seeds", row -> row.mean)
           .texts(
               "difference_to",
               "the first detection that was asked for; empty in its own rows",
-              row -> row.reference.map(one -> one.plan().detection().name()).orElse(""))
+              row -> row.reference.map(result -> result.plan().detection().name()).orElse(""))
           .estimates(
               "difference",
               "difference_",
@@ -151,34 +156,35 @@ public final class ComparisonFiles {
   /** A row per case and step. */
   public static final Table<CaseStep> STEPS =
       Table.<CaseStep>of("steps.csv.gz")
-          .with(CASE, row -> row.of.plan())
+          .with(CASE, row -> row.result.plan())
           .ints("step", "steps", "from 0", CaseStep::step)
           .doubles(
               "k_min",
               "cameras",
               "the least number of cameras that cover a target (Eq 7.1), the mean over the seeds",
-              row -> row.of.meanKMin()[row.step])
+              row -> row.result.meanKMin()[row.step])
           .doubles(
               "score",
               "that of the [objective](objectives.md)",
               "what the objective makes of the step, the mean over the seeds; k_min by default",
-              row -> row.of.meanScore()[row.step]);
+              row -> row.result.meanScore()[row.step]);
 
-  /** A part of the run of a case, of {@link FinishedRun#levels equal parts}. */
-  record CasePart(CaseResult of, int part) {
+  /** A part of the run of a case, of {@link FinishedRun#partMeans equal parts}. */
+  record CasePart(CaseResult result, int part) {
     int step() {
-      return FinishedRun.start(part, of.levels()[0].length, of.plan().steps());
+      return FinishedRun.start(part, result.partMeans()[0].length, result.plan().steps());
     }
 
     Estimate score() {
-      return Estimate.mean(Arrays.stream(of.levels()).mapToDouble(run -> run[part]).toArray());
+      return Estimate.mean(
+          Arrays.stream(result.partMeans()).mapToDouble(means -> means[part]).toArray());
     }
   }
 
-  /** A row per case and part of its runs: what the intervals of curves are made of. */
+  /** A row per case and part of its runs, for the intervals of curves. */
   public static final Table<CasePart> LEVELS =
       Table.<CasePart>of("levels.csv")
-          .with(CASE, row -> row.of.plan())
+          .with(CASE, row -> row.result.plan())
           .ints(
               "step",
               "steps",
@@ -197,60 +203,67 @@ public final class ComparisonFiles {
    * Adds {@code settings.json} and all tables of cases to a folder's files.
    *
    * @param asked the cases that were asked for
-   * @param all those, and the optima that they are compared with
+   * @param all also the optima that they are compared with
    */
   public static void write(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
       throws IOException {
     SettingsFile.write(folder, all.stream().map(CaseResult::plan).toList());
     RESULTS.write(folder, runs(asked));
-    YARDSTICKS.write(folder, measures(asked));
+    YARDSTICKS.write(folder, yardstickScores(asked));
     METRICS.write(
         folder,
-        runs(all).flatMap(run -> run.of.metrics().stream().map(one -> new RunMetric(run, one))));
+        runs(all)
+            .flatMap(
+                run -> run.result.metrics().stream().map(metric -> new RunMetric(run, metric))));
     SUMMARY.write(
         folder,
         all.stream()
-            .flatMap(one -> one.metrics().stream().map(metric -> CaseMetric.of(one, metric, all))));
+            .flatMap(
+                result ->
+                    result.metrics().stream().map(metric -> CaseMetric.of(result, metric, all))));
     LEVELS.write(
         folder,
         all.stream()
             .flatMap(
-                one ->
-                    IntStream.range(0, one.levels()[0].length)
-                        .mapToObj(part -> new CasePart(one, part))));
+                result ->
+                    IntStream.range(0, result.partMeans()[0].length)
+                        .mapToObj(part -> new CasePart(result, part))));
     STEPS.write(
         folder,
         all.stream()
             .flatMap(
-                one ->
-                    IntStream.range(0, one.meanKMin().length)
-                        .mapToObj(step -> new CaseStep(one, step))));
+                result ->
+                    IntStream.range(0, result.meanKMin().length)
+                        .mapToObj(step -> new CaseStep(result, step))));
   }
 
   private static Stream<Run> runs(List<CaseResult> cases) {
     return cases.stream()
-        .flatMap(one -> one.runs().stream().map(run -> new Run(one.plan(), one, run)));
+        .flatMap(result -> result.runs().stream().map(run -> new Run(result.plan(), result, run)));
   }
 
-  /** Of the first policy of each scenario and detection: they are the same of all. */
-  private static Stream<Measure> measures(List<CaseResult> cases) {
-    return Cases.by(cases, one -> ReferencePolicies.Group.of(one.plan())).values().stream()
+  /** One for each scenario, detection, yardstick and seed: they are the same for all policies. */
+  private static Stream<YardstickScore> yardstickScores(List<CaseResult> cases) {
+    return Cases.by(cases, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
         .map(group -> group.subList(0, 1))
         .flatMap(
             first ->
                 Stream.of(Yardstick.values())
-                    .flatMap(yardstick -> runs(first).map(run -> new Measure(run, yardstick))))
-        .filter(row -> !Double.isNaN(row.yardstick.score(row.run.run)));
+                    .flatMap(
+                        yardstick -> runs(first).map(run -> new YardstickScore(run, yardstick))))
+        .filter(row -> !Double.isNaN(row.yardstick.score(row.run.scored)));
   }
 
-  /** The case of the same scenario and policy under the first detection, if another. */
-  private static Optional<CaseResult> firstDetection(CaseResult one, List<CaseResult> cases) {
+  /**
+   * The case of the same scenario and policy under the first detection; empty if it is the same.
+   */
+  private static Optional<CaseResult> firstDetection(CaseResult result, List<CaseResult> cases) {
     return cases.stream()
         .filter(
             other ->
-                other.plan().scenario().equals(one.plan().scenario())
-                    && other.plan().policy().equals(one.plan().policy()))
+                other.plan().scenario().equals(result.plan().scenario())
+                    && other.plan().policy().equals(result.plan().policy()))
         .findFirst()
-        .filter(other -> !other.plan().equals(one.plan()));
+        .filter(other -> !other.plan().equals(result.plan()));
   }
 }

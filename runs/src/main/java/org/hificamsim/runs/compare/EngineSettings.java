@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 
 /**
- * How and where to compute; nothing that a result depends on.
+ * How and where to compute runs. No result depends on it.
  *
  * @param catalogue of this process
  * @param threads of this machine, 1 or more

@@ -9,13 +9,15 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
 /**
- * A finished run with its k_min and its score, step by step.
+ * A finished run with the k_min and the score of each step.
  *
- * @param scores of the steps; without any where the score is k_min
+ * @param scores of the steps; empty if the score is k_min
  */
 public record FinishedRun(RunResult result, int[] kMin, double[] scores) implements Serializable {
   private static final int MAX_PARTS = 50;
-  private static final double REACHED = 0.9; // of the final level
+
+  /** The share of the final level from which a run counts as settled. */
+  private static final double SETTLED = 0.9;
 
   /** Computes one repeat of a plan. */
   public static FinishedRun of(RunExecutor executor, RunPlan plan, int repeat) {
@@ -37,18 +39,18 @@ public record FinishedRun(RunResult result, int[] kMin, double[] scores) impleme
     return scores.length == 0 ? kMin[step] : scores[step];
   }
 
-  /** The mean score in equal parts of the run, fifty where it is long enough. */
-  double[] levels() {
+  /** The mean score in each of fifty equal parts of the run; in each step if there are fewer. */
+  double[] partMeans() {
     int parts = Math.min(MAX_PARTS, kMin.length);
-    double[] levels = new double[parts];
+    double[] means = new double[parts];
     for (int part = 0; part < parts; part++) {
       int from = start(part, parts, kMin.length);
       int to = start(part + 1, parts, kMin.length);
       for (int step = from; step < to; step++) {
-        levels[part] += score(step) / (to - from);
+        means[part] += score(step) / (to - from);
       }
     }
-    return levels;
+    return means;
   }
 
   /** The step at which a part begins; for {@code part == parts}, the number of steps. */
@@ -57,13 +59,14 @@ public record FinishedRun(RunResult result, int[] kMin, double[] scores) impleme
   }
 
   /**
-   * How soon the run reaches its final level: the first step, from 0, from which the mean k_min of
-   * a window of 5% of the run is at least 90% of the mean over its last tenth; NaN where that is 0.
+   * The first step, from 0, at which the run has reached its final level: the mean k_min of the
+   * window of 5% of the run that begins there is at least 90% of the mean over the last tenth of
+   * the run. NaN if that mean is 0.
    */
   double settling() {
     int tail = Math.max(1, kMin.length / 10);
     int window = Math.max(1, kMin.length / 20);
-    double level = REACHED * sum(kMin.length - tail, kMin.length) / tail * window;
+    double level = SETTLED * sum(kMin.length - tail, kMin.length) / tail * window;
     if (level == 0) {
       return Double.NaN;
     }

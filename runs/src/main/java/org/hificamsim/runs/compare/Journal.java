@@ -34,12 +34,12 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.runs.RunResult;
 
 /**
- * Finished runs in a file, one line of JSON with a checksum each, appended as they finish. A
- * process killed while it writes leaves a line without its end, which the next one drops; damaged
- * lines are counted. Those runs are done again.
+ * A file of finished runs, each a line of JSON with a checksum, which is appended when the run
+ * finishes. An incomplete last line, left by a killed process, is dropped; damaged lines are
+ * counted. The runs of such lines are computed again.
  */
 public final class Journal implements Closeable {
-  /** The file's name in the folder of a comparison. */
+  /** The name of the file in the folder of a comparison. */
   public static final String NAME = ".compare.journal";
 
   private static final String RUNS = "runs.jsonl";
@@ -48,13 +48,14 @@ public final class Journal implements Closeable {
   private static final int MAX_LINE = 1 << 28; // bytes
   private static final int CHUNK = 1 << 16; // bytes
 
+  /** Where a line is in the file, in bytes. */
   private record Line(long start, int length) {}
 
   private final Path file;
   private final FileChannel channel;
   private final Map<String, Line> lines = new HashMap<>();
-  private final List<Integer> damaged = new ArrayList<>();
-  private int count;
+  private final List<Integer> damagedLines = new ArrayList<>();
+  private int lineCount;
 
   private Journal(Path file, FileChannel channel) {
     this.file = file;
@@ -62,11 +63,11 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Opens a journal to add to.
+   * Opens a journal for adding runs.
    *
-   * @param folder held for as long as the journal is open
-   * @param name the file's
-   * @param resume whether runs found there count; otherwise they are dropped
+   * @param folder which stays open for as long as the journal
+   * @param name of the file
+   * @param resume whether runs in it are kept; otherwise they are dropped
    * @throws InputException when the file is a link
    */
   public static Journal open(OutputFolder folder, String name, boolean resume) throws IOException {
@@ -89,10 +90,10 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Opens the journal of a shard to add to.
+   * Opens the journal of a shard for adding runs.
    *
-   * @param resume whether runs found there count; otherwise there may be none
-   * @throws InputException when there is one that would be replaced, or another file of its name
+   * @param resume whether runs in it are kept; otherwise the file must not exist
+   * @throws InputException when the file exists and may not, or is not a journal
    */
   public static Journal ofShard(OutputFolder folder, boolean resume) throws IOException {
     Path file = folder.path().resolve(RUNS);
@@ -101,15 +102,15 @@ public final class Journal implements Closeable {
           "'%s' would be replaced: expected another folder, or %s to keep its runs",
           file, setting("resume"));
     }
-    if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && !begins(file)) {
+    if (Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS) && !isJournal(file)) {
       throw InputException.of(
           "'%s' would be replaced, and no shard wrote it: expected another folder", file);
     }
     return open(folder, RUNS, resume);
   }
 
-  /** Whether a file begins as a journal does; a killed command may have left a part of a line. */
-  private static boolean begins(Path file) throws IOException {
+  /** Whether a file begins like a journal; a killed command may have left only part of a line. */
+  private static boolean isJournal(Path file) throws IOException {
     try (InputStream in = Files.newInputStream(file)) {
       byte[] found = in.readNBytes(BEGIN.length);
       return Arrays.equals(found, Arrays.copyOf(BEGIN, found.length));
@@ -117,7 +118,7 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * Opens the journal of a shard to read it.
+   * Opens the journal of a shard for reading.
    *
    * @throws InputException when it is missing
    */
@@ -147,22 +148,24 @@ public final class Journal implements Closeable {
   }
 
   private void index(long start, long end) throws IOException {
-    count++;
+    lineCount++;
     Line line = new Line(start, (int) Math.min(MAX_LINE, end - start));
     Optional<JournalLine> run = JournalLine.parse(bytes(line));
-    run.ifPresentOrElse(one -> lines.put(one.key(), line), () -> damaged.add(count));
+    run.ifPresentOrElse(parsed -> lines.put(parsed.key(), line), () -> damagedLines.add(lineCount));
   }
 
-  /** Says which lines are damaged; empty where none is. */
+  /** A message about the damaged lines; empty if there are none. */
   public Optional<String> damage() {
-    return damaged.isEmpty()
+    return damagedLines.isEmpty()
         ? Optional.empty()
         : Optional.of(
             Texts.format(
                 "%s:%s: the line is damaged%s",
                 file,
-                damaged.get(0),
-                damaged.size() == 1 ? "" : ", and " + (damaged.size() - 1) + " more are"));
+                damagedLines.get(0),
+                damagedLines.size() == 1
+                    ? ""
+                    : ", and " + (damagedLines.size() - 1) + " more are"));
   }
 
   private byte[] bytes(Line line) throws IOException {
@@ -173,15 +176,16 @@ public final class Journal implements Closeable {
     return bytes.array();
   }
 
-  /** Whether a run was finished before. */
+  /** Whether the journal has a run. */
   boolean has(String key, long seed) {
     return lines.containsKey(JournalLine.key(key, seed));
   }
 
   /**
-   * Refuses to mix: what is found here must not come from other inputs under the same names.
+   * Checks that the runs in the journal are of the same inputs as a comparison's. Inputs of other
+   * names may be among them.
    *
-   * @throws InputException naming the input that has changed
+   * @throws InputException naming an input that has changed under the same name
    */
   void requireUnchanged(List<RunKey> keys) {
     lines.keySet().stream()
@@ -199,21 +203,21 @@ public final class Journal implements Closeable {
             });
   }
 
-  /** The result of a run that was finished before. */
+  /** A run in the journal; empty if it is not there. */
   synchronized Optional<FinishedRun> find(String key, long seed) throws IOException {
     Line line = lines.get(JournalLine.key(key, seed));
     return line == null ? Optional.empty() : JournalLine.parse(bytes(line)).map(JournalLine::run);
   }
 
-  /** Appends a finished run, in one write. */
+  /** Appends a finished run. */
   synchronized void add(String key, long seed, FinishedRun run) throws IOException {
-    ByteBuffer line = ByteBuffer.wrap(new JournalLine(JournalLine.key(key, seed), run).line());
+    ByteBuffer line = ByteBuffer.wrap(new JournalLine(JournalLine.key(key, seed), run).bytes());
     while (line.hasRemaining()) {
       channel.write(line);
     }
   }
 
-  /** Removes the journal, once the results are in their place. */
+  /** Deletes the journal when the results are in place. */
   public void finish() throws IOException {
     close();
     Files.deleteIfExists(file);
@@ -225,17 +229,19 @@ public final class Journal implements Closeable {
   }
 
   /**
-   * A finished run as a line of a journal.
+   * A line of a journal: a finished run.
    *
-   * @param key of the plan and the seed
+   * @param key made of the plan's key and the seed
    */
   private record JournalLine(String key, FinishedRun run) {
-    /** The line's JSON but for its first property, a checksum; k_min and scores are compressed. */
+    /** The JSON without its first property, a checksum; k_min and scores are compressed. */
     @JsonIgnoreProperties("sum")
     private record Entry(String key, RunResult result, byte[] kMin, byte[] scores) {}
 
-    private static final int SUM = 16; // hexadecimal digits, the first of a SHA-256
-    private static final int HEAD = head(new byte[0]).length();
+    /** The number of hexadecimal digits that are kept of a SHA-256. */
+    private static final int CHECKSUM_DIGITS = 16;
+
+    private static final int HEAD_LENGTH = head(new byte[0]).length();
     private static final ObjectMapper MAPPER =
         new ObjectMapper()
             .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
@@ -246,14 +252,14 @@ public final class Journal implements Closeable {
       return plan + "/" + seed;
     }
 
-    /** The plan's part of a key. */
+    /** The key of the plan within a key. */
     static String plan(String key) {
       return key.substring(0, Math.max(0, key.lastIndexOf('/')));
     }
 
-    /** The run in a line; empty where it is damaged. */
+    /** Reads a line; empty if it is damaged. */
     static Optional<JournalLine> parse(byte[] line) {
-      byte[] rest = Arrays.copyOfRange(line, Math.min(HEAD, line.length), line.length);
+      byte[] rest = Arrays.copyOfRange(line, Math.min(HEAD_LENGTH, line.length), line.length);
       String head = new String(line, 0, line.length - rest.length, StandardCharsets.UTF_8);
       if (!head.equals(head(rest))) {
         return Optional.empty();
@@ -268,8 +274,8 @@ public final class Journal implements Closeable {
       }
     }
 
-    /** The line with its end. */
-    byte[] line() throws IOException {
+    /** The line as bytes, with its line end. */
+    byte[] bytes() throws IOException {
       byte[] kMin = pack(Arrays.stream(run.kMin()).asDoubleStream().toArray());
       Entry entry = new Entry(key, run.result(), kMin, pack(run.scores()));
       byte[] text = MAPPER.writeValueAsBytes(entry);
@@ -281,9 +287,9 @@ public final class Journal implements Closeable {
       return line.toByteArray();
     }
 
-    /** What stands before the rest of a line. */
+    /** The beginning of a line: the checksum of the rest. */
     private static String head(byte[] rest) {
-      String sum = Sha256.of(rest).substring(0, SUM);
+      String sum = Sha256.of(rest).substring(0, CHECKSUM_DIGITS);
       return "{\"sum\":\"" + sum + "\",";
     }
 

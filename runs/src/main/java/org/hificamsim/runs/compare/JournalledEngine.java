@@ -7,11 +7,10 @@ import java.util.Optional;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * An engine whose finished runs are kept in a journal: those that are there already are not
- * computed again.
+ * An engine that keeps finished runs in a journal and does not compute those again that it has.
  *
- * @param engine where the others are computed, configured
- * @param progress is notified of each run
+ * @param engine that computes the other runs; it is configured already
+ * @param progress which is notified of each run
  */
 public record JournalledEngine(RunEngine engine, Journal journal, RunProgress progress)
     implements RunEngine {
@@ -23,8 +22,8 @@ public record JournalledEngine(RunEngine engine, Journal journal, RunProgress pr
   /**
    * {@inheritDoc}
    *
-   * @throws org.hificamsim.core.InputException when the journal has runs of other inputs that have
-   *     the names of these
+   * @throws org.hificamsim.core.InputException when the journal has runs of other inputs of the
+   *     same names
    */
   @Override
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {

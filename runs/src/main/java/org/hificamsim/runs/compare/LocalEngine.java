@@ -13,7 +13,7 @@ import org.hificamsim.runs.RunPlan;
 
 /** Computes runs on the threads of this machine. */
 public final class LocalEngine implements RunEngine {
-  /** The name of the engine that is used by default. */
+  /** The name of the default engine. */
   public static final String NAME = "local";
 
   private RunExecutor executor;

@@ -11,14 +11,14 @@ import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 
-/** The runs of a comparison from the folders of its shards, as an engine that computes nothing. */
+/** An engine that computes nothing: it takes the runs of a comparison from its shards' folders. */
 public final class MergedShards implements RunEngine {
   private final List<Path> folders;
 
   /**
-   * Checks that all runs are there.
+   * Checks that the folders have all runs.
    *
-   * @param folders of {@code --shard} runs
+   * @param folders of shards
    * @param plans of the whole comparison, made by {@link ReferencePolicies#with}
    * @throws InputException when a run is missing, damaged, or of another input of the same name
    */

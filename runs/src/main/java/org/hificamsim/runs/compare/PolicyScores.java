@@ -5,14 +5,15 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.statistics.Strata;
 
 /**
- * A policy under a detection, over all scenarios.
+ * The results of a policy under a detection in all scenarios.
  *
- * @param cases one per scenario
+ * @param cases one for each scenario
  */
 public record PolicyScores(List<CaseResult> cases) {
-  /** The policies of cases, in the order of their first appearance. */
+  /** The policies of cases, in the order in which they first occur. */
   public static List<PolicyScores> of(List<CaseResult> cases) {
-    return Cases.by(cases, one -> List.of(one.plan().detection().name(), one.plan().policy()))
+    return Cases.by(
+            cases, result -> List.of(result.plan().detection().name(), result.plan().policy()))
         .values()
         .stream()
         .map(PolicyScores::new)
@@ -28,14 +29,16 @@ public record PolicyScores(List<CaseResult> cases) {
     return cases.get(0).plan().policy();
   }
 
-  /** What policies are compared by: their share of the leading yardstick, else the score. */
+  /**
+   * The metric by which policies are compared: the share of the first yardstick, else the score.
+   */
   Metric metric() {
     return Yardstick.metric(cases);
   }
 
-  /** The same figures, by scenario. */
+  /** The values of that metric, by scenario. */
   public Strata scores() {
     Metric metric = metric();
-    return Strata.of(cases.stream().map(one -> one.figures(metric)).toList());
+    return Strata.of(cases.stream().map(result -> result.figures(metric)).toList());
   }
 }

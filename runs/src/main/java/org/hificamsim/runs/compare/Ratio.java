@@ -10,62 +10,62 @@ import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
- * The proportion of Table 8.1: the performance of several cases together over that of their optima,
- * a ratio of sums. Intervals come from drawing seeds again, the same seeds for everything in a
- * difference.
+ * The proportion of Table 8.1: the sum of the performance of several cases over the sum of that of
+ * their optima. Intervals are computed by drawing seeds again; both sides of a difference get the
+ * same seeds.
  *
- * @param performance the sum over the cases, by seed
- * @param optimum the same of the reference policies
+ * @param performance summed over the cases, by seed
+ * @param optimum the performance of the optima, summed in the same way
  */
 public record Ratio(double[] performance, double[] optimum) {
-  /** Cases over their own optima. */
+  /** The performance of cases over that of their own optima. */
   public static Ratio of(List<CaseResult> cases) {
     return over(cases, cases);
   }
 
-  /** Cases over the optima of other cases. */
+  /** The performance of cases over that of the optima of other cases. */
   public static Ratio over(List<CaseResult> cases, List<CaseResult> others) {
     return new Ratio(
         sums(cases, run -> run.result().value(Metric.PERFORMANCE)),
         sums(others, ScoredRun::optimum));
   }
 
-  /** Cases over the performance of other cases. */
+  /** The performance of cases over that of other cases. */
   public static Ratio overPerformance(List<CaseResult> cases, List<CaseResult> others) {
     return new Ratio(of(cases).performance, of(others).performance);
   }
 
-  private static double[] sums(List<CaseResult> cases, ToDoubleFunction<ScoredRun> figure) {
+  private static double[] sums(List<CaseResult> cases, ToDoubleFunction<ScoredRun> value) {
     double[] sums = new double[cases.get(0).runs().size()];
-    for (CaseResult one : cases) {
-      Arrays.setAll(sums, seed -> sums[seed] + figure.applyAsDouble(one.runs().get(seed)));
+    for (CaseResult result : cases) {
+      Arrays.setAll(sums, seed -> sums[seed] + value.applyAsDouble(result.runs().get(seed)));
     }
     return sums;
   }
 
-  /** The ratio with its 95% interval; NaN throughout where no optimum is above 0. */
+  /** The ratio with its 95% interval; NaN if no optimum is above 0. */
   public Estimate estimate() {
     return Bootstrap.of(performance.length, this::at);
   }
 
-  /** The ratio without its interval, for which nothing is drawn. */
+  /** The ratio without an interval, so that nothing has to be drawn. */
   public double mean() {
     return at(IntStream.range(0, performance.length).toArray());
   }
 
-  /** What this is more than another, with its 95% interval. */
+  /** The difference to another ratio with its 95% interval. */
   public Estimate minus(Ratio other) {
     return Bootstrap.of(performance.length, seeds -> at(seeds) - other.at(seeds));
   }
 
-  /** The ratio of some seeds, each given by its number, perhaps repeatedly. */
+  /** The ratio for some seeds, given by their numbers, which may repeat. */
   public double at(int[] seeds) {
-    double over = 0;
-    double under = 0;
+    double numerator = 0;
+    double denominator = 0;
     for (int seed : seeds) {
-      over += performance[seed];
-      under += optimum[seed];
+      numerator += performance[seed];
+      denominator += optimum[seed];
     }
-    return under == 0 ? Double.NaN : over / under;
+    return denominator == 0 ? Double.NaN : numerator / denominator;
   }
 }

@@ -15,29 +15,29 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * The policies that a comparison runs in addition to those asked for, to score all others by; the
- * best fixed one where it can be found in memory.
+ * The yardsticks that a comparison runs in addition to its plans. The best fixed configuration is
+ * left out of plans for which its search would take too much memory.
  */
 public record ReferencePolicies(Set<Yardstick> yardsticks) {
   /** The exact optimum of every scenario and detection. */
   public static final ReferencePolicies OPTIMUM =
       new ReferencePolicies(EnumSet.of(Yardstick.OPTIMAL));
 
-  /** That, and the best configuration that never changes. */
+  /** The exact optimum, and the best configuration that never changes. */
   public static final ReferencePolicies OPTIMUM_AND_BEST_FIXED =
       new ReferencePolicies(EnumSet.of(Yardstick.OPTIMAL, Yardstick.BEST_FIXED));
 
   private static final String NONE = "none";
 
-  /** Bits that the search for the best fixed configuration may keep of a run: 12 MB. */
+  /** The most bits that the search for the best fixed configuration may keep: 12 MB. */
   private static final double MAX_BITS = 1e8;
 
-  /** Copies what could change. */
+  /** Copies the set. */
   public ReferencePolicies {
     yardsticks = Set.copyOf(yardsticks);
   }
 
-  /** What runs are scored by: the same for all policies. */
+  /** The runs that have the same yardsticks: those of all policies. */
   record Group(Scenario scenario, Detection detection, int steps) {
     static Group of(RunPlan plan) {
       return new Group(plan.scenario(), plan.detection(), plan.steps());
@@ -45,17 +45,17 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
   }
 
   /**
-   * The yardsticks of a text: their names with commas between, or {@code none}.
+   * Reads names of yardsticks with commas between, or {@code none}.
    *
    * @param option that an error names
-   * @throws InputException when one is unknown or there twice
+   * @throws InputException when a name is unknown or occurs twice
    */
   public static ReferencePolicies parse(String option, String text) {
     Set<Yardstick> asked = EnumSet.noneOf(Yardstick.class);
     for (String name : text.equals(NONE) ? new String[0] : text.split(",", -1)) {
       boolean added =
           Arrays.stream(Yardstick.values())
-              .filter(one -> one.policy().equals(name.strip()))
+              .filter(yardstick -> yardstick.policy().equals(name.strip()))
               .anyMatch(asked::add);
       if (!added) {
         throw new InputException(
@@ -67,7 +67,7 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
     return new ReferencePolicies(asked);
   }
 
-  /** The plans asked for, the optima that they lack, and then the other yardsticks. */
+  /** The plans, then the optima that they lack, then the other yardsticks. */
   public List<RunPlan> with(List<RunPlan> plans) {
     List<RunPlan> all = new ArrayList<>(withOptimum(plans));
     if (yardsticks.contains(Yardstick.BEST_FIXED)) {
@@ -80,7 +80,7 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
     return all;
   }
 
-  /** The plans asked for and the optima that they lack: those whose results are shown. */
+  /** The plans and the optima that they lack: the plans whose results are shown. */
   List<RunPlan> withOptimum(List<RunPlan> plans) {
     List<RunPlan> all = new ArrayList<>(plans);
     if (yardsticks.contains(Yardstick.OPTIMAL)) {
@@ -99,10 +99,10 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
     return List.copyOf(missing.values());
   }
 
-  /** It keeps a bit for each step, target, camera and view. */
+  /** The search keeps a bit for each step, target, camera and view. */
   private static boolean fits(RunPlan plan) {
     Scenario scenario = plan.scenario();
-    double views = scenario.everyCamera().mapToDouble(one -> views(scenario, one)).sum();
+    double views = scenario.everyCamera().mapToDouble(camera -> views(scenario, camera)).sum();
     return views * scenario.targets().size() * plan.steps() <= MAX_BITS;
   }
 

@@ -37,18 +37,18 @@ import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.PolicyFiles;
 
 /**
- * What a run's result depends on, but for its seed: two runs with the same key give the same
- * result.
+ * All that the result of a run depends on except its seed: two runs with the same key and seed have
+ * the same result.
  *
- * @param inputs what has a name and a content: this program, the users' classes on the class path,
- *     the scenario, the detection, the files that a policy decides by
- * @param settings each by its name, but for those that say which runs there are
+ * @param inputs with a name and a content: this program, the users' classes on the class path, the
+ *     scenario, the detection, the files that a policy reads
+ * @param settings by their names, without those that only say which runs there are
  */
 public record RunKey(List<Input> inputs, Map<String, String> settings) {
   /**
-   * An input with a content.
+   * A named input.
    *
-   * @param digest of the content
+   * @param digest of its content
    */
   public record Input(String kind, String name, String digest) {
     private boolean isChanged(Input other) {
@@ -68,7 +68,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     return of(List.of(plan)).get(0);
   }
 
-  /** The keys of plans, in their order. */
+  /** The keys of plans, in the same order. */
   static List<RunKey> of(List<RunPlan> plans) {
     List<Input> program = new ArrayList<>(userCode());
     program.add(program(ManifestFile.version()));
@@ -88,7 +88,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     return new RunKey(inputs, settings(plan));
   }
 
-  /** Without what is among the settings of the key, wherever it comes from. */
+  /** The scenario without what the key has among its settings. */
   private static Scenario withoutSettings(Scenario scenario) {
     return scenario.without(Scenario.DETECTION).without(Scenario.OBJECTIVE).without(Scenario.STEPS);
   }
@@ -103,7 +103,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
     return settings;
   }
 
-  /** The key of a text; one of an unknown version where it is none of ours. */
+  /** Reads a key; a text that is not a key becomes one of an unknown version. */
   public static RunKey read(String text) {
     try {
       return MAPPER.readValue(text, RunKey.class);
@@ -122,8 +122,8 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   }
 
   /**
-   * The input that has another content under the same name in another key; empty where results of
-   * both may stand side by side.
+   * An input that has the same name but another content in another key; empty if results of both
+   * keys may be in one table.
    */
   public Optional<String> changed(RunKey other) {
     return inputs.stream()
@@ -132,7 +132,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
         .map(Input::toString);
   }
 
-  /** Of all parameters; of a model that is code, of its class, which users' code is known by. */
+  /** A fitted model is identified by its parameters, other models by their class. */
   private static String digest(DetectionModel model) {
     return Sha256.of(
         model instanceof HiFiDetection fitted
@@ -149,9 +149,9 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   }
 
   /**
-   * The models, policies and movements that users' jars and folders on the class path bring, by
-   * their classes' names, each known by the content of its whole jar or folder. Libraries that they
-   * call in turn are not looked at.
+   * The users' own models, policies and movements on the class path, in the order of their classes'
+   * names. Each is identified by the content of its jar or folder, but not of the libraries that it
+   * calls.
    */
   private static List<Input> userCode() {
     return Stream.of(DetectionModel.class, ZoomPolicy.class, Movement.class)
@@ -163,7 +163,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
         .toList();
   }
 
-  /** Parts of the simulator's own are known by its version. */
+  /** Parts of the simulator are identified by its version. */
   private static boolean isOurs(Class<?> type) {
     return type.getName().startsWith("org.hificamsim.");
   }
@@ -177,31 +177,31 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   }
 
   /**
-   * Of all files of a jar or a folder but its manifest, results and what is hidden: a folder has
-   * the same digest as a jar that was made of it, as for a cluster.
+   * The digest of all files of a jar or folder except its manifest, hidden files and results. A
+   * folder and the jar that is made of it for a cluster have the same digest.
    */
   static String digest(Path place) {
     if (Files.isDirectory(place)) {
-      return Io.get(() -> ofFiles(place));
+      return Io.get(() -> digestOfFiles(place));
     }
     return Io.get(
         () -> {
           try (FileSystem jar = FileSystems.newFileSystem(place)) {
-            return ofFiles(jar.getPath("/"));
+            return digestOfFiles(jar.getPath("/"));
           }
         });
   }
 
-  private static String ofFiles(Path root) throws IOException {
+  private static String digestOfFiles(Path root) throws IOException {
     Map<String, String> digests = new TreeMap<>();
     Files.walkFileTree(
         root,
         new SimpleFileVisitor<>() {
           @Override
           public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
-            boolean counts =
-                folder.equals(root) || !(isHidden(folder) || OutputFolder.isOne(folder));
-            return counts ? FileVisitResult.CONTINUE : FileVisitResult.SKIP_SUBTREE;
+            boolean isSkipped =
+                !folder.equals(root) && (isHidden(folder) || OutputFolder.isOne(folder));
+            return !isSkipped ? FileVisitResult.CONTINUE : FileVisitResult.SKIP_SUBTREE;
           }
 
           @Override

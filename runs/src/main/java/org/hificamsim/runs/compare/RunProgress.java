@@ -1,15 +1,15 @@
 package org.hificamsim.runs.compare;
 
-/** Receives how far a comparison is. */
+/** Receives the progress of a comparison. */
 @FunctionalInterface
 public interface RunProgress {
-  /** One more run is finished; called from any thread. */
+  /** Called from any thread when a run is finished. */
   void advance();
 
   /**
-   * Some runs were finished by an earlier call; called once, before any other.
+   * Called once, before any other call, with the runs that an earlier call has finished.
    *
-   * @param runs how many, 0 or more
+   * @param runs their number, 0 or more
    */
   default void resume(long runs) {}
 }

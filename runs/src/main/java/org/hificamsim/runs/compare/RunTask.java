@@ -5,7 +5,7 @@ import java.io.Serializable;
 /**
  * One run of a comparison.
  *
- * @param plan the plan's place in the list of plans, from 0
- * @param repeat from 0
+ * @param plan the index of the plan in the list of plans
+ * @param repeat the number of the repeat, from 0
  */
 public record RunTask(int plan, int repeat) implements Serializable {}

@@ -8,15 +8,16 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * What one rung, or one detection of a comparison, says of the policies in one scenario: their mean
- * score by the scenario's objective. Of k_min by chance it is the expectation, which has no luck in
- * it: a policy that knows the luck gains nothing by it here.
+ * The mean scores of a step of the policies in one scenario under one rung, or one detection of a
+ * comparison. For k_min by chance it is the expected k_min, so that a policy that knows the luck
+ * gains nothing by it.
  *
  * @param score by policy, then by seed
- * @param optimum the mean score of the exact optimum, by seed; by chance it knows the luck
+ * @param optimum the mean score of the exact optimum, by seed; by chance, the optimum knows the
+ *     luck
  */
 public record RungScores(double[][] score, double[] optimum) {
-  /** The scores of some policies; all cases have the same scenario, detection and seeds. */
+  /** The scores of policies; all cases have the same scenario, detection and seeds. */
   public static RungScores of(List<CaseResult> cases) {
     return new RungScores(
         cases.stream().map(RungScores::score).toArray(double[][]::new),
@@ -25,8 +26,8 @@ public record RungScores(double[][] score, double[] optimum) {
             .toArray());
   }
 
-  private static double[] score(CaseResult one) {
-    return one.runs().stream().mapToDouble(run -> score(one.plan(), run)).toArray();
+  private static double[] score(CaseResult result) {
+    return result.runs().stream().mapToDouble(run -> score(result.plan(), run)).toArray();
   }
 
   private static double score(RunPlan plan, ScoredRun run) {
@@ -44,23 +45,23 @@ public record RungScores(double[][] score, double[] optimum) {
     return optimum.length;
   }
 
-  /** The mean of each policy over some seeds, each given by its number, perhaps repeatedly. */
+  /** The mean of each policy over some seeds, given by their numbers, which may repeat. */
   public double[] means(int[] seeds) {
-    return Arrays.stream(score).mapToDouble(one -> mean(one, seeds)).toArray();
+    return Arrays.stream(score).mapToDouble(bySeed -> mean(bySeed, seeds)).toArray();
   }
 
   /** The mean of each policy over all seeds. */
   public double[] means() {
-    return means(all());
+    return means(allSeeds());
   }
 
-  private int[] all() {
+  private int[] allSeeds() {
     return IntStream.range(0, seeds()).toArray();
   }
 
-  /** The policies with the best mean over all seeds: more than one where they tie. */
+  /** The policies with the best mean over all seeds; several if they tie. */
   public int[] best() {
-    return best(all());
+    return best(allSeeds());
   }
 
   /** The policies with the best mean over some seeds. */
@@ -70,15 +71,15 @@ public record RungScores(double[][] score, double[] optimum) {
     return IntStream.range(0, means.length).filter(policy -> means[policy] == best).toArray();
   }
 
-  /** Each policy's place, 1 for the best; those that tie share the better one. */
+  /** The rank of each policy, 1 for the best; policies that tie share the better rank. */
   public int[] ranks() {
     double[] means = means();
     return Arrays.stream(means)
-        .mapToInt(own -> 1 + (int) Arrays.stream(means).filter(other -> other > own).count())
+        .mapToInt(mean -> 1 + (int) Arrays.stream(means).filter(other -> other > mean).count())
         .toArray();
   }
 
-  /** The mean over some policies and seeds: what to expect of picking any of them. */
+  /** The mean over some policies and seeds: the expected score of a random one of them. */
   public double mean(int[] policies, int[] seeds) {
     return Arrays.stream(policies)
         .mapToDouble(policy -> mean(score[policy], seeds))

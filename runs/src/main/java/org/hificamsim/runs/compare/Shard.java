@@ -12,22 +12,22 @@ import org.hificamsim.runs.RunPlan;
 /**
  * One of the equal parts of a comparison.
  *
- * @param number which part, 1 to {@code of}
- * @param of how many parts there are
+ * @param number of the part, 1 to {@code count}
+ * @param count the number of parts
  */
-public record Shard(int number, int of) {
+public record Shard(int number, int count) {
   private static final Pattern FORM = Pattern.compile("(\\d{1,7})/(\\d{1,7})");
 
   /**
    * Reads {@code i/n}.
    *
-   * @throws InputException when it is none, or i is not in [1, n]
+   * @throws InputException when the text has another form, or i is not in [1, n]
    */
   public static Shard parse(String text) {
     Matcher form = FORM.matcher(text);
     if (form.matches()) {
       Shard shard = new Shard(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
-      if (shard.number >= 1 && shard.number <= shard.of) {
+      if (shard.number >= 1 && shard.number <= shard.count) {
         return shard;
       }
     }
@@ -36,9 +36,9 @@ public record Shard(int number, int of) {
   }
 
   /**
-   * This part's runs. Every run is in one part; of a case, as of the whole, no part has more than
-   * one run more than another. Case by case the seeds begin one further, so that a part does not
-   * get the same seeds of all.
+   * The runs of this part. Every run is in one part, and parts differ by at most one run, in each
+   * case and in total. The first seed moves on by one from case to case, so that a part gets other
+   * seeds of each.
    *
    * @param plans of the whole comparison
    */
@@ -48,7 +48,7 @@ public record Shard(int number, int of) {
     for (int plan = 0; plan < plans.size(); plan++) {
       int repeats = plans.get(plan).repeats();
       for (int turn = 0; turn < repeats; turn++) {
-        if (position++ % of == number - 1) {
+        if (position++ % count == number - 1) {
           tasks.add(new RunTask(plan, (turn + plan) % repeats));
         }
       }
@@ -58,6 +58,6 @@ public record Shard(int number, int of) {
 
   @Override
   public String toString() {
-    return number + "/" + of;
+    return number + "/" + count;
   }
 }

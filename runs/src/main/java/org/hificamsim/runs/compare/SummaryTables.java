@@ -19,16 +19,14 @@ import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.output.TextTable;
 import org.hificamsim.runs.statistics.Aggregate;
 
-/**
- * What a comparison says in short: the tables that it prints, and {@code summary.tex} for papers.
- */
+/** The summary of a comparison: the tables that it prints, and {@code summary.tex} for papers. */
 public final class SummaryTables {
   private static final String LATEX = "summary.tex";
 
   /**
-   * A column of figures.
+   * A column of a table.
    *
-   * @param format of a number; null for a score, whose objective has it
+   * @param format of a number; null for a score, which is formatted by its objective
    */
   private record Figure(String title, String format, Metric metric) {}
 
@@ -37,32 +35,32 @@ public final class SummaryTables {
   private static final Figure PROPORTION = share(Yardstick.OPTIMAL);
   private static final Figure OF_BOUND = share(Yardstick.BOUND);
 
-  /** Of the optimum it is what adapting is worth. */
+  /** In the row of the optimum, this is the value of adapting. */
   private static final Figure OVER_FIXED = share(Yardstick.BEST_FIXED);
 
   private SummaryTables() {}
 
-  private static Figure share(Yardstick of) {
-    return new Figure(of.title(), "%.3f", of.share());
+  private static Figure share(Yardstick yardstick) {
+    return new Figure(yardstick.title(), "%.3f", yardstick.share());
   }
 
-  /** One row per case, its score compared with the reference policies. */
+  /** A row for each case, with its score compared with the yardsticks. */
   public static TextTable cases(List<CaseResult> cases) {
     return table(cases, shown(cases), true);
   }
 
-  /** What the scores of some cases say, by scenario; nothing where all are k_min. */
+  /** The meaning of the scores in each scenario; empty if all are k_min. */
   public static List<String> meanings(List<CaseResult> cases) {
     return isOfKMin(cases)
         ? List.of()
         : cases.stream()
-            .map(one -> one.plan().scenario())
-            .map(one -> one.name() + ", score: " + ScoreText.meaning(one.objective()))
+            .map(result -> result.plan().scenario())
+            .map(site -> site.name() + ", score: " + ScoreText.meaning(site.objective()))
             .distinct()
             .toList();
   }
 
-  /** One row per case: what is covered, for cases whose score says nothing. */
+  /** A row for each case with its coverage, for cases whose scores are all 0. */
   public static TextTable coverage(List<CaseResult> cases) {
     List<Figure> figures =
         Stream.of(Metric.COVERED_0, Metric.COVERED_1, Metric.COVERED_K, Metric.MEAN_K)
@@ -71,38 +69,41 @@ public final class SummaryTables {
     return table(cases, figures, true);
   }
 
-  /** How much of what is possible the best policy of each scenario and detection reaches. */
+  /**
+   * A line for each scenario and detection: the share of the bound that the best policy reaches.
+   */
   public static List<String> atLeast(List<CaseResult> cases) {
-    List<CaseResult> known = cases.stream().filter(one -> !Double.isNaN(ofBound(one))).toList();
-    return Cases.by(known, one -> ReferencePolicies.Group.of(one.plan())).values().stream()
+    List<CaseResult> known =
+        cases.stream().filter(result -> !Double.isNaN(ofBound(result))).toList();
+    return Cases.by(known, result -> ReferencePolicies.Group.of(result.plan())).values().stream()
         .map(group -> atLeast(Collections.max(group, comparingDouble(SummaryTables::ofBound))))
         .toList();
   }
 
-  private static double ofBound(CaseResult one) {
-    return Estimate.mean(one.figures(Metric.PROPORTION_OF_BOUND)).mean();
+  private static double ofBound(CaseResult result) {
+    return Estimate.mean(result.figures(Metric.PROPORTION_OF_BOUND)).mean();
   }
 
-  private static String atLeast(CaseResult one) {
-    RunPlan plan = one.plan();
+  private static String atLeast(CaseResult result) {
+    RunPlan plan = result.plan();
     return "%s, %s: %s reaches at least %s %% of what is possible"
         .formatted(
             plan.scenario().name(),
             plan.detection().name(),
             plan.policy(),
-            (int) Math.floor(100 * ofBound(one)));
+            (int) Math.floor(100 * ofBound(result)));
   }
 
-  /** One row per detection and policy, over all scenarios. */
+  /** A row for each detection and policy, over all scenarios. */
   public static TextTable aggregates(List<PolicyScores> policies) {
     TextTable table =
         new TextTable(2, List.of("detection", "policy", "interquartile mean", "optimality gap"));
-    for (PolicyScores one : policies) {
-      Map<Aggregate, Estimate> estimates = Aggregate.estimates(one.scores());
+    for (PolicyScores policy : policies) {
+      Map<Aggregate, Estimate> estimates = Aggregate.estimates(policy.scores());
       table.row(
           List.of(
-              one.detection(),
-              one.policy(),
+              policy.detection(),
+              policy.policy(),
               estimates.get(Aggregate.IQM).text("%.3f"),
               estimates.get(Aggregate.OPTIMALITY_GAP).text("%.3f")));
     }
@@ -114,7 +115,7 @@ public final class SummaryTables {
    *
    * @param asked the cases that were asked for: every policy under every detection in every
    *     scenario
-   * @param all those, and the optima that they are compared with
+   * @param all also the optima that they are compared with
    */
   public static void writeLatex(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
       throws IOException {
@@ -141,52 +142,52 @@ public final class SummaryTables {
   }
 
   private static boolean isOfKMin(List<CaseResult> cases) {
-    return cases.stream().noneMatch(one -> one.plan().objective().hasOwnFigure());
+    return cases.stream().noneMatch(result -> result.plan().objective().hasOwnFigure());
   }
 
-  /** The figures that say something of these cases, the score first. */
+  /** The columns that apply to these cases, the score first. */
   private static List<Figure> shown(List<CaseResult> cases) {
     List<Figure> shown =
         new ArrayList<>(
             List.of(isOfKMin(cases) ? PERFORMANCE : SCORE, PROPORTION, OF_BOUND, OVER_FIXED));
-    for (Yardstick one : Yardstick.values()) {
-      shown.removeIf(figure -> figure.metric == one.share() && !one.isIn(cases));
+    for (Yardstick yardstick : Yardstick.values()) {
+      shown.removeIf(figure -> figure.metric == yardstick.share() && !yardstick.isIn(cases));
     }
     return shown;
   }
 
-  private static TextTable table(List<CaseResult> cases, List<Figure> figures, boolean counted) {
+  private static TextTable table(List<CaseResult> cases, List<Figure> figures, boolean showsCount) {
     List<String> header = new ArrayList<>(List.of("scenario", "detection", "policy"));
     figures.forEach(figure -> header.add(figure.title));
     TextTable table = new TextTable(3, header);
-    for (CaseResult one : cases) {
+    for (CaseResult result : cases) {
       List<String> row = new ArrayList<>();
-      row.add(one.plan().scenario().name());
-      row.add(one.plan().detection().name());
-      row.add(one.plan().policy());
-      figures.forEach(figure -> row.add(text(one, figure, counted)));
+      row.add(result.plan().scenario().name());
+      row.add(result.plan().detection().name());
+      row.add(result.plan().policy());
+      figures.forEach(figure -> row.add(text(result, figure, showsCount)));
       table.row(row);
     }
     return table;
   }
 
   /**
-   * A figure's mean.
+   * The mean in a cell.
    *
-   * @param counted whether the number of runs that have it stands before it, if not all do
+   * @param showsCount whether the number of runs with a value is put first if not all have one
    */
-  private static String text(CaseResult one, Figure figure, boolean counted) {
-    double[] figures = one.figures(figure.metric);
+  private static String text(CaseResult result, Figure figure, boolean showsCount) {
+    double[] figures = result.figures(figure.metric);
     int known = Estimate.known(figures).length;
-    boolean some = known > 0 && known < figures.length;
-    String count = counted && some ? known + "/" + figures.length + ": " : "";
+    boolean isPartial = known > 0 && known < figures.length;
+    String count = showsCount && isPartial ? known + "/" + figures.length + ": " : "";
     return count
         + (figure.format == null
-            ? ScoreText.of(one.plan(), figures)
+            ? ScoreText.of(result.plan(), figures)
             : figure.metric.shown(figures).text(figure.format));
   }
 
-  /** The cases of each scenario together: the optima come last otherwise. */
+  /** The cases ordered by scenario, so that the optima do not all come last. */
   private static List<CaseResult> byScenario(List<CaseResult> cases) {
     return Cases.byScenario(cases).values().stream().flatMap(List::stream).toList();
   }

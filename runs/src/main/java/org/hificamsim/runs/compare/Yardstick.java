@@ -9,14 +9,14 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * What all scores of a scenario, detection and seed are measured by: a policy that is run in
- * addition to those asked for. Where there are several, the first here leads.
+ * A policy that is run in addition, and with which all scores of the same scenario, detection and
+ * seed are compared. If there are several, the first in this order is the main one.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Yardstick {
   /** The exact optimum of each step. */
   OPTIMAL("the optimum", "of the optimum", ScoredRun::optimum, Metric.PROPORTION_OF_OPTIMAL),
-  /** What no configuration of a step exceeds; perhaps none reaches it. */
+  /** A bound that no configuration of a step exceeds, and perhaps none reaches. */
   BOUND(
       "a bound on the optimum",
       "of the optimum, at least",
@@ -41,14 +41,14 @@ public enum Yardstick {
     this.share = share;
   }
 
-  /** What leads in some cases; empty where only what was asked for was run. */
+  /** The main yardstick of cases; empty if they have none. */
   public static Optional<Yardstick> of(List<CaseResult> cases) {
-    return Arrays.stream(values()).filter(one -> one.isIn(cases)).findFirst();
+    return Arrays.stream(values()).filter(yardstick -> yardstick.isIn(cases)).findFirst();
   }
 
-  /** Whether a policy is one of them, and none that a network could choose. */
-  static boolean isOne(String policy) {
-    return Arrays.stream(values()).anyMatch(one -> one.policy().equals(policy));
+  /** Whether a policy is a yardstick, and not one that a network could use. */
+  static boolean isYardstick(String policy) {
+    return Arrays.stream(values()).anyMatch(yardstick -> yardstick.policy().equals(policy));
   }
 
   /** The metric by which the policies of some cases are compared. */
@@ -56,37 +56,37 @@ public enum Yardstick {
     return of(cases).map(Yardstick::share).orElse(Metric.SCORE);
   }
 
-  /** Whether some of the cases are measured by it. */
+  /** Whether some of the cases have this yardstick. */
   boolean isIn(List<CaseResult> cases) {
-    return cases.stream().anyMatch(one -> !Double.isNaN(score(one.runs().get(0))));
+    return cases.stream().anyMatch(result -> !Double.isNaN(score(result.runs().get(0))));
   }
 
-  /** Its name: that of the policy which is run. */
+  /** The name of the policy that is run. */
   public String policy() {
     return Spelling.of(this);
   }
 
-  /** What it is, within a sentence. */
+  /** The name within a sentence. */
   public String noun() {
     return noun;
   }
 
-  /** What a share of it is called in tables. */
+  /** The title of a column with shares of this yardstick. */
   public String title() {
     return title;
   }
 
-  /** Whether it is a bound on what is possible, and not what a configuration reached. */
+  /** Whether the score is a bound, and not that of a configuration. */
   public boolean isBound() {
     return this == BOUND;
   }
 
-  /** What it came to with a run; NaN where it was not run. */
+  /** The score of the yardstick next to a run; NaN if it was not run. */
   double score(ScoredRun run) {
     return score.applyAsDouble(run);
   }
 
-  /** A run's score over what it came to. */
+  /** The metric that is a run's score over that of the yardstick. */
   public Metric share() {
     return share;
   }

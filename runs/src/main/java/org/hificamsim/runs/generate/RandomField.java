@@ -10,23 +10,23 @@ import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * Cameras and targets at random places of a field, with the zoom levels of the thesis and, unless
- * said otherwise, the density of its cluster scenarios: 14 cameras on 30 m by 20 m.
+ * Generates cameras and targets at random positions of a field, with the zoom levels of the thesis
+ * and, by default, the density of its cluster scenarios: 14 cameras on 30 m by 20 m.
  *
  * @param cameras 1 or more
  * @param targets 1 or more; they go straight at 1 m a step and are 0.66 m in size
  * @param area square metres for each camera, above 0
- * @param seed of the places and headings
+ * @param seed of the positions and headings
  */
 public record RandomField(int cameras, int targets, double area, long seed) {
   /** Square metres for each camera in the cluster scenarios. */
   public static final double CLUSTER_AREA = 30.0 * 20.0 / 14;
 
-  /** Targets for each camera, about as in the published scenarios. */
+  /** The number of targets for each camera, about as in the published scenarios. */
   public static final double TARGETS_PER_CAMERA = 0.6;
 
   private static final List<Double> ZOOMS = List.of(2.5, 3.75, 5.0, 6.25, 7.5);
-  private static final double RATIO = 1.5;
+  private static final double WIDTH_TO_HEIGHT = 1.5;
 
   /** A field at the cluster scenarios' density with 0.6 targets for each camera. */
   public static RandomField ofCameras(int cameras, long seed) {
@@ -34,10 +34,9 @@ public record RandomField(int cameras, int targets, double area, long seed) {
     return new RandomField(cameras, targets, CLUSTER_AREA, seed);
   }
 
-  /** Half as wide again as it is high. */
   Field field() {
-    double height = Math.sqrt(cameras * area / RATIO);
-    return new Field(0, RATIO * height, 0, height);
+    double height = Math.sqrt(cameras * area / WIDTH_TO_HEIGHT);
+    return new Field(0, WIDTH_TO_HEIGHT * height, 0, height);
   }
 
   /** The scenario, the same for the same arguments. */
@@ -53,24 +52,24 @@ public record RandomField(int cameras, int targets, double area, long seed) {
 
   private List<CameraSpec> cameras(Field field, SplittableRandom random) {
     double widest = ZOOMS.get(ZOOMS.size() - 1);
-    List<CameraSpec> all = new ArrayList<>();
+    List<CameraSpec> specs = new ArrayList<>();
     for (int camera = 1; camera <= cameras; camera++) {
       double x = random.nextDouble(field.maxX());
       double y = random.nextDouble(field.maxY());
-      all.add(new CameraSpec("C" + camera, x, y, widest));
+      specs.add(new CameraSpec("C" + camera, x, y, widest));
     }
-    return all;
+    return specs;
   }
 
   private List<TargetSpec> targets(Field field, SplittableRandom random) {
-    List<TargetSpec> all = new ArrayList<>();
+    List<TargetSpec> specs = new ArrayList<>();
     for (int target = 1; target <= targets; target++) {
       double x = random.nextDouble(field.maxX());
       double y = random.nextDouble(field.maxY());
       double heading = random.nextDouble(360);
-      all.add(
+      specs.add(
           new TargetSpec(target, x, y).with(TargetSpec.HEADING, heading).with(TargetSpec.SPEED, 1));
     }
-    return all;
+    return specs;
   }
 }

@@ -11,6 +11,7 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacle.Wall;
 import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.DraftOptics;
@@ -20,11 +21,11 @@ import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * A site made at random: cameras with lenses, three in four of which pan, people who walk from one
- * place to another, and walls.
+ * Generates a random site: cameras with lenses, three in four of which pan, people who walk between
+ * random positions, and walls.
  *
- * @param size how many cameras and people, on which area, from which seed
- * @param walls 0 or more
+ * @param size the numbers of cameras and people, the area and the seed
+ * @param walls the number of walls, 0 or more
  */
 public record RandomSite(RandomField size, int walls) {
   /** Square metres for each camera, as on a campus. */
@@ -33,12 +34,12 @@ public record RandomSite(RandomField size, int walls) {
   private static final int STEPS = 300;
   private static final double PEOPLE_PER_CAMERA = 1.5;
   private static final Extent PERSON = new Extent(0.5, 1.75);
-  private static final double SLOWEST = 0.8; // m/s
-  private static final double FASTEST = 1.6;
-  private static final double CENTI = 100;
+  private static final double MIN_SPEED = 0.8; // m/s
+  private static final double MAX_SPEED = 1.6;
+  private static final double CENTIMETRES = 100; // of a metre
 
-  /** The usual size: one and a half people for each camera. */
-  public static RandomField usual(int cameras, long seed) {
+  /** The default size: one and a half people for each camera. */
+  public static RandomField size(int cameras, long seed) {
     int people = (int) Math.max(1, Math.round(PEOPLE_PER_CAMERA * cameras));
     return new RandomField(cameras, people, AREA, seed);
   }
@@ -53,69 +54,73 @@ public record RandomSite(RandomField size, int walls) {
     Field field = new Field(0, Math.ceil(exact.maxX()), 0, Math.ceil(exact.maxY()));
     SplittableRandom random = new SplittableRandom(size.seed());
     Obstacles obstacles =
-        new Obstacles(new RandomWalls(field, Math.sqrt(size.area()), random).of(walls));
-    Strewn strewn = new Strewn(field, obstacles, random);
+        new Obstacles(new RandomWalls(field, Math.sqrt(size.area()), random).draw(walls));
+    FreePositions positions = new FreePositions(field, obstacles, random);
     return new Scenario("random-" + size.cameras(), field)
         .with(Scenario.ORDER, StepOrder.COVERAGE)
         .with(Scenario.DETECTION, "oodpcvs-2025:level=discern")
         .with(Scenario.OBJECTIVE, Objective.parse("covered:k=1"))
         .with(Scenario.STEPS, STEPS)
         .with(Scenario.OBSTACLES, obstacles.all())
-        .with(Scenario.CAMERAS, strewn.all(size.cameras(), strewn::camera))
-        .with(Scenario.TARGETS, strewn.all(size.targets(), strewn::person));
+        .with(Scenario.CAMERAS, positions.draw(size.cameras(), positions::camera))
+        .with(Scenario.TARGETS, positions.draw(size.targets(), positions::person));
   }
 
-  /** To the centimetre. */
-  private static double metres(double value) {
-    return Math.rint(value * CENTI) / CENTI;
+  /** A length, rounded to centimetres. */
+  private static double rounded(double value) {
+    return Math.rint(value * CENTIMETRES) / CENTIMETRES;
   }
 
-  /** What stands off all walls. */
-  private record Strewn(Field field, Obstacles obstacles, SplittableRandom random) {
-    <T> List<T> all(int count, BiFunction<Integer, double[], T> one) {
-      List<T> all = new ArrayList<>();
-      while (all.size() < count) {
-        all.add(one.apply(all.size() + 1, free()));
+  /** Draws cameras and people at positions outside all walls. */
+  private record FreePositions(Field field, Obstacles obstacles, SplittableRandom random) {
+    /**
+     * @param make makes a camera or person of its number, from 1, and its position
+     */
+    <T> List<T> draw(int count, BiFunction<Integer, Point, T> make) {
+      List<T> drawn = new ArrayList<>();
+      while (drawn.size() < count) {
+        drawn.add(make.apply(drawn.size() + 1, position()));
       }
-      return all;
+      return drawn;
     }
 
-    private double[] free() {
-      double[] at = {draw(field.minX(), field.maxX()), draw(field.minY(), field.maxY())};
-      return obstacles.containing(at[0], at[1]).isEmpty() ? at : free();
+    private Point position() {
+      double x = draw(field.minX(), field.maxX());
+      double y = draw(field.minY(), field.maxY());
+      return obstacles.containing(x, y).isEmpty() ? new Point(x, y) : position();
     }
 
     private double draw(double from, double to) {
-      return metres(random.nextDouble(from, to));
+      return rounded(random.nextDouble(from, to));
     }
 
-    CameraSpec camera(int number, double[] at) {
+    CameraSpec camera(int number, Point position) {
       return DraftOptics.camera(
           "C" + number,
           number % 4 == 0 ? DraftOptics.BULLET : DraftOptics.DOME,
-          at[0],
-          at[1],
-          draw(field.minX(), field.maxX()), // it looks at any place
+          position.x(),
+          position.y(),
+          draw(field.minX(), field.maxX()), // the point that it looks at
           draw(field.minY(), field.maxY()));
     }
 
-    TargetSpec person(int number, double[] at) {
-      return new TargetSpec(number, at[0], at[1])
+    TargetSpec person(int number, Point position) {
+      return new TargetSpec(number, position.x(), position.y())
           .with(TargetSpec.MOVE, "RandomWaypoint")
-          .with(TargetSpec.SPEED, draw(SLOWEST, FASTEST))
+          .with(TargetSpec.SPEED, draw(MIN_SPEED, MAX_SPEED))
           .withExtent(PERSON);
     }
   }
 
   /**
-   * Walls parallel to the sides of a field, at random places. They keep apart from each other and
-   * from the field's borders, so that nothing is enclosed.
+   * Draws walls at random positions, parallel to the sides of the field. They keep a distance from
+   * each other and from the borders, so that nothing is enclosed.
    */
   private static final class RandomWalls {
-    private static final double SHORTEST = 0.1; // of the scale, as the others
-    private static final double LONGEST = 0.5;
+    private static final double MIN_LENGTH = 0.1; // of the scale, as the next two
+    private static final double MAX_LENGTH = 0.5;
     private static final double GAP = 0.04;
-    private static final int TRIES = 1_000;
+    private static final int MAX_TRIES = 1_000; // for one wall
 
     private final Field field;
     private final double scale;
@@ -123,7 +128,7 @@ public record RandomSite(RandomField size, int walls) {
     private final List<Wall> walls = new ArrayList<>();
 
     /**
-     * @param scale the side of a camera's share of the field, metres
+     * @param scale the side of the square that each camera has of the field, metres
      */
     RandomWalls(Field field, double scale, SplittableRandom random) {
       this.field = field;
@@ -132,11 +137,11 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     /**
-     * This many walls.
+     * Draws walls.
      *
      * @throws InputException when there is no room for them
      */
-    List<Obstacle> of(int count) {
+    List<Obstacle> draw(int count) {
       while (walls.size() < count) {
         add(count);
       }
@@ -144,9 +149,9 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     private void add(int count) {
-      for (int i = 0; i < TRIES; i++) {
+      for (int i = 0; i < MAX_TRIES; i++) {
         Wall wall = draw();
-        if (staysInside(wall) && walls.stream().allMatch(other -> apart(wall, other))) {
+        if (staysInside(wall) && walls.stream().allMatch(other -> areApart(wall, other))) {
           walls.add(wall);
           return;
         }
@@ -161,11 +166,12 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     private Wall draw() {
-      double x = metres(random.nextDouble(field.minX(), field.maxX()));
-      double y = metres(random.nextDouble(field.minY(), field.maxY()));
-      double length = metres(scale * random.nextDouble(SHORTEST, LONGEST));
-      boolean along = random.nextBoolean();
-      return new Wall(x, y, along ? metres(x + length) : x, along ? y : metres(y + length), 0);
+      double x = rounded(random.nextDouble(field.minX(), field.maxX()));
+      double y = rounded(random.nextDouble(field.minY(), field.maxY()));
+      double length = rounded(scale * random.nextDouble(MIN_LENGTH, MAX_LENGTH));
+      boolean isHorizontal = random.nextBoolean();
+      return new Wall(
+          x, y, isHorizontal ? rounded(x + length) : x, isHorizontal ? y : rounded(y + length), 0);
     }
 
     private boolean staysInside(Wall wall) {
@@ -174,12 +180,12 @@ public record RandomSite(RandomField size, int walls) {
           && field.contains(wall.x2() + gap, wall.y2() + gap);
     }
 
-    private boolean apart(Wall one, Wall other) {
+    private boolean areApart(Wall first, Wall second) {
       double gap = scale * GAP;
-      return one.x1() > other.x2() + gap
-          || other.x1() > one.x2() + gap
-          || one.y1() > other.y2() + gap
-          || other.y1() > one.y2() + gap;
+      return first.x1() > second.x2() + gap
+          || second.x1() > first.x2() + gap
+          || first.y1() > second.y2() + gap
+          || second.y1() > first.y2() + gap;
     }
   }
 }

@@ -1,2 +1,2 @@
-/** Scenarios made at random, of any size. */
+/** Generators of random scenarios, and of the layouts of sites in the benchmark. */
 package org.hificamsim.runs.generate;
