@@ -1,5 +1,7 @@
 package org.hificamsim.runs;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -15,12 +17,12 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 
 /**
- * A detection as users name it: {@code NAME} or {@code FILE.json}, or either with a threshold or a
- * rule of its own, {@code NAME@T}, {@code NAME@chance:alpha=0.01}.
+ * A detection as users name it: {@code NAME} or {@code FILE.json}, optionally with a threshold or a
+ * rule, as {@code NAME@T} or {@code NAME@chance:alpha=0.01}.
  *
- * @param text as users name it
- * @param threshold the detection's own, in [0, 1]
- * @param rule the detection's own
+ * @param text the name
+ * @param threshold in the name, in [0, 1]
+ * @param rule in the name
  */
 public record DetectionSpec(
     String text, DetectionModel model, Optional<Double> threshold, Optional<DetectionRule> rule) {
@@ -34,36 +36,37 @@ public record DetectionSpec(
   }
 
   /**
-   * Reads one.
+   * Reads a name.
    *
    * @param models finds a model by its name or file
    * @throws InputException when there is no such model, or its threshold or rule is wrong
    */
   public static DetectionSpec parse(String text, Function<String, DetectionModel> models) {
-    Matcher parts = WITH_THRESHOLD.matcher(text);
-    Matcher ruled = WITH_RULE.matcher(text);
-    if (parts.matches()) {
-      Optional<Double> own = Optional.of(Threshold.parse("threshold", parts.group(2)));
-      return new DetectionSpec(text, models.apply(parts.group(1)), own, Optional.empty());
+    Matcher withThreshold = WITH_THRESHOLD.matcher(text);
+    Matcher withRule = WITH_RULE.matcher(text);
+    if (withThreshold.matches()) {
+      DetectionModel model = models.apply(withThreshold.group(1));
+      double threshold = Threshold.parse("threshold", withThreshold.group(2));
+      return new DetectionSpec(text, model, Optional.of(threshold), Optional.empty());
     }
-    if (ruled.matches()) {
-      String rule = text.substring(ruled.end(1) + 1).replace(';', ',');
-      DetectionModel model = models.apply(ruled.group(1));
+    if (withRule.matches()) {
+      String rule = text.substring(withRule.end(1) + 1).replace(';', ',');
+      DetectionModel model = models.apply(withRule.group(1));
       return new DetectionSpec(
           text, model, Optional.empty(), Optional.of(DetectionRule.parse(rule)));
     }
     return new DetectionSpec(text, models.apply(text), Optional.empty(), Optional.empty());
   }
 
-  /** The same by this rule unless it has one of its own. */
+  /** The same detection by another rule if its name has none. */
   public DetectionSpec or(DetectionRule other) {
     return new DetectionSpec(text, model, threshold, rule.or(() -> Optional.of(other)));
   }
 
   /**
-   * The detection of a scenario: the one that is asked for, else the scenario's, else the default.
+   * The detection for a scenario: the one that is asked for, else the scenario's, else the default.
    *
-   * @param file where the scenario was read, for errors
+   * @param file of the scenario, for errors
    * @throws InputException when there is no such model, or its threshold or rule is wrong
    */
   public static Detection of(Settings asked, Scenario scenario, Path file, Catalogue catalogue) {
@@ -81,60 +84,60 @@ public record DetectionSpec(
     }
   }
 
-  /** The detection where no scenario has a say. */
+  /** The detection without regard to a scenario. */
   public Detection detection(Settings asked) {
     return detection(asked, OptionalDouble.empty(), Optional.empty());
   }
 
   /**
-   * The detection with the first rule or threshold that there is: its own, the one that is asked
-   * for, the scenario's, the default. A threshold asks for the rule of thresholds. That of a
-   * scenario which names a detection is for that one alone.
+   * The detection with the first rule or threshold of these: the one in its name, the one that is
+   * asked for, the scenario's, the default. A threshold that is asked for implies the rule of
+   * thresholds. The threshold of a scenario that names a detection applies to that detection only.
    *
    * @throws InputException when both a threshold and a rule of chance are asked for
    */
   public Detection detection(Settings asked, Scenario scenario) {
-    boolean another =
+    boolean replacesDetection =
         scenario.find(Scenario.DETECTION).isPresent()
             && asked.source(Setting.DETECTION, scenario) == SettingSource.OPTION;
-    return detection(
-        asked, another ? OptionalDouble.empty() : scenario.threshold(), scenario.detect());
+    OptionalDouble threshold = replacesDetection ? OptionalDouble.empty() : scenario.threshold();
+    return detection(asked, threshold, scenario.detect());
   }
 
   Detection detection(
-      Settings asked, OptionalDouble ofScenario, Optional<DetectionRule> ruleOfScenario) {
-    Optional<Double> asThreshold = asked.asked(Setting.THRESHOLD).map(Threshold::parse);
-    DetectionRule first =
-        rule(asThreshold, asked.asked(Setting.DETECT).map(DetectionRule::parse))
+      Settings asked, OptionalDouble thresholdOfScenario, Optional<DetectionRule> ruleOfScenario) {
+    Optional<Double> askedThreshold = asked.asked(Setting.THRESHOLD).map(Threshold::parse);
+    DetectionRule used =
+        rule(askedThreshold, asked.asked(Setting.DETECT).map(DetectionRule::parse))
             .or(() -> ruleOfScenario)
             .orElseGet(DetectionRule.Threshold::new);
-    if (!first.certain()) {
-      return Detection.by(first, name(first), model);
+    if (!used.certain()) {
+      return Detection.by(used, name(used), model);
     }
-    double used =
+    double usedThreshold =
         threshold
-            .or(() -> asThreshold)
-            .orElseGet(() -> ofScenario.orElse(model.defaultThreshold()));
-    return new Detection(name(first), model, used);
+            .or(() -> askedThreshold)
+            .orElseGet(() -> thresholdOfScenario.orElse(model.defaultThreshold()));
+    return new Detection(name(used), model, usedThreshold);
   }
 
-  /** The rule that the detection itself or, after it, the user asks for. */
+  /** The rule in the name of the detection, else the one that the user asks for. */
   private Optional<DetectionRule> rule(
-      Optional<Double> asThreshold, Optional<DetectionRule> askedRule) {
+      Optional<Double> askedThreshold, Optional<DetectionRule> askedRule) {
     if (rule.isPresent() || threshold.isPresent()) {
       return rule.or(() -> Optional.of(new DetectionRule.Threshold()));
     }
-    if (asThreshold.isPresent() && askedRule.isPresent() && !askedRule.get().certain()) {
+    if (askedThreshold.isPresent() && askedRule.isPresent() && !askedRule.get().certain()) {
       throw InputException.of(
-          "threshold is %s, expected none with detect=%s",
-          asThreshold.get(), askedRule.get().text());
+          "%s is %s, expected none with %s",
+          setting("threshold"), askedThreshold.get(), setting("detect", askedRule.get().text()));
     }
-    return askedRule.or(() -> asThreshold.map(value -> new DetectionRule.Threshold()));
+    return askedRule.or(() -> askedThreshold.map(value -> new DetectionRule.Threshold()));
   }
 
   /**
-   * The name in result files: the model's with its own threshold or, unless that is by a threshold,
-   * with the rule; {@link #parse} understands it.
+   * The name in result files, which {@link #parse} can read: the name of the model, with the
+   * threshold in this name or with a rule other than that of thresholds.
    */
   private String name(DetectionRule used) {
     return used.certain()

@@ -9,42 +9,43 @@ import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 import org.hificamsim.core.Texts;
 
 /**
- * A value with its 95% interval, whose ends are NaN where there is none. All intervals over seeds
- * are made here, by Hall (On the Removal of Skewness by Transformation, 1992) with Student's
- * quantiles: Student's interval where values lie evenly about their mean, and longer towards the
- * side where they scatter further. A mean has its standard error and skewness from its values,
- * anything else from what a bootstrap draws.
+ * A value with its 95% interval. All intervals over seeds are computed here, by Hall's method (On
+ * the Removal of Skewness by Transformation, 1992) with Student's quantiles: Student's interval for
+ * values that are symmetric about their mean, and one that is longer on the side where they scatter
+ * more for others. The standard error and skewness of a mean come from its values, those of other
+ * figures from the draws of a bootstrap.
  *
- * @param mean of runs, or what else is estimated; NaN where there is none
+ * @param mean of runs, or another figure; NaN if there is none
+ * @param low the lower end of the interval; NaN if there is none
+ * @param high the upper end; NaN if there is none
  */
 public record Estimate(double mean, double low, double high) {
-  /** With fewer seeds than these, an interval is wide, and another seed may change what it says. */
+  /** With fewer seeds, an interval is wide, and another seed may change the conclusion. */
   public static final int ENOUGH_SEEDS = 10;
 
   private static final double LEVEL = 0.95;
 
-  /** The skewness of so few values is chance alone. */
-  private static final int TOO_FEW = 3;
+  /** The skewness of up to this many values is ignored: it is due to chance. */
+  private static final int MAX_WITHOUT_SKEWNESS = 3;
 
-  /** The sign of a number that is 0 to the digits shown. */
-  private static final Pattern NO_MINUS = Pattern.compile("-(?=0(\\.0*)?(?![.\\d]))");
+  /** The minus of a number that is 0 in the printed digits. */
+  private static final Pattern MINUS_OF_ZERO = Pattern.compile("-(?=0(\\.0*)?(?![.\\d]))");
 
-  /** Below it, the transformation is none to the precision of its formula. */
-  private static final double EVEN = 1e-6;
+  /** A smaller skewness is ignored: the formula would lose precision. */
+  private static final double MIN_SKEWNESS = 1e-6;
 
   /**
-   * The mean of some values, of which a single one has no interval; values that are NaN are left
-   * out.
+   * The mean of values. NaN is left out; a single value has no interval.
    *
-   * @return NaN throughout where no value is left
+   * @return NaN for mean and interval if no value is left
    */
   public static Estimate mean(double[] values) {
     double[] known = known(values);
-    if (known.length <= 1) { // as most runs: without loading what statistics need
+    if (known.length <= 1) { // the usual case of a run, in which no statistics have to be loaded
       return single(known.length == 0 ? Double.NaN : known[0]);
     }
     double root = Math.sqrt(known.length);
-    double skewness = known.length > TOO_FEW ? skewness(known) / root : 0;
+    double skewness = known.length > MAX_WITHOUT_SKEWNESS ? skewness(known) / root : 0;
     double error = new StandardDeviation().evaluate(known) / root;
     return around(StatUtils.mean(known), error, skewness, known.length - 1);
   }
@@ -54,7 +55,7 @@ public record Estimate(double mean, double low, double high) {
     return mean(differences(values, paired));
   }
 
-  /** The differences of paired values, where both are known. */
+  /** The differences of paired values that are both known. */
   public static double[] differences(double[] values, double[] paired) {
     double[] differences = new double[values.length];
     Arrays.setAll(differences, i -> values[i] - paired[i]);
@@ -66,19 +67,19 @@ public record Estimate(double mean, double low, double high) {
     return Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
   }
 
-  /** A value without an interval: what a single run gives. */
+  /** A value without an interval, such as that of a single run. */
   public static Estimate single(double value) {
     return new Estimate(value, Double.NaN, Double.NaN);
   }
 
   /**
-   * A value with an interval from what a bootstrap has drawn for it. What is drawn scatters less
-   * than what further seeds would give, by the factor (n - 1) / n in the square, and is less skew;
-   * both are put right, so that a mean has the interval that it has without being drawn.
+   * A value with an interval from the draws of a bootstrap. The variance of draws is smaller than
+   * that of new seeds by the factor (n - 1) / n, and their skewness is smaller too. Both are
+   * corrected, so that a mean gets the same interval as without a bootstrap.
    *
-   * @param drawn none is NaN; where it is empty there is no interval
-   * @param seeds of all groups together
-   * @param groups of seeds, each drawn again for itself
+   * @param drawn without NaN; if it is empty, there is no interval
+   * @param seeds the number of seeds in all groups
+   * @param groups the number of groups, within each of which seeds were drawn
    */
   public static Estimate drawn(double value, double[] drawn, int seeds, int groups) {
     if (Double.isNaN(value) || drawn.length == 0) {
@@ -86,11 +87,12 @@ public record Estimate(double mean, double low, double high) {
     }
     double n = (double) seeds / groups;
     double error = Math.sqrt(n / (n - 1)) * new StandardDeviation().evaluate(drawn);
-    double skewness = n > TOO_FEW ? Math.sqrt(n * (n - 1)) / (n - 2) * skewness(drawn) : 0;
+    double skewness =
+        n > MAX_WITHOUT_SKEWNESS ? Math.sqrt(n * (n - 1)) / (n - 2) * skewness(drawn) : 0;
     return around(value, error, Math.max(-1, Math.min(1, skewness)), seeds - groups);
   }
 
-  /** 0 where all values are the same. */
+  /** The skewness of values; 0 if they are all equal. */
   private static double skewness(double[] values) {
     Skewness skewness = new Skewness();
     skewness.incrementAll(values);
@@ -98,9 +100,9 @@ public record Estimate(double mean, double low, double high) {
   }
 
   /**
-   * @param error its standard error
-   * @param skewness of its distribution, -1 to 1 as that of any mean
-   * @param freedom degrees of freedom, 1 or more
+   * @param error the standard error of the value
+   * @param skewness of the distribution of the value, -1 to 1 as for any mean
+   * @param freedom the degrees of freedom, 1 or more
    */
   private static Estimate around(double value, double error, double skewness, int freedom) {
     double t = new TDistribution(freedom).inverseCumulativeProbability((1 + LEVEL) / 2);
@@ -108,36 +110,36 @@ public record Estimate(double mean, double low, double high) {
         value, value - error * skewed(t, skewness), value - error * skewed(-t, skewness));
   }
 
-  /** What Hall's transformation makes t of. */
+  /** Hall's transformation of a quantile t. */
   private static double skewed(double t, double skewness) {
-    return Math.abs(skewness) < EVEN
+    return Math.abs(skewness) < MIN_SKEWNESS
         ? t
         : 3 / skewness * (Math.cbrt(1 + skewness * (t - skewness / 6)) - 1);
   }
 
-  /** The same, the interval held to what the figure can be. */
+  /** The same estimate with its interval cut to the range of the figure. */
   public Estimate within(double least, double most) {
     return new Estimate(mean, Math.max(least, low), Math.min(most, high));
   }
 
-  /** In another unit, of which one of this is {@code factor}. */
+  /** The same estimate multiplied by a factor. */
   public Estimate times(double factor) {
     return new Estimate(factor * mean, factor * low, factor * high);
   }
 
-  /** The same, moved by a known number. */
+  /** The same estimate plus a known number. */
   public Estimate plus(double known) {
     return new Estimate(mean + known, low + known, high + known);
   }
 
-  /** Whether there were several seeds, and all of them gave this value. */
+  /** Whether there were several seeds and all gave this value. */
   public boolean isTheSameInEverySeed() {
     return low == mean && high == mean;
   }
 
   /**
-   * The value with its interval in brackets, if it has one; that it is so in every seed, if it is;
-   * a dash where there is no value.
+   * The value with its interval in brackets if it has one, or with "in every seed" if all seeds
+   * gave it; a dash if there is no value.
    *
    * @param format of each number
    */
@@ -150,6 +152,6 @@ public record Estimate(double mean, double low, double high) {
     }
     return Double.isNaN(mean)
         ? "-"
-        : NO_MINUS.matcher(Texts.format(pattern, mean, low, high)).replaceAll("");
+        : MINUS_OF_ZERO.matcher(Texts.format(pattern, mean, low, high)).replaceAll("");
   }
 }

@@ -9,15 +9,14 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * A repeat whose steps have been added up, with what its policy says of it: what {@link Metric
- * metrics} are computed from.
+ * The sums over the steps of a repeat, from which {@link Metric metrics} are computed.
  *
- * @param traffic what the cameras sent each other
- * @param network what the cameras did together
- * @param proof what the policy proved; empty under one that does not claim to be the best
- * @param expectedGap what the least expected coverage might gain, over all steps; NaN where none is
- *     known
- * @param zones how much of them is seen as they ask
+ * @param traffic between the cameras
+ * @param network the sums of the cameras' cooperation
+ * @param proof of the policy; empty if it does not claim to be the best
+ * @param expectedGap the most that the least expected coverage could gain, summed over the steps;
+ *     NaN if it is not known
+ * @param zones the shares of the zones that are seen as they demand
  */
 public record Measured(
     RunCoverage coverage,
@@ -27,12 +26,12 @@ public record Measured(
     Optional<Proof> proof,
     double expectedGap,
     Zones zones) {
-  /** How much of the zones is met, all together and of the least one; NaN without zones. */
+  /** The share that is seen of all zones, and of the zone with the least; NaN without zones. */
   public record Zones(double met, double least) {
     static final Zones NONE = new Zones(Double.NaN, Double.NaN);
   }
 
-  /** A repeat under a policy. */
+  /** The sums of a repeat under a policy. */
   static Measured of(
       RunCoverage coverage,
       Objective objective,
@@ -48,23 +47,25 @@ public record Measured(
     return new Measured(coverage, objective, traffic, network, Proof.of(policy), gap, zones);
   }
 
-  /** A repeat that others ran. */
+  /** The sums of a repeat that another program ran. */
   public Measured(
       RunCoverage coverage, Objective objective, Traffic traffic, Optional<Proof> proof) {
     this(coverage, objective, traffic, NetworkSums.NONE, proof, Double.NaN, Zones.NONE);
   }
 
-  /** The number of steps that are not proven; NaN without a claim. */
+  /** The number of steps that are not proven; NaN if the policy claims nothing. */
   double unprovenSteps() {
     return proof.isPresent() ? proof.get().unprovenSteps() : Double.NaN;
   }
 
-  /** What the score could have been at most; NaN without a claim. */
+  /** The most that the score could have been; NaN if the policy claims nothing. */
   double bound() {
     return proof.isPresent() ? coverage.score() + proof.get().gap() : Double.NaN;
   }
 
-  /** What the least expected coverage could have been at most; NaN without a claim. */
+  /**
+   * The most that the least expected coverage could have been; NaN if the policy claims nothing.
+   */
   double leastExpectedKBound() {
     return coverage.leastExpectedK() + expectedGap / Math.max(1, coverage.steps());
   }

@@ -7,16 +7,16 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * How far a run's configurations are proven to be the best ones that its policy could take.
+ * What is proven of a run: whether its configurations are the best that its policy could choose.
  *
  * @param unprovenSteps the number of steps whose search ended without a proof
- * @param gap what the score might gain in those steps at most
+ * @param gap the most that the score could gain in those steps
  */
 public record Proof(long unprovenSteps, double gap) {
-  /** Of no steps at all. */
+  /** The proof of no steps. */
   public static final Proof OF_NOTHING = new Proof(0, 0);
 
-  /** What a policy proved; empty for one that does not claim to be the best. */
+  /** The proof of a policy; empty if it does not claim to be the best. */
   public static Optional<Proof> of(ZoomPolicy policy) {
     return policy instanceof ProvingZoomPolicy proving && !proving.ofExpectation()
         ? Optional.of(new Proof(proving.unprovenSteps(), proving.gap()))
@@ -24,9 +24,9 @@ public record Proof(long unprovenSteps, double gap) {
   }
 
   /**
-   * Says what is not proven.
+   * What is not proven, in words.
    *
-   * @param steps how many there were
+   * @param steps the number of all steps
    */
   public String missing(long steps, Objective objective) {
     return Texts.format(
@@ -37,7 +37,7 @@ public record Proof(long unprovenSteps, double gap) {
         gap == Math.rint(gap) ? Long.toString((long) gap) : Texts.format("%.3f", gap));
   }
 
-  /** What is proven of these steps and of others. */
+  /** The proof of these steps and of others together. */
   public Proof plus(Proof other) {
     return new Proof(unprovenSteps + other.unprovenSteps, gap + other.gap);
   }

@@ -16,16 +16,15 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
 
 /**
- * How far a camera detects a target straight ahead at one zoom level.
+ * The distance to which a camera detects a target on its optical axis at one zoom level.
  *
  * @param radius of the field of view, metres
- * @param detected the farthest distance at which the target is detected, metres; 0 where it is
- *     detected nowhere
+ * @param detected the largest distance at which the target is detected, metres; 0 if there is none
  */
 public record Reach(double radius, double detected) {
   private static final int MAX_LISTED = 10;
 
-  /** The reach at each zoom level of a scenario's cameras, each once, for its largest target. */
+  /** The different reaches of the zoom levels of a scenario's cameras for its largest target. */
   public static List<Reach> of(Scenario scenario, Detection detection) {
     double size = largestTarget(scenario);
     return World.zoomLevels(scenario).stream()
@@ -34,12 +33,12 @@ public record Reach(double radius, double detected) {
         .toList();
   }
 
-  /** The farthest distance at which a target is detected at any zoom level, metres. */
+  /** The largest distance at which a target is detected at any zoom level, metres. */
   public static double farthest(Scenario scenario, Detection detection) {
     return of(scenario, detection).stream().mapToDouble(Reach::detected).max().orElse(0);
   }
 
-  /** How far a target is detected at each zoom level, in words; by chance, half of the time. */
+  /** The reach at each zoom level in words; by chance, that of detections half of the time. */
   public static String describe(Scenario scenario, Detection detection) {
     List<String> levels =
         of(scenario, detection).stream()
@@ -65,7 +64,7 @@ public record Reach(double radius, double detected) {
         .orElse(TargetSpec.DEFAULT_SIZE);
   }
 
-  /** The most frequent size of a world's targets, the first one of equals; metres. */
+  /** The most frequent size of a world's targets, metres; the first if several are as frequent. */
   public static double usualTarget(World world) {
     Map<Double, Long> counts =
         IntStream.range(0, world.targets().count())
@@ -83,7 +82,7 @@ public record Reach(double radius, double detected) {
     DetectedDistances distances =
         model.dependsOnBearing()
             ? DetectedDistances.of(new OnAxis(model), size, zoom, detection.threshold())
-            : detection.distances(size, zoom); // which a simulation asks for, too
+            : detection.distances(size, zoom); // a simulation uses the same cached object
     int last = distances.intervals() - 1;
     return last < 0 ? 0 : Math.sqrt(distances.to(last));
   }

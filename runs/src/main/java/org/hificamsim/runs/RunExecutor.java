@@ -18,7 +18,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.ZoneRecorder;
 
-/** Runs a plan, one repeat after the other. */
+/** Runs the repeats of a plan one after the other. */
 public final class RunExecutor {
   private final Catalogue catalogue;
 
@@ -30,8 +30,8 @@ public final class RunExecutor {
   /**
    * Runs every repeat.
    *
-   * @param listeners makes the listeners of one repeat
-   * @return one result per repeat, in order
+   * @param listeners makes the listeners of a repeat, given its number
+   * @return one result for each repeat, in order
    */
   public List<RunResult> execute(RunPlan plan, IntFunction<List<StepListener>> listeners) {
     List<RunResult> results = new ArrayList<>();
@@ -50,25 +50,25 @@ public final class RunExecutor {
     return repeat(plan, run, catalogue.policies().create(plan.policy()), listeners);
   }
 
-  /** The same by a policy that may have no name. */
+  /** Runs one repeat with a policy that the catalogue need not know. */
   public RunResult repeat(RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
     RunCoverage coverage = new RunCoverage();
-    List<StepListener> all = new ArrayList<>(listeners);
-    all.add(0, coverage);
+    List<StepListener> allListeners = new ArrayList<>(listeners);
+    allListeners.add(0, coverage);
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
     ZoneRecorder zones = plan.scenario().zones().isEmpty() ? null : zones(plan);
     if (zones != null) {
-      all.add(zones);
+      allListeners.add(zones);
     }
-    Simulation simulation = simulation(plan, run, policy, all);
+    Simulation simulation = simulation(plan, run, policy, allListeners);
     run(simulation, plan, run);
     Channel channel = simulation.network().channel();
     NetworkSums sums = simulation.cooperation().sums();
-    Measured.Zones met =
+    Measured.Zones seenOfZones =
         zones == null ? Measured.Zones.NONE : new Measured.Zones(zones.met(), zones.least());
-    Measured measured = Measured.of(coverage, plan.objective(), policy, channel, sums, met);
+    Measured measured = Measured.of(coverage, plan.objective(), policy, channel, sums, seenOfZones);
     return RunResult.of(run, plan.seed(run), measured);
   }
 
@@ -82,9 +82,9 @@ public final class RunExecutor {
   }
 
   /**
-   * Checks that a plan can start: its movements exist and its policy suits its cameras.
+   * Checks that a plan can start: that its movements exist and its policy suits its cameras.
    *
-   * @throws org.hificamsim.core.InputException when it cannot
+   * @throws org.hificamsim.core.InputException when the plan cannot start
    */
   public void check(RunPlan plan) {
     simulation(plan, 0, catalogue.policies().create(plan.policy()), List.of());

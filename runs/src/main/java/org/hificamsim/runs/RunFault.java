@@ -2,7 +2,7 @@ package org.hificamsim.runs;
 
 import java.util.Arrays;
 
-/** A policy, model, movement or listener failed: in which run, at which step, how and where. */
+/** The failure of a policy, model, movement or listener, with the run, the step and the place. */
 public final class RunFault extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
@@ -19,13 +19,13 @@ public final class RunFault extends RuntimeException {
         cause);
   }
 
-  /** What failed and where, in one line: the first place that is not in Java's own library. */
+  /** The failure in one line, with the first place that is not in the JDK. */
   public static String describe(Throwable fault) {
-    String what = fault.getClass().getSimpleName() + ": " + fault.getMessage();
+    String message = fault.getClass().getSimpleName() + ": " + fault.getMessage();
     return Arrays.stream(fault.getStackTrace())
         .filter(frame -> !frame.getClassName().matches("(java|jdk|sun)\\..*"))
         .findFirst()
-        .map(frame -> what + " at " + frame)
-        .orElse(what);
+        .map(frame -> message + " at " + frame)
+        .orElse(message);
   }
 }

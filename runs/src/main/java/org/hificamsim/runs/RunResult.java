@@ -8,11 +8,11 @@ import java.util.Optional;
 import org.hificamsim.core.Texts;
 
 /**
- * What one repeat measured.
+ * The result of one repeat.
  *
  * @param values of the metrics that the run has on its own
- * @param gap what the score might gain at most in the steps whose configuration is not proven to be
- *     the best
+ * @param gap the most that the score could gain in the steps whose configuration is not proven to
+ *     be the best
  */
 public record RunResult(int run, long seed, EnumMap<Metric, Double> values, double gap)
     implements Serializable {
@@ -22,7 +22,7 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return new RunResult(run, seed, Metric.measure(measured), gap);
   }
 
-  /** A result of known values, of a policy that claims nothing. */
+  /** A result with known values of a policy that does not claim to be the best. */
   public static RunResult of(int run, long seed, Map<Metric, Double> values) {
     return new RunResult(run, seed, new EnumMap<>(values), 0);
   }
@@ -32,7 +32,7 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return values.containsKey(metric);
   }
 
-  /** A metric's value; NaN where the run does not have it. */
+  /** The value of a metric; NaN if the run does not have it. */
   public double value(Metric metric) {
     return values.getOrDefault(metric, Double.NaN);
   }
@@ -47,12 +47,12 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return value(Metric.SCORE);
   }
 
-  /** What the score could have been at most; NaN under a policy that claims nothing. */
+  /** The most that the score could have been; NaN if the policy does not claim to be the best. */
   public double bound() {
     return has(Metric.UNPROVEN_STEPS) ? score() + gap : Double.NaN;
   }
 
-  /** What the policy proved; empty under one that does not claim to be the best. */
+  /** The proof of the policy; empty if it does not claim to be the best. */
   public Optional<Proof> proof() {
     return has(Metric.UNPROVEN_STEPS)
         ? Optional.of(new Proof((long) value(Metric.UNPROVEN_STEPS), gap))
@@ -60,15 +60,17 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
   }
 
   /**
-   * What the least expected coverage of a step might have been higher at most, in the mean; 0 where
-   * that is proven to be the best, or where the policy does not claim it.
+   * The most that the least expected coverage of a step could have been higher, as a mean; 0 if it
+   * is proven to be the best, or the policy does not claim that.
    */
   private double expectedGap() {
-    double more = value(Metric.LEAST_EXPECTED_K_BOUND) - value(Metric.LEAST_EXPECTED_K);
-    return more > 0 ? more : 0;
+    double gain = value(Metric.LEAST_EXPECTED_K_BOUND) - value(Metric.LEAST_EXPECTED_K);
+    return gain > 0 ? gain : 0; // 0 for NaN
   }
 
-  /** In how many steps of a plan's repeats a policy's claim to be the best is not proven. */
+  /**
+   * The steps in which the claim to be the best is not proven, in words; empty if there are none.
+   */
   public static Optional<String> unprovenSteps(RunPlan plan, List<RunResult> results) {
     Proof proof =
         results.stream()
@@ -79,7 +81,7 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
         : Optional.empty();
   }
 
-  /** How much higher the least expected k might be, where the best one is not proven. */
+  /** How much higher the least expected k could be, in words; empty if it is proven to be best. */
   public static Optional<String> unprovenExpectation(List<RunResult> results) {
     double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
     return gap > 0
@@ -88,7 +90,7 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
         : Optional.empty();
   }
 
-  /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
+  /** The same result with another number: a seed may be any repeat of a plan. */
   public RunResult asRun(int repeat) {
     return new RunResult(repeat, seed, values, gap);
   }

@@ -2,30 +2,30 @@ package org.hificamsim.runs;
 
 import org.hificamsim.core.metrics.Objective;
 
-/** Scores of runs for people: the mean of a step, a share in percent. */
+/** Writes scores for people: as the mean of a step, and shares in percent. */
 public final class ScoreText {
   private ScoreText() {}
 
   /**
-   * The mean over runs.
+   * The mean over runs of a plan.
    *
-   * @param scores of runs of the plan, summed over their steps
+   * @param scores of the runs, each summed over its steps
    */
   public static String of(RunPlan plan, double[] scores) {
     return of(plan, Estimate.mean(scores).times(1.0 / plan.steps()));
   }
 
-  /** The same of what was made of such scores, of one step. */
+  /** The estimate of a step's score. */
   public static String of(RunPlan plan, Estimate score) {
-    boolean share = plan.objective().isShare();
-    double factor = share ? 100 : 1;
+    boolean isShare = plan.objective().isShare();
+    double factor = isShare ? 100 : 1;
     return score
         .times(factor)
-        .within(0, share ? factor : Double.POSITIVE_INFINITY)
-        .text(share ? "%.1f %%" : "%.3f");
+        .within(0, isShare ? factor : Double.POSITIVE_INFINITY)
+        .text(isShare ? "%.1f %%" : "%.3f");
   }
 
-  /** What such a number says. */
+  /** The meaning of such a number. */
   public static String meaning(Objective objective) {
     return objective.words() + (objective.isShare() ? "" : ", mean of the steps");
   }

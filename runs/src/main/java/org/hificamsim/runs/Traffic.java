@@ -5,33 +5,34 @@ import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * What the cameras of a run sent each other.
+ * The messages between the cameras of a run.
  *
- * @param messages one to all others counts once
- * @param bits of these
- * @param dropped messages that found no place in a queue; NaN over a perfect channel
+ * @param messages the number of messages; one to all other cameras counts once
+ * @param bits of these messages
+ * @param dropped the number of messages that found their sender's queue full; NaN over a perfect
+ *     channel
  */
 public record Traffic(long messages, long bits, double dropped) {
-  /** Nothing was sent. */
+  /** No messages. */
   public static final Traffic NONE = new Traffic(0, 0, Double.NaN);
 
-  /** What a policy sent over a channel. */
+  /** The messages of a policy over a channel. */
   static Traffic of(ZoomPolicy policy, Channel channel) {
     return new Traffic(policy.messages(), policy.bits(), 0).over(channel);
   }
 
-  /** The same over the channel that it went over. */
+  /** The same messages with the number that their channel dropped. */
   public Traffic over(Channel channel) {
     return new Traffic(messages, bits, channel.isPerfect() ? Double.NaN : channel.dropped());
   }
 
-  /** This, and what a network sent of the same run. */
+  /** These messages and those of the same run's network. */
   Traffic with(NetworkSums network) {
     return new Traffic(messages + network.messages(), bits + network.bits(), dropped);
   }
 
-  /** This, and more of the same run. */
-  public Traffic plus(Traffic more) {
-    return new Traffic(messages + more.messages, bits + more.bits, dropped + more.dropped);
+  /** These messages and others of the same run. */
+  public Traffic plus(Traffic other) {
+    return new Traffic(messages + other.messages, bits + other.bits, dropped + other.dropped);
   }
 }

@@ -1,2 +1,2 @@
-/** A run: what is to be run, its settings, its results. */
+/** A run: its plan, its settings, its metrics and results. */
 package org.hificamsim.runs;

@@ -63,7 +63,7 @@ public record PackedHeat(
           map.cells().columns(),
           map.cells().rows(),
           end,
-          figure.logarithmic(),
+          figure.isLogarithmic(),
           figure.tick(figure.ticks(end).get(0)),
           figure.tick(end));
     }

@@ -1,2 +1,2 @@
-/** Many plans side by side: run on all cores, safe to kill, summed up with intervals. */
+/** Comparisons of many plans: their runs, which may be interrupted and resumed, and statistics. */
 package org.hificamsim.runs.compare;

@@ -7,8 +7,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * What pictures and pages of a heat map show of each cell. NaN is nothing to show; 0 has a look of
- * its own.
+ * The figures of a cell that pictures and pages of a heat map can show. A cell with NaN is left
+ * empty; 0 has a colour of its own.
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum HeatFigure {
@@ -36,6 +36,7 @@ public enum HeatFigure {
       Unit.SHARE,
       place -> 1 - place.visitsCovered0());
 
+  /** What a figure counts, which decides its scale. */
   private enum Unit {
     CAMERAS,
     SHARE,
@@ -56,30 +57,31 @@ public enum HeatFigure {
     this.figure = figure;
   }
 
-  /** The figure of a cell; NaN for none. */
+  /** The figure of a cell; NaN if it has none. */
   public double of(Place place) {
     return figure.applyAsDouble(place);
   }
 
-  /** What it says, for a legend. */
+  /** The meaning, for a legend. */
   public String label() {
     return label;
   }
 
-  /** What 0 says, for a legend. */
+  /** The meaning of 0, for a legend. */
   public String never() {
     return never;
   }
 
-  /** Where its scale ends: at a whole number of cameras, at all steps or visits, at the most. */
+  /** The end of the scale: a whole number of cameras, all steps or visits, or the largest count. */
   public double end(HeatMap map) {
-    double most = map.places().stream().mapToDouble(this::of).filter(v -> v > 0).max().orElse(1);
+    double most =
+        map.places().stream().mapToDouble(this::of).filter(value -> value > 0).max().orElse(1);
     return unit == Unit.SHARE ? 1 : Math.max(1, Math.ceil(most));
   }
 
   /**
-   * Where a figure lies on a scale, in [0, 1]; counts by their logarithm, since a few cells have
-   * most of them.
+   * The position of a figure on the scale, in [0, 1]. Counts are logarithmic, because a few cells
+   * have most of them.
    */
   public double share(double figure, double end) {
     if (unit == Unit.COUNT) {
@@ -88,12 +90,12 @@ public enum HeatFigure {
     return figure / end;
   }
 
-  /** Whether its scale is logarithmic. */
-  public boolean logarithmic() {
+  /** Whether the scale is logarithmic. */
+  public boolean isLogarithmic() {
     return unit == Unit.COUNT;
   }
 
-  /** The numbers that are written along a scale, rising. */
+  /** The numbers along the scale, in ascending order. */
   public List<Double> ticks(double end) {
     return switch (unit) {
       case SHARE -> List.of(0.0, 0.25, 0.5, 0.75, 1.0);

@@ -6,22 +6,22 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.runs.cells.FieldCells;
 
 /**
- * How each cell of a field was covered over the steps of one or more runs.
+ * The coverage of each cell of a field over the steps of one or more runs.
  *
- * @param places by cell, in the order of {@link FieldCells}
+ * @param places one for each cell, in the order of {@link FieldCells}
  */
 public record HeatMap(FieldCells cells, List<Place> places) {
   /**
-   * One cell.
+   * The coverage of a cell.
    *
-   * @param meanK how many cameras would detect a target of the usual size in its middle, the mean
-   *     over the steps; by chance, the expected number. NaN where a solid obstacle stands
-   * @param covered0 the share of steps in which none would; by chance, the mean of the probability
-   * @param covered1 the same for exactly one
-   * @param coveredK the same for two or more
-   * @param visits how many targets were in the cell, summed over the steps
-   * @param visitsMeanK how many cameras detected these, the mean; NaN without any
-   * @param visitsCovered0 the share of these that none detected; NaN without any
+   * @param meanK the number of cameras that would detect a target of the usual size in the centre,
+   *     the mean over the steps; by chance, the expected number. NaN inside a solid obstacle
+   * @param covered0 the share of steps in which no camera would; by chance, the mean probability
+   * @param covered1 the same for exactly one camera
+   * @param coveredK the same for two or more cameras
+   * @param visits the number of targets in the cell, summed over the steps
+   * @param visitsMeanK the mean number of cameras that detected them; NaN without visits
+   * @param visitsCovered0 the share of them that no camera detected; NaN without visits
    */
   public record Place(
       double meanK,
@@ -31,8 +31,8 @@ public record HeatMap(FieldCells cells, List<Place> places) {
       long visits,
       double visitsMeanK,
       double visitsCovered0) {
-    /** Whether a target could stand in the middle of the cell. */
-    public boolean free() {
+    /** Whether a target could stand in the centre of the cell. */
+    public boolean isFree() {
       return !Double.isNaN(meanK);
     }
   }
@@ -60,8 +60,8 @@ public record HeatMap(FieldCells cells, List<Place> places) {
         100 * covered(), 100 * coveredK(), 100 * blind());
   }
 
-  /** The mean over the free cells; NaN where there are none. */
+  /** The mean over the free cells; NaN if there are none. */
   private double mean(ToDoubleFunction<Place> figure) {
-    return places.stream().filter(Place::free).mapToDouble(figure).average().orElse(Double.NaN);
+    return places.stream().filter(Place::isFree).mapToDouble(figure).average().orElse(Double.NaN);
   }
 }

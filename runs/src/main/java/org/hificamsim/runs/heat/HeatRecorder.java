@@ -15,43 +15,53 @@ import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * Makes a heat map of the steps that it receives, in one run after the other. What cameras see of
- * the cells is found once for each view; steps in which all cameras see as in the one before cost
- * next to nothing. Detections are independent, so the chances of no and of one camera follow from
- * those of each.
+ * Makes a heat map of the steps that it receives, run by run. What a camera sees of the cells is
+ * computed once for each view, and steps in which all cameras see what they saw in the step before
+ * are only counted. Detections are independent, so the probabilities of no camera and of one camera
+ * follow from the chances of each camera.
  */
 public final class HeatRecorder implements StepListener {
   private final FieldCells cells;
   private final Obstacles obstacles;
   private final ViewCells views;
-  private final double[] none; // of the steps that are being added, as is one
-  private final double[] one;
-  private final double[] covered0;
-  private final double[] covered1;
-  private final double[] k;
-  private final long[] visits;
-  private final long[] detections;
-  private final long[] uncovered;
-  private ViewCells.Seen[] seen = {};
-  private long alike;
-  private long added; // steps
+
+  /** The probability that no camera detects, by cell; of the steps that are being added. */
+  private final double[] chanceOfNone;
 
   /**
-   * @param world of the first run, for what does not change
-   * @param most cells along the field's longer side
+   * The probability that exactly one camera detects, by cell; of the steps that are being added.
    */
-  public HeatRecorder(World world, Detection detection, int most) {
-    this.cells = FieldCells.of(world.scenario().field(), most);
+  private final double[] chanceOfOne;
+
+  private final double[] covered0;
+  private final double[] covered1;
+  private final double[] cameras;
+  private final long[] visits;
+  private final long[] detectionsOfVisits;
+  private final long[] uncoveredVisits;
+
+  /** What each camera saw in the last steps, which are not added yet. */
+  private ViewCells.Seen[] seen = {};
+
+  private long equalSteps;
+  private long addedSteps;
+
+  /**
+   * @param world of the first run, for what is the same in all runs
+   * @param along the number of cells along the field's longer side
+   */
+  public HeatRecorder(World world, Detection detection, int along) {
+    this.cells = FieldCells.of(world.scenario().field(), along);
     this.obstacles = new Obstacles(world.scenario().obstacles());
     this.views = new ViewCells(cells, detection, obstacles, Reach.usualTarget(world));
-    none = new double[cells.count()];
-    one = new double[cells.count()];
+    chanceOfNone = new double[cells.count()];
+    chanceOfOne = new double[cells.count()];
     covered0 = new double[cells.count()];
     covered1 = new double[cells.count()];
-    k = new double[cells.count()];
+    cameras = new double[cells.count()];
     visits = new long[cells.count()];
-    detections = new long[cells.count()];
-    uncovered = new long[cells.count()];
+    detectionsOfVisits = new long[cells.count()];
+    uncoveredVisits = new long[cells.count()];
   }
 
   @Override
@@ -63,10 +73,10 @@ public final class HeatRecorder implements StepListener {
   public void stepped(OracleView network, StepCoverage coverage) {
     ViewCells.Seen[] now = views.now(network);
     if (now != seen) {
-      addAlike();
+      addEqualSteps();
       seen = now;
     }
-    alike++;
+    equalSteps++;
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
         addVisit(
@@ -75,68 +85,68 @@ public final class HeatRecorder implements StepListener {
     }
   }
 
-  private void addVisit(int cell, int cameras) {
+  private void addVisit(int cell, int detectingCameras) {
     if (cell >= 0) {
       visits[cell]++;
-      detections[cell] += cameras;
-      uncovered[cell] += cameras == 0 ? 1 : 0;
+      detectionsOfVisits[cell] += detectingCameras;
+      uncoveredVisits[cell] += detectingCameras == 0 ? 1 : 0;
     }
   }
 
   @Override
   public void ended(OracleView network) {
-    addAlike();
+    addEqualSteps();
   }
 
-  /** Adds the steps that were alike; none are left then. */
-  private void addAlike() {
-    Arrays.fill(none, 1);
-    Arrays.fill(one, 0);
-    for (ViewCells.Seen camera : seen) {
-      add(camera);
+  /** Adds the last steps, in which all cameras saw the same. */
+  private void addEqualSteps() {
+    Arrays.fill(chanceOfNone, 1);
+    Arrays.fill(chanceOfOne, 0);
+    for (ViewCells.Seen seenByCamera : seen) {
+      add(seenByCamera);
     }
-    for (int cell = 0; cell < none.length; cell++) {
-      covered0[cell] += alike * none[cell];
-      covered1[cell] += alike * one[cell];
+    for (int cell = 0; cell < chanceOfNone.length; cell++) {
+      covered0[cell] += equalSteps * chanceOfNone[cell];
+      covered1[cell] += equalSteps * chanceOfOne[cell];
     }
-    added += alike;
-    alike = 0;
+    addedSteps += equalSteps;
+    equalSteps = 0;
   }
 
-  private void add(ViewCells.Seen camera) {
-    for (int i = 0; i < camera.cells().length; i++) {
-      int cell = camera.cells()[i];
-      double chance = camera.chances()[i];
-      k[cell] += alike * chance;
-      one[cell] = one[cell] * (1 - chance) + none[cell] * chance;
-      none[cell] *= 1 - chance;
+  private void add(ViewCells.Seen seenByCamera) {
+    for (int i = 0; i < seenByCamera.cells().length; i++) {
+      int cell = seenByCamera.cells()[i];
+      double chance = seenByCamera.chances()[i];
+      cameras[cell] += equalSteps * chance;
+      chanceOfOne[cell] = chanceOfOne[cell] * (1 - chance) + chanceOfNone[cell] * chance;
+      chanceOfNone[cell] *= 1 - chance;
     }
   }
 
-  /** How many steps it has received. */
+  /** The number of steps so far. */
   public long steps() {
-    return added + alike;
+    return addedSteps + equalSteps;
   }
 
-  /** The map of the steps so far; one at least. */
+  /** The map of the steps so far, of which there must be one or more. */
   public HeatMap map() {
-    addAlike();
+    addEqualSteps();
     List<Place> places = IntStream.range(0, cells.count()).mapToObj(this::place).toList();
     return new HeatMap(cells, places);
   }
 
-  /** Nothing is seen where an obstacle is in the middle of the cell. */
+  /** The coverage of a cell; NaN if an obstacle is in its centre. */
   private Place place(int cell) {
-    boolean free = obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty();
-    double steps0 = covered0[cell] / added;
-    double steps1 = covered1[cell] / added;
+    boolean isFree = obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty();
+    double share0 = covered0[cell] / addedSteps;
+    double share1 = covered1[cell] / addedSteps;
     return new Place(
-        free ? k[cell] / added : Double.NaN,
-        free ? steps0 : Double.NaN,
-        free ? steps1 : Double.NaN,
-        free ? Math.max(0, 1 - steps0 - steps1) : Double.NaN,
+        isFree ? cameras[cell] / addedSteps : Double.NaN,
+        isFree ? share0 : Double.NaN,
+        isFree ? share1 : Double.NaN,
+        isFree ? Math.max(0, 1 - share0 - share1) : Double.NaN,
         visits[cell],
-        (double) detections[cell] / visits[cell],
-        (double) uncovered[cell] / visits[cell]);
+        (double) detectionsOfVisits[cell] / visits[cell],
+        (double) uncoveredVisits[cell] / visits[cell]);
   }
 }

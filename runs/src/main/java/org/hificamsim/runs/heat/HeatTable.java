@@ -15,12 +15,14 @@ import org.hificamsim.runs.heat.HeatMap.Place;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
-/** A heat map as a table, a row per cell: written, and read again. */
+/** Writes and reads a heat map as a table with a row per cell. */
 public final class HeatTable {
-  private static final double DIGITS = 1e6; // shares and metres to a millionth
+  /** Shares and metres are rounded to a millionth. */
+  private static final double MILLIONTHS = 1e6;
+
   private static final double ROUNDING = 1e-5;
 
-  /** A cell, and how it was covered. */
+  /** A cell with its coverage. */
   record Row(FieldCells cells, int cell, Place place) {}
 
   /** A row per cell of the field, over all steps of all repeats. */
@@ -68,7 +70,7 @@ public final class HeatTable {
 
   private HeatTable() {}
 
-  /** Adds {@code heatmap.csv}. */
+  /** Adds {@code heatmap.csv} to a folder's files. */
   public static void write(OutputFolder folder, HeatMap map) throws IOException {
     TABLE.write(
         folder,
@@ -77,14 +79,14 @@ public final class HeatTable {
   }
 
   private static double rounded(double number) {
-    return Double.isNaN(number) ? number : Math.round(number * DIGITS) / DIGITS;
+    return Double.isNaN(number) ? number : Math.round(number * MILLIONTHS) / MILLIONTHS;
   }
 
   /**
    * Reads the table of a folder.
    *
-   * @param field that the cells belong to
-   * @throws InputException when it is broken, or of another field
+   * @param field of the cells
+   * @throws InputException when the table is broken, or of another field
    */
   public static HeatMap read(Path folder, Field field) throws IOException {
     CsvRows table = TABLE.read(folder);
@@ -102,8 +104,9 @@ public final class HeatTable {
     int count = table.rows().size();
     int columns = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("column");
     int rows = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("row");
-    boolean whole = columns > 0 && rows > 0 && columns <= FieldCells.MAX && rows <= FieldCells.MAX;
-    if (!whole || (long) columns * rows != count) {
+    boolean isWithinLimits =
+        columns > 0 && rows > 0 && columns <= FieldCells.MAX && rows <= FieldCells.MAX;
+    if (!isWithinLimits || (long) columns * rows != count) {
       throw InputException.of(
           "%s:%s:1: %s rows, expected one for each cell of a rectangle",
           table.file(), count + 1, count);

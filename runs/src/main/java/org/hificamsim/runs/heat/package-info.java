@@ -1,2 +1,2 @@
-/** Heat maps: what is covered of a field, cell by cell, and where targets were. */
+/** Heat maps: the coverage of each cell of a field, and the visits of targets. */
 package org.hificamsim.runs.heat;

@@ -4,17 +4,17 @@ import java.util.function.Function;
 import org.hificamsim.core.file.Rows;
 
 /**
- * A column of a table, declared once; files, their reading and {@code docs/data.md} follow.
+ * A column of a table. It is declared once; writers, readers and {@code docs/data.md} follow.
  *
- * @param <R> what a row is about
+ * @param <R> the type that a row is made of
  * @param name in the table
- * @param kind what the cells are
- * @param unit what numbers count or are measured in; empty where there is none
- * @param meaning what it says
+ * @param kind of the cells
+ * @param unit of the numbers; empty if they have none
+ * @param meaning for the documentation
  * @param cell writes the cell of a row
  */
 public record Column<R>(String name, Kind kind, String unit, String meaning, Cell<R> cell) {
-  /** What the cells are. */
+  /** The type of the cells. */
   public enum Kind {
     /** Whole numbers of 32 bits. */
     INT,
@@ -26,14 +26,14 @@ public record Column<R>(String name, Kind kind, String unit, String meaning, Cel
     TEXT
   }
 
-  /** Writes the cell of a row; no object is made for a number. */
+  /** Writes the cell of a row; a number is not boxed. */
   @FunctionalInterface
   public interface Cell<R> {
-    /** Writes it. */
+    /** Writes the cell. */
     void add(R row, Rows to);
   }
 
-  /** The same column of a table whose rows have a part that this one is about. */
+  /** The same column for a table whose rows contain an object of this column's type. */
   <S> Column<S> of(Function<S, R> part) {
     return new Column<>(name, kind, unit, meaning, (row, to) -> cell.add(part.apply(row), to));
   }

@@ -19,10 +19,10 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * Writes {@code ro-crate-metadata.json}: a folder of results as an RO-Crate 1.1, which says what
- * was run, with what, on which input, and what each file holds; the settings are in the files that
- * it names. It is made last, of the files that are there; like {@code manifest.json} it has times
- * in it. What is the same in all crates is the resource {@code crate.json}.
+ * Writes {@code ro-crate-metadata.json}, which describes a folder of results as an RO-Crate 1.1:
+ * the command, the program, the inputs, and each file. The settings are in the files that it names.
+ * It is written after all other files, and contains times like {@code manifest.json}. The resource
+ * {@code crate.json} has what is the same in all crates.
  */
 public final class CrateFile {
   private static final Map<String, String> FORMATS =
@@ -41,7 +41,8 @@ public final class CrateFile {
   private CrateFile() {}
 
   /**
-   * Adds the file to those of a folder that are to be committed, {@code manifest.json} among them.
+   * Adds the file to those of a folder that are to be committed; {@code manifest.json} has to be
+   * among them.
    *
    * @param plans that were run
    */
@@ -51,14 +52,14 @@ public final class CrateFile {
     ResultFolder drafts = new ResultFolder(folder.drafts());
     JsonNode manifest = drafts.json(ResultFolder.MANIFEST);
     Map<String, String> hashes = folder.hashes();
-    String word = manifest.path("command").path(0).asText();
+    String commandName = manifest.path("command").path(0).asText();
     ObjectNode root = entity(graph, "./");
-    root.put("name", "HiFi-CamSim: " + word + " of " + scenarios(plans));
-    root.put("description", described(plans) + ". Made with: " + drafts.command());
+    root.put("name", "HiFi-CamSim: " + commandName + " of " + scenarios(plans));
+    root.put("description", description(plans) + ". Made with: " + drafts.command());
     root.put("datePublished", manifest.path("started").asText());
     refer(root.putArray("hasPart"), hashes.keySet().stream());
-    ObjectNode action = entity(graph, "#run"); // as the profile "Process Run Crate" has it
-    action.put("name", "hificamsim " + word);
+    ObjectNode action = entity(graph, "#run"); // defined by the profile "Process Run Crate"
+    action.put("name", "hificamsim " + commandName);
     action.put("description", drafts.command());
     describe(action, manifest, hashes.keySet());
     ObjectNode program = entity(graph, "#hificamsim");
@@ -91,9 +92,9 @@ public final class CrateFile {
   }
 
   private static ObjectNode entity(ArrayNode graph, String id) {
-    for (JsonNode one : graph) {
-      if (one.path("@id").asText().equals(id)) {
-        return (ObjectNode) one;
+    for (JsonNode entity : graph) {
+      if (entity.path("@id").asText().equals(id)) {
+        return (ObjectNode) entity;
       }
     }
     throw new IllegalStateException(id);
@@ -103,7 +104,7 @@ public final class CrateFile {
     return list(plans.stream().map(plan -> plan.scenario().name()));
   }
 
-  private static String described(List<RunPlan> plans) {
+  private static String description(List<RunPlan> plans) {
     return "Detections: "
         + list(plans.stream().map(plan -> plan.detection().name()))
         + ". Policies: "

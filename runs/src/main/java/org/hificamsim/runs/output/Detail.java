@@ -1,20 +1,19 @@
 package org.hificamsim.runs.output;
 
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.CameraSpec;
 
-/** How much a run's folder says of each step. */
+/** How much of each step is written to the folder of a run. */
 public enum Detail {
-  /** What all cameras cover between them. */
+  /** The coverage of all cameras together. */
   STEPS,
-  /** Each camera's zoom level and each target's place as well. */
+  /** Also the zoom level of each camera and the position of each target. */
   ZOOMS,
-  /** The same, and where cameras with optics look. */
+  /** Also the direction and angle of view of cameras with optics. */
   VIEWS;
 
-  /** What is recorded of a scenario in full. */
+  /** The most detailed recording of a scenario. */
   public static Detail full(Scenario scenario) {
-    boolean turns = scenario.everyCamera().map(CameraSpec::optics).anyMatch(o -> o.isPresent());
-    return turns ? VIEWS : ZOOMS;
+    boolean hasOptics = scenario.everyCamera().anyMatch(camera -> camera.optics().isPresent());
+    return hasOptics ? VIEWS : ZOOMS;
   }
 }

@@ -19,9 +19,9 @@ import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * Writes what plans were run on to the folder of their results: each scenario as it was run,
- * overrides and all, each fitted detection model, and what a policy decides by. They are files that
- * {@code run} and {@code compare} take.
+ * Writes the inputs of plans to the folder of their results: each scenario as it was run, with all
+ * overrides, each fitted detection model, and the files that a policy reads. {@code run} and {@code
+ * compare} can read them again.
  */
 public final class InputFiles {
   private static final String SCENARIO = "scenario-";
@@ -30,17 +30,17 @@ public final class InputFiles {
 
   private InputFiles() {}
 
-  /** Whether a file is one of these. */
+  /** Whether a file of a folder of results is such an input. */
   static boolean isInput(String name) {
     return name.startsWith(SCENARIO) || name.startsWith(DETECTION) || name.startsWith(POLICY);
   }
 
-  /** Adds them to a folder's files. */
+  /** Adds the inputs to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
     Map<String, byte[]> files = new LinkedHashMap<>();
     Map<String, byte[]> models = new LinkedHashMap<>();
-    distinct(plans, plan -> plan.detection().model()).forEach(one -> add(models, one));
-    distinct(plans, plan -> asRun(plan, plans, models)).forEach(one -> add(files, one));
+    distinct(plans, plan -> plan.detection().model()).forEach(model -> add(models, model));
+    distinct(plans, plan -> asRun(plan, plans, models)).forEach(scenario -> add(files, scenario));
     files.putAll(models);
     PolicyFiles policies = new PolicyFiles();
     plans.stream()
@@ -52,13 +52,13 @@ public final class InputFiles {
     }
   }
 
-  /** Without hashing, which is slow the first time for records of records of records. */
+  /** The different parts of plans. Hashing deeply nested records would be slower. */
   private static <T> List<T> distinct(List<RunPlan> plans, Function<RunPlan, T> part) {
     List<T> distinct = new ArrayList<>();
     for (RunPlan plan : plans) {
-      T one = part.apply(plan);
-      if (!distinct.contains(one)) {
-        distinct.add(one);
+      T value = part.apply(plan);
+      if (!distinct.contains(value)) {
+        distinct.add(value);
       }
     }
     return distinct;
@@ -67,35 +67,35 @@ public final class InputFiles {
   private static void add(Map<String, byte[]> files, Scenario scenario) {
     byte[] content =
         ScenarioWriter.write(scenario.withoutFloorplan()).getBytes(StandardCharsets.UTF_8);
-    files.put(free(files, SCENARIO + scenario.name(), ".xml"), content);
+    files.put(freeName(files, SCENARIO + scenario.name(), ".xml"), content);
   }
 
   /**
-   * A scenario that names a detection names the one that it was run with, a model file being the
-   * copy in the folder; none where there were several.
+   * The scenario as it was run: if it names a detection, it gets the one that it was run with, and
+   * a model file is the copy in the folder; if there were several detections, it names none.
    */
   private static Scenario asRun(RunPlan plan, List<RunPlan> plans, Map<String, byte[]> models) {
     Scenario scenario = plan.scenario();
     if (scenario.find(Scenario.DETECTION).isEmpty()) {
       return scenario;
     }
-    boolean several =
+    boolean hasSeveral =
         plans.stream()
             .filter(other -> other.scenario().equals(scenario))
             .anyMatch(other -> !other.detection().name().equals(plan.detection().name()));
-    return several
+    return hasSeveral
         ? scenario.without(Scenario.DETECTION)
         : scenario
             .without(Scenario.THRESHOLD)
             .without(Scenario.DETECT)
-            .with(Scenario.DETECTION, named(plan.detection(), models));
+            .with(Scenario.DETECTION, name(plan.detection(), models));
   }
 
-  private static String named(Detection detection, Map<String, byte[]> models) {
-    return model(detection.model(), models) + "@" + rule(detection);
+  private static String name(Detection detection, Map<String, byte[]> models) {
+    return name(detection.model(), models) + "@" + rule(detection);
   }
 
-  private static String model(DetectionModel model, Map<String, byte[]> models) {
+  private static String name(DetectionModel model, Map<String, byte[]> models) {
     return model instanceof HiFiDetection fitted
         ? models.entrySet().stream()
             .filter(file -> Arrays.equals(file.getValue(), ModelFiles.bytes(fitted)))
@@ -105,30 +105,30 @@ public final class InputFiles {
         : model.name();
   }
 
-  /** As it follows the name of a detection. */
+  /** The rule or threshold as it follows {@code @} in the name of a detection. */
   private static String rule(Detection detection) {
     return detection.certain()
         ? String.valueOf(detection.threshold())
         : detection.rule().text().replace(',', ';');
   }
 
-  /** A model that is code has no file; its name, and the version that has it, are all there is. */
+  /** Adds the file of a fitted model. A model that is code has none: its name has to do. */
   private static void add(Map<String, byte[]> files, DetectionModel model) {
     if (model instanceof HiFiDetection fitted) {
       String name = DETECTION + fitted.name().replaceAll("[^\\w.+-]", "-");
-      files.put(free(files, name, ".json"), ModelFiles.bytes(fitted));
+      files.put(freeName(files, name, ".json"), ModelFiles.bytes(fitted));
     }
   }
 
   private static void add(Map<String, byte[]> files, Path policy) {
     String name = policy.getFileName().toString();
     int dot = name.lastIndexOf('.') < 0 ? name.length() : name.lastIndexOf('.');
-    String free = free(files, POLICY + name.substring(0, dot), name.substring(dot));
-    files.put(free, PolicyFiles.content(policy));
+    String copy = freeName(files, POLICY + name.substring(0, dot), name.substring(dot));
+    files.put(copy, PolicyFiles.content(policy));
   }
 
-  /** The name, with a number where another content has it: variants may share a name. */
-  private static String free(Map<String, byte[]> files, String name, String ending) {
+  /** A name that is free, with a number if another content has the name already. */
+  private static String freeName(Map<String, byte[]> files, String name, String ending) {
     String free = name + ending;
     for (int i = 2; files.containsKey(free); i++) {
       free = name + "-" + i + ending;

@@ -6,13 +6,14 @@ import com.fasterxml.jackson.databind.node.NumericNode;
 import java.io.IOException;
 import org.hificamsim.core.file.OutputFolder;
 
-/** Writes JSON files, indented, with a line end after them. */
+/** Writes JSON files: indented, with a line end at the end. */
 public final class JsonOutput {
-  private static final double WHOLE = 1L << 53;
+  /** Below it every whole number has a double of its own. */
+  private static final double MAX_WHOLE = 1L << 53;
 
   private JsonOutput() {}
 
-  /** Adds a file to a folder's. */
+  /** Adds a file to a folder's files. */
   public static void write(OutputFolder folder, String name, JsonNode content) throws IOException {
     folder.write(name, text(content));
   }
@@ -22,10 +23,10 @@ public final class JsonOutput {
     return content.toPrettyString() + "\n";
   }
 
-  /** A number, without a fraction where it is whole. */
+  /** A number, without a fraction if it is whole. */
   static NumericNode number(double value) {
-    boolean whole = value == Math.rint(value) && Math.abs(value) < WHOLE;
-    return whole
+    boolean isWhole = value == Math.rint(value) && Math.abs(value) < MAX_WHOLE;
+    return isWhole
         ? JsonNodeFactory.instance.numberNode((long) value)
         : JsonNodeFactory.instance.numberNode(value);
   }

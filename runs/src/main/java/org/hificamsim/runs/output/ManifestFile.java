@@ -14,13 +14,13 @@ import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
- * Writes {@code manifest.json}: when, with what, and how long. Like {@code ro-crate-metadata.json},
- * made of it, it differs by run.
+ * Writes {@code manifest.json}: when a command started, what it was, on which system, and how long
+ * it took. It differs between equal runs, like {@code ro-crate-metadata.json}, which is made of it.
  */
 public final class ManifestFile {
   private ManifestFile() {}
 
-  /** Adds the file to a folder's. */
+  /** Adds the file to a folder's files. */
   public static void write(OutputFolder folder, List<String> command, Instant started, long steps)
       throws IOException {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
@@ -36,15 +36,15 @@ public final class ManifestFile {
     JsonOutput.write(folder, ResultFolder.MANIFEST, json);
   }
 
-  /** The version in this jar's manifest. */
+  /** The version of the program, from the manifest of its jar. */
   public static String version() {
     String version = ManifestFile.class.getPackage().getImplementationVersion();
     return version == null ? "development" : version;
   }
 
   /**
-   * The commit of the checkout that the launcher has built this program from, with {@code -dirty}
-   * where files were changed since; empty without Git.
+   * The commit from which the launcher built this program, with {@code -dirty} if files were
+   * changed since; empty without Git.
    */
   private static Optional<String> sourceCommit() {
     Path root = Path.of(System.getProperty("hificamsim.root", ""));
@@ -56,9 +56,9 @@ public final class ManifestFile {
     git.directory(root.toFile()).redirectError(ProcessBuilder.Redirect.DISCARD);
     git.environment().put("GIT_OPTIONAL_LOCKS", "0");
     try {
-      Process asked = git.start();
-      String said = new String(asked.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      return asked.waitFor() == 0 ? Optional.of(said.strip()) : Optional.empty();
+      Process process = git.start();
+      String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      return process.waitFor() == 0 ? Optional.of(output.strip()) : Optional.empty();
     } catch (IOException e) {
       return Optional.empty(); // no Git
     } catch (InterruptedException e) {

@@ -12,11 +12,13 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 
-/** The files that policies decide by, such as a trained network. */
+/** Finds the files that policies read, such as a trained network. */
 public final class PolicyFiles {
   private final Registry<ZoomPolicy> policies = Catalogue.load().policies();
 
-  /** Those of a policy, and what its options name; none of one that is not known here. */
+  /**
+   * The files of a policy and those that its options name; none if the policy is not known here.
+   */
   public List<Path> of(String policy) {
     if (!policies.knows(policy)) {
       return List.of();
@@ -27,7 +29,7 @@ public final class PolicyFiles {
   }
 
   /**
-   * What is in one of them.
+   * The content of such a file.
    *
    * @throws InputException when it cannot be read
    */

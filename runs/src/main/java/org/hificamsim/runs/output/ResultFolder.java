@@ -16,7 +16,7 @@ import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 
-/** A folder that a command has written: what is in it besides its {@link Table tables}. */
+/** A folder that a command has written: its files other than the {@link Table tables}. */
 public record ResultFolder(Path path) {
   public static final String SUMMARY = "summary.json";
   public static final String SETTINGS = "settings.json";
@@ -27,7 +27,7 @@ public record ResultFolder(Path path) {
   public static final String REPORT = "report.html";
 
   /**
-   * A file's path.
+   * The path of a file.
    *
    * @throws InputException when there is no such file
    */
@@ -42,9 +42,9 @@ public record ResultFolder(Path path) {
   }
 
   /**
-   * A file's content.
+   * The content of a JSON file.
    *
-   * @throws InputException when it is missing or no JSON object
+   * @throws InputException when it is missing or not a JSON object or array
    */
   public JsonNode json(String name) throws IOException {
     Path file = file(name);
@@ -62,40 +62,40 @@ public record ResultFolder(Path path) {
     throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
   }
 
-  /** What a folder is called on pages. */
+  /** The name of a folder for pages. */
   public static String name(Path folder) {
     return folder.toAbsolutePath().normalize().getFileName().toString();
   }
 
-  /** The command line that made the folder, each word quoted as a shell needs it. */
+  /** The command line that made the folder, quoted for a shell. */
   public String command() throws IOException {
     List<String> words = new ArrayList<>(List.of("./hificamsim"));
     for (JsonNode word : json(MANIFEST).path("command")) {
       String text = word.asText();
-      boolean plain = text.matches("[\\w./:=,@+-]+");
-      words.add(plain ? text : "'" + text.replace("'", "'\\''") + "'");
+      boolean needsNoQuotes = text.matches("[\\w./:=,@+-]+");
+      words.add(needsNoQuotes ? text : "'" + text.replace("'", "'\\''") + "'");
     }
     return String.join(" ", words);
   }
 
   /**
-   * Moves the files of a command into place, and removes what an earlier command wrote: what its
-   * crate names, and others.
+   * Moves the files of a command into place, and removes those of an earlier command: the files
+   * that its crate names, and others.
    *
-   * @param others files that not every command writes, and no crate may name
+   * @param others files that a crate may not name
    */
   public static void commit(OutputFolder folder, List<String> others) throws IOException {
     Set<String> earlier = new HashSet<>(others);
-    earlier.addAll(new ResultFolder(folder.path()).written());
+    earlier.addAll(new ResultFolder(folder.path()).resultsOfLastCommand());
     folder.commit(earlier);
   }
 
   /**
-   * The results that the last command wrote here, as its RO-Crate names them: among those of
-   * another command they would look like its results. Its inputs are not among them, since the next
-   * command may be reading one. None where there is no crate that can be read.
+   * The results of the last command, from its RO-Crate: they would look like results of the next
+   * one. Its inputs are not among them, because the next command may read them. Empty if there is
+   * no crate, or a damaged one.
    */
-  private List<String> written() {
+  private List<String> resultsOfLastCommand() {
     if (!Files.isRegularFile(path.resolve(CRATE))) {
       return List.of();
     }
@@ -107,13 +107,13 @@ public record ResultFolder(Path path) {
         }
       }
     } catch (InputException | IOException e) {
-      return List.of(); // what cannot be read names nothing
+      return List.of();
     }
     names.removeIf(name -> InputFiles.isInput(name) || !isHere(name));
     return names;
   }
 
-  /** Whether it names a file of this very folder. */
+  /** Whether a name is that of a file in this folder. */
   private boolean isHere(String name) {
     return name.matches("[^./][^/\\p{Cntrl}]*")
         && Files.isRegularFile(path.resolve(name), LinkOption.NOFOLLOW_LINKS);

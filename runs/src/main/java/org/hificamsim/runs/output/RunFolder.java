@@ -16,10 +16,10 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
-/** The folder of a run under way: its tables row by row, and the other files at its end. */
+/** Writes the folder of a run: its tables row by row, and the other files when it has ended. */
 public final class RunFolder implements Closeable {
-  /** What not every run writes; of an earlier run it would be another run's. */
-  private static final List<String> NOT_ALWAYS =
+  /** Files that not every run writes; those of an earlier run are removed. */
+  private static final List<String> OPTIONAL =
       Stream.concat(
               Stream.of(RunTables.STEPS, RunTables.ZOOMS, RunTables.TARGETS)
                   .flatMap(table -> TableFormat.NAMES.stream().map(table::file)),
@@ -31,8 +31,8 @@ public final class RunFolder implements Closeable {
                   ResultFolder.REPORT))
           .toList();
 
-  /** What every run writes, which has to be free before it begins. */
-  private static final List<String> ALWAYS = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
+  /** Files that every run writes; whether they may be replaced is checked before the run. */
+  private static final List<String> REQUIRED = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
   private final OutputFolder folder;
   private final Table<StepCursor> stepTable;
@@ -43,32 +43,32 @@ public final class RunFolder implements Closeable {
   private final Rows targets;
 
   /**
-   * Starts the tables.
+   * Begins the tables.
    *
-   * @param folder closed with this
-   * @param detection of the run: by chance, tables have more columns
-   * @param detail what is written of each step
-   * @param format of the tables with a row for each step
+   * @param folder which is closed together with this object
+   * @param detection of the run; by chance, tables have more columns
+   * @param detail of each step
+   * @param format of the tables of steps, cameras and targets
    */
   public RunFolder(OutputFolder folder, Detection detection, Detail detail, TableFormat format)
       throws IOException {
     this.folder = folder;
-    boolean record = detail != Detail.STEPS;
+    boolean hasDetails = detail != Detail.STEPS;
     stepTable = RunTables.steps(!detection.certain());
     cameraTable = detail == Detail.VIEWS ? RunTables.VIEWS : RunTables.ZOOMS;
     targetTable = detection.certain() ? RunTables.TARGETS : RunTables.TARGETS_BY_CHANCE;
     try {
-      folder.claim(ALWAYS);
-      zooms = record ? format.create(cameraTable, folder) : null;
-      targets = record ? format.create(targetTable, folder) : null;
+      folder.claim(REQUIRED);
+      zooms = hasDetails ? format.create(cameraTable, folder) : null;
+      targets = hasDetails ? format.create(targetTable, folder) : null;
       steps = format.create(stepTable, folder);
     } catch (IOException | RuntimeException e) {
-      folder.close(); // and its lock, for another try
+      folder.close(); // releases its lock
       throw e;
     }
   }
 
-  /** The listener that writes one repeat. */
+  /** A listener that writes one repeat. */
   public StepListener listener(int run) {
     StepCursor at = new StepCursor();
     return (network, coverage) -> {
@@ -97,14 +97,12 @@ public final class RunFolder implements Closeable {
     }
   }
 
-  /**
-   * Ends the tables and adds {@code summary.json}: every setting, and the metrics of the repeats.
-   */
+  /** Ends the tables, and adds {@code summary.json} with all settings and the repeats' metrics. */
   public void finish(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
     ObjectNode json = SettingsFile.of(plan);
     List<Metric> metrics = Metric.ofRuns().stream().filter(results.get(0)::has).toList();
-    metrics.forEach(metric -> mean(json, metric, results));
+    metrics.forEach(metric -> putMean(json, metric, results));
     if (results.size() > 1) {
       ObjectNode intervals = json.putObject("interval_95");
       for (Metric metric : metrics) {
@@ -123,8 +121,8 @@ public final class RunFolder implements Closeable {
     JsonOutput.write(folder, ResultFolder.SUMMARY, json);
   }
 
-  /** Of a single run, what is a sum over its steps is written as in the list of runs. */
-  private static void mean(ObjectNode json, Metric metric, List<RunResult> results) {
+  /** Adds the mean of a metric; the sums of a single run are written without a fraction. */
+  private static void putMean(ObjectNode json, Metric metric, List<RunResult> results) {
     double mean = RunResult.mean(results, metric).mean();
     if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
       json.set(metric.label(), JsonOutput.number(mean));
@@ -135,7 +133,7 @@ public final class RunFolder implements Closeable {
 
   /** Moves all files into place. */
   public void commit() throws IOException {
-    ResultFolder.commit(folder, NOT_ALWAYS);
+    ResultFolder.commit(folder, OPTIONAL);
   }
 
   @Override
@@ -148,7 +146,7 @@ public final class RunFolder implements Closeable {
   private void closeTables() throws IOException {
     try (targets;
         zooms) {
-      steps.close(); // and the others even if this one cannot be
+      steps.close(); // the others are closed even if this fails
     }
   }
 }

@@ -4,7 +4,7 @@ import java.util.List;
 
 /** The tables of a run, with a row for each step, camera or target. */
 public final class RunTables {
-  private static final List<Column<StepCursor>> WHICH =
+  private static final List<Column<StepCursor>> RUN_AND_STEP =
       Table.<StepCursor>of("")
           .ints("run", "", "the repeat, from 0", at -> at.run)
           .longs("step", "steps", "from 0", at -> at.step)
@@ -12,7 +12,7 @@ public final class RunTables {
 
   private static final Table<StepCursor> UNSCORED =
       Table.<StepCursor>of("steps.csv")
-          .with(WHICH)
+          .with(RUN_AND_STEP)
           .ints(
               "k_min",
               "cameras",
@@ -39,7 +39,7 @@ public final class RunTables {
   /** A row per run and step. */
   public static final Table<StepCursor> STEPS = scored(UNSCORED);
 
-  /** The same where detections are by chance. */
+  /** A row per run and step of detections by chance. */
   public static final Table<StepCursor> STEPS_BY_CHANCE =
       scored(
           UNSCORED
@@ -82,7 +82,7 @@ public final class RunTables {
   /** A row per run, step and camera. */
   public static final Table<StepCursor> ZOOMS =
       Table.<StepCursor>of("zooms.csv")
-          .with(WHICH)
+          .with(RUN_AND_STEP)
           .texts("camera", "the camera's name", at -> at.network.cameraName(at.camera))
           .ints(
               "level",
@@ -100,7 +100,7 @@ public final class RunTables {
               "that the camera detects",
               at -> at.network.detected(at.camera));
 
-  /** The same where cameras have optics. */
+  /** A row per run, step and camera of scenarios with optics. */
   public static final Table<StepCursor> VIEWS =
       ZOOMS
           .doubles(
@@ -124,12 +124,12 @@ public final class RunTables {
   /** A row per run, step and target. */
   public static final Table<StepCursor> TARGETS =
       Table.<StepCursor>of("targets.csv")
-          .with(WHICH)
+          .with(RUN_AND_STEP)
           .texts("target", "the target's name", at -> at.network.targetName(at.target))
           .doubles("x", "m", "where the target is", at -> at.network.targetX(at.target))
           .doubles("y", "m", "where the target is", at -> at.network.targetY(at.target));
 
-  /** The same where detections are by chance. */
+  /** A row per run, step and target of detections by chance. */
   public static final Table<StepCursor> TARGETS_BY_CHANCE =
       TARGETS
           .ints("k", "cameras", "that cover the target", at -> at.network.coverage(at.target))
@@ -146,7 +146,7 @@ public final class RunTables {
 
   private RunTables() {}
 
-  /** With what the objective makes of a step, the last column. */
+  /** A table with the score of the step as its last column. */
   private static Table<StepCursor> scored(Table<StepCursor> table) {
     return table.doubles(
         "score",
@@ -155,7 +155,7 @@ public final class RunTables {
         at -> at.coverage.score());
   }
 
-  /** The table of steps where detections are so. */
+  /** The table of steps for detections by chance, or for others. */
   public static Table<StepCursor> steps(boolean byChance) {
     return byChance ? STEPS_BY_CHANCE : STEPS;
   }

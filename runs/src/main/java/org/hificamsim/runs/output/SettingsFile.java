@@ -18,15 +18,15 @@ import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 
-/** Every setting of a plan, as result files name them. */
+/** Writes all settings of plans to result files. */
 public final class SettingsFile {
   private SettingsFile() {}
 
-  /** Adds {@code settings.json}, one object per plan, to a folder's files. */
+  /** Adds {@code settings.json}, with an object for each plan, to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
-    ArrayNode all = JsonNodeFactory.instance.arrayNode();
-    plans.forEach(plan -> all.add(of(plan)));
-    JsonOutput.write(folder, ResultFolder.SETTINGS, all);
+    ArrayNode settings = JsonNodeFactory.instance.arrayNode();
+    plans.forEach(plan -> settings.add(of(plan)));
+    JsonOutput.write(folder, ResultFolder.SETTINGS, settings);
   }
 
   /** The settings of a plan. */
@@ -37,12 +37,12 @@ public final class SettingsFile {
     for (Setting setting : Setting.values()) {
       plan.value(setting).ifPresent(value -> put(json, setting, value));
     }
-    numbers(json, "zooms", scenario.zooms());
+    putNumbers(json, "zooms", scenario.zooms());
     json.put("cameras", scenario.cameras().size());
-    optics(json, scenario);
-    lens(json, plan);
+    putOptics(json, scenario);
+    putLens(json, plan);
     plan.sources()
-        .forEach((setting, from) -> json.put(setting.label() + "_from", Spelling.of(from)));
+        .forEach((setting, source) -> json.put(setting.label() + "_from", Spelling.of(source)));
     json.put("score_words", plan.objective().words());
     json.put("score_unit", plan.objective().isShare() ? "share" : plan.objective().unit());
     return json;
@@ -56,8 +56,8 @@ public final class SettingsFile {
     }
   }
 
-  /** Each kind of optics once; nothing where no camera has any. */
-  private static void optics(ObjectNode json, Scenario scenario) {
+  /** Adds each kind of optics once; nothing if no camera has any. */
+  private static void putOptics(ObjectNode json, Scenario scenario) {
     scenario
         .everyCamera()
         .map(CameraSpec::optics)
@@ -66,15 +66,15 @@ public final class SettingsFile {
         .forEach(optics -> json.withArray("optics").add(of(optics)));
   }
 
-  /** Optics in the words of scenario files. */
+  /** Optics by the names of attributes in scenario files. */
   private static ObjectNode of(OpticsSpec optics) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("name", optics.name());
     json.put("law", Spelling.of(optics.law()));
     optics.pixels().ifPresent(pixels -> json.put("pixels", pixels));
-    numbers(json, "hfov", optics.anglesOfView());
+    putNumbers(json, "hfov", optics.anglesOfView());
     optics.reach().ifPresent(reach -> json.put("reach", reach));
-    numbers(json, "pan", optics.pans());
+    putNumbers(json, "pan", optics.pans());
     if (optics.takesTime()) {
       optics.panSpeed().ifPresent(speed -> json.put("pan_speed", speed));
       json.put("zoom_time", optics.zoomTime());
@@ -84,11 +84,11 @@ public final class SettingsFile {
   }
 
   /**
-   * What the model looks through, metres: the height of all cameras, the scenario's or the one at
-   * which the narrowest radius has the longest focal length, and a focal length for each of the
-   * zooms; what each camera has of its own is left out (Eqs 3.1 and 3.2).
+   * Adds the lens of the model, metres (Eqs 3.1 and 3.2): the mount height of all cameras, which is
+   * the scenario's or that at which the narrowest radius has the longest focal length, and a focal
+   * length for each of the zooms. Lenses of single cameras are left out.
    */
-  private static void lens(ObjectNode json, RunPlan plan) {
+  private static void putLens(ObjectNode json, RunPlan plan) {
     Scenario scenario = plan.scenario();
     OptionalDouble height = scenario.mountHeight();
     List<Double> focalLengths = List.of();
@@ -107,10 +107,10 @@ public final class SettingsFile {
       }
     }
     json.put("mount_height", height.isPresent() ? (Double) height.getAsDouble() : null);
-    numbers(json, "focal_lengths", focalLengths);
+    putNumbers(json, "focal_lengths", focalLengths);
   }
 
-  private static void numbers(ObjectNode json, String name, List<Double> values) {
+  private static void putNumbers(ObjectNode json, String name, List<Double> values) {
     ArrayNode array = json.putArray(name);
     values.forEach(array::add);
   }

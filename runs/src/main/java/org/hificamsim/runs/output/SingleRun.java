@@ -17,7 +17,7 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.Traffic;
 
-/** One run with its folder, for programs that take the steps themselves. */
+/** Writes the folder of one run for programs that make the steps themselves. */
 public final class SingleRun implements StepListener, Closeable {
   private final int run;
   private final OutputFolder files;
@@ -26,11 +26,11 @@ public final class SingleRun implements StepListener, Closeable {
   private final RunCoverage sums = new RunCoverage();
 
   /**
-   * Starts the run's folder.
+   * Begins the folder.
    *
-   * @param run its number
+   * @param run the number of the run
    * @param detection of the run
-   * @param detail what is written of each step
+   * @param detail of each step
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
@@ -50,7 +50,7 @@ public final class SingleRun implements StepListener, Closeable {
     return Math.toIntExact(sums.steps());
   }
 
-  /** Where its files go. */
+  /** The folder of the files. */
   public OutputFolder folder() {
     return files;
   }
@@ -58,9 +58,9 @@ public final class SingleRun implements StepListener, Closeable {
   /**
    * Moves the files into place.
    *
-   * @param plan the run's settings, and its seed
-   * @param traffic what the cameras sent each other
-   * @param proof what the policy proved; empty under one that does not claim to be the best
+   * @param plan the settings and the seed of the run
+   * @param traffic between the cameras
+   * @param proof of the policy; empty if it does not claim to be the best
    */
   public void commit(RunPlan plan, Traffic traffic, Optional<Proof> proof) throws IOException {
     Measured measured = new Measured(sums, plan.objective(), traffic, proof);

@@ -4,8 +4,8 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * The step, camera or target that a row of a run's tables is about: one object for all rows, so
- * that none is made for each.
+ * The step, camera or target of a row of a run's tables. One object serves all rows, so that a step
+ * allocates nothing.
  */
 public final class StepCursor {
   int run;
@@ -15,7 +15,7 @@ public final class StepCursor {
   int camera;
   int target;
 
-  /** Moves to a step that the network is not needed of. */
+  /** Moves to a step, without a network. */
   public StepCursor at(int newRun, long newStep, StepCoverage newCoverage) {
     run = newRun;
     step = newStep;

@@ -25,8 +25,8 @@ import org.hificamsim.runs.output.Column.Kind;
 /**
  * A table of results.
  *
- * @param <R> what a row is about
- * @param file its name
+ * @param <R> the type that a row is made of
+ * @param file the name of the file
  * @param columns in order
  */
 public record Table<R>(String file, List<Column<R>> columns) {
@@ -49,12 +49,12 @@ public record Table<R>(String file, List<Column<R>> columns) {
     return with(name, Kind.TEXT, "", meaning, (row, to) -> to.add(value.apply(row)));
   }
 
-  /** The same table with a column of whole numbers of 32 bits. */
+  /** The same table with a column of 32-bit whole numbers. */
   public Table<R> ints(String name, String unit, String meaning, ToIntFunction<R> value) {
     return with(name, Kind.INT, unit, meaning, (row, to) -> to.add(value.applyAsInt(row)));
   }
 
-  /** The same table with a column of whole numbers of 64 bits. */
+  /** The same table with a column of 64-bit whole numbers. */
   public Table<R> longs(String name, String unit, String meaning, ToLongFunction<R> value) {
     return with(name, Kind.LONG, unit, meaning, (row, to) -> to.add(value.applyAsLong(row)));
   }
@@ -64,13 +64,13 @@ public record Table<R>(String file, List<Column<R>> columns) {
     return with(name, Kind.DOUBLE, unit, meaning, (row, to) -> to.add(value.applyAsDouble(row)));
   }
 
-  /** The same table with a metric. */
+  /** The same table with a column of a metric. */
   public Table<R> doubles(Metric metric, ToDoubleBiFunction<R, Metric> value) {
     return doubles(
         metric.label(), metric.unit(), metric.meaning(), row -> value.applyAsDouble(row, metric));
   }
 
-  /** Floating numbers; whole ones are written without a fraction. */
+  /** The same table with a column of numbers; whole ones are written without a fraction. */
   public Table<R> plain(String name, String unit, String meaning, ToDoubleFunction<R> value) {
     return with(
         name,
@@ -87,16 +87,16 @@ public record Table<R>(String file, List<Column<R>> columns) {
         });
   }
 
-  /** A metric, written in the same way. */
+  /** The same table with a column of a metric; whole numbers are written without a fraction. */
   public Table<R> plain(Metric metric, ToDoubleBiFunction<R, Metric> value) {
     return plain(
         metric.label(), metric.unit(), metric.meaning(), row -> value.applyAsDouble(row, metric));
   }
 
   /**
-   * The same table with an estimate and the ends of its 95% interval.
+   * The same table with columns of an estimate and the ends of its 95% interval.
    *
-   * @param ends what the names of the ends begin with: {@code low} and {@code high} follow
+   * @param ends the prefix of the names of the ends, before {@code low} and {@code high}
    */
   public Table<R> estimates(
       String name, String ends, String unit, String meaning, Function<R, Estimate> value) {
@@ -106,19 +106,19 @@ public record Table<R>(String file, List<Column<R>> columns) {
         .doubles(ends + "high", unit, "the upper end", row -> value.apply(row).high());
   }
 
-  /** The same table with further columns, which are about a part of a row. */
+  /** The same table with columns for an object that each row contains. */
   public <P> Table<R> with(List<Column<P>> further, Function<R, P> part) {
     return with(further.stream().map(column -> column.of(part)).toList());
   }
 
-  /** The file's name in a format that its tables end in. */
+  /** The name of the file in another format, by its ending. */
   public String file(String format) {
     return file.replace(".csv", "." + format);
   }
 
   /** Adds a row. */
   public void add(R row, Rows to) {
-    for (int i = 0; i < columns.size(); i++) { // without an iterator for each row
+    for (int i = 0; i < columns.size(); i++) { // an iterator would be allocated for each row
       columns.get(i).cell().add(row, to);
     }
     to.end();
@@ -131,13 +131,13 @@ public record Table<R>(String file, List<Column<R>> columns) {
     }
   }
 
-  /** Starts the table in a folder, as CSV. */
+  /** Begins the table as CSV in a folder. */
   Rows create(OutputFolder folder) throws IOException {
     String names = columns.stream().map(Column::name).collect(Collectors.joining(","));
     return new CsvTable(folder.open(file), names, ',', "\n");
   }
 
-  /** Whether a folder has it. */
+  /** Whether a folder has the table. */
   public boolean isIn(Path folder) {
     return Files.isRegularFile(folder.resolve(file));
   }
@@ -145,17 +145,17 @@ public record Table<R>(String file, List<Column<R>> columns) {
   /**
    * Reads the table of a folder.
    *
-   * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
+   * @throws org.hificamsim.core.InputException when the table is missing, broken or lacks a column
    */
   public CsvRows read(Path folder) {
     return reader(folder).all(required());
   }
 
   /**
-   * Reads the table of a folder row by row, so that any size will do.
+   * Reads the table of a folder row by row, whatever its size.
    *
    * @param taker takes each row in order
-   * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
+   * @throws org.hificamsim.core.InputException when the table is missing, broken or lacks a column
    */
   public void read(Path folder, Consumer<CsvRow> taker) {
     try (CsvReader reader = reader(folder)) {

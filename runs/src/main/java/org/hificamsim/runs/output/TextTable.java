@@ -10,12 +10,12 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.Texts;
 
 /**
- * A short table of texts for people: on the terminal, or for papers as a LaTeX float in the style
- * of the package booktabs. The first columns are names, to the left; the others are figures with
- * intervals, to the right.
+ * A short table of texts for the terminal, or for papers as a LaTeX float in the style of the
+ * package booktabs. The first columns are names, aligned left; the others are figures with
+ * intervals, aligned right.
  */
 public final class TextTable {
-  private static final int FIGURE = 26;
+  private static final int MIN_FIGURE_WIDTH = 26; // characters
   private static final String INTERVAL = " [95%]";
   private static final Map<Character, String> ESCAPED =
       Map.of(
@@ -37,7 +37,7 @@ public final class TextTable {
   /**
    * An empty table.
    *
-   * @param names how many of the columns, the first ones, are names
+   * @param names the number of first columns that are names
    * @param header of each column
    */
   public TextTable(int names, List<String> header) {
@@ -45,25 +45,25 @@ public final class TextTable {
     this.header = header;
   }
 
-  /** Adds a row, a cell for each column. */
+  /** Adds a row with a cell for each column. */
   public void row(List<String> cells) {
     rows.add(cells);
   }
 
-  /** Prints the table, its columns as wide as their cells. */
+  /** Prints the table with columns as wide as their cells. */
   public void print(PrintWriter out) {
-    List<List<String>> all = new ArrayList<>(rows);
+    List<List<String>> lines = new ArrayList<>(rows);
     List<String> titles = new ArrayList<>(header);
     titles.subList(names, titles.size()).replaceAll(title -> title + INTERVAL);
-    all.add(0, titles);
+    lines.add(0, titles);
     int[] widths = new int[header.size()];
     Arrays.setAll(
         widths,
         i ->
-            all.stream()
+            lines.stream()
                 .mapToInt(row -> row.get(i).length())
-                .reduce(i < names ? 0 : FIGURE, Math::max));
-    for (List<String> row : all) {
+                .reduce(i < names ? 0 : MIN_FIGURE_WIDTH, Math::max));
+    for (List<String> row : lines) {
       List<String> cells = new ArrayList<>();
       for (int i = 0; i < widths.length; i++) {
         String format = "%" + (i < names ? "-" : "") + widths[i] + "s";
@@ -74,9 +74,9 @@ public final class TextTable {
   }
 
   /**
-   * The table for LaTeX; where the first name changes, there is a little space.
+   * The table in LaTeX, with a small space where the first name changes.
    *
-   * @param label that the text refers to it by
+   * @param label by which the text refers to the table
    */
   public String latex(String caption, String label) {
     List<String> lines = new ArrayList<>();
@@ -110,7 +110,7 @@ public final class TextTable {
     return cells.stream().map(TextTable::escaped).collect(Collectors.joining(" & ")) + " \\\\";
   }
 
-  /** A text that LaTeX prints as it is; a dash alone, for no value, is a longer one. */
+  /** A text escaped for LaTeX; a dash alone, which stands for no value, becomes an en dash. */
   private static String escaped(String text) {
     return text.equals("-")
         ? "--"

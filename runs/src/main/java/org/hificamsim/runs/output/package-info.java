@@ -1,2 +1,2 @@
-/** Result files: written next to their place and moved there when all is well. */
+/** Result files: their declarations, writers and readers. */
 package org.hificamsim.runs.output;

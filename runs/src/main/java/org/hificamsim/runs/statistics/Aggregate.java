@@ -10,23 +10,23 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
-/** One number for all runs of all scenarios; NaN where there is no run. */
+/** A number that aggregates all runs of all scenarios; NaN without runs. */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Aggregate {
   /** The interquartile mean: without the lowest and the highest quarter of all runs. */
   IQM(strata -> interquartileMean(strata.sorted())),
-  /** How far the runs fall short of 1 on average; what is above 1 counts as 1. */
+  /** The mean distance of scores below 1; a score above 1 counts as 1. */
   OPTIMALITY_GAP(
       strata ->
           1
               - StatUtils.mean(
-                  DoubleStream.of(strata.sorted()).map(one -> Math.min(one, 1)).toArray())),
+                  DoubleStream.of(strata.sorted()).map(score -> Math.min(score, 1)).toArray())),
   /** The mean of the scenarios' means. */
   MEAN(strata -> StatUtils.mean(strata.means())),
   /** The median of the scenarios' means. */
   MEDIAN(strata -> StatUtils.percentile(strata.means(), 50));
 
-  /** Tau, in hundredths. */
+  /** The values of tau of a performance profile: 0 to 1 in hundredths. */
   public static final double[] TAUS =
       IntStream.rangeClosed(0, 100).mapToDouble(percent -> percent / 100.0).toArray();
 
@@ -41,12 +41,12 @@ public enum Aggregate {
     return StatUtils.mean(sorted, cut, sorted.length - 2 * cut);
   }
 
-  /** The number. */
+  /** The number for some scores. */
   public double of(Strata strata) {
     return number.applyAsDouble(strata);
   }
 
-  /** All numbers, each with its interval. */
+  /** All aggregates with their intervals. */
   public static Map<Aggregate, Estimate> estimates(Strata strata) {
     Estimate[] estimates =
         Bootstrap.all(
@@ -66,9 +66,8 @@ public enum Aggregate {
   }
 
   /**
-   * The performance profile with its intervals, point by point: the share of runs whose score is
-   * tau or more, one for each of {@link #TAUS}. At 1 it is that of runs that were optimal
-   * throughout.
+   * The performance profile with its intervals: for each of {@link #TAUS} the share of runs whose
+   * score is tau or more. At 1 it is the share of runs that were optimal in every step.
    */
   public static Estimate[] profile(Strata strata) {
     return Arrays.stream(Bootstrap.all(Aggregate::shares, strata))
@@ -91,25 +90,27 @@ public enum Aggregate {
 
   /**
    * The probability that a run of one policy has a higher score than a run of another in the same
-   * scenario, a tie counting half (Mann and Whitney's U over the number of pairs), as the mean over
-   * the scenarios. Runs are not paired by seed here.
+   * scenario, where a tie counts half (Mann and Whitney's U over the number of pairs); the mean
+   * over the scenarios. Runs are not paired by seed.
    *
-   * @return NaN where no scenario has runs of both
+   * @return NaN if no scenario has runs of both
    */
   public static Estimate improvement(Strata policy, Strata over) {
     return Bootstrap.of(Aggregate::probability, policy, over).within(0, 1);
   }
 
-  /** The probability alone; both have the same scenarios in the same order. */
+  /**
+   * The probability without an interval; both policies have the same scenarios in the same order.
+   */
   static double probability(Strata policy, Strata over) {
     double[][] scores = policy.sortedByScenario();
     double[][] others = over.sortedByScenario();
     double[] shares = new double[scores.length];
-    Arrays.setAll(shares, i -> share(scores[i], others[i]));
+    Arrays.setAll(shares, scenario -> share(scores[scenario], others[scenario]));
     return StatUtils.mean(Arrays.stream(shares).filter(share -> !Double.isNaN(share)).toArray());
   }
 
-  /** Of one scenario, both sides' scores rising. */
+  /** The probability in one scenario; both policies' scores are in ascending order. */
   private static double share(double[] scores, double[] others) {
     double wins = 0;
     int below = 0;

@@ -9,9 +9,9 @@ import java.util.stream.IntStream;
 import org.hificamsim.runs.Estimate;
 
 /**
- * The bootstrap over seeds: intervals of figures that are no means (Efron and Tibshirani, An
- * Introduction to the Bootstrap, 1993, chapter 13), {@linkplain Estimate#drawn put right} for few
- * seeds. Same scores, same interval. There is none for a single seed.
+ * The bootstrap over seeds, for intervals of figures that are not means (Efron and Tibshirani, An
+ * Introduction to the Bootstrap, 1993, chapter 13), {@linkplain Estimate#drawn corrected} for few
+ * seeds. The same scores have the same interval. A single seed has none.
  */
 public final class Bootstrap {
   private static final int DRAWS = 1000;
@@ -22,32 +22,32 @@ public final class Bootstrap {
   private Bootstrap() {}
 
   /**
-   * A figure of the seeds; draws for which it is NaN are left out.
+   * The estimate of a figure of the seeds; draws for which it is NaN are left out.
    *
-   * @param seeds how many there are
-   * @param figure of some seeds, each given by its number, perhaps repeatedly
+   * @param seeds the number of seeds
+   * @param figure of some seeds, given by their numbers, which may repeat
    */
   public static Estimate of(int seeds, ToDoubleFunction<int[]> figure) {
     double value = figure.applyAsDouble(IntStream.range(0, seeds).toArray());
     SplittableRandom random = new SplittableRandom(SEED);
     double[] drawn = new double[seeds > 1 && !Double.isNaN(value) ? DRAWS : 0];
-    int[] again = new int[seeds];
+    int[] drawnSeeds = new int[seeds];
     for (int i = 0; i < drawn.length; i++) {
-      Arrays.setAll(again, draw -> random.nextInt(seeds));
-      drawn[i] = figure.applyAsDouble(again);
+      Arrays.setAll(drawnSeeds, index -> random.nextInt(seeds));
+      drawn[i] = figure.applyAsDouble(drawnSeeds);
     }
     return Estimate.drawn(value, Estimate.known(drawn), seeds, 1);
   }
 
-  /** Several figures of scores, the seeds of each scenario drawn again for themselves. */
+  /** The estimates of several figures of scores; seeds are drawn within each scenario. */
   static Estimate[] all(Function<Strata, double[]> figures, Strata strata) {
     double[] values = figures.apply(strata);
     double[][] drawn = new double[values.length][strata.freedom() > 0 ? DRAWS_OF_STRATA : 0];
     SplittableRandom random = new SplittableRandom(SEED_OF_STRATA);
     for (int i = 0; strata.freedom() > 0 && i < DRAWS_OF_STRATA; i++) {
-      double[] again = figures.apply(strata.drawn(random));
+      double[] drawnValues = figures.apply(strata.drawn(random));
       for (int figure = 0; figure < values.length; figure++) {
-        drawn[figure][i] = again[figure];
+        drawn[figure][i] = drawnValues[figure];
       }
     }
     Estimate[] estimates = new Estimate[values.length];
@@ -57,13 +57,13 @@ public final class Bootstrap {
     return estimates;
   }
 
-  /** A figure of two policies' scores; each is drawn on its own. */
-  static Estimate of(ToDoubleBiFunction<Strata, Strata> figure, Strata one, Strata other) {
-    int freedom = one.freedom() + other.freedom();
+  /** The estimate of a figure of two policies' scores; each policy's seeds are drawn separately. */
+  static Estimate of(ToDoubleBiFunction<Strata, Strata> figure, Strata policy, Strata other) {
+    int freedom = policy.freedom() + other.freedom();
     SplittableRandom random = new SplittableRandom(SEED_OF_STRATA);
     double[] drawn = new double[freedom > 0 ? DRAWS_OF_STRATA : 0];
-    Arrays.setAll(drawn, i -> figure.applyAsDouble(one.drawn(random), other.drawn(random)));
-    int seeds = one.runs() + other.runs();
-    return Estimate.drawn(figure.applyAsDouble(one, other), drawn, seeds, seeds - freedom);
+    Arrays.setAll(drawn, i -> figure.applyAsDouble(policy.drawn(random), other.drawn(random)));
+    int seeds = policy.runs() + other.runs();
+    return Estimate.drawn(figure.applyAsDouble(policy, other), drawn, seeds, seeds - freedom);
   }
 }

@@ -9,12 +9,12 @@ import java.util.stream.IntStream;
 
 /**
  * Fisher's randomization test of paired differences (The Design of Experiments, 1935, section 21):
- * if two policies were alike, each difference might as well have the other sign. It asks nothing of
- * the distribution; the p-value is two-sided.
+ * if two policies were equal, each difference could as well have the other sign. It assumes nothing
+ * about the distribution; the p-value is two-sided.
  */
 public final class PairedTest {
-  /** Up to this many differences, every choice of signs is looked at. */
-  static final int EXACT = 16;
+  /** The largest number of differences for which all choices of signs are tried. */
+  static final int MAX_EXACT = 16;
 
   private static final int DRAWS = 99_999;
   private static final long SEED = 1935;
@@ -23,45 +23,45 @@ public final class PairedTest {
   private PairedTest() {}
 
   /**
-   * The p-value of a mean that is not 0.
+   * The p-value of the hypothesis that the mean difference is 0.
    *
-   * @param differences by seed, none NaN
+   * @param differences by seed, without NaN
    * @return NaN for fewer than two differences
    */
   public static double p(double[] differences) {
     if (differences.length < 2) {
       return Double.NaN;
     }
-    double reached = Math.abs(DoubleStream.of(differences).sum());
-    double least = reached - ROUNDING * Math.max(1, reached);
-    return differences.length <= EXACT ? exact(differences, least) : drawn(differences, least);
+    double observed = Math.abs(DoubleStream.of(differences).sum());
+    double least = observed - ROUNDING * Math.max(1, observed);
+    return differences.length <= MAX_EXACT ? exact(differences, least) : drawn(differences, least);
   }
 
   private static double exact(double[] differences, double least) {
-    int all = 1 << differences.length;
-    int asFar = 0;
-    for (int signs = 0; signs < all; signs++) {
+    int choices = 1 << differences.length;
+    int asExtreme = 0;
+    for (int signs = 0; signs < choices; signs++) {
       double sum = 0;
       for (int i = 0; i < differences.length; i++) {
         sum += (signs >> i & 1) == 0 ? differences[i] : -differences[i];
       }
-      asFar += Math.abs(sum) >= least ? 1 : 0;
+      asExtreme += Math.abs(sum) >= least ? 1 : 0;
     }
-    return asFar / (double) all;
+    return asExtreme / (double) choices;
   }
 
-  /** What was found is one of the choices of signs: no p-value is 0. */
+  /** Draws signs. The observed choice counts as one of them, so that no p-value is 0. */
   private static double drawn(double[] differences, double least) {
     SplittableRandom random = new SplittableRandom(SEED);
-    int asFar = 1;
+    int asExtreme = 1;
     for (int draw = 0; draw < DRAWS; draw++) {
-      asFar += Math.abs(flipped(differences, random)) >= least ? 1 : 0;
+      asExtreme += Math.abs(sumWithRandomSigns(differences, random)) >= least ? 1 : 0;
     }
-    return asFar / (DRAWS + 1.0);
+    return asExtreme / (DRAWS + 1.0);
   }
 
-  /** Flips the bit of the sign, by chance: a branch would be guessed wrong half of the time. */
-  private static double flipped(double[] differences, SplittableRandom random) {
+  /** Flips bits of signs at random: processors mispredict a random branch half of the time. */
+  private static double sumWithRandomSigns(double[] differences, SplittableRandom random) {
     double sum = 0;
     long signs = 0;
     for (int i = 0; i < differences.length; i++) {
@@ -74,29 +74,30 @@ public final class PairedTest {
 
   /**
    * P-values after Holm's correction for many comparisons (A Simple Sequentially Rejective Multiple
-   * Test Procedure, 1979), in the order of those given: the chance of even one false finding among
-   * all stays below the level that is asked for. NaN stays, and is not counted.
+   * Test Procedure, 1979), in the same order: the probability of any false finding among all stays
+   * below the chosen level. NaN stays NaN and is not counted.
    *
-   * @param p of all comparisons that are looked at together
+   * @param pValues of all comparisons that are judged together
    */
-  public static double[] corrected(double[] p) {
-    double[] corrected = new double[p.length];
+  public static double[] corrected(double[] pValues) {
+    double[] corrected = new double[pValues.length];
     Arrays.fill(corrected, Double.NaN);
-    List<Integer> rising = rising(p);
-    double most = 0;
-    for (int rank = 0; rank < rising.size(); rank++) {
-      int at = rising.get(rank);
-      most = Math.max(most, Math.min(1, (rising.size() - rank) * p[at]));
-      corrected[at] = most;
+    List<Integer> order = ascending(pValues);
+    double largest = 0;
+    for (int rank = 0; rank < order.size(); rank++) {
+      int index = order.get(rank);
+      largest = Math.max(largest, Math.min(1, (order.size() - rank) * pValues[index]));
+      corrected[index] = largest;
     }
     return corrected;
   }
 
-  private static List<Integer> rising(double[] p) {
-    return IntStream.range(0, p.length)
-        .filter(i -> !Double.isNaN(p[i]))
+  /** The indices of the p-values that are not NaN, by ascending p-value. */
+  private static List<Integer> ascending(double[] pValues) {
+    return IntStream.range(0, pValues.length)
+        .filter(i -> !Double.isNaN(pValues[i]))
         .boxed()
-        .sorted(Comparator.comparingDouble(i -> p[i]))
+        .sorted(Comparator.comparingDouble(i -> pValues[i]))
         .toList();
   }
 }

@@ -7,74 +7,70 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
 /**
- * Scores by scenario: what is drawn again within each scenario, never across scenarios.
+ * Scores by scenario. A bootstrap draws them within each scenario, never across scenarios.
  *
- * @param scores one array per scenario, perhaps empty, of one score per seed
+ * @param scores for each scenario an array, which may be empty, with a score for each seed
  */
 public record Strata(double[][] scores) {
-  /** Those of scores that are not NaN. */
+  /** The scores that are not NaN. */
   public static Strata of(List<double[]> scores) {
     return new Strata(scores.stream().map(Estimate::known).toArray(double[][]::new));
   }
 
-  /** How many scores there are. */
+  /** The number of scores. */
   public int runs() {
-    int runs = 0;
-    for (double[] one : scores) {
-      runs += one.length;
-    }
-    return runs;
+    return Arrays.stream(scores).mapToInt(ofScenario -> ofScenario.length).sum();
   }
 
-  /** How many scenarios have a score. */
+  /** The number of scenarios with a score. */
   public int scenarios() {
     return means().length;
   }
 
   /**
-   * How many scores could differ from the means of their scenarios: 0 where none is drawn again.
+   * The degrees of freedom: scores minus scenarios. 0 if no scenario has two scores to draw from.
    */
   int freedom() {
     return runs() - scenarios();
   }
 
-  /** All scores, rising. */
+  /** All scores in ascending order. */
   double[] sorted() {
-    double[] all = new double[runs()];
+    double[] sorted = new double[runs()];
     int filled = 0;
-    for (double[] one : scores) {
-      System.arraycopy(one, 0, all, filled, one.length);
-      filled += one.length;
+    for (double[] ofScenario : scores) {
+      System.arraycopy(ofScenario, 0, sorted, filled, ofScenario.length);
+      filled += ofScenario.length;
     }
-    Arrays.sort(all);
-    return all;
+    Arrays.sort(sorted);
+    return sorted;
   }
 
-  /** The scores of each scenario, rising. */
+  /** The scores of each scenario in ascending order. */
   double[][] sortedByScenario() {
-    double[][] rising = new double[scores.length][];
-    for (int scenario = 0; scenario < rising.length; scenario++) {
-      rising[scenario] = scores[scenario].clone();
-      Arrays.sort(rising[scenario]);
+    double[][] sorted = new double[scores.length][];
+    for (int scenario = 0; scenario < sorted.length; scenario++) {
+      sorted[scenario] = scores[scenario].clone();
+      Arrays.sort(sorted[scenario]);
     }
-    return rising;
+    return sorted;
   }
 
-  /** The mean of each scenario that has a score. */
+  /** The means of the scenarios that have a score. */
   double[] means() {
     return Arrays.stream(scores)
-        .filter(one -> one.length > 0)
+        .filter(ofScenario -> ofScenario.length > 0)
         .mapToDouble(StatUtils::mean)
         .toArray();
   }
 
-  /** As many scores of each scenario, drawn from its own with replacement. */
+  /** The same number of scores of each scenario, drawn from its scores with replacement. */
   Strata drawn(SplittableRandom random) {
     double[][] drawn = new double[scores.length][];
     for (int scenario = 0; scenario < drawn.length; scenario++) {
-      double[] own = scores[scenario];
-      drawn[scenario] = new double[own.length];
-      Arrays.setAll(drawn[scenario], i -> own[random.nextInt(own.length)]);
+      double[] source = scores[scenario];
+      drawn[scenario] = new double[source.length];
+      Arrays.setAll(drawn[scenario], i -> source[random.nextInt(source.length)]);
     }
     return new Strata(drawn);
   }

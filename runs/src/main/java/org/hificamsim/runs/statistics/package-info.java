@@ -1,6 +1,6 @@
 /**
- * What is said of scores over several scenarios and seeds: aggregates, profiles, pairs of policies,
- * each with its interval (Agarwal et al., Deep Reinforcement Learning at the Edge of the
+ * Statistics of scores over several scenarios and seeds: aggregates, profiles and comparisons of
+ * policies, each with its interval (Agarwal et al., Deep Reinforcement Learning at the Edge of the
  * Statistical Precipice, NeurIPS 2021).
  */
 package org.hificamsim.runs.statistics;

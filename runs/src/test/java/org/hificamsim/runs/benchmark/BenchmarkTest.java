@@ -18,6 +18,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.generate.SiteLayout;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -49,9 +49,9 @@ class PairsTest {
 
   @Test
   void drawnSignsAgreeWithAllSigns() {
-    double[] few = new double[PairedTest.EXACT];
+    double[] few = new double[PairedTest.MAX_EXACT];
     Arrays.setAll(few, i -> Math.sin(i) + 0.3);
-    double[] withZeros = Arrays.copyOf(few, PairedTest.EXACT + 70); // zeros change nothing
+    double[] withZeros = Arrays.copyOf(few, PairedTest.MAX_EXACT + 70); // zeros change nothing
     assertEquals(PairedTest.p(few), PairedTest.p(withZeros), 0.005);
   }
 

@@ -34,7 +34,7 @@ class PeersTest {
 
   @BeforeAll
   static void ask() throws Exception {
-    ObjectNode question = JSON.createObjectNode().put("few", PairedTest.EXACT - 4);
+    ObjectNode question = JSON.createObjectNode().put("few", PairedTest.MAX_EXACT - 4);
     question.putPOJO("x", X.scores());
     question.putPOJO("y", Y.scores());
     question.putPOJO("taus", Aggregate.TAUS);
@@ -89,7 +89,7 @@ class PeersTest {
   void pValuesOfPairedDifferencesAreTheSame() {
     double[] differences = new double[SEEDS];
     Arrays.setAll(differences, i -> X.scores()[0][i] - Y.scores()[0][i]);
-    double[] few = Arrays.copyOf(differences, PairedTest.EXACT - 4);
+    double[] few = Arrays.copyOf(differences, PairedTest.MAX_EXACT - 4);
     assertEquals(theirs.at("/exact").asDouble(), PairedTest.p(few), ROUNDING);
     assertEquals(theirs.at("/drawn").asDouble(), PairedTest.p(differences), 0.005);
   }
