@@ -37,22 +37,42 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
- * The runs of a command that has many, and the options of all such commands: with progress, a
- * manifest, the page and a summary.
+ * Executes the runs of a command that has many, with progress, a manifest, the page and a summary;
+ * and has the options of all such commands.
  */
 final class BatchRun {
-  /** Writes a command's own files. */
+  /** Writes the files that only one command has. */
   @FunctionalInterface
   interface Files {
-    /** Adds them to a folder's, and returns what prints their summary. */
+    /** Adds them to a folder's files, and returns what prints their summary. */
     Consumer<PrintWriter> write(OutputFolder folder, List<CaseResult> results) throws IOException;
   }
 
-  /** Runs what a command needs, and writes its own files. */
+  /** Computes the runs of a command, and writes the files that only this command has. */
   @FunctionalInterface
   interface Work {
-    /** The same; the engine keeps finished runs for {@code --resume}. */
+    /**
+     * Adds the files to a folder's files, and returns what prints their summary.
+     *
+     * @param engine which keeps finished runs for {@code --resume}
+     */
     Consumer<PrintWriter> write(OutputFolder folder, RunEngine engine) throws IOException;
+  }
+
+  /**
+   * The runs of a command.
+   *
+   * @param plans of which a shard computes a part
+   * @param inputs plans with each scenario and detection, for the files about the inputs
+   * @param steps of all runs, at most
+   * @param hasPage whether a page is made of the results
+   */
+  record Runs(List<RunPlan> plans, List<RunPlan> inputs, long steps, boolean hasPage) {
+    /** The number of runs: more than the plans have if a search adds some. */
+    long count() {
+      int longest = plans.stream().mapToInt(RunPlan::steps).max().orElse(1);
+      return Math.max(plans.stream().mapToLong(RunPlan::repeats).sum(), steps / longest);
+    }
   }
 
   @Mixin private ThreadsOption threads;
@@ -78,28 +98,28 @@ final class BatchRun {
   private final Instant started = Instant.now();
   private Screen screen;
 
-  /** The threads that were asked for, 1 or more. */
+  /** The number of threads, 1 or more. */
   int threads() {
     return threads.count();
   }
 
-  /** Whether all runs are still to be computed, by this machine. */
+  /** Whether this machine computes all runs. */
   boolean computesHere() {
     return merge == null && !resume && engine.equals(LocalEngine.NAME);
   }
 
-  /** Whether a part of the runs was asked for, or parts are put together. */
+  /** Whether only a part of the runs is computed, or parts are merged. */
   boolean isInParts() {
     return shard.isPresent() || merge != null;
   }
 
   /**
-   * Checks that every plan can start, then runs them all, or the part that was asked for.
+   * Checks that every plan can start, then runs all of them, or the shard that was asked for.
    *
-   * @param references what is run in addition to the command's plans
-   * @param files the command's own; not those of a part, which wait to be merged
+   * @param references the yardsticks that are run in addition to the plans
+   * @param files writes the files that only this command has; not called for a shard
    * @return the exit code
-   * @throws InputException when a plan cannot start; nothing was written then
+   * @throws InputException when a plan cannot start; nothing is written then
    */
   int execute(
       Screen on,
@@ -117,31 +137,20 @@ final class BatchRun {
           results.forEach(this::warnOfUnproven);
           return files.write(folder, results);
         };
-    return execute(on, catalogue, all, all, steps, true, work);
+    return execute(on, catalogue, new Runs(all, all, steps, true), work);
   }
 
   /**
-   * Checks that every plan can start, then has the work done, or a part of its runs.
+   * Checks that every plan can start, then does the work, or computes the shard that was asked for.
    *
-   * @param all whose runs a shard has a part of
-   * @param inputs plans with each scenario and detection, for the files about what was run
-   * @param steps of all runs, at most
-   * @param page whether the page is made too
    * @return the exit code
-   * @throws InputException when a plan cannot start, there is no such engine, it cannot work, or
-   *     shards are missing; nothing was written then
+   * @throws InputException when a plan cannot start, the engine is unknown or cannot work, or
+   *     shards are missing; nothing is written then
    */
-  int execute(
-      Screen on,
-      Catalogue catalogue,
-      List<RunPlan> all,
-      List<RunPlan> inputs,
-      long steps,
-      boolean page,
-      Work work)
-      throws IOException {
+  int execute(Screen on, Catalogue catalogue, Runs runs, Work work) throws IOException {
     screen = on;
-    all.forEach(new RunExecutor(catalogue)::check);
+    List<RunPlan> plans = runs.plans();
+    plans.forEach(new RunExecutor(catalogue)::check);
     if (shard.isPresent() && merge != null) {
       throw new InputException("--shard and --merge are given, expected one of them");
     }
@@ -150,25 +159,18 @@ final class BatchRun {
     if (merge == null) {
       computing.configure(new EngineSettings(catalogue, threads(), master));
     } else {
-      computing = new MergedShards(merge, all);
+      computing = new MergedShards(merge, plans);
     }
     if (part.isPresent()) {
-      compute(part.get(), computing, all);
+      compute(part.get(), computing, plans);
     } else {
-      whole(computing, inputs, runs(all, steps), steps, page, work).accept(screen.out());
+      computeAll(computing, runs, work).accept(screen.out());
     }
     screen.out().println("files: " + out);
     return 0;
   }
 
-  /** Of plans whose scenarios may differ in steps; more where a search adds runs to them. */
-  static long runs(List<RunPlan> all, long steps) {
-    int longest = all.stream().mapToInt(RunPlan::steps).max().orElse(1);
-    return Math.max(all.stream().mapToLong(RunPlan::repeats).sum(), steps / longest);
-  }
-
-  private Consumer<PrintWriter> whole(
-      RunEngine computing, List<RunPlan> inputs, long runs, long steps, boolean page, Work work)
+  private Consumer<PrintWriter> computeAll(RunEngine computing, Runs runs, Work work)
       throws IOException {
     try (OutputFolder folder = screen.folder(out);
         Journal journal = Journal.open(folder, Journal.NAME, resume)) {
@@ -184,32 +186,32 @@ final class BatchRun {
               ComparisonFiles.STEPS.file()));
       warnOfDamage(journal);
       Consumer<PrintWriter> summary;
-      try (Progress progress = progress(runs)) {
+      try (Progress progress = progress(runs.count())) {
         summary = work.write(folder, new JournalledEngine(computing, journal, progress));
       }
-      InputFiles.write(folder, inputs);
-      manifest(folder, steps);
-      if (page) {
+      InputFiles.write(folder, runs.inputs());
+      writeManifest(folder, runs.steps());
+      if (runs.hasPage()) {
         folder.write(
             ResultFolder.REPORT,
             Report.html(folder.drafts(), ResultFolder.name(folder.path()), Flags.NOTATION));
       }
-      CrateFile.write(folder, inputs);
+      CrateFile.write(folder, runs.inputs());
       ResultFolder.commit(folder, List.of());
-      journal.finish(); // until here, --resume has all runs
+      journal.finish(); // not earlier, so that --resume finds all runs after a failure
       return summary;
     }
   }
 
-  private void compute(Shard part, RunEngine computing, List<RunPlan> all) throws IOException {
-    List<RunTask> tasks = part.tasks(all);
+  private void compute(Shard part, RunEngine computing, List<RunPlan> plans) throws IOException {
+    List<RunTask> tasks = part.tasks(plans);
     try (OutputFolder folder = screen.folder(out);
         Journal journal = Journal.ofShard(folder, resume);
         Progress progress = progress(tasks.size())) {
       folder.claim(List.of(ResultFolder.MANIFEST));
       warnOfDamage(journal);
-      new JournalledEngine(computing, journal, progress).run(all, tasks, (task, run) -> {});
-      manifest(folder, tasks.stream().mapToLong(task -> all.get(task.plan()).steps()).sum());
+      new JournalledEngine(computing, journal, progress).run(plans, tasks, (task, run) -> {});
+      writeManifest(folder, tasks.stream().mapToLong(task -> plans.get(task.plan()).steps()).sum());
       folder.commit(List.of());
     }
     screen.say("shard %s: %s runs", part, tasks.size());
@@ -231,25 +233,25 @@ final class BatchRun {
         .ifPresent(screen.err()::println);
   }
 
-  /** Says so where a policy's claim to be the best is not proven for every step. */
-  private void warnOfUnproven(CaseResult one) {
-    RunPlan plan = one.plan();
-    List<RunResult> results = one.runs().stream().map(ScoredRun::result).toList();
+  /** Warns if a policy's claim to be the best is not proven for every step. */
+  private void warnOfUnproven(CaseResult result) {
+    RunPlan plan = result.plan();
+    List<RunResult> results = result.runs().stream().map(ScoredRun::result).toList();
     RunResult.unprovenSteps(plan, results).ifPresent(steps -> warnOfUnproven(plan, " in " + steps));
-    RunResult.unprovenExpectation(results).ifPresent(more -> warnOfUnproven(plan, "; " + more));
+    RunResult.unprovenExpectation(results).ifPresent(gap -> warnOfUnproven(plan, "; " + gap));
   }
 
-  private void warnOfUnproven(RunPlan plan, String what) {
+  private void warnOfUnproven(RunPlan plan, String detail) {
     screen.note(
         "warning: scenario %s, detection %s: '%s' is not proven to be the best%s",
-        plan.scenario().name(), plan.detection().name(), plan.policy(), what);
+        plan.scenario().name(), plan.detection().name(), plan.policy(), detail);
   }
 
   private Progress progress(long runs) {
     return screen.progress("", " runs", runs);
   }
 
-  private void manifest(OutputFolder folder, long steps) throws IOException {
+  private void writeManifest(OutputFolder folder, long steps) throws IOException {
     ManifestFile.write(folder, screen.words(), started, steps);
   }
 }

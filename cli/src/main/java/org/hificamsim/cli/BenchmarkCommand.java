@@ -32,7 +32,7 @@ final class BenchmarkCommand {
   private static final String FOLDERS = "Folders of 'benchmark run'.";
   private static final String ARENA = "mate-4v8-9";
 
-  /** The simulators whose episodes are read. */
+  /** The simulators whose recorded episodes can be read. */
   enum Format {
     MATE
   }
@@ -133,13 +133,13 @@ final class BenchmarkCommand {
     Scenario site = ShippedScenarios.read(List.of(ARENA), Catalogue.load()).get(ARENA);
     MateArena[] played =
         LongStream.range(seed, (long) seed + episodes)
-            .mapToObj(each -> MateArena.play(site, each))
+            .mapToObj(arenaSeed -> MateArena.play(site, arenaSeed))
             .toArray(MateArena[]::new);
     screen.say("coverage  %s", mean(played, MateArena::coverage, "%.3f"));
     screen.say("transport %s", mean(played, MateArena::transported, "%.3f"));
     screen.say("steps     %s", mean(played, MateArena::steps, "%.0f"));
     long steps = Arrays.stream(played).mapToLong(MateArena::steps).sum();
-    ProcessHandle.current() // of all threads, from the start of Java on
+    ProcessHandle.current() // the processor time of all threads since Java started
         .info()
         .totalCpuDuration()
         .ifPresent(
@@ -148,7 +148,7 @@ final class BenchmarkCommand {
                     "%.0f steps a second of processor time", 1e3 * steps / took.toMillis()));
   }
 
-  private static String mean(MateArena[] played, ToDoubleFunction<MateArena> of, String form) {
-    return Estimate.mean(Arrays.stream(played).mapToDouble(of).toArray()).text(form);
+  private static String mean(MateArena[] played, ToDoubleFunction<MateArena> figure, String form) {
+    return Estimate.mean(Arrays.stream(played).mapToDouble(figure).toArray()).text(form);
   }
 }

@@ -31,8 +31,8 @@ import picocli.CommandLine.Parameters;
       "With --policy cameras use the zoom levels of the file, which CamSim ignores."
     })
 final class CamSimCommand implements Callable<Integer> {
-  /** CamSim's own default. */
-  private static final int USUAL_STEPS = 100;
+  /** CamSim's default. */
+  private static final int DEFAULT_STEPS = 100;
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
@@ -66,7 +66,7 @@ final class CamSimCommand implements Callable<Integer> {
   private Optional<String> movement;
 
   @Option(names = "--no-gui")
-  @SuppressWarnings("UnusedVariable") // understood for CamSim's sake
+  @SuppressWarnings("UnusedVariable") // accepted for compatibility with CamSim
   private boolean noGui;
 
   @Mixin private CamSimOptions options;
@@ -88,14 +88,14 @@ final class CamSimCommand implements Callable<Integer> {
   private final SettingOptions settings =
       SettingOptions.of(
               Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY, Setting.CHANNEL)
-          .open(Setting.POLICY);
+          .withoutDefault(Setting.POLICY);
 
   @Override
   public Integer call() throws IOException {
-    return forCamSim.isPresent() ? write(forCamSim.get()) : run();
+    return forCamSim.isPresent() ? writeForCamSim(forCamSim.get()) : run();
   }
 
-  private int write(Path to) throws IOException {
+  private int writeForCamSim(Path to) throws IOException {
     OutputFile target = destination.inFolder("--for-camsim", to);
     if (files.size() > 1) {
       throw new InputException("--for-camsim has " + files.size() + " scenarios, expected one");
@@ -108,8 +108,8 @@ final class CamSimCommand implements Callable<Integer> {
 
   private int run() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings camSims = options.settings(screen.err());
-    CamSimPlans plans = plans(camSims, catalogue);
+    NetworkSettings network = options.settings(screen.err());
+    CamSimPlans plans = plans(network, catalogue);
     steps.ifPresent(asked -> Numbers.inRange("-t", asked, 0, Scenario.MAX_STEPS));
     Numbers.inRange("--repeat", repeat, 1, Integer.MAX_VALUE - Math.max(0, seed));
     List<RunPlan> bases = files.stream().map(plans::plan).toList();
@@ -117,25 +117,25 @@ final class CamSimCommand implements Callable<Integer> {
         "the scenarios' names", bases.stream().map(base -> base.scenario().name()).toList());
     for (int i = 0; i < bases.size(); i++) {
       for (int run = 0; run < repeat; run++) {
-        run(files.get(i), plan(bases.get(i), seed + run), camSims, catalogue);
+        run(files.get(i), plan(bases.get(i), seed + run), network, catalogue);
       }
     }
     return 0;
   }
 
-  private CamSimPlans plans(NetworkSettings camSims, Catalogue catalogue) {
-    return new CamSimPlans(settings.settings(), movement, camSims, catalogue, screen.err());
+  private CamSimPlans plans(NetworkSettings network, Catalogue catalogue) {
+    return new CamSimPlans(settings.settings(), movement, network, catalogue, screen.err());
   }
 
-  private RunPlan plan(RunPlan base, int ofRun) {
-    int most = steps.or(() -> base.scenario().find(Scenario.STEPS)).orElse(USUAL_STEPS);
-    return new RunPlan(base.scenario(), base.detection(), base.policy(), most, ofRun, 1);
+  private RunPlan plan(RunPlan base, int runSeed) {
+    int stepsOfRun = steps.or(() -> base.scenario().find(Scenario.STEPS)).orElse(DEFAULT_STEPS);
+    return new RunPlan(base.scenario(), base.detection(), base.policy(), stepsOfRun, runSeed, 1);
   }
 
-  private void run(Path file, RunPlan plan, NetworkSettings camSims, Catalogue catalogue)
+  private void run(Path file, RunPlan plan, NetworkSettings network, Catalogue catalogue)
       throws IOException {
     Instant started = Instant.now();
-    NetworkRun run = NetworkRun.of(plan, camSims, catalogue);
+    NetworkRun run = NetworkRun.of(plan, network, catalogue);
     CamSimFiles.Places places = places(file, plan);
     try (CamSimFiles written = new CamSimFiles(places, plan, run);
         Progress progress = screen.progress(plan.scenario().name(), " steps", plan.steps())) {
@@ -146,13 +146,14 @@ final class CamSimCommand implements Callable<Integer> {
   }
 
   private CamSimFiles.Places places(Path file, RunPlan plan) throws IOException {
-    boolean several = files.size() > 1 || repeat > 1;
-    String scenario = several ? "-" + plan.scenario().name() : "";
-    String one = several ? scenario + "-" + plan.seed() : "";
-    Path steps = named(output, one);
+    boolean hasSeveralRuns = files.size() > 1 || repeat > 1;
+    String ofScenario = hasSeveralRuns ? "-" + plan.scenario().name() : "";
+    String ofRun = hasSeveralRuns ? ofScenario + "-" + plan.seed() : "";
+    Path steps = withSuffix(output, ofRun);
     Optional<Path> sums =
-        several
-            ? Optional.of(named(summary.orElse(output.resolveSibling("summary.csv")), scenario))
+        hasSeveralRuns
+            ? Optional.of(
+                withSuffix(summary.orElse(output.resolveSibling("summary.csv")), ofScenario))
             : summary;
     destination.requireNoInput("-o", steps);
     destination.requireNoInput("-f", sums.orElse(steps));
@@ -160,15 +161,15 @@ final class CamSimCommand implements Callable<Integer> {
     if (more.isPresent()) {
       destination.file("--extra-out", more.get());
     }
-    Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + one));
+    Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + ofRun));
     return new CamSimFiles.Places(file, steps, sums, more, covered, destination.force());
   }
 
-  /** A file's path with something before the ending of its name. */
-  private static Path named(Path path, String more) {
+  /** A path whose file name has a suffix before its ending. */
+  private static Path withSuffix(Path path, String suffix) {
     String name = path.getFileName().toString();
     int dot = name.lastIndexOf('.') < 1 ? name.length() : name.lastIndexOf('.');
-    return path.resolveSibling(name.substring(0, dot) + more + name.substring(dot));
+    return path.resolveSibling(name.substring(0, dot) + suffix + name.substring(dot));
   }
 
   private void print(RunPlan plan, Path to, StepFigures sums) {

@@ -22,7 +22,7 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.files.ParameterFile;
 import picocli.CommandLine.Option;
 
-/** CamSim's own options that say how the network is run (behaviour 12.1). */
+/** The options of CamSim that choose how its network works (behaviour 12.1). */
 final class CamSimOptions {
   @Option(
       names = {"-a", "--algo"},
@@ -63,7 +63,7 @@ final class CamSimOptions {
   private int resetLevel;
 
   @Option(names = {"-g", "--global"})
-  @SuppressWarnings("UnusedVariable") // understood for CamSim's sake
+  @SuppressWarnings("UnusedVariable") // accepted for compatibility with CamSim
   private boolean global;
 
   @Option(
@@ -74,7 +74,7 @@ final class CamSimOptions {
   @Option(names = "--quirks", paramLabel = "all|none|NAME,...")
   private String quirks;
 
-  /** Reads the options, and warns on {@code err} of what is odd. */
+  /** Reads the options, with warnings on {@code err}. */
   NetworkSettings settings(PrintWriter err) {
     ParameterFile file = parameters.map(ParameterFile::read).orElse(ParameterFile.DEFAULT);
     if (strategies.isPresent() && (schedule.isPresent() || comm.isPresent())) {
@@ -106,7 +106,7 @@ final class CamSimOptions {
     return new InputException("%s is '%s', expected %s".formatted(option, text, expected));
   }
 
-  /** As in CamSim, what is no number leaves it to the file. */
+  /** As in CamSim, the scenario file decides if the option is not a number. */
   private Optional<Comm> comm(PrintWriter err) {
     if (comm.isEmpty()) {
       return Optional.empty();

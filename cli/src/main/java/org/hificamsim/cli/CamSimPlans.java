@@ -13,9 +13,9 @@ import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 
 /**
- * Plans of runs as CamSim does them, from files and options.
+ * Makes plans of CamSim's runs from files and options.
  *
- * @param movement of all objects, a class name, if asked for
+ * @param movement the name of the movement's class for all objects, if given
  */
 record CamSimPlans(
     Settings asked,
@@ -23,12 +23,12 @@ record CamSimPlans(
     NetworkSettings network,
     Catalogue catalogue,
     PrintWriter err) {
-  /** The plan of a file. */
+  /** The plan for a scenario file. */
   RunPlan plan(Path file) {
-    boolean zooming = asked.asked(Setting.POLICY).isPresent();
+    boolean zooms = asked.asked(Setting.POLICY).isPresent();
     Scenario scenario =
         asked.scenario(
-            CamSimScenario.read(file, movement.orElse(null), zooming, network, catalogue, err));
+            CamSimScenario.read(file, movement.orElse(null), zooms, network, catalogue, err));
     return asked
         .plan(scenario, DetectionSpec.of(asked, scenario, file, catalogue))
         .withPolicy(asked.asked(Setting.POLICY).orElse("zoom-out"));

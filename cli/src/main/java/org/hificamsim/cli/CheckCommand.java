@@ -23,7 +23,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim profile check}: predicted sizes of targets against those of a recording. */
+/** {@code hificamsim profile check}: compares predicted sizes of targets with a recording. */
 @Command(
     name = "check",
     description = {
@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
     })
 final class CheckCommand implements Callable<Integer> {
   private static final Pattern SIZE = Pattern.compile("(\\d{1,6})x(\\d{1,6})");
-  private static final double MAX = 100; // metres
+  private static final double MAX_METRES = 100;
 
   @Parameters(paramLabel = "MOT.txt", description = "Boxes: frame,id,left,top,width,height,...")
   private Path file;
@@ -62,11 +62,11 @@ final class CheckCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MAX);
-    Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MAX);
+    Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MAX_METRES);
+    Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MAX_METRES);
     Optional<Size> size = image.map(CheckCommand::size);
     requireLength("--unit", unit);
-    calibrationUnit.ifPresent(one -> requireLength("--calibration-unit", one));
+    calibrationUnit.ifPresent(length -> requireLength("--calibration-unit", length));
     Calibration camera = Calibration.read(calibration, calibrationUnit, size);
     MotSightings boxes = new MotSightings(file, camera, unit.metres());
     RealityCheck check = RealityCheck.of(boxes.sightings(), camera, new Size(width, height));
@@ -91,26 +91,26 @@ final class CheckCommand implements Callable<Integer> {
   }
 
   private void print(MotSightings boxes, RealityCheck check) {
-    PrintWriter to = spec.commandLine().getOut();
-    to.printf("%s boxes; left out: %s%n", check.boxes(), boxes.leftOut());
-    to.println(
+    PrintWriter terminal = spec.commandLine().getOut();
+    terminal.printf("%s boxes; left out: %s%n", check.boxes(), boxes.leftOut());
+    terminal.println(
         boxes.inWorld()
             ? "places: as the file says; half of the boxes stand within "
                 + Texts.format("%.1f", check.footError())
                 + " pixels of where the calibration has them"
             : "places: where boxes stand, by the calibration; the file has none");
-    to.printf("%-12s %-8s %8s %8s %8s%n", "rung", "of", "median", "90 %", "bias");
-    for (ErrorSummary one : check.overall()) {
-      to.printf(
+    terminal.printf("%-12s %-8s %8s %8s %8s%n", "rung", "of", "median", "90 %", "bias");
+    for (ErrorSummary errors : check.overall()) {
+      terminal.printf(
           Locale.ROOT,
           "%-12s %-8s %6.1f %% %6.1f %% %+6.1f %%%n",
-          one.rung(),
-          one.quantity(),
-          100 * one.median(),
-          100 * one.ninety(),
-          100 * one.bias());
+          errors.rung(),
+          errors.quantity(),
+          100 * errors.median(),
+          100 * errors.ninety(),
+          100 * errors.bias());
     }
-    to.printf(
+    terminal.printf(
         "by distance: %s, %s%n", out.resolve(CheckFolder.REALITY), CheckFolder.PICTURE + ".png");
   }
 }

@@ -7,8 +7,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
 
 /**
- * The commands of {@code hificamsim}. A call that begins with the name of one is given that one
- * alone: reading the options of all others would take a quarter of the time of a short command.
+ * The commands of {@code hificamsim}. A call that begins with the name of a command gets this
+ * command alone: reading the options of all others would take a quarter of the time of a short
+ * command.
  */
 final class Commands {
   private static final List<Class<?>> ALL =
@@ -32,7 +33,7 @@ final class Commands {
           HelpCommand.class,
           GenerateCompletion.class);
 
-  /** What speaks of the other commands, and so needs all. */
+  /** Commands about the other commands, which need all of them. */
   private static final List<Class<?>> ABOUT_ALL =
       List.of(HelpCommand.class, GenerateCompletion.class);
 
@@ -40,7 +41,7 @@ final class Commands {
 
   /** The command line for a call. */
   static CommandLine line(String... args) {
-    return args.length == 0 ? all() : with(named(args[0]));
+    return args.length == 0 ? all() : with(neededFor(args[0]));
   }
 
   /** The command line with all commands. */
@@ -48,7 +49,7 @@ final class Commands {
     return with(ALL);
   }
 
-  private static List<Class<?>> named(String name) {
+  private static List<Class<?>> neededFor(String name) {
     return ALL.stream()
         .filter(command -> command.getAnnotation(Command.class).name().equals(name))
         .filter(command -> !ABOUT_ALL.contains(command))

@@ -36,7 +36,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim compare}: scenarios x detection models x policies x seeds, side by side. */
+/** {@code hificamsim compare}: runs scenarios x detection models x policies x seeds. */
 @Command(
     name = "compare",
     description = "Compares policies and detection models over scenarios and seeds.")
@@ -119,33 +119,33 @@ final class CompareCommand implements Callable<Integer> {
   private List<RunPlan> plans(Catalogue catalogue) {
     Settings asked = settings.settings();
     List<DetectionSpec> specs = NameLists.detections(detections, catalogue);
-    List<String> zooms = NameLists.policies(policies, catalogue.policies());
+    List<String> policySpecs = NameLists.policies(policies, catalogue.policies());
     List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     List<RunPlan> plans = new ArrayList<>();
     for (int i = 0; i < files.size(); i++) {
       for (RunPlan plan : plans(asked, scenarios.get(i), files.get(i), specs, catalogue)) {
         scenarioOptions.warnAbout(files.get(i), plan.scenario(), plan.detection(), screen.err());
-        zooms.forEach(policy -> plans.add(plan.withPolicy(policy)));
+        policySpecs.forEach(policy -> plans.add(plan.withPolicy(policy)));
       }
     }
     return plans;
   }
 
-  /** A plan for each detection: those that are asked for, else the scenario's, else the default. */
+  /** A plan for each detection: the ones asked for, else the scenario's, else the defaults. */
   private List<RunPlan> plans(
       Settings asked,
       Scenario scenario,
       Path file,
       List<DetectionSpec> specs,
       Catalogue catalogue) {
-    boolean listed = command.commandLine().getParseResult().hasMatchedOption("--detections");
-    if (!listed && scenario.find(Scenario.DETECTION).isPresent()) {
+    boolean isListed = command.commandLine().getParseResult().hasMatchedOption("--detections");
+    if (!isListed && scenario.find(Scenario.DETECTION).isPresent()) {
       return List.of(asked.plan(scenario, DetectionSpec.of(asked, scenario, file, catalogue)));
     }
     List<RunPlan> plans = new ArrayList<>();
     for (DetectionSpec spec : specs) {
       Settings own =
-          listed
+          isListed
               ? asked.with(Setting.DETECTION, spec.text())
               : asked.orElse(Setting.DETECTION, spec.text());
       plans.add(own.plan(scenario, spec.detection(own, scenario)));
@@ -158,11 +158,12 @@ final class CompareCommand implements Callable<Integer> {
   private static void print(PrintWriter out, List<CaseResult> cases) {
     SummaryTables.meanings(cases).forEach(out::println);
     SummaryTables.cases(cases).print(out);
-    if (cases.stream().allMatch(one -> Estimate.mean(one.figures(Metric.SCORE)).mean() == 0)) {
-      nothing(out, cases);
+    if (cases.stream()
+        .allMatch(result -> Estimate.mean(result.figures(Metric.SCORE)).mean() == 0)) {
+      printCoverage(out, cases);
     }
     List<PolicyScores> policies =
-        PolicyScores.of(cases.stream().filter(one -> !one.isOptimum()).toList());
+        PolicyScores.of(cases.stream().filter(result -> !result.isOptimum()).toList());
     SummaryTables.atLeast(cases).forEach(out::println);
     List<Choice> choices = Choice.of(cases);
     if (!choices.isEmpty()) {
@@ -171,18 +172,18 @@ final class CompareCommand implements Callable<Integer> {
       Choice.table(choices).print(out);
     }
     Optional<Yardstick> yardstick = Yardstick.of(cases);
-    if (yardstick.isPresent() && policies.stream().anyMatch(one -> one.cases().size() > 1)) {
+    if (yardstick.isPresent() && policies.stream().anyMatch(policy -> policy.cases().size() > 1)) {
       out.println();
       out.println("all scenarios, " + yardstick.get().title() + ":");
       SummaryTables.aggregates(policies).print(out);
     }
   }
 
-  /** What is covered where performance says nothing, and why: how far each detection sees. */
-  private static void nothing(PrintWriter out, List<CaseResult> cases) {
+  /** Prints the shares of targets if all scores are 0, and the reach of each detection. */
+  private static void printCoverage(PrintWriter out, List<CaseResult> cases) {
     out.println("no step had every target covered, so performance is 0; shares of targets:");
     SummaryTables.coverage(cases).print(out);
-    cases.stream().map(one -> reach(one.plan())).distinct().forEach(out::println);
+    cases.stream().map(result -> reach(result.plan())).distinct().forEach(out::println);
   }
 
   private static String reach(RunPlan plan) {

@@ -7,11 +7,11 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
-/** One-line descriptions for people. */
+/** Describes scenarios for people in one line. */
 final class Descriptions {
   private Descriptions() {}
 
-  /** What a scenario holds. */
+  /** The contents of a scenario. */
   static String of(Scenario scenario) {
     return Texts.format(
         "%s, %s, %s, field %s x %s m, %s, %s order",
@@ -24,7 +24,7 @@ final class Descriptions {
         Spelling.of(scenario.order()));
   }
 
-  /** Those of tracks are counted once each, however often they come and go. */
+  /** The targets; a recorded target counts once, however often it appears. */
   private static String targets(Scenario scenario) {
     List<TargetSpec> recorded =
         scenario
@@ -33,18 +33,19 @@ final class Descriptions {
             .filter(target -> target.track().isPresent())
             .toList();
     String others = Texts.counted(scenario.targets().size(), "target");
-    long samples = recorded.stream().mapToLong(one -> one.track().orElseThrow().samples()).sum();
-    int each = (int) recorded.stream().map(TargetSpec::features).distinct().count();
-    String found = Texts.format("%,d samples of %s", samples, Texts.counted(each, "target"));
+    long samples =
+        recorded.stream().mapToLong(target -> target.track().orElseThrow().samples()).sum();
+    int count = (int) recorded.stream().map(TargetSpec::features).distinct().count();
+    String found = Texts.format("%,d samples of %s", samples, Texts.counted(count, "target"));
     return recorded.isEmpty()
         ? others
         : scenario.targets().isEmpty() ? found : others + ", " + found;
   }
 
-  /** Old files say it as ever. */
+  /** The optics and obstacles, or the zoom levels of a scenario without optics. */
   private static String views(Scenario scenario) {
     long optics =
-        scenario.cameras().stream().flatMap(one -> one.optics().stream()).distinct().count();
+        scenario.cameras().stream().flatMap(camera -> camera.optics().stream()).distinct().count();
     if (optics > 0) {
       String kinds = Texts.counted(optics, "kind") + " of optics, ";
       return kinds + Texts.counted(scenario.obstacles().size(), "obstacle");

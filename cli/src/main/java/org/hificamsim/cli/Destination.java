@@ -20,11 +20,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Where a command writes files: never onto what it reads, and onto a file that exists only with
- * {@code --force}.
+ * Checks where a command writes: never over its inputs, and over an existing file only with {@code
+ * --force}.
  */
 final class Destination {
-  /** The options that say where to write. What all others name is read. */
+  /** The options that name outputs; paths of all other options are inputs. */
   static final Set<String> OUTPUTS =
       Set.of(
           "--out",
@@ -43,7 +43,7 @@ final class Destination {
   @Option(names = "--force")
   private boolean force;
 
-  /** Whether a file that exists may be replaced. */
+  /** Whether an existing file may be replaced. */
   boolean force() {
     return force;
   }
@@ -51,30 +51,27 @@ final class Destination {
   /**
    * A file to write.
    *
-   * @throws InputException when it is an input, or exists without {@code --force}
+   * @throws InputException when the file is an input, or exists and there is no {@code --force}
    */
   OutputFile file(String option, Path path) throws IOException {
     requireNoInput(option, path);
     return OutputFile.of(option, path, force);
   }
 
-  /** A file to write, in a folder that is made where it is missing. */
+  /** A file to write, in a folder that is made if it is missing. */
   OutputFile inFolder(String option, Path path) throws IOException {
     requireNoInput(option, path);
     return OutputFile.inFolder(option, path, force);
   }
 
-  /** A folder to write into; what the command reads is kept as it is. */
+  /** A folder to write into, in which the inputs of the command are protected. */
   static OutputFolder folder(CommandSpec command, Path path) {
     OutputFolder folder = new OutputFolder(path);
     folder.keep(inputs(command).filter(Files::isRegularFile).toList());
     return folder;
   }
 
-  /**
-   * Checks that files may be written into a folder, before the work that they are made of, and
-   * without making the folder.
-   */
+  /** Checks before the work that files may be written into a folder, without making the folder. */
   static void claim(CommandSpec command, Path path, List<String> names) throws IOException {
     if (Files.isDirectory(path)) {
       try (OutputFolder folder = folder(command, path)) {
@@ -83,7 +80,7 @@ final class Destination {
     }
   }
 
-  /** Checks that an output is none of the command's inputs, nor a result in a folder of these. */
+  /** Checks that an output is neither an input nor a result in a folder that is an input. */
   void requireNoInput(String option, Path output) throws IOException {
     Path real = SeparateFiles.real(output);
     for (Path input : inputs(command).map(SeparateFiles::real).toList()) {
@@ -100,7 +97,7 @@ final class Destination {
         && FileRecord.of(folder).names().contains(folder.relativize(file).toString());
   }
 
-  /** The files and folders that the words of a command name, as a whole or in a part. */
+  /** The existing files and folders that a word of the command, or a part of a word, names. */
   private static Stream<Path> inputs(CommandSpec command) {
     return command.commandLine().getParseResult().matchedArgs().stream()
         .filter(Destination::isInput)

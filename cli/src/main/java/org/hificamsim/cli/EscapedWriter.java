@@ -5,7 +5,7 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import org.hificamsim.core.Place;
 
-/** Shows control characters and marks of direction in users' names as what they are. */
+/** Escapes control characters and marks of text direction, which users' names may contain. */
 final class EscapedWriter extends Writer {
   private final PrintWriter terminal;
 

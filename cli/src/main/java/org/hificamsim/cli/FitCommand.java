@@ -32,15 +32,19 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim profile fit}: models and a report from measurements. */
+/** {@code hificamsim profile fit}: makes models and a report from measurements. */
 @Command(
     name = "fit",
     description =
         "Fits detection models to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
-  private static final double PARSIMONY = 0.001; // what a node of a formula costs
-  private static final int WIDTH = 16; // of the models' names, at least
+
+  /** The cost of a node of a formula. */
+  private static final double PARSIMONY = 0.001;
+
+  /** The least width of the column with the names of models, in characters. */
+  private static final int MIN_WIDTH = 16;
 
   @Parameters(paramLabel = "DIR", description = "The folder of a measured data set.")
   private Path folder;
@@ -97,18 +101,18 @@ final class FitCommand implements Callable<Integer> {
 
   private void print(FitResult result, int models) {
     PrintWriter out = spec.commandLine().getOut();
-    List<FittedModel> all = FittedModel.all(result);
+    List<FittedModel> fittedModels = FittedModel.all(result);
     PrintWriter err = spec.commandLine().getErr();
-    all.stream()
+    fittedModels.stream()
         .filter(model -> model.fit().refused())
         .forEach(model -> err.println("warning: " + model.refusal()));
-    int width = all.stream().mapToInt(model -> model.name().length()).max().orElse(0);
-    String column = "%-" + Math.max(WIDTH, width) + "s";
+    int width = fittedModels.stream().mapToInt(model -> model.name().length()).max().orElse(0);
+    String column = "%-" + Math.max(MIN_WIDTH, width) + "s";
     out.printf(column + " %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
-    all.stream()
+    fittedModels.stream()
         .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
         .forEach(model -> out.println(row(column, model)));
-    Recommendation.all(result).forEach(one -> out.println(one.sentence()));
+    Recommendation.all(result).forEach(recommendation -> out.println(recommendation.sentence()));
     out.println(Recommendation.lens(result));
     out.printf("%s in %s%n", Texts.counted(models, "model"), folder.resolve(FittedModel.FOLDER));
     out.printf("report: %s%n", folder.resolve("report.html"));

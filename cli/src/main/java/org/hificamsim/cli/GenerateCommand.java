@@ -23,9 +23,9 @@ import picocli.CommandLine.Spec;
     name = "generate",
     description = "Generates a scenario with randomly placed cameras and targets.")
 final class GenerateCommand implements Callable<Integer> {
-  private static final int MAX = 200_000;
+  private static final int MAX_COUNT = 200_000; // of cameras, and of targets
   private static final int MAX_WALLS = 10_000;
-  private static final double LARGE = 1e9;
+  private static final double MAX_AREA = 1e9;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The file to write.")
   private Path file;
@@ -76,21 +76,21 @@ final class GenerateCommand implements Callable<Integer> {
   }
 
   private RandomField field() {
-    Numbers.inRange("--cameras", cameras, 1, MAX);
+    Numbers.inRange("--cameras", cameras, 1, MAX_COUNT);
     long seed = settings.settings().seed();
-    RandomField usual =
+    RandomField defaults =
         lenses ? RandomSite.size(cameras, seed) : RandomField.ofCameras(cameras, seed);
     if (targets != null) {
-      Numbers.inRange("--targets", targets, 1, MAX);
+      Numbers.inRange("--targets", targets, 1, MAX_COUNT);
     }
-    if (area != null && !(area > 0 && area <= LARGE)) {
+    if (area != null && !(area > 0 && area <= MAX_AREA)) {
       throw InputException.of(
-          "--area is %s, expected a number above 0 and at most %s", area, LARGE);
+          "--area is %s, expected a number above 0 and at most %s", area, MAX_AREA);
     }
     return new RandomField(
         cameras,
-        targets != null ? targets : usual.targets(),
-        area != null ? area : usual.area(),
+        targets != null ? targets : defaults.targets(),
+        area != null ? area : defaults.area(),
         seed);
   }
 }

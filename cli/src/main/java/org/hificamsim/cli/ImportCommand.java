@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim import}: makes a scenario of recorded tracks. */
+/** {@code hificamsim import}: makes a scenario from recorded tracks. */
 @Command(
     name = "import",
     description = "Makes a scenario from recorded tracks, walls and a floor plan.")
@@ -54,21 +54,22 @@ final class ImportCommand implements Callable<Integer> {
     String name = site.name(file);
     Destination.claim(spec, out, names(name));
     List<Obstacle> walls = site.walls(recording.unitOf(format), projection);
-    SiteSettings around = site.settings(name, file, walls);
+    SiteSettings siteSettings = site.settings(name, file, walls);
     TrackSettings settings = recording.settings();
     TracksImport tracks =
         new TracksImport(reader, recording.recording(file), recording.homography(), projection);
     try (OutputFolder folder = Destination.folder(spec, out)) {
-      ImportSummary found = tracks.write(settings, new Obstacles(walls), folder, name + ".tracks");
-      TrackedSite made = new TrackedSite(around, found);
+      ImportSummary summary =
+          tracks.write(settings, new Obstacles(walls), folder, name + ".tracks");
+      TrackedSite made = new TrackedSite(siteSettings, summary);
       write(folder, name, made);
       folder.commit(List.of());
-      tell(name, found, made, walls, projection);
+      print(name, summary, made, walls, projection);
     }
     return 0;
   }
 
-  /** What is written. */
+  /** The names of the files that are written. */
   private List<String> names(String name) {
     List<String> names = new ArrayList<>(List.of(name + ".xml", name + ".tracks"));
     if (site.floorplan() != null) {
@@ -88,16 +89,16 @@ final class ImportCommand implements Callable<Integer> {
     }
   }
 
-  private void tell(
+  private void print(
       String name,
-      ImportSummary found,
+      ImportSummary summary,
       TrackedSite made,
       List<Obstacle> walls,
       LocalProjection projection) {
     PrintWriter terminal = spec.commandLine().getOut();
     terminal.println(out.resolve(name + ".xml"));
-    found.lines().forEach(line -> terminal.println("  " + Place.printable(line)));
-    terminal.println("  " + recording.sizeLine(found));
+    summary.lines().forEach(line -> terminal.println("  " + Place.printable(line)));
+    terminal.println("  " + recording.sizeLine(summary));
     if (!Double.isNaN(projection.longitude())) {
       terminal.println(
           Texts.format(

@@ -2,7 +2,7 @@ package org.hificamsim.cli;
 
 import java.lang.reflect.Proxy;
 
-/** Says when a search is to end: after some time, or at the first Ctrl-C; a second one ends all. */
+/** Tells a search to end: after some time, or at the first Ctrl-C. A second ends the program. */
 final class Interrupt {
   private final long start = System.nanoTime();
   private final double seconds;
@@ -13,22 +13,23 @@ final class Interrupt {
     listen();
   }
 
+  /** Whether the search is to end. */
   boolean isDue() {
     return isDue(1);
   }
 
-  /** The same where a share of the time is enough. */
+  /** Whether a part of the search is to end that has a share of the time. */
   boolean isDue(double share) {
     return interrupted || System.nanoTime() - start > share * seconds * 1e9;
   }
 
-  /** By reflection: the compiler warns of the JDK's one class for signals, though it stays. */
+  /** Uses reflection, because the compiler warns of the JDK's only class for signals. */
   private void listen() {
     try {
       Class<?> signal = Class.forName("sun.misc.Signal");
       Class<?> handler = Class.forName("sun.misc.SignalHandler");
-      Object first = signal.getConstructor(String.class).newInstance("INT");
-      Object taken =
+      Object ctrlC = signal.getConstructor(String.class).newInstance("INT");
+      Object listener =
           Proxy.newProxyInstance(
               Interrupt.class.getClassLoader(),
               new Class<?>[] {handler},
@@ -39,9 +40,9 @@ final class Interrupt {
                 interrupted = true;
                 return null;
               });
-      signal.getMethod("handle", signal, handler).invoke(null, first, taken);
+      signal.getMethod("handle", signal, handler).invoke(null, ctrlC, listener);
     } catch (ReflectiveOperationException | IllegalArgumentException e) {
-      // a JVM without signals: then Ctrl-C ends the program, and --time the search
+      // without signals, Ctrl-C ends the program and --time the search
     }
   }
 }

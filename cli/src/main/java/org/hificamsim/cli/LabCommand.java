@@ -85,8 +85,8 @@ final class LabCommand implements Callable<Integer> {
   /** Checks every option before anything is written. */
   private LabSettings settings() {
     Numbers.within("--scale", scale, 0.02, 1);
-    focalLengths.forEach(z -> Numbers.within("--focal-lengths", z, 0.001, 1));
-    distances.forEach(d -> Numbers.within("--distances", d, 0.2, 11));
+    focalLengths.forEach(length -> Numbers.within("--focal-lengths", length, 0.001, 1));
+    distances.forEach(distance -> Numbers.within("--distances", distance, 0.2, 11));
     Numbers.inRange("--objects", objects, 1, MAX_OBJECTS);
     Numbers.within("--aperture", aperture, 0, 64);
     Numbers.within("--focus-error", focusError, 0, 0.2);

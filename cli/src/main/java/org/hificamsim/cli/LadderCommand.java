@@ -29,7 +29,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code hificamsim ladder}: how much realism the choice of a policy needs. */
+/** {@code hificamsim ladder}: shows how much realism the choice of a policy needs. */
 @Command(
     name = "ladder",
     description = {
@@ -37,8 +37,8 @@ import picocli.CommandLine.Parameters;
       "For each rung of realism: predicted scores, order of policies, loss by its choice, time."
     })
 final class LadderCommand implements Callable<Integer> {
-  /** What rises from rung to rung. */
-  private enum Of {
+  /** What becomes more realistic from rung to rung. */
+  private enum LadderKind {
     DETECTION,
     WORLD
   }
@@ -47,7 +47,7 @@ final class LadderCommand implements Callable<Integer> {
   private List<Path> files;
 
   @Option(names = "--of", paramLabel = "detection|world")
-  private String of;
+  private String kind;
 
   @Option(names = "--rungs", paramLabel = "A,B[@T]")
   private Optional<String> rungs;
@@ -93,7 +93,7 @@ final class LadderCommand implements Callable<Integer> {
   }
 
   private Ladder ladder(Settings asked, Catalogue catalogue) {
-    asked.asked(Setting.DETECT).ifPresent(LadderCommand::refuse);
+    asked.asked(Setting.DETECT).ifPresent(LadderCommand::rejectRule);
     List<String> specs = NameLists.policies(policies, catalogue.policies());
     List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     return new Ladder(
@@ -103,7 +103,7 @@ final class LadderCommand implements Callable<Integer> {
         (rung, scenario) -> rung.detection(asked, scenario, catalogue::detection));
   }
 
-  private static void refuse(String rule) {
+  private static void rejectRule(String rule) {
     throw InputException.of(
         "--detect is '%s', expected none: a rung names its own, --rungs NAME@%s", rule, rule);
   }
@@ -111,7 +111,9 @@ final class LadderCommand implements Callable<Integer> {
   private List<Rung> rungsAsked() {
     Optional<List<String>> names =
         rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
-    return Spelling.require(Of.class, "--of", of) == Of.WORLD ? ofWorld(names) : ofDetection(names);
+    return Spelling.require(LadderKind.class, "--of", kind) == LadderKind.WORLD
+        ? ofWorld(names)
+        : ofDetection(names);
   }
 
   private List<Rung> ofWorld(Optional<List<String>> names) {
@@ -131,20 +133,20 @@ final class LadderCommand implements Callable<Integer> {
         .orElseGet(Rungs::ofDetection);
   }
 
-  /** Each scenario, then all with the costs. */
+  /** Prints each scenario, then all scenarios together with the costs. */
   private static void print(PrintWriter out, LadderResult result) {
     String columns =
         "%-"
             + width(result.scenarios().stream())
             + "s  %-"
-            + width(result.rungs().stream().map(one -> one.rung().name()))
+            + width(result.rungs().stream().map(row -> row.rung().name()))
             + "s  %7s  %20s  %23s  ";
-    String lost = result.measure() + " lost, % [95%]";
-    String header = columns.formatted("scenario", "rung", "optimum", "tau [95%]", lost);
+    String loss = result.measure() + " lost, % [95%]";
+    String header = columns.formatted("scenario", "rung", "optimum", "tau [95%]", loss);
     out.println(header + "chosen");
-    for (RungResult one : result.rungs()) {
-      if (!one.scenario().equals(RungResult.ALL)) {
-        out.println(line(columns, one) + String.join(LadderFiles.OR, one.chosen()));
+    for (RungResult row : result.rungs()) {
+      if (!row.scenario().equals(RungResult.ALL)) {
+        out.println(line(columns, row) + String.join(LadderFiles.OR, row.chosen()));
       }
     }
     out.println();
@@ -156,13 +158,13 @@ final class LadderCommand implements Callable<Integer> {
     }
   }
 
-  private static String line(String columns, RungResult one) {
+  private static String line(String columns, RungResult row) {
     return columns.formatted(
-        one.scenario(),
-        one.rung().name(),
-        Texts.format("%.3f", one.optimum().mean()),
-        one.tau().text("%.2f"),
-        one.share().times(100).text("%.1f"));
+        row.scenario(),
+        row.rung().name(),
+        Texts.format("%.3f", row.optimum().mean()),
+        row.tau().text("%.2f"),
+        row.share().times(100).text("%.1f"));
   }
 
   private static int width(Stream<String> texts) {

@@ -19,7 +19,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim list}: what can be asked for by name. */
+/** {@code hificamsim list}: lists everything that has a name. */
 @Command(name = "list", description = "Lists detection models, policies or scenarios.")
 final class ListCommand {
   private static final String WHAT_THRESHOLDS_MEAN =
@@ -42,25 +42,25 @@ See docs/detection.md.
   @Command(description = "Detection models, with their thresholds.")
   void detections() {
     Registry<DetectionModel> models = Catalogue.load().detections();
-    for (Registry.Entry<DetectionModel> one : models.entries()) {
-      line(one.name(), one.summary() + thresholds(models.create(one.name())));
+    for (Registry.Entry<DetectionModel> entry : models.entries()) {
+      line(entry.name(), entry.summary() + thresholds(models.create(entry.name())));
     }
     out().printf("%n%s", WHAT_THRESHOLDS_MEAN);
     out().flush();
   }
 
   /**
-   * The equation of a fitted model, and its thresholds: by chance, it detects half of the time at
-   * the second, where it has one.
+   * The equation of a fitted model and its thresholds. The second, if there is one, is the
+   * confidence at which the model detects half of the time by chance.
    */
   private static String thresholds(DetectionModel model) {
-    String equation = model instanceof HiFiDetection one ? "; g(p) = " + one.g().equation() : "";
+    String equation =
+        model instanceof HiFiDetection fitted ? "; g(p) = " + fitted.g().equation() : "";
     String chance =
-        model
-            .scatter()
-            .map(any -> Detection.by(BY_CHANCE, model.name(), model).threshold())
-            .map(half -> Texts.format("; chance %.4g", half))
-            .orElse("");
+        model.scatter().isPresent()
+            ? Texts.format(
+                "; chance %.4g", Detection.by(BY_CHANCE, model.name(), model).threshold())
+            : "";
     return equation + Texts.format(" (threshold %.4g%s)", model.defaultThreshold(), chance);
   }
 

@@ -45,7 +45,9 @@ public final class Main {
   static final int BAD_INPUT = 2;
   private static final int FAILURE = 1;
   private static final String DEFAULT = ".default";
-  private static final int PART = 400; // characters of a line's start and end
+
+  /** The number of characters that are kept of the start and the end of a long message. */
+  private static final int KEPT = 400;
 
   /** Runs one command and exits with its code. */
   public static void main(String[] args) {
@@ -70,18 +72,19 @@ public final class Main {
             .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
     try {
       int exit = line.execute(args);
-      return exit == 0 && out.checkError() ? unprinted(line) : exit;
+      return exit == 0 && out.checkError() ? outputFailed(line) : exit;
     } catch (Error e) {
       return failure(e, line);
     }
   }
 
-  /** A full device is an error; a reader that has seen enough, such as head, is none. */
-  private static int unprinted(CommandLine line) {
+  /** A full device is an error; a reader that stops reading, such as head, is not. */
+  private static int outputFailed(CommandLine line) {
     try {
       new FileOutputStream(FileDescriptor.out).write('\n');
     } catch (IOException e) {
-      if (String.valueOf(e.getMessage()).contains("roken pipe")) { // in German in brackets
+      if (String.valueOf(e.getMessage())
+          .contains("roken pipe")) { // other languages add it in brackets
         return 0;
       }
     }
@@ -89,7 +92,7 @@ public final class Main {
         line, "standard output cannot be written, expected a place with room for it", FAILURE);
   }
 
-  /** What the help says of all options, and their defaults. */
+  /** The help texts of all options, and their defaults. */
   static ResourceBundle options() {
     try (InputStream in = Main.class.getResourceAsStream("options.properties")) {
       return new PropertyResourceBundle(in);
@@ -121,7 +124,7 @@ public final class Main {
     }
   }
 
-  /** What is wrong, with what there is, or what was probably meant. */
+  /** The message with the valid words, or the word that was probably meant. */
   private static String message(ParameterException fault) {
     Set<String> commands = fault.getCommandLine().getSubcommands().keySet();
     if (!(fault instanceof UnmatchedArgumentException unmatched)) {
@@ -147,9 +150,9 @@ public final class Main {
       return failure(io.getCause(), command);
     }
     if (fault instanceof OutOfMemoryError) {
-      String more =
+      String hint =
           "out of memory, expected fewer steps or cameras, or HIFICAMSIM_OPTS=-Xmx8g or more";
-      return end(command, more, FAILURE);
+      return end(command, hint, FAILURE);
     }
     return end(command, oneLine(message(fault)), FAILURE);
   }
@@ -169,12 +172,12 @@ public final class Main {
     return code;
   }
 
-  /** Without the middle where it is long: at the end stands what was expected. */
+  /** Leaves out the middle of a long message: its end says what was expected. */
   private static String shortened(String message) {
     int length = message.length();
-    return length <= 2 * PART
+    return length <= 2 * KEPT
         ? message
-        : message.substring(0, PART) + "..." + message.substring(length - PART);
+        : message.substring(0, KEPT) + "..." + message.substring(length - KEPT);
   }
 
   private static String oneLine(String message) {

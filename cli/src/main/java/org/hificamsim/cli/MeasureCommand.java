@@ -26,7 +26,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code hificamsim profile measure}: PIP and the detectors' confidences of every photo. */
+/** {@code hificamsim profile measure}: measures PIP and confidences of every photo. */
 @Command(
     name = "measure",
     description = "Measures every photo of a data set and writes measurements.csv; resumable.")
@@ -114,7 +114,7 @@ final class MeasureCommand implements Callable<Integer> {
     return new MeasureSettings(names, new RatioTest(metric, ratio), pip, falseAlarms);
   }
 
-  /** A detector's name in small letters; a file behind a colon keeps its own. */
+  /** The name of a detector in lower case; a file after a colon keeps its letters. */
   private static String name(String text) {
     String[] parts = text.strip().split(":", 2);
     parts[0] = parts[0].toLowerCase(Locale.ROOT);

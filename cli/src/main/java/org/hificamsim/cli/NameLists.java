@@ -11,27 +11,26 @@ import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.runs.DetectionSpec;
 
-/** Lists of names as users write them. */
+/** Reads lists of names that users write. */
 final class NameLists {
-  private static final int LONGEST_NAME = 100;
+  private static final int MAX_LENGTH = 100;
 
   private NameLists() {}
 
   /**
-   * The list {@code P,Q:key=value,key=value,R} of policies, each checked with its options: a part
-   * between commas starts a new policy unless it is a {@code key=value} or a number, which
-   * continues the one before it.
+   * Reads a list of policies such as {@code P,Q:key=value,key=value,R}, and checks each with its
+   * options. A part between commas starts a new policy, unless it is a {@code key=value} or a
+   * number, which belongs to the policy before it.
    *
-   * @throws org.hificamsim.core.InputException when one is unknown or there twice, or an option is
-   *     wrong
+   * @throws org.hificamsim.core.InputException when a policy is unknown or occurs twice, or an
+   *     option is wrong
    */
   static List<String> policies(String list, Registry<ZoomPolicy> policies) {
     List<String> specs = new ArrayList<>();
     for (String part : list.split(",", -1)) {
       String text = part.strip();
-      boolean continues =
-          !specs.isEmpty() && !policies.knows(text) && text.matches("[^:]*=.*|\\d+");
-      if (continues) {
+      boolean isOption = !specs.isEmpty() && !policies.knows(text) && text.matches("[^:]*=.*|\\d+");
+      if (isOption) {
         specs.set(specs.size() - 1, specs.get(specs.size() - 1) + "," + text);
       } else {
         specs.add(text);
@@ -43,48 +42,48 @@ final class NameLists {
   }
 
   /**
-   * A list of detections. A file whose model bears the name of another model of the list, as a
-   * refit of a shipped one does, goes by its file's name.
+   * Reads a list of detections. If a model in a file has the same name as another model of the
+   * list, such as a shipped one that was fitted again, it gets the name of its file.
    */
   static List<DetectionSpec> detections(String list, Catalogue catalogue) {
     List<String> texts = Arrays.stream(list.split(",", -1)).map(String::strip).toList();
-    List<DetectionSpec> plain =
+    List<DetectionSpec> specs =
         texts.stream().map(text -> DetectionSpec.parse(text, catalogue::detection)).toList();
     return texts.stream()
-        .map(text -> DetectionSpec.parse(text, name -> apart(name, catalogue, plain)))
+        .map(text -> DetectionSpec.parse(text, name -> distinctModel(name, catalogue, specs)))
         .toList();
   }
 
-  private static DetectionModel apart(
+  private static DetectionModel distinctModel(
       String name, Catalogue catalogue, List<DetectionSpec> others) {
     DetectionModel model = catalogue.detection(name);
-    boolean taken =
+    boolean isTaken =
         others.stream()
             .map(DetectionSpec::model)
             .anyMatch(other -> other.name().equals(model.name()) && !other.equals(model));
-    return taken && model instanceof HiFiDetection fitted && !name.equals(model.name())
+    return isTaken && model instanceof HiFiDetection fitted && !name.equals(model.name())
         ? fitted.named(fileName(name))
         : model;
   }
 
-  /** The end of the file's path, in the letters that a model's name may have. */
+  /** The end of a file's path, with the characters that a model's name may have. */
   private static String fileName(String path) {
     String legal = path.replaceAll("[^A-Za-z0-9:._-]+", "-");
     return legal
-        .substring(Math.max(0, legal.length() - LONGEST_NAME))
+        .substring(Math.max(0, legal.length() - MAX_LENGTH))
         .replaceFirst("^[^A-Za-z0-9]+", "");
   }
 
   /**
-   * Checks a list.
+   * Checks that no name occurs twice.
    *
-   * @param what it is, for the message
-   * @throws InputException when a name is there twice
+   * @param list the name of the list, for the message
+   * @throws InputException when a name occurs twice
    */
-  static void requireDistinct(String what, List<String> names) {
+  static void requireDistinct(String list, List<String> names) {
     for (int i = 0; i < names.size(); i++) {
       if (names.indexOf(names.get(i)) < i) {
-        throw new InputException(what + " has '" + names.get(i) + "' twice, expected each once");
+        throw new InputException(list + " has '" + names.get(i) + "' twice, expected each once");
       }
     }
   }

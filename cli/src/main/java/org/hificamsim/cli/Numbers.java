@@ -2,7 +2,7 @@ package org.hificamsim.cli;
 
 import org.hificamsim.core.InputException;
 
-/** Range checks of numeric options. */
+/** Checks the ranges of numeric options. */
 final class Numbers {
   private Numbers() {}
 
@@ -18,9 +18,9 @@ final class Numbers {
   }
 
   /**
-   * Two numbers with a comma between.
+   * Reads two numbers with a comma between them.
    *
-   * @throws InputException naming the option when the text is anything else
+   * @throws InputException naming the option when the text has another form
    */
   static double[] pair(String option, String text, String expected) {
     String[] parts = text.split(",", -1);

@@ -25,7 +25,7 @@ import org.hificamsim.runs.heat.HeatTable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
-/** The options of {@code report} that ask for pictures: for papers, without a browser. */
+/** The options of {@code report} for pictures, which need no browser. */
 final class PictureOptions {
   private static final int PNG_WIDTH = 1600;
   private static final int GIF_WIDTH = 640;
@@ -82,38 +82,38 @@ final class PictureOptions {
   private int repeats;
 
   /** Whether any picture is asked for. */
-  boolean asked() {
-    return still() || gif != null;
+  boolean isAsked() {
+    return asksForStill() || gif != null;
   }
 
-  private boolean still() {
+  private boolean asksForStill() {
     return png != null || svg != null || pdf != null;
   }
 
   /**
-   * Checks that nothing is said about pictures that are not asked for.
+   * Checks that no option is about a picture that is not asked for.
    *
    * @param words the command line
    */
   void check(ParseResult words) {
-    require(words, still(), "--png, --svg or --pdf", "--step", "--heatmap", "--tracks");
+    require(words, asksForStill(), "--png, --svg or --pdf", "--step", "--heatmap", "--tracks");
     if (heat.isPresent() && words.hasMatchedOption("--step")) {
       throw new InputException("--heatmap shows all steps, expected no --step with it");
     }
     require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
-    require(words, asked(), "--png, --svg, --pdf or --gif", "--run", "--density", "--floorplan");
+    require(words, isAsked(), "--png, --svg, --pdf or --gif", "--run", "--density", "--floorplan");
     require(words, png != null || gif != null, "--png or --gif", "--width");
   }
 
-  private static void require(ParseResult words, boolean asked, String by, String... about) {
-    for (String option : about) {
-      if (!asked && words.hasMatchedOption(option)) {
-        throw new InputException(option + " needs " + by);
+  private static void require(ParseResult words, boolean isMet, String needed, String... options) {
+    for (String option : options) {
+      if (!isMet && words.hasMatchedOption(option)) {
+        throw new InputException(option + " needs " + needed);
       }
     }
   }
 
-  /** Checks that what is asked for may be written. */
+  /** Checks that the pictures may be written. */
   void claim(Destination destination) throws IOException {
     String[] options = {"--png", "--svg", "--pdf", "--gif"};
     Path[] files = {png, svg, pdf, gif};
@@ -124,7 +124,7 @@ final class PictureOptions {
     }
   }
 
-  /** Draws what is asked for, telling each file on {@code out}. */
+  /** Draws the pictures, and prints the name of each file to {@code out}. */
   void write(Path folder, Destination destination, PrintWriter out) throws IOException {
     Numbers.inRange("--per-second", perSecond, 1, MAX_PER_SECOND);
     if (width != null) {
@@ -196,11 +196,11 @@ final class PictureOptions {
     }
     return new Look(
         opacity,
-        density.map(name -> dense(setup, name)).stream().mapToInt(i -> i).findFirst(),
+        density.stream().mapToInt(name -> cameraWithDensity(setup, name)).findFirst(),
         tracks);
   }
 
-  private static int dense(Setup setup, String name) {
+  private static int cameraWithDensity(Setup setup, String name) {
     List<Setup.Camera> cameras = setup.cameras();
     return IntStream.range(0, cameras.size())
         .filter(i -> cameras.get(i).name().equals(name) && cameras.get(i).pose().hasDensity())

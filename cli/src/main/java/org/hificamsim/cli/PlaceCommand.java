@@ -52,7 +52,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code hificamsim place}: where to put the cameras, and how good that is. */
+/** {@code hificamsim place}: plans where to put cameras, and bounds what is possible. */
 @Command(
     name = "place",
     description = {
@@ -61,14 +61,26 @@ import picocli.CommandLine.Parameters;
     })
 final class PlaceCommand implements Callable<Integer> {
   private static final int MAX_CAMERAS = 100_000;
-  private static final int ROUNDS = 60; // without a better plan
-  private static final double SEARCHED = 0.2; // of the time, before an exact method goes on
-  private static final double TRIED = 0.8; // of the time, before it goes on with all candidates
-  private static final double REFINED = 0.7; // of the time, before cameras are moved
-  private static final int USUAL_CELLS = 60;
+
+  /** The number of rounds without a better plan after which a search ends. */
+  private static final int ROUNDS = 60;
+
+  /** The shares of the time after which an exact method begins, and uses all candidates. */
+  private static final double SHARE_OF_SEARCH = 0.2;
+
+  private static final double SHARE_OF_FEW_CANDIDATES = 0.8;
+
+  /** The share of the time after which cameras are moved to refine the plan. */
+  private static final double SHARE_BEFORE_REFINEMENT = 0.7;
+
+  private static final int DEFAULT_CELLS = 60;
   private static final String UNKNOWN = "%s: the site has no %s '%s', expected the name of one";
-  private static final int SPOTS = 3; // that the terminal names
-  private static final double USUAL_PLACES = 40; // along the longer side of the field
+
+  /** The number of blind spots that are printed. */
+  private static final int MAX_SPOTS = 3;
+
+  /** The default number of candidate positions along the longer side of the field. */
+  private static final double DEFAULT_POSITIONS = 40;
 
   @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
   private Path file;
@@ -152,13 +164,13 @@ final class PlaceCommand implements Callable<Integer> {
     if (instance.isPresent()) {
       return solve(instance.get(), goal);
     }
-    String plain = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
-    Path folder = out.orElse(Path.of("out", plain + "-plan"));
+    String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+    Path folder = out.orElse(Path.of("out", name + "-plan"));
     PlacementProblem problem = problem(goal);
     List<Setup.Floor> floor = FloorPictures.of(file, problem.demand().site());
     Interrupt interrupt = new Interrupt(time);
     Optional<Refinement> refinement =
-        Optional.of(problem).filter(p -> refine).map(p -> refinement(p.demand().site(), interrupt));
+        refine ? Optional.of(refinement(problem.demand().site(), interrupt)) : Optional.empty();
     SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
@@ -170,10 +182,11 @@ final class PlaceCommand implements Callable<Integer> {
       ManifestFile.write(output, screen.words(), started, 0);
       ResultFolder.commit(output, List.of("instance.txt"));
     }
-    tell(plan, folder);
+    print(plan, folder);
     return 0;
   }
 
+  /** How a plan is found. */
   private enum Method {
     SEARCH,
     EXACT
@@ -181,30 +194,33 @@ final class PlaceCommand implements Callable<Integer> {
 
   private Effort effort(Interrupt interrupt) {
     boolean exact = Spelling.require(Method.class, "--method", method) == Method.EXACT;
-    double part = refine ? REFINED : 1;
+    double share = refine ? SHARE_BEFORE_REFINEMENT : 1;
     return new Effort(
         settings.settings().seed(),
         ROUNDS,
         exact ? Optional.of(ExactMethod.onClassPath()) : Optional.empty(),
         new Effort.Limits(
-            () -> interrupt.isDue(SEARCHED * part),
-            () -> interrupt.isDue(TRIED * part),
-            () -> interrupt.isDue(part)));
+            () -> interrupt.isDue(SHARE_OF_SEARCH * share),
+            () -> interrupt.isDue(SHARE_OF_FEW_CANDIDATES * share),
+            () -> interrupt.isDue(share)));
   }
 
   private Refinement refinement(Scenario site, Interrupt interrupt) {
-    List<List<Point>> closer = Stream.of(2, 4, 8).map(parts -> places(site, parts)).toList();
-    return new Refinement(closer, threads.count(), interrupt::isDue);
+    List<List<Point>> denser = Stream.of(2, 4, 8).map(parts -> positions(site, parts)).toList();
+    return new Refinement(denser, threads.count(), interrupt::isDue);
   }
 
   private Goal goal() {
-    int asked = (cameras.isPresent() ? 1 : 0) + (budget.isPresent() ? 1 : 0) + (cover ? 1 : 0);
-    if (asked != 1 && !(asked == 0 && instance.isPresent())) {
+    int goals = (cameras.isPresent() ? 1 : 0) + (budget.isPresent() ? 1 : 0) + (cover ? 1 : 0);
+    if (goals != 1 && !(goals == 0 && instance.isPresent())) {
       throw new InputException("expected one of --cameras N, --budget EUR and --cover");
     }
-    cameras.ifPresent(n -> Numbers.inRange("--cameras", n, 1, MAX_CAMERAS));
+    cameras.ifPresent(number -> Numbers.inRange("--cameras", number, 1, MAX_CAMERAS));
     budget.ifPresent(price -> Numbers.within("--budget", price, 1e-9, 1e12));
-    return cameras.map(n -> new Goal(n)).or(() -> budget.map(Goal::new)).orElse(Goal.FULL_COVER);
+    return cameras
+        .map(number -> new Goal(number))
+        .or(() -> budget.map(Goal::new))
+        .orElse(Goal.FULL_COVER);
   }
 
   private PlacementProblem problem(Goal goal) throws IOException {
@@ -214,43 +230,47 @@ final class PlaceCommand implements Callable<Integer> {
     Detection detection = DetectionSpec.of(asked, site, file, catalogue);
     FieldCells grid =
         FieldCells.of(
-            site.field(), Numbers.inRange("--cells", cells.orElse(USUAL_CELLS), 1, FieldCells.MAX));
+            site.field(),
+            Numbers.inRange("--cells", cells.orElse(DEFAULT_CELLS), 1, FieldCells.MAX));
     redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
-    Of of = Spelling.require(Of.class, "--demand", demand);
-    Demand all =
+    DemandSource source = Spelling.require(DemandSource.class, "--demand", demand);
+    Demand demanded =
         Demand.of(
             site,
             grid,
             redundancy,
             new Demand.Detections(detection, detections(catalogue)),
-            of == Of.TRACKS ? Optional.of(Visits.of(site, grid, catalogue)) : Optional.empty());
-    CoverageReading read = Spelling.require(CoverageReading.class, "--reading", reading);
+            source == DemandSource.TRACKS
+                ? Optional.of(Visits.of(site, grid, catalogue))
+                : Optional.empty());
+    CoverageReading coverageReading = Spelling.require(CoverageReading.class, "--reading", reading);
     return PlacementProblem.of(
         new PlacementProblem.Request(
-            all,
-            new Candidates.Options(places(site, 1), CameraKind.catalogue(kinds, site)),
-            read,
+            demanded,
+            new Candidates.Options(positions(site, 1), CameraKind.catalogue(kinds, site)),
+            coverageReading,
             kept(site),
             new PlacementProblem.SiteGoal(goal, cameras.isPresent())),
         catalogue,
         threads.count());
   }
 
-  private enum Of {
+  /** Where the weights of a site's cells come from. */
+  private enum DemandSource {
     ZONES,
     TRACKS
   }
 
-  /** Detections that zones name. */
+  /** Finds the detections that zones name. */
   static Function<String, Detection> detections(Catalogue catalogue) {
     return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
   }
 
-  /** The places of candidates, or between them where these are {@code parts} times closer. */
-  private List<Point> places(Scenario site, int parts) {
+  /** The positions of candidates, or positions that are {@code parts} times as dense. */
+  private List<Point> positions(Scenario site, int parts) {
     List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());
-    String text = candidates.orElse("every=" + longer / USUAL_PLACES);
+    String text = candidates.orElse("every=" + longer / DEFAULT_POSITIONS);
     if (!text.startsWith("every=")) {
       return MountPoints.read(Path.of(text), site, forbidden);
     }
@@ -272,58 +292,61 @@ final class PlaceCommand implements Callable<Integer> {
         : named("--keep", keep, "camera", site.cameras(), CameraSpec::name);
   }
 
-  /** What an option names of a site. */
+  /** The parts of a site that an option names. */
   private static <T> List<T> named(
-      String option, Optional<String> list, String kind, List<T> all, Function<T, String> name) {
+      String option, Optional<String> list, String kind, List<T> parts, Function<T, String> name) {
     return list.stream()
         .flatMap(text -> Stream.of(text.split(",")))
         .map(
             asked ->
-                all.stream()
-                    .filter(one -> name.apply(one).equals(asked))
+                parts.stream()
+                    .filter(part -> name.apply(part).equals(asked))
                     .findFirst()
                     .orElseThrow(() -> InputException.of(UNKNOWN, option, kind, asked)))
         .toList();
   }
 
-  /** Prints the plan and the bound where they have changed: as shares, or as they are. */
-  private CoverSearch.Watcher watcher(boolean shares) {
+  /** Prints the score of the plan and the bound when they change, as shares or as numbers. */
+  private CoverSearch.Watcher watcher(boolean asShares) {
     long started = System.nanoTime();
-    String unit = shares ? " %%" : "";
+    String unit = asShares ? " %%" : "";
     String form = "plan %.2f" + unit + ", bound %.2f" + unit + ", gap %.2f %%";
-    String[] before = {""};
+    String[] last = {""};
     return (score, limit) -> {
-      double bound = shares ? Math.min(1, limit) : limit; // no plan meets more than all
+      double bound = asShares ? Math.min(1, limit) : limit;
       double gap = Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score));
-      int by = shares ? 100 : 1;
-      String now = Texts.format(form, by * score, by * bound, 100 * gap);
-      if (!now.equals(before[0])) {
-        screen.note("%6.1f s: %s", (System.nanoTime() - started) / 1e9, now);
+      int factor = asShares ? 100 : 1;
+      String line = Texts.format(form, factor * score, factor * bound, 100 * gap);
+      if (!line.equals(last[0])) {
+        screen.note("%6.1f s: %s", (System.nanoTime() - started) / 1e9, line);
       }
-      before[0] = now;
+      last[0] = line;
     };
   }
 
-  private void tell(SitePlan plan, Path folder) {
-    Demand all = plan.demand();
+  private void print(SitePlan plan, Path folder) {
+    Demand demanded = plan.demand();
     List<String> facts = plan.facts();
     screen.say("%s", facts.get(0));
     facts.stream().skip(1).forEach(fact -> screen.say("  %s", fact));
     screen.say(
         "  %d candidates, %d samples, cells of %.2f m, %.1f s",
         plan.problem().candidates().list().size(),
-        all.points().size(),
-        all.cells().width(),
+        demanded.points().size(),
+        demanded.cells().width(),
         plan.coverPlan().seconds());
-    for (Demand.ZoneDemand zone : all.zones()) {
+    for (Demand.ZoneDemand zone : demanded.zones()) {
       screen.say(
           "  zone %s: %.2f %% by %s, k = %d",
-          zone.name(), 100 * all.share(zone, plan.counts()), zone.detection().name(), zone.k());
+          zone.name(),
+          100 * demanded.share(zone, plan.counts()),
+          zone.detection().name(),
+          zone.k());
     }
     List<BlindSpot> spots = plan.blindSpots();
-    spots.stream().limit(SPOTS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
-    if (spots.size() > SPOTS) {
-      screen.say("  and %d more places", spots.size() - SPOTS);
+    spots.stream().limit(MAX_SPOTS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
+    if (spots.size() > MAX_SPOTS) {
+      screen.say("  and %d more places", spots.size() - MAX_SPOTS);
     }
     screen.say(
         "%s/index.html, plan.pdf; under policies: ./hificamsim compare %s",
@@ -335,17 +358,17 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   private int solve(Path path, Goal goal) throws IOException {
-    CoverInstance read = InstanceFile.read(path, instanceForm());
-    CoverInstance all = goal.isFullCover() ? read.coverable() : read;
+    CoverInstance whole = InstanceFile.read(path, instanceForm());
+    CoverInstance solved = goal.isFullCover() ? whole.coverable() : whole;
     Effort effort = effort(new Interrupt(time));
-    CoverPlan plan = CoverSearch.solve(all, goal, effort, watcher(false));
+    CoverPlan plan = CoverSearch.solve(solved, goal, effort, watcher(false));
     screen.say(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
-        all.candidates(),
-        all.price(plan.chosen()),
-        all.worth(all.counts(plan.chosen())),
-        all.points());
+        solved.candidates(),
+        solved.price(plan.chosen()),
+        solved.worth(solved.counts(plan.chosen())),
+        solved.points());
     screen.say(
         "score %.2f, bound %.2f, gap %.3f %%, %.1f s",
         plan.score(), plan.bound(), 100 * plan.gap(), plan.seconds());

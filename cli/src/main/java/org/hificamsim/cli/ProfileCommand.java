@@ -2,7 +2,7 @@ package org.hificamsim.cli;
 
 import picocli.CommandLine.Command;
 
-/** {@code hificamsim profile}: from photos to a detection model, and how true its optics are. */
+/** {@code hificamsim profile}: makes detection models from photos, and checks their optics. */
 @Command(
     name = "profile",
     description = {

@@ -11,20 +11,20 @@ import org.hificamsim.profiling.measure.Measurer.MeasureProgress;
 import org.hificamsim.runs.compare.RunProgress;
 
 /**
- * The progress of a long run on standard error: a bar that is drawn again and again on a terminal,
- * else a line now and then. The launcher says which by {@code -Dhificamsim.terminal=true}. Quiet
- * for the first seconds, so that short runs show nothing, and load nothing.
+ * Shows the progress of a long run on standard error: as a bar on a terminal, which the launcher
+ * announces by {@code -Dhificamsim.terminal=true}, else as a line every ten seconds. It shows
+ * nothing in the first seconds, so that short runs print nothing and load no classes for it.
  */
 final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private static final boolean TERMINAL = Boolean.getBoolean("hificamsim.terminal");
-  private static final int BETWEEN_LINES = 10_000; // milliseconds
-  private static final int WIDTH = 110; // characters of a line
-  private static final Duration BETWEEN = Duration.ofMillis(10); // of two looks at what is done
+  private static final int MILLISECONDS_BETWEEN_LINES = 10_000;
+  private static final int LINE_WIDTH = 110; // characters
+  private static final Duration BETWEEN_UPDATES = Duration.ofMillis(10);
 
-  /** How long nothing is shown. */
+  /** The time in which nothing is shown. */
   static final Duration QUIET = TERMINAL ? Duration.ofSeconds(2) : Duration.ofSeconds(10);
 
-  /** For commands that are to be quiet: longer than any runs. */
+  /** Longer than any run, for quiet commands. */
   static final Duration NEVER = Duration.ofDays(10_000);
 
   private final String task;
@@ -34,13 +34,13 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private final Duration quiet;
   private final AtomicLong done = new AtomicLong();
   private long started = System.nanoTime();
-  private volatile long next; // nanoseconds
+  private volatile long nextUpdate; // nanoseconds
   private ProgressBar bar;
 
   /**
-   * @param unit what is counted, as in {@code " steps"}
+   * @param unit that is counted, such as {@code " steps"}
    * @param total 1 or more
-   * @param quiet how long nothing is shown
+   * @param quiet the time in which nothing is shown
    */
   Progress(String task, String unit, long total, PrintWriter err, Duration quiet) {
     this.task = task;
@@ -48,14 +48,14 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
     this.total = total;
     this.err = err;
     this.quiet = quiet;
-    this.next = started + quiet.toNanos();
+    this.nextUpdate = started + quiet.toNanos();
   }
 
-  /** Counts one unit; any number of threads may, and mostly none waits for another. */
+  /** Counts one unit. Thread-safe; a thread rarely waits for another. */
   @Override
   public void advance() {
     done.incrementAndGet();
-    if (System.nanoTime() - next > 0) {
+    if (System.nanoTime() - nextUpdate > 0) {
       show();
     }
   }
@@ -63,7 +63,7 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private synchronized void show() {
     bar = bar == null ? bar() : bar;
     bar.stepTo(done.get());
-    next = System.nanoTime() + BETWEEN.toNanos();
+    nextUpdate = System.nanoTime() + BETWEEN_UPDATES.toNanos();
   }
 
   private ProgressBar bar() {
@@ -78,17 +78,17 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
     return TERMINAL
         ? builder.build()
         : builder
-            .setUpdateIntervalMillis(BETWEEN_LINES)
-            .setConsumer(new DelegatingProgressBarConsumer(err::println, WIDTH))
+            .setUpdateIntervalMillis(MILLISECONDS_BETWEEN_LINES)
+            .setConsumer(new DelegatingProgressBarConsumer(err::println, LINE_WIDTH))
             .build();
   }
 
-  /** Counts what was done before: it takes no time, and says nothing of the speed. */
+  /** Counts units that were done before the start; they do not count for the speed. */
   @Override
   public synchronized void resume(long units) {
     done.addAndGet(units);
     started = System.nanoTime();
-    next = started + quiet.toNanos();
+    nextUpdate = started + quiet.toNanos();
   }
 
   @Override

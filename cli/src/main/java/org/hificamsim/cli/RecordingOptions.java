@@ -19,9 +19,9 @@ import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
 import picocli.CommandLine.Option;
 
-/** What the user says of a recording. */
+/** The options about a recording. */
 final class RecordingOptions {
-  private static final double LARGE = 1e9;
+  private static final double MAX = 1e9;
 
   @Option(names = "--rate", paramLabel = "R")
   private Double rate;
@@ -50,7 +50,7 @@ final class RecordingOptions {
   @Option(names = "--size", paramLabel = "M[xM]")
   private String size;
 
-  /** The recording with what was said of it. */
+  /** The recording as the options describe it. */
   Recording recording(Path file) {
     return new Recording(file, positive("--rate", rate), unit(), columns);
   }
@@ -63,25 +63,25 @@ final class RecordingOptions {
     return Spelling.require(Unit.class, option, text);
   }
 
-  /** The unit that a format's positions have, as far as options and the format's name say it. */
+  /** The unit of the positions, from the option or the format. */
   Unit unitOf(String format) {
     boolean geographic = format.equals("gpx") || format.equals("geojson");
     return unit().orElse(geographic ? Unit.DEG : Unit.M);
   }
 
-  /** What becomes of its samples. */
+  /** How samples become tracks. */
   TrackSettings settings() {
-    double start = from == null ? 0 : Numbers.within("--from", from, 0, LARGE);
-    double end = to == null ? LARGE : Numbers.within("--to", to, start, LARGE);
+    double start = from == null ? 0 : Numbers.within("--from", from, 0, MAX);
+    double end = to == null ? MAX : Numbers.within("--to", to, start, MAX);
     return new TrackSettings(positive("--gap", gap), start, end, edge(), extent());
   }
 
-  /** An option that has to be above 0, where it is given. */
+  /** The value of an option that has to be above 0; empty if it is not given. */
   static OptionalDouble positive(String option, Double value) {
     if (value == null) {
       return OptionalDouble.empty();
     }
-    if (!(value > 0 && value <= LARGE)) {
+    if (!(value > 0 && value <= MAX)) {
       throw new InputException(option + " is " + value + ", expected a number above 0");
     }
     return OptionalDouble.of(value);
@@ -103,7 +103,7 @@ final class RecordingOptions {
   private double metres(String text) {
     try {
       double metres = Double.parseDouble(text);
-      if (metres > 0 && metres <= LARGE) {
+      if (metres > 0 && metres <= MAX) {
         return metres;
       }
     } catch (NumberFormatException e) {
@@ -112,14 +112,14 @@ final class RecordingOptions {
     throw InputException.of("--size is '%s', expected metres above 0, as 0.5 or 0.5x1.75", size);
   }
 
-  /** What sizes the targets have. */
-  String sizeLine(ImportSummary found) {
-    String rest = size == null ? TargetSpec.DEFAULT_SIZE + " m (--size)" : size + " m";
-    return found.sized() == found.targets()
+  /** The sizes of the targets in words. */
+  String sizeLine(ImportSummary summary) {
+    String others = size == null ? TargetSpec.DEFAULT_SIZE + " m (--size)" : size + " m";
+    return summary.sized() == summary.targets()
         ? "sizes: from the file"
-        : found.sized() == 0
-            ? "size: " + rest
-            : "sizes: of " + found.sized() + " targets from the file, of the others " + rest;
+        : summary.sized() == 0
+            ? "size: " + others
+            : "sizes: of " + summary.sized() + " targets from the file, of the others " + others;
   }
 
   Optional<Homography> homography() {
@@ -130,9 +130,9 @@ final class RecordingOptions {
     if (origin == null) {
       return new LocalProjection();
     }
-    double[] at = Numbers.pair("--origin", origin, "latitude and longitude, as 48.2,16.37");
-    Numbers.within("--origin", at[0], -90, 90);
-    Numbers.within("--origin", at[1], -180, 180);
-    return new LocalProjection(at[1], at[0]);
+    double[] degrees = Numbers.pair("--origin", origin, "latitude and longitude, as 48.2,16.37");
+    Numbers.within("--origin", degrees[0], -90, 90);
+    Numbers.within("--origin", degrees[1], -180, 180);
+    return new LocalProjection(degrees[1], degrees[0]);
   }
 }

@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim report}: a run or a comparison as one HTML file. */
+/** {@code hificamsim report}: makes a page, or pictures, of a run or a comparison. */
 @Command(
     name = "report",
     description = {
@@ -53,7 +53,7 @@ final class ReportCommand implements Callable<Integer> {
     OutputFile page = out == null ? null : destination.file("--out", out);
     OutputFolder.settle(folder);
     List<String> changed = FileRecord.of(folder).changed(folder);
-    if (pictures.asked()) {
+    if (pictures.isAsked()) {
       pictures.write(folder, destination, spec.commandLine().getOut());
     }
     if (replays) {
@@ -65,8 +65,8 @@ final class ReportCommand implements Callable<Integer> {
     if (page != null) {
       page.write(html());
       spec.commandLine().getOut().println(out);
-    } else if (!pictures.asked()) {
-      writeBesideResults();
+    } else if (!pictures.isAsked()) {
+      writeIntoFolder();
     }
     if (!changed.isEmpty()) {
       spec.commandLine()
@@ -82,7 +82,7 @@ final class ReportCommand implements Callable<Integer> {
     return Report.html(folder, ResultFolder.name(folder), Flags.NOTATION);
   }
 
-  private void writeBesideResults() throws IOException {
+  private void writeIntoFolder() throws IOException {
     String html = html();
     try (OutputFolder results = new OutputFolder(folder)) {
       results.write(ResultFolder.REPORT, html);

@@ -24,7 +24,7 @@ import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
-/** {@code hificamsim reproduce}: the thesis's Table 8.1, figures and statements, judged. */
+/** {@code hificamsim reproduce}: judges Table 8.1, figures and statements of the thesis. */
 @Command(
     name = "reproduce",
     description =
@@ -41,11 +41,11 @@ final class ReproduceCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    ReproductionPlans preset =
+    ReproductionPlans reproduction =
         new ReproductionPlans(
             ShippedScenarios.read(ReproductionPlans.scenarioNames(), catalogue),
             settings.settings());
-    List<RunPlan> plans = preset.plans(catalogue::detection);
+    List<RunPlan> plans = reproduction.plans(catalogue::detection);
     return batch.execute(
         screen,
         catalogue,
@@ -107,7 +107,7 @@ final class ReproduceCommand implements Callable<Integer> {
     return Double.isNaN(cell.of(reading)) ? "" : Texts.format("%.2f", cell.of(reading));
   }
 
-  /** Both columns of a reading in a line: the hi-fi column's distance comes before CamSim's. */
+  /** Prints a line for each reading with the distances of the hi-fi column and of CamSim's. */
   private static void printDistances(PrintWriter out, List<Distance> distances) {
     Distance first = distances.get(0);
     out.printf(
@@ -129,7 +129,7 @@ final class ReproduceCommand implements Callable<Integer> {
             + " zoom level.");
   }
 
-  private static String text(Distance one) {
-    return Texts.format("%.3f, %d of 9", one.mean(), one.within());
+  private static String text(Distance distance) {
+    return Texts.format("%.3f, %d of 9", distance.mean(), distance.within());
   }
 }

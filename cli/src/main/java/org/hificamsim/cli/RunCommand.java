@@ -50,12 +50,13 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code hificamsim run}: simulates one scenario and writes what was covered. */
+/** {@code hificamsim run}: simulates one scenario and writes its coverage. */
 @Command(
     name = "run",
     description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.")
 final class RunCommand implements Callable<Integer> {
-  private static final int MAX_MEGABYTES = 5; // of a page
+  /** The size of a page from which there is a warning. */
+  private static final int LARGE_PAGE_MEGABYTES = 5;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
@@ -85,12 +86,13 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private Screen screen;
 
-  @Mixin private final SettingOptions settings = SettingOptions.all().open(Setting.NETWORK);
+  @Mixin
+  private final SettingOptions settings = SettingOptions.all().withoutDefault(Setting.NETWORK);
 
   @Override
   public Integer call() throws IOException {
     Instant started = Instant.now();
-    int most = mostCells();
+    int cellsAlong = cellsAlong();
     TableFormat tables = TableFormat.named(format);
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
@@ -98,7 +100,7 @@ final class RunCommand implements Callable<Integer> {
     checkRecord(catalogue, plan);
     listeners.forEach(catalogue.listeners()::create);
     HeatRecorder heat =
-        heatmap ? new HeatRecorder(world(plan, catalogue), plan.detection(), most) : null;
+        heatmap ? new HeatRecorder(world(plan, catalogue), plan.detection(), cellsAlong) : null;
     ReplayRecorder replay = record ? replay(plan, catalogue) : null;
     ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
@@ -136,21 +138,22 @@ final class RunCommand implements Callable<Integer> {
       } else {
         RunSummary.print(screen.out(), plan, results, scores.means(), folder);
         if (map != null) {
-          tell(map);
+          print(map);
         }
       }
     }
     return 0;
   }
 
-  private int mostCells() {
+  /** The number of cells along the field's longer side. */
+  private int cellsAlong() {
     if (cells.isPresent() && !heatmap) {
       throw new InputException("--cells needs --heatmap");
     }
     return Numbers.inRange("--cells", cells.orElse(FieldCells.DEFAULT), 1, FieldCells.MAX);
   }
 
-  private void tell(HeatMap map) {
+  private void print(HeatMap map) {
     screen.say(
         "heat map of %s x %s cells: %s", map.cells().columns(), map.cells().rows(), map.shares());
   }
@@ -180,15 +183,15 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private void warnOfSize(Path page, double megabytes) {
-    if (megabytes >= MAX_MEGABYTES) {
+    if (megabytes >= LARGE_PAGE_MEGABYTES) {
       screen.note(
           "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
               + " at each zoom level, does not fit into %d MB",
-          page, megabytes, MAX_MEGABYTES);
+          page, megabytes, LARGE_PAGE_MEGABYTES);
     }
   }
 
-  /** Checks every option before anything is written. */
+  /** The plan; all of its settings are checked. */
   private RunPlan plan(Catalogue catalogue) {
     Settings asked = settings.settings();
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, screen.err());
@@ -198,7 +201,7 @@ final class RunCommand implements Callable<Integer> {
   }
 
   /**
-   * @param recorders of a run; null where one was not asked for
+   * @param recorders of a run; one that was not asked for is null
    */
   private List<RunResult> execute(
       RunPlan plan, Catalogue catalogue, IntFunction<Stream<StepListener>> recorders)
@@ -214,7 +217,7 @@ final class RunCommand implements Callable<Integer> {
                           recorders.apply(run).filter(Objects::nonNull),
                           Stream.of(counter),
                           listeners.stream().map(catalogue.listeners()::create))
-                      .flatMap(all -> all)
+                      .flatMap(recordersOfKind -> recordersOfKind)
                       .toList());
     }
   }
@@ -228,8 +231,8 @@ final class RunCommand implements Callable<Integer> {
   }
 
   /**
-   * The mean score over all repeats in a few parts of the run, of equally many steps (some may have
-   * one more than others).
+   * Computes the mean score over all repeats in a few equal parts of the run; parts differ by one
+   * step at most.
    */
   private static final class ScoreOverTime implements StepListener {
     private static final int MAX_PARTS = 40;
@@ -254,7 +257,7 @@ final class RunCommand implements Callable<Integer> {
       counts[part]++;
     }
 
-    /** The mean of each part; 0 where nothing ran. */
+    /** The mean of each part; 0 if no step ran. */
     double[] means() {
       double[] means = new double[sums.length];
       Arrays.setAll(means, part -> sums[part] / Math.max(1, counts[part]));

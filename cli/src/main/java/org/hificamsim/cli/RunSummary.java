@@ -17,7 +17,7 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.SettingSource;
 
-/** What a run prints when it is done; of a comparison see {@code SummaryTables}. */
+/** Prints the summary of a run; {@code SummaryTables} prints that of a comparison. */
 final class RunSummary {
   private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
   private static final String ASCII = "_.:-=+*#";
@@ -57,7 +57,7 @@ final class RunSummary {
     table.sources(plan);
     table.figures(plan);
     RunResult.unprovenSteps(plan, results).ifPresent(steps -> table.line("not proven", steps));
-    RunResult.unprovenExpectation(results).ifPresent(more -> table.line("not proven", more));
+    RunResult.unprovenExpectation(results).ifPresent(gap -> table.line("not proven", gap));
     table.uncovered(plan);
     String course = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
     table.line(course + " over time", bars(overTime, terminal()));
@@ -65,7 +65,7 @@ final class RunSummary {
     out.flush();
   }
 
-  /** Says how far targets are detected where the score says nothing. */
+  /** Prints how far targets are detected if the score is 0. */
   private void uncovered(RunPlan plan) {
     if (RunResult.mean(results, Metric.SCORE).mean() == 0) {
       line(
@@ -74,29 +74,29 @@ final class RunSummary {
     }
   }
 
-  /** Says who chose what a scenario may name. */
+  /** Prints where the settings come from that a scenario may have. */
   private void sources(RunPlan plan) {
     String chosen =
         Arrays.stream(SettingSource.values())
             .filter(plan.sources()::containsValue)
-            .map(from -> Spelling.of(from) + ": " + from(plan, from))
+            .map(source -> Spelling.of(source) + ": " + labels(plan, source))
             .collect(Collectors.joining("; "));
     line("chosen by", chosen);
   }
 
-  private static String from(RunPlan plan, SettingSource source) {
+  private static String labels(RunPlan plan, SettingSource source) {
     return plan.sources().entrySet().stream()
-        .filter(one -> one.getValue() == source)
-        .map(one -> one.getKey().label())
+        .filter(setting -> setting.getValue() == source)
+        .map(setting -> setting.getKey().label())
         .collect(Collectors.joining(", "));
   }
 
   private void figures(RunPlan plan) {
     for (Metric metric : Metric.values()) {
-      boolean has = results.stream().anyMatch(run -> run.has(metric));
+      boolean isMeasured = results.stream().anyMatch(run -> run.has(metric));
       if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {
         figure("summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
-      } else if (metric.isPrinted() && has) {
+      } else if (metric.isPrinted() && isMeasured) {
         figure(metric.title(), metric, metric.format(), metric.note());
       }
     }
@@ -113,8 +113,8 @@ final class RunSummary {
   }
 
   /**
-   * Numbers from 0 as bars in one line of characters, with what the lowest and highest bar mean: in
-   * Unicode's blocks where the character set has them, else in ASCII.
+   * Draws numbers as bars in one line of characters, with the meaning of the lowest and the highest
+   * bar: with Unicode's blocks if the character set has them, else with ASCII.
    */
   static String bars(double[] values, Charset charset) {
     String bars = charset.newEncoder().canEncode(BLOCKS) ? BLOCKS : ASCII;
@@ -127,7 +127,7 @@ final class RunSummary {
     return line + Texts.format("  (%c 0 to %c %.2f)", bars.charAt(0), bars.charAt(last), most);
   }
 
-  /** What the locale says; the JVM's own default is UTF-8 whatever the terminal. */
+  /** The character set of the locale; the default of the JVM is UTF-8 on any terminal. */
   private static Charset terminal() {
     String name = System.getProperty("native.encoding", "");
     return !name.isEmpty() && Charset.isSupported(name)

@@ -15,7 +15,7 @@ import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.hints.DetectionHints;
 import picocli.CommandLine.Option;
 
-/** How scenario files are read: with their settings, and {@code --strict}. */
+/** Reads scenario files with the user's settings and {@code --strict}. */
 final class ScenarioOptions {
   @Option(names = "--strict")
   private boolean strict;
@@ -25,13 +25,13 @@ final class ScenarioOptions {
     return strict;
   }
 
-  /** What a warning says where it is an error. */
+  /** The message of a warning that is an error because of {@code --strict}. */
   static String asError(String warning) {
     return warning + "; expected no warning, with --strict";
   }
 
-  /** Takes warnings: each is a line on {@code err}, or the error that ends the command. */
-  private Consumer<String> on(PrintWriter err) {
+  /** Takes warnings: each is a line on {@code err}, or an error with {@code --strict}. */
+  private Consumer<String> warningsTo(PrintWriter err) {
     return warning -> {
       if (strict) {
         throw new InputException(asError(warning));
@@ -40,13 +40,14 @@ final class ScenarioOptions {
     };
   }
 
-  /** Reads a scenario with what is asked for in its place, and warnings on {@code err}. */
+  /** Reads a scenario with the settings that are asked for, and warnings on {@code err}. */
   Scenario read(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
-    Consumer<String> warned = on(err);
-    Scenario scenario = ScenarioReader.read(file, catalogue.movements().names()::contains, warned);
+    Consumer<String> warnings = warningsTo(err);
+    Scenario scenario =
+        ScenarioReader.read(file, catalogue.movements().names()::contains, warnings);
     List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
-      warned.accept(
+      warnings.accept(
           Texts.format(
               "%s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim'"
                   + " does",
@@ -55,16 +56,18 @@ final class ScenarioOptions {
     return asked.scenario(scenario);
   }
 
-  /** Reads several scenarios, each with a name of its own. */
+  /** Reads several scenarios, which must have different names. */
   List<Scenario> read(List<Path> files, Settings asked, Catalogue catalogue, PrintWriter err) {
-    List<Scenario> all = files.stream().map(file -> read(file, asked, catalogue, err)).toList();
-    NameLists.requireDistinct("the scenarios' names", all.stream().map(Scenario::name).toList());
-    return all;
+    List<Scenario> scenarios =
+        files.stream().map(file -> read(file, asked, catalogue, err)).toList();
+    NameLists.requireDistinct(
+        "the scenarios' names", scenarios.stream().map(Scenario::name).toList());
+    return scenarios;
   }
 
-  /** Warns of what is odd about a scenario as a detection sees it. */
+  /** Warns if a scenario and a detection do not suit each other. */
   void warnAbout(Path file, Scenario scenario, Detection used, PrintWriter err) {
     DetectionHints.of(scenario, used, Catalogue.load())
-        .forEach(line -> on(err).accept(file + ": " + line));
+        .forEach(line -> warningsTo(err).accept(file + ": " + line));
   }
 }

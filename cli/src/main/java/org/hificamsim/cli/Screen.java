@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** What a command that takes its time says, and {@code --quiet}: the files, and not a word. */
+/** The output of a command on the terminal, with {@code --quiet}: no output except errors. */
 final class Screen {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -18,12 +18,12 @@ final class Screen {
   @Option(names = "--quiet")
   private boolean quiet;
 
-  /** For results. */
+  /** The writer for results. */
   PrintWriter out() {
     return quiet ? nowhere() : command.commandLine().getOut();
   }
 
-  /** Prints a line of results, whose form is as {@link String#format} takes it. */
+  /** Prints a line of results, with a form as in {@link String#format}. */
   void say(String form, Object... values) {
     out().println(Texts.format(form, values));
   }
@@ -33,21 +33,21 @@ final class Screen {
     err().println(Texts.format(form, values));
   }
 
-  /** For warnings and progress. */
+  /** The writer for warnings and progress. */
   PrintWriter err() {
     return quiet ? nowhere() : errors();
   }
 
-  /** For errors, which are never left out. */
+  /** The writer for errors, which are always printed. */
   PrintWriter errors() {
     return command.commandLine().getErr();
   }
 
   /**
-   * The progress of the command, shown unless it is to be quiet.
+   * The progress of the command, which is shown unless the command is quiet.
    *
-   * @param subject what is worked on; empty where the command's name says it
-   * @param unit what is counted, as in {@code " steps"}
+   * @param subject of the work; empty if the name of the command says it
+   * @param unit that is counted, such as {@code " steps"}
    */
   Progress progress(String subject, String unit, long total) {
     return new Progress(
@@ -58,7 +58,7 @@ final class Screen {
         quiet ? Progress.NEVER : Progress.QUIET);
   }
 
-  /** A folder to write into; what the command reads is kept as it is. */
+  /** A folder to write into, in which the inputs of the command are protected. */
   OutputFolder folder(Path path) {
     return Destination.folder(command, path);
   }

@@ -10,7 +10,7 @@ import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
-/** {@code hificamsim sensitivity}: what each open parameter does to the conclusion of chapter 8. */
+/** {@code hificamsim sensitivity}: shows how open parameters change the conclusion of chapter 8. */
 @Command(
     name = "sensitivity",
     description =

@@ -13,11 +13,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Spec;
 
-/** The options of a command that are settings of a run, made of their declarations: a mixin. */
+/** A mixin with the options of a command that are settings of a run, made from declarations. */
 @Command
 final class SettingOptions {
   private final Set<Setting> settings;
-  private final Set<Setting> open = EnumSet.noneOf(Setting.class);
+  private final Set<Setting> withoutDefault = EnumSet.noneOf(Setting.class);
   private final Map<Setting, OptionSpec> options = new EnumMap<>(Setting.class);
   private CommandSpec command;
 
@@ -30,21 +30,21 @@ final class SettingOptions {
     return new SettingOptions(EnumSet.allOf(Setting.class));
   }
 
-  /** All settings but these, which the command has otherwise. */
-  static SettingOptions allBut(Setting... others) {
-    SettingOptions all = all();
-    all.settings.removeAll(List.of(others));
-    return all;
+  /** All settings except some. */
+  static SettingOptions allBut(Setting... excluded) {
+    SettingOptions options = all();
+    options.settings.removeAll(List.of(excluded));
+    return options;
   }
 
-  /** These settings alone. */
+  /** Only these settings. */
   static SettingOptions of(Setting first, Setting... further) {
     return new SettingOptions(EnumSet.of(first, further));
   }
 
-  /** The same without a default for one of them. */
-  SettingOptions open(Setting setting) {
-    open.add(setting);
+  /** The same options without a default for one of them. */
+  SettingOptions withoutDefault(Setting setting) {
+    withoutDefault.add(setting);
     return this;
   }
 
@@ -58,7 +58,7 @@ final class SettingOptions {
               .type(setting.kind().type())
               .paramLabel(setting.form())
               .description(setting.meaning())
-              .defaultValue(open.contains(setting) ? null : setting.fallback())
+              .defaultValue(withoutDefault.contains(setting) ? null : setting.fallback())
               .build();
       options.put(setting, option);
       command.addOption(option);
@@ -66,21 +66,22 @@ final class SettingOptions {
   }
 
   /**
-   * The settings as they were asked for, and the defaults of the command for those that were not.
+   * The settings that were asked for, and the defaults of the command for the others.
    *
-   * @throws InputException when one cannot have its value
+   * @throws InputException when a setting cannot have its value
    */
   Settings settings() {
     Settings asked = Settings.NONE;
-    for (Map.Entry<Setting, OptionSpec> one : options.entrySet()) {
-      Object value = one.getValue().getValue();
-      if (isAsked(one.getValue())) {
-        asked = asked.with(one.getKey(), value.toString());
+    for (Map.Entry<Setting, OptionSpec> entry : options.entrySet()) {
+      OptionSpec option = entry.getValue();
+      Object value = option.getValue();
+      if (isAsked(option)) {
+        asked = asked.with(entry.getKey(), value.toString());
       } else if (value != null) {
-        asked = asked.orElse(one.getKey(), value.toString());
+        asked = asked.orElse(entry.getKey(), value.toString());
       }
     }
-    requireRoom(asked);
+    requireSeedsInRange(asked);
     return asked;
   }
 
@@ -88,8 +89,8 @@ final class SettingOptions {
     return command.commandLine().getParseResult().hasMatchedOption(option);
   }
 
-  /** The last repeat's seed is a whole number of 64 bits too. */
-  private static void requireRoom(Settings asked) {
+  /** Checks that the seed of the last repeat is a 64-bit number, too. */
+  private static void requireSeedsInRange(Settings asked) {
     long max = Long.MAX_VALUE - (asked.repeats() - 1);
     if (asked.seed() > max) {
       throw InputException.of(

@@ -15,7 +15,7 @@ import org.hificamsim.runs.benchmark.Benchmark;
 
 /** The scenarios that come with the simulator: the folder {@code scenarios} of the project. */
 final class ShippedScenarios {
-  /** Where the launcher says the project is; the working directory otherwise. */
+  /** The folder of the project that the launcher names, else the working directory. */
   private static final Path HOME = Path.of(System.getProperty("hificamsim.root", ""));
 
   private ShippedScenarios() {}
@@ -27,7 +27,7 @@ final class ShippedScenarios {
     }
   }
 
-  /** Some of the scenarios, by name. */
+  /** Reads scenarios by name. */
   static Map<String, Scenario> read(List<String> names, Catalogue catalogue) {
     Path folder = folder();
     Map<String, Scenario> scenarios = new LinkedHashMap<>();
@@ -40,7 +40,7 @@ final class ShippedScenarios {
     return scenarios;
   }
 
-  /** The tasks on them. */
+  /** The tasks of the benchmark. */
   static Benchmark tasks() {
     return Benchmark.read(folder().resolve(Benchmark.FILE), Catalogue.load());
   }

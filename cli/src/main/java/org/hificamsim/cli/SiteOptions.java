@@ -16,9 +16,9 @@ import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
 import picocli.CommandLine.Option;
 
-/** Settings of an imported scenario: name, field, walls, floor plan, cameras. */
+/** The options for an imported scenario: name, field, walls, floor plan, cameras. */
 final class SiteOptions {
-  private static final double LARGE = 1e9;
+  private static final double MAX_METRES = 1e9;
   private static final int MAX_CAMERAS = 1000;
 
   @Option(names = "--name", paramLabel = "NAME")
@@ -48,26 +48,26 @@ final class SiteOptions {
   @Option(names = "--at", paramLabel = "X,Y")
   private String at;
 
-  /** The scenario's name. */
+  /** The name of the scenario: that of the option, else of the recording. */
   String name(Path recording) {
-    String plain = recording.getFileName().toString().replaceFirst("(?i)\\.gz$", "");
-    String own = name != null ? name : plain.replaceFirst("\\.[^.]*$", "");
-    String safe = own.replaceAll("[^\\p{L}\\p{M}\\p{N}_.+-]", "-");
-    if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(own))) {
+    String fileName = recording.getFileName().toString().replaceFirst("(?i)\\.gz$", "");
+    String wanted = name != null ? name : fileName.replaceFirst("\\.[^.]*$", "");
+    String safe = wanted.replaceAll("[^\\p{L}\\p{M}\\p{N}_.+-]", "-");
+    if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(wanted))) {
       throw InputException.of(
-          "--name is '%s', expected letters, digits and any of _.+- of them", own);
+          "--name is '%s', expected letters, digits and any of _.+- of them", wanted);
     }
     return safe;
   }
 
-  /** The walls in metres; none where no file is given. */
+  /** The walls in metres; none if no file is given. */
   List<Obstacle> walls(Unit ofRecording, LocalProjection projection) {
     if (walls == null) {
       return List.of();
     }
-    Unit unit = ofRecording == Unit.PX ? Unit.M : ofRecording;
-    Unit own = wallsUnit == null ? unit : RecordingOptions.unit("--walls-unit", wallsUnit);
-    return WallFile.read(walls, own, projection, frame());
+    Unit defaultUnit = ofRecording == Unit.PX ? Unit.M : ofRecording;
+    Unit unit = wallsUnit == null ? defaultUnit : RecordingOptions.unit("--walls-unit", wallsUnit);
+    return WallFile.read(walls, unit, projection, frame());
   }
 
   private Optional<PictureFrame> frame() {
@@ -77,17 +77,17 @@ final class SiteOptions {
     }
     double[] corner =
         at == null ? new double[2] : Numbers.pair("--at", at, "two numbers, as -3.5,12");
-    Numbers.within("--at", corner[0], -LARGE, LARGE);
-    Numbers.within("--at", corner[1], -LARGE, LARGE);
+    Numbers.within("--at", corner[0], -MAX_METRES, MAX_METRES);
+    Numbers.within("--at", corner[1], -MAX_METRES, MAX_METRES);
     return Optional.of(new PictureFrame(metres.getAsDouble(), corner[0], corner[1]));
   }
 
-  /** The picture; null where none is given. */
+  /** The picture of the floor plan; null if none is given. */
   Path floorplan() {
     return floorplan;
   }
 
-  /** Its name in the scenario's folder. */
+  /** The name of the picture in the folder of the scenario. */
   String floorplanName(String scenario) {
     String file = floorplan.getFileName().toString();
     int dot = file.lastIndexOf('.');
@@ -101,7 +101,7 @@ final class SiteOptions {
         Numbers.inRange("--cameras", cameras, 1, MAX_CAMERAS),
         margin == null
             ? OptionalDouble.empty()
-            : OptionalDouble.of(Numbers.within("--margin", margin, 0, LARGE)),
+            : OptionalDouble.of(Numbers.within("--margin", margin, 0, MAX_METRES)),
         RecordingOptions.positive("--step", step),
         allWalls,
         floorplan == null ? Optional.empty() : Optional.of(plan(scenario)));
@@ -117,7 +117,7 @@ final class SiteOptions {
     return new Floorplan(floorplanName(scenario), frame.area(floorplan));
   }
 
-  /** What was made, in a line. */
+  /** The scenario in one line. */
   String line(TrackedSite made, List<Obstacle> allWalls) {
     Field field = made.field();
     return "field: %s x %s m; step: %s s; walls and solids: %s"

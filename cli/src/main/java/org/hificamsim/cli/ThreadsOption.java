@@ -2,7 +2,7 @@ package org.hificamsim.cli;
 
 import picocli.CommandLine.Option;
 
-/** {@code --threads}: results do not depend on it. */
+/** The option {@code --threads}; results do not depend on it. */
 final class ThreadsOption {
   private static final int MAX_THREADS = 1024;
 
@@ -12,7 +12,7 @@ final class ThreadsOption {
   /**
    * The number of threads, 1 or more.
    *
-   * @throws org.hificamsim.core.InputException when it is out of range
+   * @throws org.hificamsim.core.InputException when the number is out of range
    */
   int count() {
     int count = Numbers.inRange("--threads", threads, 0, MAX_THREADS);

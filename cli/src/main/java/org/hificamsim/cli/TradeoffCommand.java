@@ -46,13 +46,14 @@ final class TradeoffCommand implements Callable<Integer> {
   private static final Pattern HETEROGENEOUS =
       Pattern.compile("none|all|(sample|search):([1-9]\\d{0,6})");
 
-  private static final int NAMED = 6; // networks of a front, by rising cost
+  /** The number of networks of a front that are named, by ascending cost. */
+  private static final int MAX_NAMED = 6;
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
   @Option(names = "--of", split = ",", paramLabel = "A0,A1,...")
-  private List<String> of;
+  private List<String> strategies;
 
   @Option(names = "--heterogeneous", paramLabel = "none|all|sample:N|search:N")
   private String heterogeneous;
@@ -108,10 +109,7 @@ final class TradeoffCommand implements Callable<Integer> {
     return batch.execute(
         screen,
         catalogue,
-        all,
-        bases,
-        steps,
-        false,
+        new BatchRun.Runs(all, bases, steps, false),
         (folder, engine) -> {
           StudyResults results = new StudyResults();
           results.run(networks, engine);
@@ -132,7 +130,7 @@ final class TradeoffCommand implements Callable<Integer> {
         });
   }
 
-  /** The number of heterogeneous networks that are asked for in this way; 0 in another. */
+  /** The number of heterogeneous networks to sample or to search; 0 for the other way. */
   private int count(String way) {
     Matcher form = HETEROGENEOUS.matcher(heterogeneous);
     if (!form.matches()) {
@@ -145,10 +143,11 @@ final class TradeoffCommand implements Callable<Integer> {
   }
 
   private NetworkChoice choice() {
-    NameLists.requireDistinct("--of", of);
+    NameLists.requireDistinct("--of", strategies);
     alphas.forEach(alpha -> Numbers.within("--alphas", alpha, 0, 1));
-    List<Strategy> strategies = of.stream().map(Strategy::list).flatMap(List::stream).toList();
-    return new NetworkChoice(strategies.stream().distinct().toList(), bandits(), alphas);
+    List<Strategy> distinct =
+        strategies.stream().map(Strategy::list).flatMap(List::stream).distinct().toList();
+    return new NetworkChoice(distinct, bandits(), alphas);
   }
 
   private List<BanditAlgorithm> bandits() {
@@ -177,24 +176,26 @@ final class TradeoffCommand implements Callable<Integer> {
     TextTable table =
         new TextTable(
             4, List.of("scenario", "detection", "networks", "on the front", "hypervolume", "gain"));
-    for (SetFront one : fronts) {
-      int homogeneous = one.group().members(Members.HOMOGENEOUS).length;
-      if (EnumSet.of(Members.STATIC, Members.ADAPTIVE, Members.ALL).contains(one.members())
-          && one.group().members(one.members()).length == homogeneous) {
+    for (SetFront front : fronts) {
+      int homogeneous = front.group().members(Members.HOMOGENEOUS).length;
+      if (EnumSet.of(Members.STATIC, Members.ADAPTIVE, Members.ALL).contains(front.members())
+          && front.group().members(front.members()).length == homogeneous) {
         continue; // the same networks
       }
-      RunPlan plan = one.group().plan();
-      int[] front = one.group().front(one.members());
+      RunPlan plan = front.group().plan();
+      int[] members = front.group().front(front.members());
       table.row(
           List.of(
               plan.scenario().name(),
               plan.detection().name(),
-              Spelling.of(one.members()),
-              one.names(NAMED) + (front.length > NAMED ? " and " + (front.length - NAMED) : ""),
-              one.group().hypervolume(one.members()).text("%.3f"),
-              one.group().gain(one.members(), Members.HOMOGENEOUS).text("%+.3f")));
+              Spelling.of(front.members()),
+              front.names(MAX_NAMED)
+                  + (members.length > MAX_NAMED ? " and " + (members.length - MAX_NAMED) : ""),
+              front.group().hypervolume(front.members()).text("%.3f"),
+              front.group().gain(front.members(), Members.HOMOGENEOUS).text("%+.3f")));
     }
     table.print(out);
-    statements.forEach(one -> out.printf("%-15s %s%n", one.verdict().label(), one.text()));
+    statements.forEach(
+        statement -> out.printf("%-15s %s%n", statement.verdict().label(), statement.text()));
   }
 }

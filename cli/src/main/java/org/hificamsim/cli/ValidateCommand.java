@@ -24,13 +24,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim validate}: reads scenario files and reports all that is wrong or odd. */
+/** {@code hificamsim validate}: reports all errors and warnings of scenario files. */
 @Command(
     name = "validate",
     description =
         "Checks scenario files; prints errors (exit code 2) and warnings with line and column.")
 final class ValidateCommand implements Callable<Integer> {
-  private static final int MAX = 100; // errors, or warnings, that are printed of a file
+  /** The most errors, and the most warnings, that are printed for a file. */
+  private static final int MAX_LINES = 100;
 
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
@@ -52,23 +53,23 @@ final class ValidateCommand implements Callable<Integer> {
     return wrong == 0 ? 0 : Main.BAD_INPUT;
   }
 
-  /** Says what is wrong or odd, or that nothing is wrong. */
+  /** Prints the errors and warnings of a file, or that it has no error. */
   private boolean isValid(Path file, Settings asked, Catalogue catalogue) {
-    List<String> warned = new ArrayList<>();
+    List<String> warnings = new ArrayList<>();
     List<String> errors = new ArrayList<>();
     Optional<Scenario> scenario =
         ScenarioReader.check(
             file,
             catalogue.movements().names()::contains,
             NetworkSettings.DEFAULT.check(),
-            warned::add,
+            warnings::add,
             fault -> errors.add(fault.message(Flags.NOTATION)));
-    scenario.ifPresent(one -> warnAbout(file, one, asked, catalogue, warned, errors));
+    scenario.ifPresent(read -> warnAbout(file, read, asked, catalogue, warnings, errors));
     if (scenarioOptions.strict()) {
-      errors.addAll(0, warned.stream().map(ScenarioOptions::asError).toList());
-      warned.clear();
+      errors.addAll(0, warnings.stream().map(ScenarioOptions::asError).toList());
+      warnings.clear();
     }
-    print(file, "warning: ", warned);
+    print(file, "warning: ", warnings);
     print(file, "error: ", errors);
     if (errors.isEmpty()) {
       String description = Descriptions.of(scenario.orElseThrow());
@@ -82,26 +83,27 @@ final class ValidateCommand implements Callable<Integer> {
       Scenario scenario,
       Settings asked,
       Catalogue catalogue,
-      List<String> warned,
+      List<String> warnings,
       List<String> errors) {
     try {
       Detection used = DetectionSpec.of(asked, scenario, file, catalogue);
-      DetectionHints.of(scenario, used, catalogue).forEach(line -> warned.add(file + ": " + line));
+      DetectionHints.of(scenario, used, catalogue)
+          .forEach(line -> warnings.add(file + ": " + line));
     } catch (InputException e) {
       errors.add(e.message(Flags.NOTATION));
     }
     try {
-      FloorPictures.of(file, scenario); // which a run needs if it is recorded
+      FloorPictures.of(file, scenario); // a recorded run needs it
     } catch (InputException e) {
-      warned.add(e.message(Flags.NOTATION));
+      warnings.add(e.message(Flags.NOTATION));
     }
   }
 
   private void print(Path file, String start, List<String> lines) {
     PrintWriter err = spec.commandLine().getErr();
-    lines.stream().limit(MAX).forEach(line -> err.println(start + Place.printable(line)));
-    if (lines.size() > MAX) {
-      err.println(start + file + ": " + (lines.size() - MAX) + " more, expected none");
+    lines.stream().limit(MAX_LINES).forEach(line -> err.println(start + Place.printable(line)));
+    if (lines.size() > MAX_LINES) {
+      err.println(start + file + ": " + (lines.size() - MAX_LINES) + " more, expected none");
     }
   }
 }

@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim view}: a scenario as it runs, on a page that can be played with. */
+/** {@code hificamsim view}: shows a running scenario on an interactive page. */
 @Command(
     name = "view",
     description = {
@@ -60,7 +60,8 @@ final class ViewCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Settings asked = settings.settings();
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, spec.commandLine().getErr());
-    DetectionSpec.of(asked, scenario, file, catalogue); // refuses a wrong one with its place
+    DetectionSpec.of(
+        asked, scenario, file, catalogue); // rejects a wrong one with its place in the file
     String detection = asked.value(Setting.DETECTION, scenario);
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
     LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));

@@ -1,2 +1,2 @@
-/** The command line: reads options, checks them all before anything is written, reports faults. */
+/** The command line: reads options, checks them before anything is written, and reports errors. */
 package org.hificamsim.cli;

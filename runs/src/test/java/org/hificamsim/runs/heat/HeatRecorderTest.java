@@ -120,7 +120,7 @@ class HeatRecorderTest {
     int partly = 0;
     for (int cell = 0; cell < cells.count(); cell++) {
       Place place = map.places().get(cell);
-      if (place.free()) {
+      if (place.isFree()) {
         assertEquals(lattice.k[cell], place.meanK(), 1e-9, "cell " + cell);
         assertEquals(lattice.none[cell], place.covered0(), 1e-9, "cell " + cell);
         assertEquals(lattice.more[cell], place.coveredK(), 1e-9, "cell " + cell);
@@ -129,7 +129,7 @@ class HeatRecorderTest {
       }
     }
     assertEquals(
-        16, map.places().stream().filter(place -> !place.free()).count(), "in the polygon");
+        16, map.places().stream().filter(place -> !place.isFree()).count(), "in the polygon");
     assertTrue(partly > 40, partly + " cells that are covered now and then");
   }
 
