@@ -157,12 +157,12 @@ final class CamSimCommand implements Callable<Integer> {
             : summary;
     destination.requireNoInput("-o", steps);
     destination.requireNoInput("-f", sums.orElse(steps));
-    Optional<Path> more = extra.map(path -> named(path, one));
-    if (more.isPresent()) {
-      destination.file("--extra-out", more.get());
+    Optional<Path> extraFile = extra.map(path -> withSuffix(path, ofRun));
+    if (extraFile.isPresent()) {
+      destination.file("--extra-out", extraFile.get());
     }
     Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + ofRun));
-    return new CamSimFiles.Places(file, steps, sums, more, covered, destination.force());
+    return new CamSimFiles.Places(file, steps, sums, extraFile, covered, destination.force());
   }
 
   /** A path whose file name has a suffix before its ending. */

@@ -14,39 +14,39 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 
 /**
- * What it is worth to change the zoom in a scenario at all: the exact optimum of every step against
- * one level that all cameras keep.
+ * The value of changing the zoom in a scenario: the exact optimum of every step compared with one
+ * zoom level that all cameras keep.
  *
- * @param optimum performance of the optimum, summed over the seeds
- * @param fixed the same of {@code fixed:2}
- * @param sameEveryStep whether both have the same k_min in every step, in the mean over the seeds
+ * @param optimum the performance of the optimum, summed over the seeds
+ * @param fixed the performance of {@code fixed:2}, summed over the seeds
+ * @param sameEveryStep whether both have the same mean k_min in every step
  */
 public record Adapting(
     String scenario, String detection, long optimum, long fixed, boolean sameEveryStep) {
   /** The six scenarios under both models. */
   static List<Adapting> of(Cases cases) {
-    List<Adapting> all = new ArrayList<>();
+    List<Adapting> values = new ArrayList<>();
     for (String detection : List.of(HIFI, CAMSIM)) {
       for (String scenario : Layout.SCENARIOS) {
-        all.add(of(cases, scenario, detection));
+        values.add(of(cases, scenario, detection));
       }
     }
-    return all;
+    return values;
   }
 
-  /** The optimum over the fixed level; NaN where that covers nothing. */
+  /** The optimum over the fixed level; NaN if the fixed level covers nothing. */
   public double value() {
     return fixed == 0 ? Double.NaN : (double) optimum / fixed;
   }
 
-  /** All of them in a sentence. */
-  public static String finding(List<Adapting> all) {
-    double most = all.stream().mapToDouble(Adapting::value).max().orElse(Double.NaN);
+  /** The finding in a sentence. */
+  public static String finding(List<Adapting> values) {
+    double most = values.stream().mapToDouble(Adapting::value).max().orElse(Double.NaN);
     return Texts.format(
         "The optimum is static: %s has the k_min of optimal at every step in %d of %d"
             + " cases (scenario, model); at best, adapting the zoom is worth %.2f of a fixed"
             + " one.",
-        FIXED, all.stream().filter(Adapting::sameEveryStep).count(), all.size(), most);
+        FIXED, values.stream().filter(Adapting::sameEveryStep).count(), values.size(), most);
   }
 
   private static Adapting of(Cases cases, String scenario, String detection) {
@@ -60,7 +60,7 @@ public record Adapting(
         Arrays.equals(optimal.meanKMin(), fixed.meanKMin()));
   }
 
-  private static long performance(CaseResult one) {
-    return one.runs().stream().mapToLong(run -> (long) run.value(Metric.PERFORMANCE)).sum();
+  private static long performance(CaseResult result) {
+    return result.runs().stream().mapToLong(run -> (long) run.value(Metric.PERFORMANCE)).sum();
   }
 }

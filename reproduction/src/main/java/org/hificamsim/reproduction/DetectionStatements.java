@@ -15,7 +15,7 @@ import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 import org.hificamsim.runs.statistics.Bootstrap;
 
-/** The checks of what chapter 8 says of the two detection models. */
+/** The checks of the statements in chapter 8 about the two detection models. */
 final class DetectionStatements {
   private final Cases cases;
   private final Table81 table;
@@ -48,7 +48,7 @@ final class DetectionStatements {
     return cells;
   }
 
-  /** For each pair of policies, their order under CamSim's model is that under the hi-fi one. */
+  /** For each pair of policies, both models have to put them in the same order. */
   private List<Margin> sameOrder() {
     List<Margin> pairs = new ArrayList<>();
     for (String scenario : Layout.SCENARIOS) {
@@ -59,12 +59,14 @@ final class DetectionStatements {
     return pairs;
   }
 
-  private Margin pair(String scenario, String one, String other) {
-    boolean up = more(scenario, HIFI, one, other).value().mean() >= 0;
-    return up ? more(scenario, CAMSIM, one, other) : more(scenario, CAMSIM, other, one);
+  private Margin pair(String scenario, String first, String second) {
+    boolean firstIsBetter = difference(scenario, HIFI, first, second).value().mean() >= 0;
+    return firstIsBetter
+        ? difference(scenario, CAMSIM, first, second)
+        : difference(scenario, CAMSIM, second, first);
   }
 
-  private Margin more(String scenario, String detection, String better, String worse) {
+  private Margin difference(String scenario, String detection, String better, String worse) {
     return new Margin(
         scenario + ", " + better + " and " + worse,
         Estimate.difference(
@@ -78,27 +80,27 @@ final class DetectionStatements {
         .filter(scenario -> !scenario.equals(third))
         .map(
             scenario ->
-                lessGap(scenario, List.of(scenario), List.of(third), PublishedCell.POLICIES))
+                gapDifference(scenario, List.of(scenario), List.of(third), PublishedCell.POLICIES))
         .toList();
   }
 
   private List<Margin> cluster() {
-    List<Margin> others = new ArrayList<>();
+    List<Margin> margins = new ArrayList<>();
     for (String policy : PublishedCell.POLICIES) {
       for (Layout layout : List.of(Layout.LATTICE, Layout.RING)) {
-        others.add(
-            lessGap(
+        margins.add(
+            gapDifference(
                 policy + ", " + layout.label(),
                 Layout.CLUSTER.scenarios(),
                 layout.scenarios(),
                 List.of(policy)));
       }
     }
-    return others;
+    return margins;
   }
 
-  /** How much wider the gap between the models is in some scenarios than in others. */
-  private Margin lessGap(
+  /** The gap between the models in some scenarios minus that in others. */
+  private Margin gapDifference(
       String where, List<String> wide, List<String> narrow, List<String> policies) {
     List<Ratio> plus = new ArrayList<>();
     List<Ratio> minus = new ArrayList<>();

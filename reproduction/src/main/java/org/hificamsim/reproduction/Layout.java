@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 
-/** A camera layout of Table 7.1, with its two scenarios. */
+/** A camera layout of Table 7.1 with its two scenarios. */
 public enum Layout {
   LATTICE,
   RING,
   CLUSTER;
 
-  /** The six scenarios in the order of Table 7.1: scenario n is at n - 1. */
+  /** The six scenarios in the order of Table 7.1; scenario n has index n - 1. */
   public static final List<String> SCENARIOS =
       Stream.concat(
               Arrays.stream(values()).map(Layout::random),
@@ -28,7 +28,7 @@ public enum Layout {
     return label() + "-random";
   }
 
-  /** The scenario in which they follow a script. */
+  /** The scenario in which targets follow a script. */
   public String scripted() {
     return label() + "-scripted";
   }

@@ -31,7 +31,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.knowm.xchart.XYChart;
 
-/** Figures 7.3, 7.4, 7.6 to 7.9 and 8.1, drawn again. */
+/** Draws Figures 7.3, 7.4, 7.6 to 7.9 and 8.1 of the thesis with our results. */
 public final class ReproductionFigures {
   private static final int WIDTH = 440;
   private static final int HEIGHT = 290;
@@ -46,10 +46,10 @@ public final class ReproductionFigures {
       Map.of(CAMSIM, Palette.BLUE, HIFI, Palette.VERMILION);
 
   /**
-   * k_min over time.
+   * A figure of k_min over time.
    *
-   * @param scenarios a panel for each, by number
-   * @param published what the text says of scenario 4, a proportion of the optimum; NaN for nothing
+   * @param scenarios the numbers of the scenarios, each in a panel
+   * @param published the proportion of the optimum that the text states for scenario 4, or NaN
    */
   private record TimeFigure(
       String number,
@@ -97,22 +97,22 @@ public final class ReproductionFigures {
     this.cases = cases;
   }
 
-  /** Writes every figure under its number. */
+  /** Writes all figures, named by their numbers. */
   public void write(OutputFolder folder) throws IOException {
-    for (TimeFigure one : OVER_TIME) {
-      FigureFile.write(folder, "figure-" + one.number, overTime(one));
+    for (TimeFigure figure : OVER_TIME) {
+      FigureFile.write(folder, "figure-" + figure.number, overTime(figure));
     }
     FigureFile.write(folder, "figure-7.9", figure79());
     FigureFile.write(folder, "figure-8.1", figure81());
     FigureFile.write(folder, "table-8.1", TableFigure.of(new Table81(cases).cells()));
   }
 
-  /** A panel per scenario. */
+  /** A figure with a panel for each scenario. */
   private Figure overTime(TimeFigure figure) {
-    List<CaseResult> all = new ArrayList<>();
-    figure.scenarios.forEach(number -> all.addAll(hifi(number, figure.policies)));
-    PolicyColors colors = PolicyColors.of(all);
-    double most = KMinPanel.ceilingOf(all);
+    List<CaseResult> results = new ArrayList<>();
+    figure.scenarios.forEach(number -> results.addAll(hifi(number, figure.policies)));
+    PolicyColors colors = PolicyColors.of(results);
+    double most = KMinPanel.ceilingOf(results);
     List<XYChart> panels = new ArrayList<>();
     for (int number : figure.scenarios) {
       List<CaseResult> group = hifi(number, figure.policies);
@@ -133,7 +133,7 @@ public final class ReproductionFigures {
     int width = panels.size() == 1 ? WIDTH + WIDTH / 3 : WIDTH;
     return new Figure(
         "Figure " + figure.number + ": " + figure.title,
-        HIFI + ". " + KMinPanel.note(all),
+        HIFI + ". " + KMinPanel.note(results),
         legend,
         panels,
         panels.size(),
@@ -179,18 +179,18 @@ public final class ReproductionFigures {
     return KMinPanel.of(
             number + ", " + policy,
             both(number, List.of(policy)),
-            one -> MODELS.get(one.plan().detection().name()),
+            result -> MODELS.get(result.plan().detection().name()),
             most)
-        .untitled(); // the note names the axes
+        .untitled(); // the note of the figure names the axes
   }
 
   private List<CaseResult> both(int number, List<String> policies) {
-    List<CaseResult> all = new ArrayList<>();
+    List<CaseResult> results = new ArrayList<>();
     for (String policy : policies) {
-      all.add(cases.find(scenario(number), CAMSIM, policy));
-      all.add(cases.find(scenario(number), HIFI, policy));
+      results.add(cases.find(scenario(number), CAMSIM, policy));
+      results.add(cases.find(scenario(number), HIFI, policy));
     }
-    return all;
+    return results;
   }
 
   private List<CaseResult> hifi(int number, List<String> policies) {
@@ -205,7 +205,7 @@ public final class ReproductionFigures {
     return "Scenario " + number + ", " + scenario(number);
   }
 
-  /** Table 8.1 as a picture: our proportions as dots, the published ones as diamonds. */
+  /** Draws Table 8.1: our proportions as dots, the published ones as diamonds. */
   static final class TableFigure {
     private static final List<Layout> LAYOUTS = List.of(Layout.values());
     private static final int WIDTH = 400;

@@ -30,7 +30,7 @@ public final class ReproductionFiles {
           .texts(
               "same_every_step",
               "`true` or `false`: the same k_min at each step",
-              one -> "" + one.sameEveryStep());
+              adapting -> String.valueOf(adapting.sameEveryStep()));
 
   /** A row per cell of Table 8.1. */
   public static final Table<Table81.Cell> CELLS =
@@ -76,7 +76,7 @@ public final class ReproductionFiles {
           .texts(
               "detection",
               "whose nine cells these are: `hi-fi` or `CamSim`",
-              one -> one.hifi() ? "hi-fi" : "CamSim")
+              distance -> distance.hifi() ? "hi-fi" : "CamSim")
           .doubles(
               "distance", "share", "the mean distance from the published cells", Distance::mean)
           .longs("within", "cells", "how many are at most 0.05 away", Distance::within)
@@ -102,9 +102,9 @@ public final class ReproductionFiles {
               Judged::value)
           .ints("checks", "", "how many margins there are", Judged::checks)
           .ints("checks_held", "", "how many of them are above 0", Judged::held)
-          .texts("verdict", "as above", one -> one.verdict().label())
+          .texts("verdict", "as above", judged -> judged.verdict().label())
           .texts("why", "the reason for it", Judged::reason)
-          .texts("role", ROLE, one -> one.role().label());
+          .texts("role", ROLE, judged -> judged.role().label());
 
   private ReproductionFiles() {}
 
@@ -117,7 +117,7 @@ public final class ReproductionFiles {
   /**
    * Writes all files.
    *
-   * @return the judged table and statements
+   * @return the verdicts
    */
   public static Judgement write(OutputFolder folder, List<CaseResult> results) throws IOException {
     Cases cases = new Cases(results);

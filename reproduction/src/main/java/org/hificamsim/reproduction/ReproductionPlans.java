@@ -16,10 +16,10 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
 
 /**
- * All runs that Table 8.1, the figures and the statements need.
+ * The plans of all runs that Table 8.1, the figures and the statements need.
  *
- * @param scenarios by name: those of Table 7.1 and {@link #ORIGIN}
- * @param asked steps, seeds and repeats
+ * @param scenarios of Table 7.1 and {@link #ORIGIN}, by name
+ * @param asked the steps, seeds and repeats
  */
 public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked) {
   public static final String HIFI = "hifi:orb-lin";
@@ -31,54 +31,56 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
   /** CamSim's model with the threshold that fits the table best over the hi-fi optimum. */
   public static final String CAMSIM_45 = "camsim-range@0.45";
 
-  /** Scenario 6 with the rectangle about the field's centre, as the text may be read too. */
+  /** Scenario 6 with its rectangle about the centre of the field, another reading of the text. */
   public static final String ORIGIN = "cluster-scripted-origin";
 
   public static final String OPTIMAL = "optimal";
 
-  /** Every camera at the level with a radius of 5 m, always. */
+  /** All cameras always at the zoom level with a radius of 5 m. */
   static final String FIXED = "fixed:2";
 
   public static final String ZOOM_OUT = "zoom-out";
   public static final String EPSILON_GREEDY = "epsilon-greedy";
-  static final String ANY = "epsilon-greedy:explore=any";
+  static final String EXPLORE_ANY = "epsilon-greedy:explore=any";
   public static final String SARSA = "sarsa";
   public static final String QB_SARSA = "qb-sarsa";
-  static final String COUNT = "sarsa:state=count";
+  static final String STATE_COUNT = "sarsa:state=count";
 
-  /** Thesis 7.4.1's greedy, read as one zoom level at a time. */
+  /** The greedy approach of thesis 7.4.1, read as moving one zoom level at a time. */
   static final String ONE_HOP = "one-hop";
 
-  static final String SIGN = "sarsa:reward=sign";
-  static final String LITERAL = "sarsa:reward=literal";
+  static final String REWARD_SIGN = "sarsa:reward=sign";
+  static final String REWARD_LITERAL = "sarsa:reward=literal";
 
-  /** The readings of SARSA and QB-SARSA that know no state. */
+  /** The option of SARSA and QB-SARSA without a state. */
   static final String STATELESS = ":state=none";
 
-  /** A combination by its names. */
+  /** A combination of scenario, detection and policy by their names. */
   private record Case(String scenario, String detection, String policy) {}
 
-  /** The names of the scenarios that the preset needs. */
+  /** The names of the scenarios that are needed. */
   public static List<String> scenarioNames() {
     List<String> names = new ArrayList<>(Layout.SCENARIOS);
     names.add(ORIGIN);
     return names;
   }
 
-  /** The plans, each once, the optima among them. */
+  /** The plans, each once, including the optima. */
   public List<RunPlan> plans(Function<String, DetectionModel> models) {
     Map<String, Detection> detections =
         Stream.of(HIFI, CAMSIM, CAMSIM_45, STANDARD)
             .collect(Collectors.toMap(name -> name, name -> detection(name, models)));
     return cases().stream()
         .map(
-            one ->
+            combination ->
                 asked.plan(
-                    scenarios.get(one.scenario()), detections.get(one.detection()), one.policy()))
+                    scenarios.get(combination.scenario()),
+                    detections.get(combination.detection()),
+                    combination.policy()))
         .toList();
   }
 
-  /** The detection of a name, at its own threshold or the model's default. */
+  /** The detection of a name, with the threshold in the name or the default of the model. */
   public static Detection detection(String name, Function<String, DetectionModel> models) {
     return DetectionSpec.parse(name, models).detection(Settings.NONE);
   }
@@ -91,17 +93,17 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
       add(cases, scenario, HIFI, List.of(QB_SARSA, SARSA + STATELESS, QB_SARSA + STATELESS));
       add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.01)));
       add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.001)));
-      add(cases, scenario, HIFI, List.of(ANY));
-      add(cases, scenario, CAMSIM, List.of(ANY));
+      add(cases, scenario, HIFI, List.of(EXPLORE_ANY));
+      add(cases, scenario, CAMSIM, List.of(EXPLORE_ANY));
     }
     table(cases, ORIGIN, List.of(CAMSIM, HIFI));
     add(cases, Layout.LATTICE.random(), HIFI, List.of("random"));
     add(cases, Layout.LATTICE.scripted(), HIFI, List.of(epsilon(SARSA, 0.2), epsilon(SARSA, 0.3)));
-    add(cases, Layout.LATTICE.scripted(), HIFI, List.of(alpha(0.2), alpha(0.3), COUNT));
+    add(cases, Layout.LATTICE.scripted(), HIFI, List.of(alpha(0.2), alpha(0.3), STATE_COUNT));
     for (String scenario : Layout.SCENARIOS) {
       table(cases, scenario, List.of(STANDARD));
-      add(cases, scenario, CAMSIM, List.of(FIXED, ONE_HOP, SIGN, LITERAL));
-      add(cases, scenario, HIFI, List.of(FIXED, ONE_HOP, SIGN, LITERAL));
+      add(cases, scenario, CAMSIM, List.of(FIXED, ONE_HOP, REWARD_SIGN, REWARD_LITERAL));
+      add(cases, scenario, HIFI, List.of(FIXED, ONE_HOP, REWARD_SIGN, REWARD_LITERAL));
     }
     return cases;
   }

@@ -7,17 +7,17 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.runs.Metric;
 
 /**
- * Something that the thesis says of the hi-fi model, with the checks on the runs that decide it, or
- * that a paper says of CamSim's strategies.
+ * A statement of the thesis about the hi-fi model, or of a paper about CamSim's strategies, with
+ * the checks of runs that decide whether it is reproduced.
  *
  * @param source section, table or figure
- * @param remark what to know about the reading; may be empty. With a published number it has a
- *     {@code %.2f} for ours
- * @param role held out unless Table 8.1's hi-fi column implies it, at least in part
- * @param metric what is compared; the mean of k_min unless said otherwise
- * @param published a proportion of the optimum that the text names, or null
- * @param checks empty where {@link DetectionStatements} or {@link StudyStatements} has them
- * @param otherwise or null
+ * @param remark about the reading; may be empty. With a published number it has a {@code %.2f} for
+ *     our number
+ * @param role held out, unless the hi-fi column of Table 8.1 implies the statement at least in part
+ * @param metric that is compared; by default the mean of k_min
+ * @param published a proportion of the optimum that the text states, or null
+ * @param checks empty if {@link DetectionStatements} or {@link StudyStatements} has them
+ * @param alternative another reading, or null
  */
 record Statement(
     String id,
@@ -28,25 +28,25 @@ record Statement(
     Metric metric,
     Double published,
     List<Check> checks,
-    Otherwise otherwise) {
+    Alternative alternative) {
   /**
-   * The same under another reading of what the thesis leaves open. It is reported, and does not
-   * change the verdict, which is that of the defaults.
+   * The checks under another reading of the thesis where it is open. The result is reported, but
+   * the verdict is that of the defaults.
    *
-   * @param reading what is read otherwise, in words
+   * @param reading the difference from the defaults, in words
    */
-  record Otherwise(String reading, List<Check> checks) {}
+  record Alternative(String reading, List<Check> checks) {}
 
   /**
-   * A comparison of two cases under the hi-fi model, each {@code scenario/policy}; with {@code *}
-   * it is one for each of the six scenarios.
+   * A comparison of two cases under the hi-fi model, each {@code scenario/policy}; {@code *} stands
+   * for each of the six scenarios.
    *
-   * @param where what it is about; with {@code *} the scenario's name follows
-   * @param more the case that should have more; null for one that has 0
-   * @param less null with a published number
-   * @param alike whether both should end at the same coverage instead
+   * @param where the subject of the comparison; with {@code *} the name of the scenario follows
+   * @param more the case that should have the higher value; null for the value 0
+   * @param less the case that should have the lower value; null with a published number
+   * @param equal whether both should end at the same coverage instead
    */
-  record Check(String where, String more, String less, boolean alike) {}
+  record Check(String where, String more, String less, boolean equal) {}
 
   Statement {
     remark = Objects.requireNonNullElse(remark, "");
@@ -55,7 +55,7 @@ record Statement(
     checks = checks == null ? List.of() : List.copyOf(checks);
   }
 
-  /** Those of a resource, in the order of the text. */
+  /** Reads the statements of a resource, in the order of the text. */
   static List<Statement> read(String resource) {
     return Io.get(
         () ->

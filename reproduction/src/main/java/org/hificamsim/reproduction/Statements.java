@@ -15,12 +15,14 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 
-/** Judges the statements of the text. */
+/** Judges the statements of the thesis. */
 final class Statements {
-  private static final double LAST = 0.1;
-  private static final String EACH = "*/";
+  /** The last part of a run, whose mean is its final level. */
+  private static final double LAST_PART = 0.1;
 
-  /** One comparison, such as a difference between two policies in one scenario: to be above 0. */
+  private static final String EACH_SCENARIO = "*/";
+
+  /** A comparison, such as the difference between two policies in a scenario, to be above 0. */
   record Margin(String where, Estimate value) {}
 
   private final Cases cases;
@@ -36,20 +38,25 @@ final class Statements {
     return Statement.read("statements.json").stream().map(this::judged).toList();
   }
 
-  private Judged judged(Statement one) {
+  private Judged judged(Statement statement) {
     List<Margin> margins =
-        one.checks().isEmpty() ? detections.margins(one.id()) : margins(one, one.checks());
+        statement.checks().isEmpty()
+            ? detections.margins(statement.id())
+            : margins(statement, statement.checks());
     return judged(
-        one, margins, one.published() == null ? one.remark() : withOurs(one), otherwise(one));
+        statement,
+        margins,
+        statement.published() == null ? statement.remark() : remarkWithOurs(statement),
+        alternative(statement));
   }
 
-  /** One that its margins decide; of the remarks to its reason empty ones are left out. */
-  static Judged judged(Statement one, List<Margin> margins, String... remarks) {
+  /** Judges a statement by its margins; the remarks that are not empty follow the reason. */
+  static Judged judged(Statement statement, List<Margin> margins, String... remarks) {
     return new Judged(
         "statement",
-        one.id(),
-        one.source(),
-        one.text(),
+        statement.id(),
+        statement.source(),
+        statement.text(),
         Double.NaN,
         weakest(margins).value(),
         margins.size(),
@@ -58,7 +65,7 @@ final class Statements {
         Stream.concat(Stream.of(reason(margins)), Arrays.stream(remarks))
             .filter(reason -> !reason.isEmpty())
             .collect(Collectors.joining("; ")),
-        one.role());
+        statement.role());
   }
 
   private static String reason(List<Margin> margins) {
@@ -68,13 +75,17 @@ final class Statements {
         held(margins), margins.size(), weakest.where(), weakest.value().text("%+.3f"));
   }
 
-  /** What another reading finds, in words; empty where there is none. */
-  private String otherwise(Statement one) {
-    if (one.otherwise() == null) {
+  /** The result of another reading in words; empty if there is none. */
+  private String alternative(Statement statement) {
+    if (statement.alternative() == null) {
       return "";
     }
-    List<Margin> margins = margins(one, one.otherwise().checks());
-    return one.otherwise().reading() + ": " + verdict(margins).label() + ", " + reason(margins);
+    List<Margin> margins = margins(statement, statement.alternative().checks());
+    return statement.alternative().reading()
+        + ": "
+        + verdict(margins).label()
+        + ", "
+        + reason(margins);
   }
 
   private static Verdict verdict(List<Margin> margins) {
@@ -91,33 +102,33 @@ final class Statements {
     return (int) margins.stream().filter(margin -> margin.value().mean() > 0).count();
   }
 
-  private String withOurs(Statement one) {
-    return Texts.format(one.remark(), proportion(one.checks().get(0)).mean());
+  private String remarkWithOurs(Statement statement) {
+    return Texts.format(statement.remark(), proportion(statement.checks().get(0)).mean());
   }
 
-  private List<Margin> margins(Statement one, List<Check> checks) {
-    return checks.stream().flatMap(check -> margins(one, check)).toList();
+  private List<Margin> margins(Statement statement, List<Check> checks) {
+    return checks.stream().flatMap(check -> margins(statement, check)).toList();
   }
 
-  private Stream<Margin> margins(Statement one, Check check) {
-    if (one.published() != null) {
-      return Stream.of(near(check, one.published()));
+  private Stream<Margin> margins(Statement statement, Check check) {
+    if (statement.published() != null) {
+      return Stream.of(near(check, statement.published()));
     }
-    if (check.alike()) {
-      return alike(check);
+    if (check.equal()) {
+      return equality(check);
     }
-    if (!check.less().startsWith(EACH)) {
-      return Stream.of(difference(check, one.metric()));
+    if (!check.less().startsWith(EACH_SCENARIO)) {
+      return Stream.of(difference(check, statement.metric()));
     }
     return Layout.SCENARIOS.stream()
         .map(
             scenario ->
                 new Check(
                     check.where() == null ? scenario : check.where() + ", " + scenario,
-                    check.more().replace(EACH, scenario + "/"),
-                    check.less().replace(EACH, scenario + "/"),
+                    check.more().replace(EACH_SCENARIO, scenario + "/"),
+                    check.less().replace(EACH_SCENARIO, scenario + "/"),
                     false))
-        .map(inOne -> difference(inOne, one.metric()));
+        .map(ofScenario -> difference(ofScenario, statement.metric()));
   }
 
   private Margin difference(Check check, Metric metric) {
@@ -126,7 +137,7 @@ final class Statements {
     return new Margin(check.where(), Estimate.difference(more, less));
   }
 
-  /** What the distance between a proportion and the published one leaves of 0.05. */
+  /** The tolerance of 0.05 minus the distance between our proportion and the published one. */
   private Margin near(Check check, double published) {
     Estimate ours = proportion(check);
     double slack = Verdict.TOLERANCE - Math.abs(ours.mean() - published);
@@ -138,27 +149,29 @@ final class Statements {
     return Estimate.mean(figures(check.more(), Metric.PROPORTION_OF_OPTIMAL));
   }
 
-  /** By how much less than 0.05 two cases' final proportions differ, either way. */
-  private Stream<Margin> alike(Check check) {
+  /**
+   * The tolerance of 0.05 minus the difference of two cases' final proportions, in both directions.
+   */
+  private Stream<Margin> equality(Check check) {
     double[] difference = finalLevels(find(check.more()));
     double[] others = finalLevels(find(check.less()));
     String scenario = check.more().substring(0, check.more().indexOf('/') + 1);
     double[] optima = finalLevels(find(scenario + OPTIMAL));
     Arrays.setAll(difference, i -> (difference[i] - others[i]) / optima[i]);
-    double[] above = Arrays.stream(difference).map(d -> Verdict.TOLERANCE - d).toArray();
-    double[] below = Arrays.stream(difference).map(d -> Verdict.TOLERANCE + d).toArray();
+    double[] above = Arrays.stream(difference).map(value -> Verdict.TOLERANCE - value).toArray();
+    double[] below = Arrays.stream(difference).map(value -> Verdict.TOLERANCE + value).toArray();
     return Stream.of(
         new Margin(check.where() + ", above", Estimate.mean(above)),
         new Margin(check.where() + ", below", Estimate.mean(below)));
   }
 
-  /** The mean k_min over the last tenth, run by run. */
-  private static double[] finalLevels(CaseResult one) {
-    return Arrays.stream(one.partMeans())
+  /** The mean k_min over the last tenth of each run. */
+  private static double[] finalLevels(CaseResult result) {
+    return Arrays.stream(result.partMeans())
         .mapToDouble(
-            levels ->
-                Arrays.stream(levels)
-                    .skip(levels.length - Math.max(1, Math.round(LAST * levels.length)))
+            means ->
+                Arrays.stream(means)
+                    .skip(means.length - Math.max(1, Math.round(LAST_PART * means.length)))
                     .average()
                     .orElseThrow())
         .toArray();

@@ -8,34 +8,36 @@ import org.hificamsim.network.study.StudyGroup.Members;
 import org.hificamsim.reproduction.Statements.Margin;
 
 /**
- * Judges what two papers find in CamSim's studies of strategies: Esterle, Lewis, Yao and Rinner
- * (ACM TOSN 10(2), 2014) and Lewis, Esterle, Chandra, Rinner, Torresen and Yao (ACM TAAS 10(2),
- * 2015).
+ * Judges the findings of two papers on CamSim's strategies: Esterle, Lewis, Yao and Rinner (ACM
+ * TOSN 10(2), 2014) and Lewis, Esterle, Chandra, Rinner, Torresen and Yao (ACM TAAS 10(2), 2015).
  */
 public final class StudyStatements {
   private StudyStatements() {}
 
-  /** Those that a study has the networks for, by its scenarios. */
+  /** The statements for which a study has the networks. */
   public static List<Judged> judged(List<StudyGroup> groups) {
     return Statement.read("study-statements.json").stream()
-        .filter(one -> !margins(one, groups).isEmpty())
-        .map(one -> Statements.judged(one, margins(one, groups), one.remark()))
+        .filter(statement -> !margins(statement, groups).isEmpty())
+        .map(
+            statement ->
+                Statements.judged(statement, margins(statement, groups), statement.remark()))
         .toList();
   }
 
-  private static List<Margin> margins(Statement one, List<StudyGroup> groups) {
-    return switch (one.id()) {
+  private static List<Margin> margins(Statement statement, List<StudyGroup> groups) {
+    return switch (statement.id()) {
       case "heterogeneous-extend" -> gains(groups, Members.STATIC, Members.HOMOGENEOUS, 0);
       case "bandits-near" -> gains(groups, Members.BANDIT, Members.STATIC, Verdict.TOLERANCE);
-      case "bandits-extend" -> widest(gains(groups, Members.ADAPTIVE, Members.HOMOGENEOUS, 0));
-      case "bandits-beyond" -> widest(gains(groups, Members.ALL, Members.STATIC, 0));
-      case "best-depends" -> groups.size() < 2 ? List.of() : widest(leads(groups));
-      default -> throw new IllegalArgumentException("statement '" + one.id() + "' has no checks");
+      case "bandits-extend" -> largest(gains(groups, Members.ADAPTIVE, Members.HOMOGENEOUS, 0));
+      case "bandits-beyond" -> largest(gains(groups, Members.ALL, Members.STATIC, 0));
+      case "best-depends" -> groups.size() < 2 ? List.of() : largest(leads(groups));
+      default ->
+          throw new IllegalArgumentException("statement '" + statement.id() + "' has no checks");
     };
   }
 
-  /** What something that is said of some scenarios alone hangs on. */
-  private static List<Margin> widest(List<Margin> margins) {
+  /** The largest margin, which decides a statement about at least one scenario. */
+  private static List<Margin> largest(List<Margin> margins) {
     return margins.stream()
         .max(Comparator.comparingDouble(margin -> margin.value().mean()))
         .stream()
@@ -53,7 +55,7 @@ public final class StudyStatements {
         .toList();
   }
 
-  /** In each scenario, how far another strategy is ahead of the one that is best over all. */
+  /** For each scenario, the lead of its best other strategy over the one that is best overall. */
   private static List<Margin> leads(List<StudyGroup> groups) {
     int best = best(groups, -1);
     return groups.stream()
@@ -71,14 +73,14 @@ public final class StudyStatements {
         .toList();
   }
 
-  /** The strategy, one of the first networks in every scenario, that alone beats most in all. */
-  private static int best(List<StudyGroup> groups, int without) {
+  /** The homogeneous network with the largest area in all scenarios together, except one. */
+  private static int best(List<StudyGroup> groups, int excluded) {
     return Arrays.stream(groups.get(0).members(Members.HOMOGENEOUS))
-        .filter(one -> one != without)
+        .filter(strategy -> strategy != excluded)
         .boxed()
         .max(
             Comparator.comparingDouble(
-                one -> groups.stream().mapToDouble(group -> group.area(one)).sum()))
-        .orElse(without);
+                strategy -> groups.stream().mapToDouble(group -> group.area(strategy)).sum()))
+        .orElse(excluded);
   }
 }

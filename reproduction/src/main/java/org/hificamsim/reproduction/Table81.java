@@ -1,16 +1,16 @@
 package org.hificamsim.reproduction;
 
-import static org.hificamsim.reproduction.ReproductionPlans.ANY;
 import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
 import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM_45;
 import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
+import static org.hificamsim.reproduction.ReproductionPlans.EXPLORE_ANY;
 import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
-import static org.hificamsim.reproduction.ReproductionPlans.LITERAL;
 import static org.hificamsim.reproduction.ReproductionPlans.ONE_HOP;
 import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
 import static org.hificamsim.reproduction.ReproductionPlans.ORIGIN;
+import static org.hificamsim.reproduction.ReproductionPlans.REWARD_LITERAL;
+import static org.hificamsim.reproduction.ReproductionPlans.REWARD_SIGN;
 import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
-import static org.hificamsim.reproduction.ReproductionPlans.SIGN;
 import static org.hificamsim.reproduction.ReproductionPlans.STANDARD;
 import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
@@ -24,7 +24,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 
-/** Table 8.1 computed again: ratios of sums over the two scenarios of a layout, cell by cell. */
+/** Computes Table 8.1 again: each cell is a ratio of sums over the two scenarios of a layout. */
 public final class Table81 {
   private final Cases cases;
 
@@ -123,14 +123,14 @@ public final class Table81 {
       case ONE_HOP_GREEDY -> over(scenarios, cell.detection(), cell.policy(), ONE_HOP);
       case HIFI_OPTIMUM -> overHiFi(cell, CAMSIM);
       case HIFI_OPTIMUM_AT_45 -> overHiFi(cell, CAMSIM_45);
-      case EXPLORE_ANY -> instead(cell, EPSILON_GREEDY, ANY);
+      case EXPLORE_ANY -> instead(cell, EPSILON_GREEDY, EXPLORE_ANY);
       case SCRIPT_AT_ORIGIN ->
           cell.layout() == Layout.CLUSTER
               ? mean(List.of(cell.layout().random(), ORIGIN), cell.detection(), cell.policy())
               : Double.NaN;
       case EQ_62 -> cell.hifi() ? Double.NaN : mean(scenarios, STANDARD, cell.policy());
-      case SIGN_REWARD -> instead(cell, SARSA, SIGN);
-      case LITERAL_REWARD -> instead(cell, SARSA, LITERAL);
+      case SIGN_REWARD -> instead(cell, SARSA, REWARD_SIGN);
+      case LITERAL_REWARD -> instead(cell, SARSA, REWARD_LITERAL);
     };
   }
 

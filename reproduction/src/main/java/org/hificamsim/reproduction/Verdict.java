@@ -4,16 +4,16 @@ import java.util.List;
 import java.util.Locale;
 import org.hificamsim.runs.Estimate;
 
-/** Whether something published is found again; the rules are in {@code docs/reproduction.md}. */
+/** Whether a published result is reproduced; the rules are in {@code docs/reproduction.md}. */
 public enum Verdict {
   REPRODUCED,
   WITHIN_INTERVAL,
   NOT_REPRODUCED;
 
-  /** How far from a published proportion ours may be to count as the same. */
+  /** The largest distance between our proportion and a published one that counts as the same. */
   public static final double TOLERANCE = 0.05;
 
-  /** Published numbers have two digits: half of the last one is no difference. */
+  /** A distance of exactly 0.05 counts as the same in spite of rounding errors. */
   private static final double ROUNDING = 1e-9;
 
   /** The name in files. */
@@ -22,8 +22,8 @@ public enum Verdict {
   }
 
   /**
-   * The verdict on a number: reproduced when ours is at most 0.05 away; within interval when the
-   * published one lies in our 95% interval all the same; otherwise not.
+   * The verdict on a number: reproduced if ours is at most 0.05 away; else within interval if the
+   * published number is in our 95% interval; else not reproduced.
    */
   public static Verdict of(Estimate ours, double published) {
     if (isNear(ours.mean() - published)) {
@@ -32,14 +32,14 @@ public enum Verdict {
     return ours.low() <= published && published <= ours.high() ? WITHIN_INTERVAL : NOT_REPRODUCED;
   }
 
-  /** Whether a distance from what is published is at most 0.05. */
+  /** Whether a distance from a published number is at most 0.05. */
   static boolean isNear(double distance) {
     return Math.abs(distance) <= TOLERANCE + ROUNDING;
   }
 
   /**
-   * The verdict on a statement, as margins that it says are above 0: reproduced when each margin's
-   * 95% interval is; not reproduced when one's interval is below 0; in between otherwise.
+   * The verdict on a statement, given margins that have to be above 0: reproduced if the 95%
+   * interval of every margin is above 0; not reproduced if one is below 0; else within interval.
    */
   public static Verdict of(List<Estimate> margins) {
     if (margins.stream().allMatch(margin -> margin.low() > 0)) {

@@ -1,2 +1,2 @@
-/** The thesis's table, figures and statements, computed again and judged; CamSim's studies, too. */
+/** The reproduction of the thesis's table, figures and statements, and of CamSim's studies. */
 package org.hificamsim.reproduction;

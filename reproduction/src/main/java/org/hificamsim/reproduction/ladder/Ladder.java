@@ -14,17 +14,17 @@ import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 
-/** Scenarios x rungs x policies: what is run, and what is compared with what. */
+/** A ladder of rungs of realism: the scenarios, rungs and policies that are run and compared. */
 public final class Ladder {
   private final List<Rung> rungs;
   private final List<String> policies;
   private final Map<String, List<RungScenario>> scenarios = new LinkedHashMap<>();
 
   /**
-   * @param scenarios of different names
-   * @param rungs the top one last
+   * @param scenarios with different names
+   * @param rungs the top rung last
    * @param policies two or more, with their options
-   * @param detections what a rung detects by in a scenario that it has changed
+   * @param detections finds the detection of a rung in a scenario that the rung has changed
    * @throws InputException when two rungs are the same, or there are too few policies
    */
   public Ladder(
@@ -39,30 +39,36 @@ public final class Ladder {
           "the policies are '%s' alone, expected two or more to choose from", policies.get(0));
     }
     for (Scenario scenario : scenarios) {
-      List<RungScenario> places = new ArrayList<>();
+      List<RungScenario> ofRungs = new ArrayList<>();
       for (Rung rung : rungs) {
         Scenario changed = rung.world().apply(scenario);
         Detection detection = detections.apply(rung, changed);
-        places.add(new RungScenario(scenario.name(), rung, changed, detection));
+        ofRungs.add(new RungScenario(scenario.name(), rung, changed, detection));
       }
-      this.scenarios.put(scenario.name(), places);
+      this.scenarios.put(scenario.name(), ofRungs);
     }
     requireDistinct();
   }
 
   private void requireDistinct() {
     Map<List<String>, Rung> known = new LinkedHashMap<>();
-    for (RungScenario one : all()) {
-      Rung other = known.put(List.of(one.changed().name(), one.detection().name()), one.rung());
+    for (RungScenario rungScenario : all()) {
+      Rung other =
+          known.put(
+              List.of(rungScenario.changed().name(), rungScenario.detection().name()),
+              rungScenario.rung());
       if (other != null) {
         throw InputException.of(
             "rungs '%s' and '%s' are both detection '%s' in scenario '%s', expected each" + " once",
-            other.name(), one.rung().name(), one.detection().name(), one.changed().name());
+            other.name(),
+            rungScenario.rung().name(),
+            rungScenario.detection().name(),
+            rungScenario.changed().name());
       }
     }
   }
 
-  /** The rungs, the top one last. */
+  /** The rungs, the top rung last. */
   public List<Rung> rungs() {
     return rungs;
   }
@@ -72,35 +78,36 @@ public final class Ladder {
     return policies;
   }
 
-  /** What the rungs are judged by: k_min, or where a scenario has another objective the score. */
+  /** The measure by which rungs are judged: k_min, or the score if a scenario has an objective. */
   String measure() {
-    return all().stream().anyMatch(one -> one.changed().objective().hasOwnFigure())
+    return all().stream()
+            .anyMatch(rungScenario -> rungScenario.changed().objective().hasOwnFigure())
         ? "score"
         : "k_min";
   }
 
-  /** Everything that has to be run. */
+  /** The plans of all runs. */
   public List<RunPlan> plans(Settings asked) {
     return all().stream()
-        .flatMap(one -> policies.stream().map(policy -> one.plan(policy, asked)))
+        .flatMap(rungScenario -> policies.stream().map(policy -> rungScenario.plan(policy, asked)))
         .toList();
   }
 
-  /** Each scenario by name, as each rung has it. */
+  /** For each scenario by name, its variants under the rungs. */
   Map<String, List<RungScenario>> scenarios() {
     return scenarios;
   }
 
-  /** Every scenario as every rung has it. */
+  /** All variants of all scenarios. */
   List<RungScenario> all() {
     return scenarios.values().stream().flatMap(List::stream).toList();
   }
 
   /**
-   * A scenario as one rung has it.
+   * The variant of a scenario under a rung.
    *
-   * @param scenario the name of the scenario as it was given
-   * @param changed what the rung makes of it
+   * @param scenario the name of the given scenario
+   * @param changed the variant
    */
   record RungScenario(String scenario, Rung rung, Scenario changed, Detection detection) {
     RunPlan plan(String policy, Settings asked) {

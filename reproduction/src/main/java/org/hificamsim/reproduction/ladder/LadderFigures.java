@@ -12,28 +12,34 @@ import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.runs.Estimate;
 import org.knowm.xchart.XYChart;
 
-/** The pictures of a ladder: its rungs are rows, the top one highest. */
+/** Draws the pictures of a ladder, whose rungs are rows with the top rung uppermost. */
 final class LadderFigures {
   private static final Color TAU = Palette.BLUE;
   private static final Color REGRET = Palette.VERMILION;
   private static final Color COST = Palette.GREEN;
   private static final int WIDTH = 400;
-  private static final int ROW = 24;
-  private static final int FRAME = 80;
+  private static final int ROW_HEIGHT = 24;
+  private static final int FRAME_HEIGHT = 80;
   private static final int COLUMNS = 3;
-  private static final double APART = 0.14;
-  private static final double EDGE = 0.05;
-  private static final double ROOM = 1.08;
+
+  /** The distance of the dots of a panel from the centre of their row, in rows. */
+  private static final double DOT_OFFSET = 0.14;
+
+  private static final double AXIS_MARGIN = 0.05;
+
+  /** The end of the axis of costs over the largest cost. */
+  private static final double COST_MARGIN = 1.08;
+
   private static final String INTERVALS = "Bars: 95% intervals over seeds.";
   private final LadderResult result;
   private final List<String> names;
 
   LadderFigures(LadderResult result) {
     this.result = result;
-    this.names = result.of(RungResult.ALL).stream().map(one -> one.rung().name()).toList();
+    this.names = result.of(RungResult.ALL).stream().map(row -> row.rung().name()).toList();
   }
 
-  /** Tau and regret in each scenario, and over all. */
+  /** Tau and regret in each scenario, and their means over all scenarios. */
   Figure byScenario() {
     return figure(
         "How far each rung can be trusted, judged by " + top(),
@@ -42,7 +48,7 @@ final class LadderFigures {
         result.scenarios().stream().map(this::panel).toList());
   }
 
-  /** Tau, regret and cost side by side, the means over the scenarios. */
+  /** The means of tau, regret and cost over the scenarios, in three panels. */
   Figure overview() {
     return figure(
         "How much realism the choice of a policy needs, judged by " + top(),
@@ -50,17 +56,17 @@ final class LadderFigures {
         List.of(),
         List.of(
             single("order of the policies (Kendall's tau)", -1, RungResult::tau, TAU),
-            single(lost() + " (share)", 0, RungResult::share, REGRET),
+            single(loss() + " (share)", 0, RungResult::share, REGRET),
             costs()));
   }
 
   private List<LegendEntry> legend() {
     return List.of(
         new LegendEntry("order of the policies: Kendall's tau", TAU, LegendEntry.Mark.DOT),
-        new LegendEntry(lost() + ", share of the top rung's best", REGRET, LegendEntry.Mark.DOT));
+        new LegendEntry(loss() + ", share of the top rung's best", REGRET, LegendEntry.Mark.DOT));
   }
 
-  private String lost() {
+  private String loss() {
     return result.measure() + " lost by the rung's choice";
   }
 
@@ -76,19 +82,19 @@ final class LadderFigures {
         panels,
         Math.min(COLUMNS, panels.size()),
         WIDTH,
-        FRAME + ROW * Math.max(2, names.size()));
+        FRAME_HEIGHT + ROW_HEIGHT * Math.max(2, names.size()));
   }
 
   private XYChart panel(String scenario) {
-    XyPanel panel = new XyPanel(scenario, "", "").x(-1 - EDGE, 1 + EDGE).rows(names);
-    dots(panel, scenario, RungResult::tau, APART, TAU);
-    dots(panel, scenario, RungResult::share, -APART, REGRET);
+    XyPanel panel = new XyPanel(scenario, "", "").x(-1 - AXIS_MARGIN, 1 + AXIS_MARGIN).rows(names);
+    dots(panel, scenario, RungResult::tau, DOT_OFFSET, TAU);
+    dots(panel, scenario, RungResult::share, -DOT_OFFSET, REGRET);
     return panel;
   }
 
   private XYChart single(
       String title, double least, Function<RungResult, Estimate> figure, Color color) {
-    XyPanel panel = new XyPanel(title, "", "").x(least - EDGE, 1 + EDGE).rows(names);
+    XyPanel panel = new XyPanel(title, "", "").x(least - AXIS_MARGIN, 1 + AXIS_MARGIN).rows(names);
     dots(panel, RungResult.ALL, figure, 0, color);
     return panel;
   }
@@ -97,21 +103,21 @@ final class LadderFigures {
       XyPanel panel,
       String scenario,
       Function<RungResult, Estimate> figure,
-      double above,
+      double offset,
       Color color) {
     List<RungResult> rungs = result.of(scenario);
     for (int i = 0; i < rungs.size(); i++) {
       Estimate estimate = figure.apply(rungs.get(i));
       if (!Double.isNaN(estimate.mean())) {
-        panel.dot(estimate, i + 1 + above, color);
+        panel.dot(estimate, i + 1 + offset, color);
       }
     }
   }
 
   private XYChart costs() {
-    double[] cost = result.nanoseconds().stream().mapToDouble(one -> one).toArray();
+    double[] cost = result.nanoseconds().stream().mapToDouble(nanoseconds -> nanoseconds).toArray();
     double most = result.nanoseconds().stream().reduce(0.0, Math::max);
-    XyPanel panel = new XyPanel("cost of a step (ns)", "", "").x(0, ROOM * most).rows(names);
+    XyPanel panel = new XyPanel("cost of a step (ns)", "", "").x(0, COST_MARGIN * most).rows(names);
     for (int i = 0; i < cost.length; i++) {
       panel.dots(new Curve(new double[] {cost[i]}, new double[] {i + 1}), COST);
     }

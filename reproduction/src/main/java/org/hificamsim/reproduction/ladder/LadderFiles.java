@@ -27,15 +27,15 @@ import org.hificamsim.runs.compare.RungScores;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.Table;
 
-/** The files of a ladder: two tables, its picture, and what a step costs on this machine. */
+/** Writes the files of a ladder: two tables, pictures, and the cost of a step on this machine. */
 public final class LadderFiles {
-  /** Between policies that tie; no policy's name or option has it. */
+  /** The separator of policies that tie; no name or option of a policy contains it. */
   public static final String OR = " | ";
 
   private static final String COST = "cost";
 
-  /** What a rung predicts of a policy in a scenario. */
-  record PolicyRow(RungScenario place, String policy, Estimate score, int rank) {}
+  /** The prediction of a rung for a policy in a scenario. */
+  record PolicyRow(RungScenario variant, String policy, Estimate score, int rank) {}
 
   /** A row per scenario, rung and policy. */
   public static final Table<PolicyRow> POLICIES =
@@ -43,11 +43,11 @@ public final class LadderFiles {
           .texts(
               "scenario",
               "as it was given, also where a rung changes it",
-              row -> row.place.scenario())
+              row -> row.variant.scenario())
           .texts(
               "rung",
               "its name: that of its detection, unless it changes the scenario",
-              row -> row.place.rung().name())
+              row -> row.variant.rung().name())
           .texts("policy", "the zoom policy with its options", PolicyRow::policy)
           .estimates(
               "mean_k_min", "", "cameras", "the score that the rung predicts", PolicyRow::score)
@@ -115,14 +115,14 @@ public final class LadderFiles {
     LadderResult result = LadderResult.of(ladder, cases, byRung(costs));
     POLICIES.write(folder, ladder.all().stream().flatMap(this::policies));
     RUNGS.write(folder, result.rungs().stream());
-    costs(costs);
+    writeCosts(costs);
     LadderFigures figures = new LadderFigures(result);
     FigureFile.write(folder, "ladder", figures.byScenario());
     FigureFile.write(folder, COST, figures.overview());
     return result;
   }
 
-  /** The mean over the scenarios, by rung. */
+  /** The mean costs over the scenarios, by rung. */
   private List<Double> byRung(List<Double> costs) {
     Map<Rung, Double> means =
         IntStream.range(0, costs.size())
@@ -133,37 +133,37 @@ public final class LadderFiles {
     return ladder.rungs().stream().map(means::get).toList();
   }
 
-  private Stream<PolicyRow> policies(RungScenario place) {
-    RungScores scores = RungScores.of(place.results(cases, ladder.policies()));
+  private Stream<PolicyRow> policies(RungScenario variant) {
+    RungScores scores = RungScores.of(variant.results(cases, ladder.policies()));
     int[] ranks = scores.ranks();
     return IntStream.range(0, ranks.length)
         .mapToObj(
             policy ->
                 new PolicyRow(
-                    place,
+                    variant,
                     ladder.policies().get(policy),
                     Estimate.mean(scores.score()[policy]),
                     ranks[policy]));
   }
 
-  private void costs(List<Double> costs) throws IOException {
+  private void writeCosts(List<Double> costs) throws IOException {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("policy", ladder.policies().get(0));
     json.put("threads", 1);
     ArrayNode steps = json.putArray("steps");
     for (int i = 0; i < costs.size(); i++) {
-      RungScenario place = ladder.all().get(i);
+      RungScenario variant = ladder.all().get(i);
       ObjectNode step = steps.addObject();
-      step.put("scenario", place.scenario());
-      step.put("rung", place.rung().name());
+      step.put("scenario", variant.scenario());
+      step.put("rung", variant.rung().name());
       step.put("nanoseconds", costs.get(i));
     }
     JsonOutput.write(folder, COST + ".json", json);
   }
 
   /**
-   * What a step costs on this machine, with all that a run measures of it: the least of some timed
-   * runs in one thread, each so short that other programs seldom come between.
+   * Measures the time of a step on this machine, with all metrics of a run: the least of several
+   * timed runs in one thread, which are so short that other programs rarely interrupt them.
    */
   static final class StepCost {
     private static final long MIN_NANOSECONDS = 2_000_000;
@@ -179,9 +179,9 @@ public final class LadderFiles {
       this.policy = policy;
     }
 
-    /** Nanoseconds a step, for each; taken in turns, so that all meet the same load. */
-    List<Double> of(List<RungScenario> places) {
-      List<RunPlan> plans = places.stream().map(this::calibrated).toList();
+    /** The nanoseconds of a step for each; they are measured in turns, under the same load. */
+    List<Double> of(List<RungScenario> variants) {
+      List<RunPlan> plans = variants.stream().map(this::calibrated).toList();
       double[] least = plans.stream().mapToDouble(this::nanoseconds).toArray();
       for (int round = 1; round < ROUNDS; round++) {
         for (int i = 0; i < least.length; i++) {
@@ -191,23 +191,23 @@ public final class LadderFiles {
       return Arrays.stream(least).boxed().toList();
     }
 
-    /** A plan with enough steps for the clock; it is warm then. */
-    private RunPlan calibrated(RungScenario place) {
-      RunPlan plan = plan(place, FIRST_STEPS);
+    /** A plan with enough steps for the clock; its code is compiled by then. */
+    private RunPlan calibrated(RungScenario variant) {
+      RunPlan plan = plan(variant, FIRST_STEPS);
       while (isShort(plan) && plan.steps() < MAX_STEPS) {
-        plan = plan(place, 2 * plan.steps());
+        plan = plan(variant, 2 * plan.steps());
       }
       return plan;
     }
 
-    private RunPlan plan(RungScenario place, int steps) {
-      return place.plan(policy, Settings.NONE.with(Setting.STEPS, Integer.toString(steps)));
+    private RunPlan plan(RungScenario variant, int steps) {
+      return variant.plan(policy, Settings.NONE.with(Setting.STEPS, Integer.toString(steps)));
     }
 
-    /** Whether any of three runs is: one alone may have been interrupted. */
+    /** Whether any of three runs is too short; a longer one may have been interrupted. */
     private boolean isShort(RunPlan plan) {
       return IntStream.range(0, 3)
-          .anyMatch(any -> nanoseconds(plan) * plan.steps() < MIN_NANOSECONDS);
+          .anyMatch(attempt -> nanoseconds(plan) * plan.steps() < MIN_NANOSECONDS);
     }
 
     private double nanoseconds(RunPlan plan) {

@@ -15,51 +15,53 @@ import org.hificamsim.runs.compare.RungScores;
 import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
- * Every rung compared with the top one.
+ * The comparison of every rung with the top rung.
  *
  * @param rungs by scenario, then the means over all scenarios
- * @param nanoseconds what a step costs, by rung
- * @param measure what the rungs are judged by, in a word
+ * @param nanoseconds the cost of a step, by rung
+ * @param measure the name of the measure by which rungs are judged
  */
 public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, String measure) {
   static LadderResult of(Ladder ladder, Cases cases, List<Double> nanoseconds) {
     List<RungResult> results = new ArrayList<>();
     Map<Rung, List<RungComparison>> byRung = new LinkedHashMap<>();
-    for (List<RungScenario> places : ladder.scenarios().values()) {
-      RungScenario last = places.get(places.size() - 1);
+    for (List<RungScenario> variants : ladder.scenarios().values()) {
+      RungScenario last = variants.get(variants.size() - 1);
       RungScores top = RungScores.of(last.results(cases, ladder.policies()));
-      for (RungScenario place : places) {
-        RungScores own = RungScores.of(place.results(cases, ladder.policies()));
+      for (RungScenario variant : variants) {
+        RungScores own = RungScores.of(variant.results(cases, ladder.policies()));
         RungComparison comparison = new RungComparison(own, top);
         List<String> chosen = Arrays.stream(own.best()).mapToObj(ladder.policies()::get).toList();
-        results.add(RungResult.of(place.scenario(), place.rung(), chosen, List.of(comparison)));
-        byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(comparison);
+        results.add(RungResult.of(variant.scenario(), variant.rung(), chosen, List.of(comparison)));
+        byRung.computeIfAbsent(variant.rung(), rung -> new ArrayList<>()).add(comparison);
       }
     }
-    byRung.forEach((rung, all) -> results.add(RungResult.of(RungResult.ALL, rung, List.of(), all)));
+    byRung.forEach(
+        (rung, comparisons) ->
+            results.add(RungResult.of(RungResult.ALL, rung, List.of(), comparisons)));
     return new LadderResult(List.copyOf(results), nanoseconds, ladder.measure());
   }
 
-  /** The scenarios' names, then {@link RungResult#ALL}. */
+  /** The names of the scenarios, then {@link RungResult#ALL}. */
   public List<String> scenarios() {
     return rungs.stream().map(RungResult::scenario).distinct().toList();
   }
 
-  /** The rungs in one scenario, the top one last. */
+  /** The rungs in one scenario, the top rung last. */
   public List<RungResult> of(String scenario) {
-    return rungs.stream().filter(one -> one.scenario().equals(scenario)).toList();
+    return rungs.stream().filter(rung -> rung.scenario().equals(scenario)).toList();
   }
 
   /**
-   * How good a rung is for a choice of policy: in one scenario, or the mean over all of them.
+   * How well a policy can be chosen by a rung, in one scenario or as the mean over all of them.
    *
    * @param scenario {@link #ALL} for the mean
-   * @param optimum the mean score that it predicts for the exact optimum
-   * @param tau Kendall's tau-b against the top rung; NaN where all policies tie
-   * @param chosen the policies that are best under it, more than one where they tie; none for the
+   * @param optimum the mean score that the rung predicts for the exact optimum
+   * @param tau Kendall's tau-b with the top rung; NaN if all policies tie
+   * @param chosen the policies that are best under the rung, several if they tie; empty for the
    *     mean
-   * @param regret the score lost under the top rung by choosing so
-   * @param share the same as a share of the top rung's best; NaN where that is 0
+   * @param regret the score that the choice loses under the top rung
+   * @param share the regret as a share of the top rung's best score; NaN if that is 0
    */
   public record RungResult(
       String scenario,
@@ -69,7 +71,7 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
       List<String> chosen,
       Estimate regret,
       Estimate share) {
-    /** In place of a scenario's name. */
+    /** The name that stands for all scenarios. */
     public static final String ALL = "all";
 
     static RungResult of(
@@ -77,7 +79,7 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
       return new RungResult(
           scenario,
           rung,
-          estimate(comparisons, (one, seeds) -> one.own().optimum(seeds)),
+          estimate(comparisons, (comparison, seeds) -> comparison.own().optimum(seeds)),
           estimate(comparisons, RungComparison::tau).within(-1, 1),
           chosen,
           estimate(comparisons, RungComparison::regret).within(0, Double.POSITIVE_INFINITY),
@@ -85,7 +87,8 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
     }
 
     /**
-     * The mean over the scenarios that have the figure, with its interval: the same seeds in all.
+     * The mean over the scenarios that have the figure, with its interval. The same seeds are drawn
+     * in all scenarios.
      */
     private static Estimate estimate(
         List<RungComparison> comparisons, ToDoubleBiFunction<RungComparison, int[]> figure) {
@@ -93,7 +96,7 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
           comparisons.get(0).own().seeds(),
           seeds ->
               comparisons.stream()
-                  .mapToDouble(one -> figure.applyAsDouble(one, seeds))
+                  .mapToDouble(comparison -> figure.applyAsDouble(comparison, seeds))
                   .filter(value -> !Double.isNaN(value))
                   .average()
                   .orElse(Double.NaN));
@@ -101,28 +104,27 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
   }
 
   /**
-   * A rung compared with the top rung in one scenario; figures are of the seeds that a bootstrap
-   * draws.
+   * The comparison of a rung with the top rung in one scenario; figures are for the seeds that a
+   * bootstrap draws.
    */
   record RungComparison(RungScores own, RungScores top) {
     /**
-     * How alike both put the policies in order: Kendall's tau-b, 1 for the same order, -1 for the
-     * reverse; NaN where either has all policies tie.
+     * The agreement on the order of the policies: Kendall's tau-b, 1 for the same order, -1 for the
+     * reverse; NaN if all policies tie under one of the rungs.
      */
     double tau(int[] seeds) {
       return new KendallsCorrelation().correlation(own.means(seeds), top.means(seeds));
     }
 
     /**
-     * The score that is lost under the top rung by choosing the policy that is best under this one,
-     * 0 or more; where several are, what is lost on average by choosing any of them. Other seeds
-     * may lead to another choice.
+     * The score that is lost under the top rung by choosing the policy that is best under this
+     * rung, 0 or more; the mean if several policies tie. Other seeds may lead to another choice.
      */
     double regret(int[] seeds) {
       return best(seeds) - top.mean(own.best(seeds), seeds);
     }
 
-    /** The regret as a share of the top rung's best; NaN where that is 0. */
+    /** The regret as a share of the top rung's best score; NaN if that is 0. */
     double share(int[] seeds) {
       double best = best(seeds);
       return best == 0 ? Double.NaN : regret(seeds) / best;

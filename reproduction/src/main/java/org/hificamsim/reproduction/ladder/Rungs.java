@@ -14,9 +14,9 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 
-/** The rungs, one line each, from the least realism to the most ({@code docs/ladder.md}). */
+/** The rungs of realism, from the least to the most realistic ({@code docs/ladder.md}). */
 public final class Rungs {
-  /** What the rungs of the world detect by where neither the user nor the scenario names it. */
+  /** The detection of the rungs of the world if neither the user nor the scenario names one. */
   public static final String WORLD_DETECTION = "oodpcvs-2025:level=perceive";
 
   private static final List<Rung> OF_DETECTION =
@@ -36,21 +36,21 @@ public final class Rungs {
 
   private Rungs() {}
 
-  /** Every rung of detection, the top one last. */
+  /** All rungs of detection, the top rung last. */
   public static List<Rung> ofDetection() {
     return OF_DETECTION;
   }
 
-  /** The rung of detection of this name; one of the detection of this name where there is none. */
+  /** The rung of detection of a name; a new one for a detection that has no rung here. */
   public static Rung ofDetection(String name) {
     return find(OF_DETECTION, name).orElseGet(() -> new Rung(name, ""));
   }
 
   /**
-   * The rungs of the world, from round views to a scenario as it is. Each is made by taking away
-   * from the rung above it.
+   * The rungs of the world, from round views to the unchanged scenario. Each rung lacks one thing
+   * that the rung above it has.
    *
-   * @param detection of every rung, as users name it; empty for that of each scenario
+   * @param detection of all rungs, as users name it; empty for that of each scenario
    */
   public static List<Rung> ofWorld(Optional<String> detection) {
     return List.of(
@@ -72,14 +72,14 @@ public final class Rungs {
   }
 
   /**
-   * The rung of the world of this name.
+   * The rung of the world of a name.
    *
-   * @throws InputException when there is none
+   * @throws InputException when there is no such rung
    */
   public static Rung ofWorld(Optional<String> detection, String name) {
-    List<Rung> all = ofWorld(detection);
-    String names = all.stream().map(Rung::name).collect(Collectors.joining(", "));
-    return find(all, name)
+    List<Rung> rungs = ofWorld(detection);
+    String names = rungs.stream().map(Rung::name).collect(Collectors.joining(", "));
+    return find(rungs, name)
         .orElseThrow(
             () -> new InputException("unknown rung '" + name + "', expected one of " + names));
   }
@@ -89,21 +89,21 @@ public final class Rungs {
   }
 
   /**
-   * One degree of realism: what it makes of a scenario, and how targets are detected there.
+   * A degree of realism: how it simplifies a scenario, and how targets are detected.
    *
-   * @param name in files, distinct on a ladder
-   * @param adds what the rungs below it have not, in a few words
-   * @param detection as users name it; empty for the scenario's
-   * @param world what it makes of a scenario; one that changes a scenario gives it another name
+   * @param name in files, different from those of the other rungs of a ladder
+   * @param adds what the rungs below lack, in a few words
+   * @param detection as users name it; empty for that of the scenario
+   * @param world simplifies a scenario and gives it another name; or returns it unchanged
    */
   public record Rung(
       String name, String adds, Optional<String> detection, UnaryOperator<Scenario> world) {
-    /** A rung that leaves scenarios as they are, under the name of its detection. */
+    /** A rung that leaves scenarios unchanged and has the name of its detection. */
     Rung(String detection, String adds) {
       this(detection, adds, Optional.of(detection), UnaryOperator.identity());
     }
 
-    /** What is asked for with its detection. */
+    /** The settings with the detection of this rung. */
     Settings with(Settings asked) {
       return detection
           .map(name -> asked.with(Setting.DETECTION, name))
@@ -111,16 +111,16 @@ public final class Rungs {
     }
 
     /**
-     * Its detection. One that names no rule is by threshold, whatever a scenario says: a rung is
-     * the same in all scenarios.
+     * The detection of this rung. Without a rule in its name it is by threshold, whatever the
+     * scenario says: a rung is the same in all scenarios.
      *
      * @throws org.hificamsim.core.InputException when there is no such detection
      */
     public Detection detection(
         Settings asked, Scenario scenario, Function<String, DetectionModel> models) {
-      Settings own = with(asked);
-      DetectionSpec spec = DetectionSpec.parse(own.value(Setting.DETECTION, scenario), models);
-      return spec.or(new DetectionRule.Threshold()).detection(own, scenario);
+      Settings settings = with(asked);
+      DetectionSpec spec = DetectionSpec.parse(settings.value(Setting.DETECTION, scenario), models);
+      return spec.or(new DetectionRule.Threshold()).detection(settings, scenario);
     }
   }
 }

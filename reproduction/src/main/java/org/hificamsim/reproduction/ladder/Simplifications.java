@@ -11,15 +11,15 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * Simplified scenarios. Each method removes what the one above it removes, and one thing more; the
- * scenario is named after what it still has.
+ * Simplifies scenarios. Each method removes what the method above it removes, and one thing more.
+ * The simplified scenario is named after the rung.
  */
 final class Simplifications {
   private static final double ALL_ROUND = 360;
 
   private Simplifications() {}
 
-  /** Targets hide none, and all have one size: the mean of all. */
+  /** Targets do not hide each other, and all have the same size: the mean size. */
   static Scenario occlusion(Scenario scenario) {
     double size = scenario.everyTarget().mapToDouble(TargetSpec::size).average().orElse(Double.NaN);
     return named("walls", scenario, scenario)
@@ -27,28 +27,29 @@ final class Simplifications {
         .with(Scenario.OCCLUSION, Occlusion.NONE);
   }
 
-  /** No obstacles. */
+  /** There are no obstacles. */
   static Scenario walls(Scenario scenario) {
     return named("time", scenario, occlusion(scenario)).with(Scenario.OBSTACLES, List.of());
   }
 
-  /** Moves are done at once. */
+  /** Cameras turn and zoom at once. */
   static Scenario time(Scenario scenario) {
     return named("pan", scenario, walls(scenario))
-        .withCameras(camera -> through(camera, Simplifications::atOnce));
+        .withCameras(camera -> withOptics(camera, Simplifications::atOnce));
   }
 
-  /** Cameras look where they are mounted to. */
+  /** Cameras do not turn. */
   static Scenario pan(Scenario scenario) {
     return named("optics", scenario, time(scenario))
-        .withCameras(camera -> through(camera, one -> one.with(OpticsSpec.PANS, List.of(0.0))));
+        .withCameras(
+            camera -> withOptics(camera, optics -> optics.with(OpticsSpec.PANS, List.of(0.0))));
   }
 
   /**
-   * Cameras see all round, as far as Eq 3.2 makes of the first lens from one height: the widest
-   * level's radius is half the field's diagonal.
+   * Cameras see all round. The radii follow from the first lens at one height by Eq 3.2: the widest
+   * is half the diagonal of the field.
    *
-   * @throws InputException when there is no lens
+   * @throws InputException when no camera has a lens
    */
   static Scenario lenses(Scenario scenario) {
     List<Double> tangents = tangents(scenario);
@@ -58,14 +59,14 @@ final class Simplifications {
         .with(Scenario.NAME, scenario.name() + "-round")
         .with(Scenario.MOUNT_HEIGHT, height)
         .with(Scenario.ZOOMS, tangents.stream().map(tangent -> height * tangent).toList())
-        .withCameras(camera -> camera.optics().map(one -> round(camera, one)).orElse(camera));
+        .withCameras(camera -> camera.optics().map(optics -> round(camera, optics)).orElse(camera));
   }
 
   private static List<Double> tangents(Scenario scenario) {
     return scenario
         .everyCamera()
         .flatMap(camera -> camera.optics().stream())
-        .filter(one -> one.law() == OpticsLaw.PINHOLE)
+        .filter(optics -> optics.law() == OpticsLaw.PINHOLE)
         .findFirst()
         .orElseThrow(() -> noLens(scenario))
         .anglesOfView()
@@ -92,7 +93,7 @@ final class Simplifications {
         .with(CameraSpec.VIEWING_ANGLE, ALL_ROUND);
   }
 
-  private static CameraSpec through(CameraSpec camera, UnaryOperator<OpticsSpec> change) {
+  private static CameraSpec withOptics(CameraSpec camera, UnaryOperator<OpticsSpec> change) {
     return camera.with(CameraSpec.OPTICS, camera.optics().map(change));
   }
 

@@ -1,2 +1,2 @@
-/** How much realism the choice of a policy needs: rungs of realism, judged by the top one. */
+/** The ladder: how much realism the choice of a policy needs, judged by the top rung. */
 package org.hificamsim.reproduction.ladder;

@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.hifi.optics.Optics;
 
-/** A scenario with other targets or other optics, under a name that tells what is changed. */
+/** Changes the targets or optics of a scenario; its new name says what is changed. */
 final class ChangedWorld {
   private static final long SEED = 71;
   private static final double INSIDE = 0.8;
@@ -18,31 +18,32 @@ final class ChangedWorld {
 
   private ChangedWorld() {}
 
-  /** All targets of another size q, metres. */
+  /** Gives all targets another size q, metres. */
   static Scenario withSize(Scenario scenario, double size) {
     return scenario
         .withTargets(target -> target.withSize(size))
         .with(Scenario.NAME, scenario.name() + "-q" + size);
   }
 
-  /** All targets of another speed, metres a step. */
+  /** Gives all targets another speed, metres a step. */
   static Scenario withSpeed(Scenario scenario, double speed) {
     return scenario
         .withTargets(target -> target.with(TargetSpec.SPEED, speed))
         .with(Scenario.NAME, scenario.name() + "-v" + speed);
   }
 
-  /** The zoom levels' radii in proportion, up to the widest one's, metres. */
+  /** Scales the radii of the zoom levels to another widest radius, metres. */
   static Scenario withWidestRadius(Scenario scenario, double radius) {
     List<Double> radii = scenario.zooms();
     double widest = radii.get(radii.size() - 1);
     return scenario
-        .with(Scenario.ZOOMS, radii.stream().map(one -> radius * (one / widest)).toList())
+        .with(Scenario.ZOOMS, radii.stream().map(old -> radius * (old / widest)).toList())
         .with(Scenario.NAME, scenario.name() + "-r" + radius);
   }
 
   /**
-   * All cameras at the height at which the narrowest level has a focal length (Eqs 3.1, 3.2).
+   * Moves all cameras to the height at which the narrowest zoom level has a focal length (Eqs 3.1,
+   * 3.2).
    *
    * @param focalLength metres, above 0
    */
@@ -54,25 +55,25 @@ final class ChangedWorld {
   }
 
   /**
-   * Another number of targets: the first ones of the file, then further ones of the same kind. On a
-   * script these start on the corners that are free, then halfway between corners; at random, at
-   * places drawn once and for all, the same in every run.
+   * Changes the number of targets: keeps the first ones of the file, and adds others of the same
+   * kind. Those that follow a script start on corners where no other starts, then halfway between
+   * corners; others start at drawn positions, which are the same in every run.
    */
   static Scenario withTargets(Scenario scenario, int number) {
-    boolean scripted = scenario.targets().isEmpty();
+    boolean isScripted = scenario.targets().isEmpty();
     List<TargetSpec> targets =
-        new ArrayList<>(scripted ? scenario.everyTarget().toList() : scenario.targets());
+        new ArrayList<>(isScripted ? scenario.everyTarget().toList() : scenario.targets());
     while (targets.size() > number) {
       targets.remove(targets.size() - 1);
     }
     SplittableRandom random = new SplittableRandom(SEED);
     while (targets.size() < number) {
       targets.add(
-          scripted ? onScript(targets) : anywhere(scenario, targets.get(0), targets, random));
+          isScripted ? onScript(targets) : anywhere(scenario, targets.get(0), targets, random));
     }
     String name = scenario.name() + "-" + number + "-targets";
     Scenario named = scenario.with(Scenario.NAME, name);
-    return scripted
+    return isScripted
         ? named.with(Scenario.TARGETS, List.of()).with(Scenario.EVENTS, events(targets))
         : named.with(Scenario.TARGETS, targets);
   }
@@ -84,11 +85,11 @@ final class ChangedWorld {
   }
 
   private static TargetSpec anywhere(
-      Scenario scenario, TargetSpec like, List<TargetSpec> others, SplittableRandom random) {
+      Scenario scenario, TargetSpec model, List<TargetSpec> others, SplittableRandom random) {
     double x = INSIDE * (random.nextDouble() - 0.5) * scenario.field().width();
     double y = INSIDE * (random.nextDouble() - 0.5) * scenario.field().height();
     return next(
-            like,
+            model,
             others,
             x + (scenario.field().minX() + scenario.field().maxX()) / 2,
             y + (scenario.field().minY() + scenario.field().maxY()) / 2)
@@ -96,41 +97,42 @@ final class ChangedWorld {
   }
 
   private static TargetSpec onScript(List<TargetSpec> others) {
-    TargetSpec like = others.get(0);
-    List<Waypoint> path = path(like.waypoints(), others);
-    return next(like, others, path.get(0).x(), path.get(0).y()).with(TargetSpec.WAYPOINTS, path);
+    TargetSpec model = others.get(0);
+    List<Waypoint> path = path(model.waypoints(), others);
+    return next(model, others, path.get(0).x(), path.get(0).y()).with(TargetSpec.WAYPOINTS, path);
   }
 
-  /** The same way round, from a corner or else the middle of a side where none starts yet. */
+  /** The same path from the first corner, or middle of a side, where no target starts yet. */
   private static List<Waypoint> path(List<Waypoint> corners, List<TargetSpec> others) {
-    List<List<Waypoint>> ways = new ArrayList<>();
+    List<List<Waypoint>> paths = new ArrayList<>();
     for (int side = 0; side < corners.size(); side++) {
       List<Waypoint> turned = new ArrayList<>(corners);
       Collections.rotate(turned, -side);
-      ways.add(side, turned);
+      paths.add(side, turned);
       List<Waypoint> halfway = new ArrayList<>(turned);
       Collections.rotate(halfway, -1);
       halfway.add(0, middle(turned.get(0), turned.get(1)));
-      ways.add(halfway);
+      paths.add(halfway);
     }
-    return ways.stream()
-        .filter(way -> others.stream().noneMatch(other -> startsAt(other, way.get(0))))
+    return paths.stream()
+        .filter(path -> others.stream().noneMatch(other -> startsAt(other, path.get(0))))
         .findFirst()
         .orElse(corners);
   }
 
-  private static boolean startsAt(TargetSpec target, Waypoint place) {
-    return target.waypoints().get(0).equals(place);
+  private static boolean startsAt(TargetSpec target, Waypoint position) {
+    return target.waypoints().get(0).equals(position);
   }
 
   private static Waypoint middle(Waypoint a, Waypoint b) {
     return new Waypoint((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
   }
 
-  private static TargetSpec next(TargetSpec like, List<TargetSpec> others, double x, double y) {
-    return like.with(TargetSpec.FEATURES, others.get(others.size() - 1).features() + 1)
+  private static TargetSpec next(TargetSpec model, List<TargetSpec> others, double x, double y) {
+    return model
+        .with(TargetSpec.FEATURES, others.get(others.size() - 1).features() + 1)
         .with(TargetSpec.X, x)
         .with(TargetSpec.Y, y)
-        .withSize(like.size());
+        .withSize(model.size());
   }
 }

@@ -6,11 +6,11 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.Texts;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 
-/** Where the conclusion holds and where it flips, in words. */
+/** Writes in words for which values the conclusion holds and for which it flips. */
 final class Findings {
   private Findings() {}
 
-  /** Markdown: a paragraph per parameter. */
+  /** A paragraph in Markdown for each parameter. */
   static String of(List<ParameterSweep> sweeps, List<Gap> gaps) {
     StringBuilder text =
         new StringBuilder(
@@ -27,10 +27,10 @@ its whole 95% interval, by layout and policy; it flips where it is below with it
     return text.toString();
   }
 
-  /** Markdown: which settings come as near to the hi-fi column as the defaults, fitted to it. */
+  /** A paragraph in Markdown on the settings that fit the hi-fi column as well as the defaults. */
   static String ofFits(List<Fit> fits) {
-    Fit standard = fits.stream().filter(fit -> fit.variant().standard()).findFirst().orElseThrow();
-    List<Fit> others = fits.stream().filter(fit -> fit.isOther(standard)).toList();
+    Fit defaults = fits.stream().filter(fit -> fit.variant().isDefault()).findFirst().orElseThrow();
+    List<Fit> others = fits.stream().filter(fit -> fit.isOther(defaults)).toList();
     return String.format(
         Locale.ROOT,
         """
@@ -41,24 +41,24 @@ settings that bear on it, each with all else at its default, %d come as near (wi
 results to the last digit: %s. `fit.csv` has all of them.
 
 """,
-        standard.hifi(),
+        defaults.hifi(),
         others.size(),
-        others.stream().filter(fit -> fit.asGoodAs(standard)).count(),
-        Fit.AS_GOOD,
-        others.stream().filter(fit -> fit.sameAs(standard)).count(),
-        asGood(others, standard));
+        others.stream().filter(fit -> fit.isAsGoodAs(defaults)).count(),
+        Fit.TOLERANCE,
+        others.stream().filter(fit -> fit.isSameAs(defaults)).count(),
+        asGood(others, defaults));
   }
 
-  private static String asGood(List<Fit> others, Fit standard) {
+  private static String asGood(List<Fit> others, Fit defaults) {
     String names =
         others.stream()
-            .filter(fit -> fit.asGoodAs(standard))
-            .map(Findings::named)
+            .filter(fit -> fit.isAsGoodAs(defaults))
+            .map(Findings::name)
             .collect(Collectors.joining(", "));
     return names.isEmpty() ? "none" : names;
   }
 
-  private static String named(Fit fit) {
+  private static String name(Fit fit) {
     return Texts.format("%s %s (%.3f)", fit.sweep().parameter(), fit.variant().value(), fit.hifi());
   }
 
@@ -88,7 +88,7 @@ results to the last digit: %s. `fit.csv` has all of them.
                     cells.stream()
                         .filter(gap -> gap.isAt(variant))
                         .allMatch(gap -> gap.finding() == Gap.Finding.UNDERESTIMATES))
-            .map(variant -> variant.value() + (variant.standard() ? " (default)" : ""))
+            .map(variant -> variant.value() + (variant.isDefault() ? " (default)" : ""))
             .collect(Collectors.joining(", "));
     return values.isEmpty() ? "no value" : values;
   }

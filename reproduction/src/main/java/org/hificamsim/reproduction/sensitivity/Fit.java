@@ -9,23 +9,23 @@ import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 
 /**
- * How far a setting is from Table 8.1, all else at its default: the mean distance of its nine cells
- * of a detection model. Many settings that are equally near show that the table does not tell them
+ * How well a setting fits Table 8.1 with all others at their defaults: the mean distance of the
+ * nine cells of a detection model. If many settings fit equally well, the table cannot tell them
  * apart.
  *
- * @param hifi from the hi-fi column, which the defaults were fitted to; NaN where a cell has no
- *     optimum above 0
- * @param camsim from CamSim's column
+ * @param hifi the distance from the hi-fi column, to which the defaults were fitted; NaN if a cell
+ *     has no optimum above 0
+ * @param camsim the distance from CamSim's column
  */
 record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
-  /** Distances nearer than this to the default's are as good. */
-  static final double AS_GOOD = 0.01;
+  /** A distance up to this much larger than that of the defaults is as good. */
+  static final double TOLERANCE = 0.01;
 
-  /** Every value of every sweep that changes a cell of the table. */
+  /** The fits of all values of the sweeps that change a cell of the table. */
   static List<Fit> of(List<ParameterSweep> sweeps, List<Gap> gaps) {
     Map<String, Gap> defaults = new LinkedHashMap<>();
     gaps.stream()
-        .filter(gap -> gap.variant().standard())
+        .filter(gap -> gap.variant().isDefault())
         .forEach(gap -> defaults.put(cell(gap), gap));
     List<Fit> fits = new ArrayList<>();
     for (ParameterSweep sweep : sweeps) {
@@ -36,28 +36,28 @@ record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
     return fits;
   }
 
-  /** Whether this is another setting than the default's, and not of CamSim's model alone. */
-  boolean isOther(Fit standard) {
-    return !variant.standard() && variant.camsim() == standard.variant.camsim();
+  /** Whether this is not a default, and not a setting of CamSim's model alone. */
+  boolean isOther(Fit defaults) {
+    return !variant.isDefault() && variant.camsim() == defaults.variant.camsim();
   }
 
   /** Whether the hi-fi column is as near as under the defaults. */
-  boolean asGoodAs(Fit standard) {
-    return hifi <= standard.hifi + AS_GOOD;
+  boolean isAsGoodAs(Fit defaults) {
+    return hifi <= defaults.hifi + TOLERANCE;
   }
 
   /** Whether the hi-fi column is the same to the last digit. */
-  boolean sameAs(Fit standard) {
-    return hifi == standard.hifi;
+  boolean isSameAs(Fit defaults) {
+    return hifi == defaults.hifi;
   }
 
   private static Fit of(
       ParameterSweep sweep, Variant variant, List<Gap> gaps, Map<String, Gap> defaults) {
-    Map<String, Gap> own = new LinkedHashMap<>(defaults);
+    Map<String, Gap> cells = new LinkedHashMap<>(defaults);
     gaps.stream()
         .filter(gap -> gap.isOf(sweep) && gap.isAt(variant))
-        .forEach(gap -> own.put(cell(gap), gap));
-    return new Fit(sweep, variant, distance(own, true), distance(own, false));
+        .forEach(gap -> cells.put(cell(gap), gap));
+    return new Fit(sweep, variant, distance(cells, true), distance(cells, false));
   }
 
   private static double distance(Map<String, Gap> cells, boolean hifi) {

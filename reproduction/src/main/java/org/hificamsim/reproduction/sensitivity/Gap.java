@@ -14,10 +14,13 @@ import org.hificamsim.runs.compare.Ratio;
 import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
- * The conclusion of chapter 8 in one place: hi-fi proportion of the optimum less CamSim's.
+ * The gap between the detection models, on which the conclusion of chapter 8 rests: the hi-fi
+ * proportion of the optimum minus CamSim's, for a value of a parameter, a layout and a policy.
  *
  * @param layout a layout, or {@code all} for the mean over the three
- * @param hifi NaN where the optimum is 0 throughout, and so for the others
+ * @param hifi the hi-fi proportion; NaN if its optimum is always 0
+ * @param camsim CamSim's proportion; NaN if its optimum is always 0
+ * @param difference the first minus the second
  */
 record Gap(
     ParameterSweep sweep,
@@ -30,7 +33,7 @@ record Gap(
   /** All layouts together. */
   static final String ALL = "all";
 
-  /** What the gap says of the conclusion. */
+  /** What a gap means for the conclusion. */
   enum Finding {
     UNDERESTIMATES,
     OVERESTIMATES,
@@ -50,12 +53,12 @@ record Gap(
     return variant.value().equals(other.value());
   }
 
-  /** The place of the value in its sweep, from 0. */
-  int place() {
+  /** The index of the value in its sweep. */
+  int index() {
     return sweep.variants().stream().map(Variant::value).toList().indexOf(variant.value());
   }
 
-  /** CamSim's model underestimates, overestimates, or the 95% interval holds 0. */
+  /** The finding; it is open if the 95% interval contains 0. */
   Finding finding() {
     if (difference.low() > 0) {
       return Finding.UNDERESTIMATES;
@@ -63,7 +66,7 @@ record Gap(
     return difference.high() < 0 ? Finding.OVERESTIMATES : Finding.OPEN;
   }
 
-  /** Every gap: by sweep, value, layout (then all), policy. */
+  /** All gaps: by sweep, value, layout (then all layouts) and policy. */
   static List<Gap> of(List<ParameterSweep> sweeps, Cases cases) {
     List<Gap> gaps = new ArrayList<>();
     for (ParameterSweep sweep : sweeps) {
@@ -107,12 +110,12 @@ record Gap(
         .map(
             layout ->
                 Ratio.overPerformance(
-                    found(variant, detection, variant.policies().get(policy), layout, cases),
-                    found(variant, detection, variant.greedy(), layout, cases)))
+                    results(variant, detection, variant.policies().get(policy), layout, cases),
+                    results(variant, detection, variant.greedy(), layout, cases)))
         .toList();
   }
 
-  private static List<CaseResult> found(
+  private static List<CaseResult> results(
       Variant variant, Detection detection, String policy, Layout layout, Cases cases) {
     return layout.scenarios().stream()
         .map(name -> variant.scenarios().get(name).name())

@@ -16,11 +16,14 @@ import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.knowm.xchart.XYChart;
 
-/** A picture per parameter, and one of all. */
+/** Draws a picture for each parameter, and one of all parameters. */
 final class GapFigures {
   private static final int WIDTH = 400;
   private static final int HEIGHT = 270;
-  private static final double ROOM = 1.1;
+
+  /** The ends of the y axis over the largest values. */
+  private static final double AXIS_MARGIN = 1.1;
+
   private static final String NOTE =
       "Above 0, CamSim's model underestimates. Bands: 95% intervals over seeds; *: default.";
 
@@ -40,13 +43,13 @@ final class GapFigures {
   }
 
   private Figure byLayout(ParameterSweep sweep) {
-    List<Gap> own = gaps.stream().filter(gap -> gap.isOf(sweep)).toList();
+    List<Gap> ofSweep = gaps.stream().filter(gap -> gap.isOf(sweep)).toList();
     return new Figure(
         "What the " + sweep.meaning() + " does to the conclusion of chapter 8",
         NOTE,
         new PolicyColors(colors, sweep.policies()).legend(),
         Arrays.stream(Layout.values())
-            .map(layout -> panel(layout.label(), sweep, layout.label(), own))
+            .map(layout -> panel(layout.label(), sweep, layout.label(), ofSweep))
             .toList(),
         Layout.values().length,
         WIDTH,
@@ -54,24 +57,26 @@ final class GapFigures {
   }
 
   private Figure overview(List<ParameterSweep> sweeps) {
-    List<Gap> all = gaps.stream().filter(gap -> gap.layout().equals(Gap.ALL)).toList();
+    List<Gap> ofAllLayouts = gaps.stream().filter(gap -> gap.layout().equals(Gap.ALL)).toList();
     return new Figure(
         "What each open parameter does to the conclusion of chapter 8",
         "Mean over the three layouts. " + NOTE,
         colors.legend(),
-        sweeps.stream().map(sweep -> panel(sweep.parameter(), sweep, Gap.ALL, all)).toList(),
+        sweeps.stream()
+            .map(sweep -> panel(sweep.parameter(), sweep, Gap.ALL, ofAllLayouts))
+            .toList(),
         3,
         WIDTH,
         HEIGHT);
   }
 
   /**
-   * @param scale the gaps that the y axis must hold
+   * @param scale the gaps that have to fit on the y axis
    */
   private XYChart panel(String title, ParameterSweep sweep, String layout, List<Gap> scale) {
     List<String> values =
         sweep.variants().stream()
-            .map(variant -> label(variant.value()) + (variant.standard() ? "*" : ""))
+            .map(variant -> label(variant.value()) + (variant.isDefault() ? "*" : ""))
             .toList();
     XyPanel panel =
         new XyPanel(title, sweep.parameter(), "hi-fi - CamSim (proportion)")
@@ -86,7 +91,7 @@ final class GapFigures {
     return panel;
   }
 
-  /** Short enough to fit next to the others. */
+  /** A shorter text, which fits next to the others. */
   private static String label(String value) {
     return value.replaceFirst("^camsim-", "");
   }
@@ -102,26 +107,26 @@ final class GapFigures {
         .toList();
   }
 
-  private static void line(XyPanel panel, List<Gap> own, Color color) {
-    if (own.isEmpty()) {
+  private static void line(XyPanel panel, List<Gap> points, Color color) {
+    if (points.isEmpty()) {
       return;
     }
-    double[] x = own.stream().mapToDouble(gap -> gap.place() + 1).toArray();
-    double[] low = own.stream().mapToDouble(gap -> gap.difference().low()).toArray();
-    double[] mean = own.stream().mapToDouble(gap -> gap.difference().mean()).toArray();
-    double[] high = own.stream().mapToDouble(gap -> gap.difference().high()).toArray();
-    if (Arrays.stream(low).noneMatch(Double::isNaN)) { // with a single seed there is no interval
+    double[] x = points.stream().mapToDouble(gap -> gap.index() + 1).toArray();
+    double[] low = points.stream().mapToDouble(gap -> gap.difference().low()).toArray();
+    double[] mean = points.stream().mapToDouble(gap -> gap.difference().mean()).toArray();
+    double[] high = points.stream().mapToDouble(gap -> gap.difference().high()).toArray();
+    if (Arrays.stream(low).noneMatch(Double::isNaN)) { // a single seed has no interval
       panel.band(new Curve(x, low), new Curve(x, high), color);
     }
     panel.straight(new Curve(x, mean), color).dots(new Curve(x, mean), color);
   }
 
   private static double most(List<Gap> gaps) {
-    return Math.max(0.1, ROOM * bounds(gaps).max().orElse(0));
+    return Math.max(0.1, AXIS_MARGIN * bounds(gaps).max().orElse(0));
   }
 
   private static double least(List<Gap> gaps) {
-    return Math.min(-0.05, ROOM * bounds(gaps).min().orElse(0));
+    return Math.min(-0.05, AXIS_MARGIN * bounds(gaps).min().orElse(0));
   }
 
   private static DoubleStream bounds(List<Gap> gaps) {

@@ -9,7 +9,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.Table;
 
-/** The files of a sensitivity study: one table, the pictures, and the findings in words. */
+/** Writes the files of a sensitivity study: tables, pictures, and the findings in words. */
 public final class SensitivityFiles {
   private static final String PARAMETER =
       "`threshold-hifi`, `threshold-camsim`, `targets`, `gamma`, `epsilon`, `k`, `reward`, `size`"
@@ -25,7 +25,7 @@ public final class SensitivityFiles {
       Table.<Gap>of("sensitivity.csv")
           .texts("parameter", PARAMETER, gap -> gap.sweep().parameter())
           .texts("value", VALUE, gap -> gap.variant().value())
-          .texts("default", DEFAULT, gap -> "" + gap.variant().standard())
+          .texts("default", DEFAULT, gap -> String.valueOf(gap.variant().isDefault()))
           .texts(
               "layout",
               "`lattice`, `ring`, `cluster`, or `all` for the mean of the three",
@@ -48,7 +48,7 @@ public final class SensitivityFiles {
       Table.<Fit>of("fit.csv")
           .texts("parameter", "as above", fit -> fit.sweep().parameter())
           .texts("value", VALUE, fit -> fit.variant().value())
-          .texts("default", DEFAULT, fit -> "" + fit.variant().standard())
+          .texts("default", DEFAULT, fit -> String.valueOf(fit.variant().isDefault()))
           .doubles(
               "error_hifi",
               "share",
@@ -62,13 +62,13 @@ public final class SensitivityFiles {
   /** Writes all files and returns the findings. */
   public static String write(OutputFolder folder, Sweeps sweeps, List<CaseResult> results)
       throws IOException {
-    List<ParameterSweep> all = sweeps.all();
-    List<Gap> gaps = Gap.of(all, new Cases(results));
-    List<Fit> fits = Fit.of(all, gaps);
+    List<ParameterSweep> parameterSweeps = sweeps.all();
+    List<Gap> gaps = Gap.of(parameterSweeps, new Cases(results));
+    List<Fit> fits = Fit.of(parameterSweeps, gaps);
     GAPS.write(folder, gaps.stream());
     FITS.write(folder, fits.stream());
-    new GapFigures(gaps).write(folder, all);
-    String findings = Findings.of(all, gaps) + Findings.ofFits(fits);
+    new GapFigures(gaps).write(folder, parameterSweeps);
+    String findings = Findings.of(parameterSweeps, gaps) + Findings.ofFits(fits);
     try (PrintWriter out = new PrintWriter(folder.open("sensitivity.md"))) {
       out.print(findings);
     }

@@ -29,16 +29,17 @@ import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
 
-/** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
+/** The sweeps of all open parameters around their defaults ({@code docs/reproduction.md}). */
 public final class Sweeps {
-  private static final List<String> ALL = List.of(ZOOM_OUT, EPSILON_GREEDY, SARSA, QB_SARSA);
+  private static final List<String> ALL_POLICIES =
+      List.of(ZOOM_OUT, EPSILON_GREEDY, SARSA, QB_SARSA);
   private final Map<String, Scenario> scenarios;
   private final Function<String, DetectionModel> models;
   private final Detection hifi;
   private final Detection camsim;
 
   /**
-   * @param scenarios those of Table 7.1, by name
+   * @param scenarios of Table 7.1, by name
    */
   public Sweeps(Map<String, Scenario> scenarios, Function<String, DetectionModel> models) {
     this.scenarios = scenarios;
@@ -55,8 +56,8 @@ public final class Sweeps {
   /**
    * A sweep as the resource {@code sweeps.json} declares it.
    *
-   * @param values rising, between blanks; the default has a star before it
-   * @param policies that it can change; where none are named, all
+   * @param values in ascending order, with blanks between; a star marks the default
+   * @param policies that the parameter can change; null for all
    */
   private record Declared(String parameter, String values, String meaning, List<String> policies) {}
 
@@ -68,7 +69,7 @@ public final class Sweeps {
   }
 
   private ParameterSweep sweep(Declared declared) {
-    List<String> policies = declared.policies == null ? ALL : declared.policies;
+    List<String> policies = declared.policies == null ? ALL_POLICIES : declared.policies;
     Map<String, String> specs = new LinkedHashMap<>();
     policies.forEach(policy -> specs.put(policy, policy));
     List<Variant> variants =
@@ -79,38 +80,43 @@ public final class Sweeps {
   }
 
   private Variant variant(String parameter, String value, Map<String, String> policies) {
-    boolean standard = value.startsWith("*");
-    String plain = standard ? value.substring(1) : value;
-    Variant defaults = new Variant(plain, standard, scenarios, hifi, camsim, policies, OPTIMAL);
-    return standard ? defaults : changed(defaults, parameter, plain);
+    boolean isDefault = value.startsWith("*");
+    String text = isDefault ? value.substring(1) : value;
+    Variant defaults = new Variant(text, isDefault, scenarios, hifi, camsim, policies, OPTIMAL);
+    return isDefault ? defaults : changed(defaults, parameter, text);
   }
 
   /**
-   * The defaults with another value of a parameter; those without a line are options of policies.
+   * The defaults with another value of a parameter; a parameter without a line here is an option of
+   * policies.
    */
-  private Variant changed(Variant one, String parameter, String value) {
+  private Variant changed(Variant defaults, String parameter, String value) {
     return switch (parameter) {
-      case "threshold-hifi" -> one.withHifi(detection(HIFI + "@" + value));
-      case "threshold-camsim" -> one.withCamSim(detection(CAMSIM + "@" + value));
-      case "f" -> one.withHifi(detection("hifi:orb-" + value));
-      case "g" -> one.withHifi(detection("hifi:" + value + "-lin"));
-      case "formula" -> one.withCamSim(detection(value));
-      case "greedy" -> one.withGreedy(value);
-      case "targets" -> world(one, (of, count) -> ChangedWorld.withTargets(of, count.intValue()));
-      case "size" -> world(one, ChangedWorld::withSize);
-      case "optics" -> world(one, Sweeps::withFocalLength);
-      case "speed" -> world(one, ChangedWorld::withSpeed);
-      case "radii" -> world(one, ChangedWorld::withWidestRadius);
-      default -> one.withOption(parameter);
+      case "threshold-hifi" -> defaults.withHifi(detection(HIFI + "@" + value));
+      case "threshold-camsim" -> defaults.withCamSim(detection(CAMSIM + "@" + value));
+      case "f" -> defaults.withHifi(detection("hifi:orb-" + value));
+      case "g" -> defaults.withHifi(detection("hifi:" + value + "-lin"));
+      case "formula" -> defaults.withCamSim(detection(value));
+      case "greedy" -> defaults.withGreedy(value);
+      case "targets" ->
+          world(
+              defaults, (scenario, count) -> ChangedWorld.withTargets(scenario, count.intValue()));
+      case "size" -> world(defaults, ChangedWorld::withSize);
+      case "optics" -> world(defaults, Sweeps::withFocalLength);
+      case "speed" -> world(defaults, ChangedWorld::withSpeed);
+      case "radii" -> world(defaults, ChangedWorld::withWidestRadius);
+      default -> defaults.withOption(parameter);
     };
   }
 
-  private static Scenario withFocalLength(Scenario scenario, double z) {
-    return ChangedWorld.withFocalLength(scenario, PublishedModels.published().optics(), z);
+  private static Scenario withFocalLength(Scenario scenario, double focalLength) {
+    return ChangedWorld.withFocalLength(
+        scenario, PublishedModels.published().optics(), focalLength);
   }
 
-  private static Variant world(Variant one, BiFunction<Scenario, Double, Scenario> change) {
-    return one.withScenarios(of -> change.apply(of, Double.valueOf(one.value())));
+  private static Variant world(Variant defaults, BiFunction<Scenario, Double, Scenario> change) {
+    return defaults.withScenarios(
+        scenario -> change.apply(scenario, Double.valueOf(defaults.value())));
   }
 
   /** The plans of all sweeps, each once. */
@@ -136,10 +142,10 @@ public final class Sweeps {
   }
 
   /**
-   * A parameter with the values that are tried, rising.
+   * A parameter with its values in ascending order.
    *
-   * @param parameter name in files
-   * @param meaning for people
+   * @param parameter the name in files
+   * @param meaning in words
    */
   record ParameterSweep(String parameter, String meaning, List<Variant> variants) {
     /** The policies that the parameter can change. */
@@ -148,16 +154,16 @@ public final class Sweeps {
     }
 
     /**
-     * One value of one parameter, everything else at its default.
+     * A value of a parameter, with all other parameters at their defaults.
      *
-     * @param standard whether the value is the default
-     * @param scenarios those of Table 7.1, by their names there
-     * @param policies what is run for each policy that the parameter can change, by its name
-     * @param greedy the policy by whose performance all others are divided
+     * @param isDefault whether the value is the default
+     * @param scenarios of Table 7.1, perhaps changed, by their original names
+     * @param policies with options, by the names of the policies that the parameter can change
+     * @param greedy the policy whose performance divides that of all others
      */
     record Variant(
         String value,
-        boolean standard,
+        boolean isDefault,
         Map<String, Scenario> scenarios,
         Detection hifi,
         Detection camsim,
@@ -169,27 +175,27 @@ public final class Sweeps {
       }
 
       Variant withHifi(Detection other) {
-        return new Variant(value, standard, scenarios, other, camsim, policies, greedy);
+        return new Variant(value, isDefault, scenarios, other, camsim, policies, greedy);
       }
 
       Variant withCamSim(Detection other) {
-        return new Variant(value, standard, scenarios, hifi, other, policies, greedy);
+        return new Variant(value, isDefault, scenarios, hifi, other, policies, greedy);
       }
 
       Variant withScenarios(UnaryOperator<Scenario> change) {
         Map<String, Scenario> changed = new LinkedHashMap<>();
         scenarios.forEach((name, scenario) -> changed.put(name, change.apply(scenario)));
-        return new Variant(value, standard, changed, hifi, camsim, policies, greedy);
+        return new Variant(value, isDefault, changed, hifi, camsim, policies, greedy);
       }
 
       Variant withOption(String option) {
         Map<String, String> changed = new LinkedHashMap<>();
         policies.forEach((name, spec) -> changed.put(name, spec + ":" + option + "=" + value));
-        return new Variant(value, standard, scenarios, hifi, camsim, changed, greedy);
+        return new Variant(value, isDefault, scenarios, hifi, camsim, changed, greedy);
       }
 
       Variant withGreedy(String policy) {
-        return new Variant(value, standard, scenarios, hifi, camsim, policies, policy);
+        return new Variant(value, isDefault, scenarios, hifi, camsim, policies, policy);
       }
     }
   }

@@ -1,2 +1,2 @@
-/** What each open parameter does to the conclusion of chapter 8. */
+/** The sensitivity of the conclusion of chapter 8 to each open parameter. */
 package org.hificamsim.reproduction.sensitivity;
