@@ -20,8 +20,8 @@ import org.hificamsim.hifi.model.LabDetections;
 import org.hificamsim.hifi.model.ModelFiles;
 
 /**
- * Everything that can be asked for by name: what comes with the simulator, then what users' jars on
- * the class path bring.
+ * Everything that has a name: the parts that come with the simulator, and those in users' jars on
+ * the class path.
  */
 public record Catalogue(
     Registry<DetectionModel> detections,
@@ -49,9 +49,10 @@ public record Catalogue(
   }
 
   /**
-   * The detection model of a name or of a model file.
+   * The detection model of a name or a model file.
    *
-   * @throws org.hificamsim.core.InputException when it is neither, or the file is wrong
+   * @throws org.hificamsim.core.InputException when there is no such model or file, or the file is
+   *     wrong
    */
   public DetectionModel detection(String nameOrFile) {
     boolean isFile =

@@ -27,7 +27,7 @@ class DefaultsTest {
   }
 
   @Test
-  void everyDefaultAndTextIsOfAnOption() {
+  void everyDefaultAndTextBelongsToAnOption() {
     Set<String> unknown = new TreeSet<>(defaults.stringPropertyNames());
     texts.keySet().stream()
         .map(key -> key.replaceFirst("\\.(default|\\d)$", ""))
@@ -37,7 +37,7 @@ class DefaultsTest {
   }
 
   @Test
-  void everyOptionThatHoldsABareNumberHasADefault() {
+  void everyPrimitiveOptionHasADefault() {
     for (OptionSpec option : options) {
       assertTrue(
           option.arity().max() == 0

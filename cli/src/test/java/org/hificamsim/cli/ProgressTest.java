@@ -32,7 +32,7 @@ class ProgressTest {
 
   /** 36 of 60 photos were measured before. */
   @Test
-  void workDoneBeforeCountsAsDoneAndPromisesNoSpeed() throws InterruptedException {
+  void resumedWorkCountsAsDoneButNotForTheSpeed() throws InterruptedException {
     try (Progress progress = progress("lab", " photos", 60, Duration.ZERO)) {
       progress.resume(36);
       for (int photo = 0; photo < 5; photo++) {
@@ -46,7 +46,7 @@ class ProgressTest {
   }
 
   @Test
-  void theEndIsAllOfIt() {
+  void endsAtHundredPercent() {
     try (Progress progress = progress("run ring", " steps", 2000, Duration.ZERO)) {
       for (int step = 0; step < 2000; step++) {
         progress.advance();
@@ -56,7 +56,7 @@ class ProgressTest {
   }
 
   @Test
-  void whatIsDoneSoonSaysNothing() {
+  void shortWorkPrintsNothing() {
     try (Progress progress = progress("run ring", " steps", 1, Duration.ofSeconds(2))) {
       progress.advance();
     }
@@ -65,7 +65,7 @@ class ProgressTest {
 
   /** As with MATE's 300 steps and HiT-MAC's 100. */
   @Test
-  void runsOfScenariosThatDifferInStepsCountAsOneEach() throws IOException {
+  void countsRunsOfDifferentLengthOnceEach() throws IOException {
     Path file = Path.of("..", "scenarios", "hit-mac.xml");
     Scenario scenario = ScenarioReader.read(file, any -> true, warning -> {});
     Detection detection = Detection.of(new GeometricDetection());

@@ -8,20 +8,20 @@ import org.junit.jupiter.api.Test;
 /** Numbers as bars in a line of characters. */
 class RunSummaryTest {
   @Test
-  void barsAreInProportionFromNothingToTheMost() {
+  void barsAreProportional() {
     double[] values = {0, 1, 2, 3, 4, 5, 6, 7};
     assertEquals("▁▂▃▄▅▆▇█  (▁ 0 to █ 7.00)", RunSummary.bars(values, StandardCharsets.UTF_8));
   }
 
   @Test
-  void aTerminalWithoutBlocksGetsAscii() {
+  void usesAsciiWithoutUnicode() {
     double[] values = {0.5, 0, 0.25};
     assertEquals("#_=  (_ 0 to # 0.50)", RunSummary.bars(values, StandardCharsets.US_ASCII));
     assertEquals("#_=  (_ 0 to # 0.50)", RunSummary.bars(values, StandardCharsets.ISO_8859_1));
   }
 
   @Test
-  void nothingButZerosIsFlat() {
+  void zerosHaveLowestBars() {
     assertEquals("__  (_ 0 to # 0.00)", RunSummary.bars(new double[2], StandardCharsets.US_ASCII));
   }
 }

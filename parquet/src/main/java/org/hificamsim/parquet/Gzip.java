@@ -9,7 +9,7 @@ import org.apache.parquet.bytes.BytesInput;
 import org.apache.parquet.compression.CompressionCodecFactory.BytesInputCompressor;
 import org.apache.parquet.hadoop.metadata.CompressionCodecName;
 
-/** The JDK's GZIP: Parquet's own needs Hadoop, and other kinds a library for each platform. */
+/** Compresses by the JDK's GZIP; Parquet's own codecs need Hadoop or native libraries. */
 final class Gzip implements BytesInputCompressor {
   @Override
   public BytesInput compress(BytesInput bytes) throws IOException {
@@ -20,7 +20,7 @@ final class Gzip implements BytesInputCompressor {
     return BytesInput.from(compressed.toByteArray());
   }
 
-  /** The encoding leaves little to compress, and more effort finds no more. */
+  /** The fastest level: the encoded data hardly get smaller by a higher one. */
   private static final class Fast extends GZIPOutputStream {
     Fast(OutputStream out) throws IOException {
       super(out);

@@ -29,27 +29,33 @@ import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.output.Column;
 
 /**
- * A Parquet file under way. One group of rows is in memory at a time, so that memory stays the same
- * however many rows there are.
+ * Writes a Parquet file. Only one group of rows is in memory at a time, so that the memory does not
+ * depend on the number of rows.
  */
 final class ParquetRows implements Rows {
-  /** What readers take at once, or skip. */
+  /** The largest group of rows, which readers read or skip as a whole. */
   static final int MAX_ROWS = 1 << 20;
 
   static final long MAX_BYTES = 16 << 20;
 
-  /** Rows after which the size of a group is looked at. */
+  /** The number of rows after which the size of a group is checked. */
   static final int BATCH = 4096;
 
-  private static final int TEXT = 64; // bytes of one in the statistics
-  private static final int PRESENT = 1; // Parquet's level of definition
+  /** The bytes of a text that are kept in statistics. */
+  private static final int TEXT_BYTES = 64;
+
+  /** Parquet's definition level of a value that is not null. */
+  private static final int PRESENT = 1;
 
   private final List<? extends Column<?>> columns;
   private final MessageType schema;
   private final ParquetProperties properties;
   private final ParquetFileWriter file;
   private final ColumnWriter[] cells;
-  private final Map<String, Binary> known = new HashMap<>(); // names come again in every step
+
+  /** Encoded texts: the same names occur in every step. */
+  private final Map<String, Binary> encoded = new HashMap<>();
+
   private ColumnChunkPageWriteStore pages;
   private ColumnWriteStore group;
   private int column;
@@ -68,14 +74,14 @@ final class ParquetRows implements Rows {
             ParquetFileWriter.Mode.CREATE,
             MAX_BYTES,
             0,
-            TEXT,
-            TEXT,
+            TEXT_BYTES,
+            TEXT_BYTES,
             true);
     file.start();
-    begin();
+    beginGroup();
   }
 
-  /** A column as Parquet knows it; floating numbers alone may be missing. */
+  /** The Parquet type of a column; only floating numbers may be missing. */
   private static Type type(Column<?> column) {
     return switch (column.kind()) {
       case INT -> required(INT32).named(column.name());
@@ -85,7 +91,7 @@ final class ParquetRows implements Rows {
     };
   }
 
-  /** Steps are written as differences, and all else as the number of a value seen before. */
+  /** Steps are encoded as differences, other columns by a dictionary. */
   private static ParquetProperties properties(List<? extends Column<?>> columns) {
     ParquetProperties.Builder builder =
         ParquetProperties.builder()
@@ -98,9 +104,10 @@ final class ParquetRows implements Rows {
     return builder.build();
   }
 
-  private void begin() {
+  private void beginGroup() {
     pages =
-        new ColumnChunkPageWriteStore(new Gzip(), schema, properties.getAllocator(), TEXT, true);
+        new ColumnChunkPageWriteStore(
+            new Gzip(), schema, properties.getAllocator(), TEXT_BYTES, true);
     group = properties.newColumnWriteStore(schema, pages);
     for (int i = 0; i < cells.length; i++) {
       cells[i] = group.getColumnWriter(schema.getColumns().get(i));
@@ -113,16 +120,16 @@ final class ParquetRows implements Rows {
     switch (columns.get(column).kind()) {
       case INT -> cells[column].write(Math.toIntExact(number), 0, 0);
       case LONG -> cells[column].write(number, 0, 0);
-      default -> throw another("whole number");
+      default -> throw wrongKind("whole number");
     }
     column++;
   }
 
-  /** NaN is null. */
+  /** {@inheritDoc} NaN becomes null. */
   @Override
   public void add(double number) {
     if (columns.get(column).kind() != Column.Kind.DOUBLE) {
-      throw another("floating number");
+      throw wrongKind("floating number");
     }
     if (Double.isNaN(number)) {
       cells[column++].writeNull(0, 0);
@@ -134,14 +141,15 @@ final class ParquetRows implements Rows {
   @Override
   public void add(String text) {
     if (columns.get(column).kind() != Column.Kind.TEXT) {
-      throw another("text");
+      throw wrongKind("text");
     }
-    cells[column++].write(known.computeIfAbsent(text, Binary::fromString), 0, 0);
+    cells[column++].write(encoded.computeIfAbsent(text, Binary::fromString), 0, 0);
   }
 
-  private IllegalStateException another(String kind) {
-    Column<?> of = columns.get(column);
-    return new IllegalStateException(of.name() + " is " + of.kind() + ", but a cell is a " + kind);
+  private IllegalStateException wrongKind(String kind) {
+    Column<?> current = columns.get(column);
+    return new IllegalStateException(
+        current.name() + " is " + current.kind() + ", but a cell is a " + kind);
   }
 
   @Override
@@ -158,7 +166,7 @@ final class ParquetRows implements Rows {
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
-      begin();
+      beginGroup();
     }
   }
 
@@ -172,7 +180,8 @@ final class ParquetRows implements Rows {
   }
 
   /**
-   * Ends the last group, and the file with what the columns mean; after the first call, nothing.
+   * Ends the last group and the file, which gets the meanings of the columns. Later calls have no
+   * effect.
    */
   @Override
   public void close() throws IOException {
@@ -187,12 +196,12 @@ final class ParquetRows implements Rows {
     }
   }
 
-  /** What the columns say: {@code NAME.unit} and {@code NAME.meaning}. */
+  /** The units and meanings of the columns, as {@code NAME.unit} and {@code NAME.meaning}. */
   private Map<String, String> meanings() {
     Map<String, String> meanings = new TreeMap<>();
-    for (Column<?> one : columns) {
-      meanings.put(one.name() + ".unit", one.unit());
-      meanings.put(one.name() + ".meaning", one.meaning());
+    for (Column<?> described : columns) {
+      meanings.put(described.name() + ".unit", described.unit());
+      meanings.put(described.name() + ".meaning", described.meaning());
     }
     return meanings;
   }

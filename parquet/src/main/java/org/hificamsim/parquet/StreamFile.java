@@ -6,7 +6,7 @@ import org.apache.parquet.io.DelegatingPositionOutputStream;
 import org.apache.parquet.io.OutputFile;
 import org.apache.parquet.io.PositionOutputStream;
 
-/** A stream as the one file that Parquet writes. */
+/** An output stream as a file for Parquet. */
 final class StreamFile implements OutputFile {
   private final OutputStream out;
 
@@ -34,7 +34,7 @@ final class StreamFile implements OutputFile {
     return 0;
   }
 
-  /** Knows how much was written. */
+  /** Counts the bytes that are written. */
   private static final class Counting extends DelegatingPositionOutputStream {
     private long position;
 
@@ -48,8 +48,8 @@ final class StreamFile implements OutputFile {
     }
 
     @Override
-    public void write(int one) throws IOException {
-      super.write(one);
+    public void write(int value) throws IOException {
+      super.write(value);
       position++;
     }
 

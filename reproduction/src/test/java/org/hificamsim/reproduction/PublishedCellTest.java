@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class PublishedCellTest {
   @Test
-  void theTableHasEighteenCellsEachOnce() {
+  void tableHasEighteenDifferentCells() {
     List<PublishedCell> table = PublishedCell.table();
     assertEquals(18, table.size());
     assertEquals(
@@ -16,7 +16,7 @@ class PublishedCellTest {
   }
 
   @Test
-  void theHiFiColumnSumsToThatOfTheThesis() {
+  void hiFiColumnHasSumOfTheThesis() {
     double sum =
         PublishedCell.table().stream()
             .filter(PublishedCell::hifi)

@@ -52,7 +52,7 @@ class Table81Test {
   }
 
   @Test
-  void aCellIsTheRatioOfSumsOverBothScenariosAndAllSeeds() {
+  void cellIsRatioOfSumsOverScenariosAndSeeds() {
     for (Table81.Cell cell : cells()) {
       assertEquals((10 + 20 + 30 + 60) / 280.0, cell.ours().mean(), 1e-12);
       assertTrue(cell.ours().low() < 40.0 / 140); // two seeds say next to nothing
@@ -61,7 +61,7 @@ class Table81Test {
   }
 
   @Test
-  void otherReadingsStandWhereTheyApply() {
+  void readingsChangeOnlyTheirCells() {
     for (Table81.Cell cell : cells()) {
       PublishedCell published = cell.published();
       assertEquals(!published.hifi(), has(cell, Reading.HIFI_OPTIMUM));
@@ -79,7 +79,7 @@ class Table81Test {
   }
 
   @Test
-  void aDistanceIsTheMeanOverTheNineCellsOfAModel() {
+  void distanceIsMeanOverNineCells() {
     List<Table81.Cell> cells = cells();
     Map<String, Distance> hifi = new LinkedHashMap<>();
     Distance.of(cells, 10, 2).stream().filter(Distance::hifi).forEach(d -> hifi.put(d.label(), d));
@@ -98,14 +98,14 @@ class Table81Test {
   }
 
   @Test
-  void theHiFiColumnIsFittedAndCamSimsHeldOut() {
+  void hiFiColumnIsFittedAndCamSimsHeldOut() {
     for (Table81.Cell cell : cells()) {
       assertEquals(cell.published().hifi() ? FitRole.FITTED : FitRole.HELD_OUT, cell.role());
     }
   }
 
   @Test
-  void camSimsFormulaIsNotSaidToBeUnpublished() {
+  void reasonDoesNotCallCamSimsFormulaUnpublished() {
     for (Table81.Cell cell : cells()) {
       assertEquals(
           !cell.published().hifi() && cell.verdict() == Verdict.NOT_REPRODUCED,

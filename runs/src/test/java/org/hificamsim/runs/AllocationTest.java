@@ -38,7 +38,7 @@ class AllocationTest {
 
   @ParameterizedTest
   @MethodSource("steps")
-  void aStepAllocatesNothing(String policy, String detection) {
+  void stepAllocatesNothing(String policy, String detection) {
     assertNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000);
   }
 
@@ -57,7 +57,7 @@ class AllocationTest {
    */
   @ParameterizedTest
   @MethodSource("policies")
-  void aStepInTheHallAllocatesNothingButForTies(String policy) {
+  void stepInTheHallAllocatesOnlyForTies(String policy) {
     Path hall = Path.of(System.getProperty("hificamsim.root"), "scenarios", "hall.xml");
     Scenario scenario =
         ScenarioReader.read(hall, CATALOGUE.movements().names()::contains, warning -> {});
@@ -66,7 +66,7 @@ class AllocationTest {
   }
 
   @Test
-  void aStepOfABigNetworkAllocatesNothing() {
+  void stepOfBigNetworkAllocatesNothing() {
     Scenario big = RandomField.ofCameras(200, 5).scenario();
     assertNothing("epsilon-greedy", "hifi:orb-lin", big, 500);
     assertNothing("sarsa", "camsim-visibility", big, 500);

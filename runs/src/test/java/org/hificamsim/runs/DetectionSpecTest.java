@@ -27,7 +27,7 @@ class DetectionSpecTest {
     "hifi:orb-lin@0, 0.2, , 0",
     "hifi:orb-lin@1, , 0.3, 1",
   })
-  void theFirstThresholdThatThereIsCounts(
+  void usesFirstThresholdInOrderOfPrecedence(
       String detection, Double asked, Double ofScenario, double expected) {
     assertEquals(expected, detection(detection, asked, ofScenario).threshold());
   }
@@ -39,7 +39,7 @@ class DetectionSpecTest {
     "camsim-range@.450, camsim-range@0.45",
     "hifi:orb-lin@4e-2, hifi:orb-lin@0.04",
   })
-  void aThresholdOfItsOwnIsPartOfTheName(String detection, String name) {
+  void nameContainsItsThreshold(String detection, String name) {
     assertEquals(name, detection(detection, 0.2, 0.3).name());
     assertEquals(
         detection.split("@", 2)[0], detection(detection, 0.2, 0.3).model().name(), "the model's");
@@ -55,14 +55,14 @@ class DetectionSpecTest {
     "model@0.5.json, model@0.5.json: no such file",
     "model.json@0.5, model.json: no such file",
   })
-  void refusesWhatIsNoDetection(String detection, String expected) {
+  void rejectsMalformedDetections(String detection, String expected) {
     InputException fault =
         assertThrows(InputException.class, () -> detection(detection, null, null));
     assertTrue(fault.getMessage().startsWith(expected), fault.getMessage());
   }
 
   @Test
-  void refusesToAskForAThresholdThatIsNone() {
+  void rejectsThresholdOutOfRange() {
     for (double threshold : new double[] {-0.1, 1.1, Double.NaN}) {
       assertThrows(InputException.class, () -> asked(threshold, null), "no fault");
     }
@@ -98,7 +98,7 @@ class DetectionSpecTest {
         "hifi:orb-lin@threshold | chance | | threshold | hifi:orb-lin",
         "camsim-range@probability | | | probability | camsim-range@probability",
       })
-  void theFirstRuleThatThereIsCounts(
+  void usesFirstRuleInOrderOfPrecedence(
       String detection, String asked, String ofScenario, String rule, String name) {
     Detection made =
         DetectionSpec.parse(detection, CATALOGUE::detection)
@@ -114,7 +114,7 @@ class DetectionSpecTest {
     "hifi:orb-lin, 0.4, , chance, 0.4",
     "hifi:orb-lin@0.3, 0.4, chance, , 0.3",
   })
-  void aThresholdThatIsNearerThanARuleGoesBeforeIt(
+  void thresholdOverridesRuleOfLowerPrecedence(
       String detection, Double asked, String rule, String ofScenario, double expected) {
     Detection made =
         DetectionSpec.parse(detection, CATALOGUE::detection)
@@ -132,7 +132,7 @@ class DetectionSpecTest {
         "hifi:orb-lin@chance:beta=1 | | detection rule chance: unknown option 'beta=1', expected"
             + " one of alpha",
       })
-  void refusesWhatDoesNotSuitTheRule(String detection, Double threshold, String expected) {
+  void rejectsSettingsThatContradictTheRule(String detection, Double threshold, String expected) {
     InputException fault =
         assertThrows(
             InputException.class,

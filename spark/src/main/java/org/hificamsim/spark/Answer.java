@@ -5,11 +5,11 @@ import org.hificamsim.runs.compare.FinishedRun;
 import org.hificamsim.runs.compare.RunTask;
 
 /**
- * What came of a task: a finished run, or the fault that a run had. A fault is an answer, since
- * Spark would try a task that throws again and again.
+ * The answer of a task: a finished run, or the fault that ended it. A fault is returned, because
+ * Spark would retry a task that throws.
  *
- * @param run null when there is a fault
- * @param fault null when there is none
+ * @param run null if there is a fault
+ * @param fault null if there is none
  */
 record Answer(RunTask task, FinishedRun run, RuntimeException fault) implements Serializable {
   static Answer to(RunTask task, PortableComparison comparison) {

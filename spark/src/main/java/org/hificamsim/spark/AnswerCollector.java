@@ -6,7 +6,7 @@ import org.hificamsim.runs.compare.RunEngine;
 import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
-/** Takes the answers on the driver, partition by partition, until the first fault. */
+/** Takes the answers of partitions on the driver until the first fault. */
 final class AnswerCollector extends AbstractFunction2<Object, Answer[], BoxedUnit> {
   private final RunEngine.Finished finished;
   private Exception fault;
@@ -15,7 +15,7 @@ final class AnswerCollector extends AbstractFunction2<Object, Answer[], BoxedUni
     this.finished = finished;
   }
 
-  /** {@inheritDoc} Throws what ends the job. */
+  /** {@inheritDoc} A fault is thrown, which ends the job. */
   @Override
   public synchronized BoxedUnit apply(Object partition, Answer[] answers) {
     if (fault == null) {

@@ -13,35 +13,35 @@ import java.util.zip.ZipEntry;
 import org.hificamsim.core.file.Io;
 
 /**
- * This process's class path as jars for executors: all but Spark's own, which they have. A folder
- * of classes becomes a jar until this is closed.
+ * The class path of this process as jars for executors, without Spark's own, which they have. A
+ * folder of classes is packed into a temporary jar, which is deleted when this object is closed.
  */
 final class ClassPathJars implements Closeable {
   private final List<String> jars = new ArrayList<>();
-  private final List<TemporaryFile> packed = new ArrayList<>();
+  private final List<TemporaryFile> temporaryJars = new ArrayList<>();
 
   /**
-   * @param sparks the folder of Spark's jars
+   * @param sparkJars the folder of Spark's jars
    */
-  ClassPathJars(List<Path> classPath, Path sparks) throws IOException {
-    for (Path one : classPath) {
-      Path entry = one.toAbsolutePath().normalize();
+  ClassPathJars(List<Path> classPath, Path sparkJars) throws IOException {
+    for (Path path : classPath) {
+      Path entry = path.toAbsolutePath().normalize();
       if (Files.isDirectory(entry)) {
         jars.add(pack(entry));
-      } else if (Files.isRegularFile(entry) && !sparks.equals(entry.getParent())) {
+      } else if (Files.isRegularFile(entry) && !sparkJars.equals(entry.getParent())) {
         jars.add(entry.toString());
       }
     }
   }
 
-  /** Their paths. */
+  /** The paths of the jars. */
   List<String> paths() {
     return List.copyOf(jars);
   }
 
   private String pack(Path folder) throws IOException {
-    TemporaryFile jar = new TemporaryFile("classes-" + packed.size() + ".jar");
-    packed.add(jar);
+    TemporaryFile jar = new TemporaryFile("classes-" + temporaryJars.size() + ".jar");
+    temporaryJars.add(jar);
     try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar.path()));
         Stream<Path> files = Files.walk(folder)) {
       for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
@@ -55,7 +55,7 @@ final class ClassPathJars implements Closeable {
 
   @Override
   public void close() {
-    for (TemporaryFile jar : packed) {
+    for (TemporaryFile jar : temporaryJars) {
       Io.run(() -> jar.close());
     }
   }

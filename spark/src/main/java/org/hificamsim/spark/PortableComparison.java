@@ -10,19 +10,19 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.FinishedRun;
 import org.hificamsim.runs.compare.RunTask;
 
-/** All plans of a comparison as text; each is read once in an executor. */
+/** The plans of a comparison as text. An executor reads each plan once. */
 final class PortableComparison implements Serializable {
   private static final long serialVersionUID = 1L;
 
   private final List<PortablePlan> plans;
   private transient Catalogue catalogue;
-  private transient Map<Integer, RunPlan> read;
+  private transient Map<Integer, RunPlan> readPlans;
 
   private PortableComparison(List<PortablePlan> plans) {
     this.plans = plans;
   }
 
-  /** The plans as text, checked to give the same plans. */
+  /** The plans as text, which is checked to give the same plans. */
   static PortableComparison of(List<RunPlan> plans, Catalogue catalogue) {
     return new PortableComparison(
         plans.stream().map(plan -> PortablePlan.of(plan, catalogue)).toList());
@@ -34,10 +34,10 @@ final class PortableComparison implements Serializable {
   }
 
   private synchronized RunPlan plan(int index) {
-    if (read == null) {
-      read = new HashMap<>();
+    if (readPlans == null) {
+      readPlans = new HashMap<>();
     }
-    return read.computeIfAbsent(index, i -> plans.get(i).plan(catalogue()));
+    return readPlans.computeIfAbsent(index, key -> plans.get(key).plan(catalogue()));
   }
 
   private synchronized Catalogue catalogue() {

@@ -23,10 +23,10 @@ import org.hificamsim.runs.compare.RunKey;
 /**
  * A plan as text, for machines that share no files with this one.
  *
- * @param scenario its name
- * @param xml the scenario's content
- * @param own the settings that the plan itself keeps
- * @param key of the plan's results: a machine that comes to another one would compute another plan
+ * @param scenario the name of the scenario
+ * @param xml the content of its file
+ * @param own the settings that the plan keeps itself
+ * @param key of the results; a machine that finds another key would compute another plan
  */
 record PortablePlan(
     String scenario,
@@ -40,8 +40,8 @@ record PortablePlan(
    *
    * @param name in result files
    * @param model the content of a model file, or the name in the catalogue of a model that is code
-   * @param isFile which of the two it is
-   * @param rule how a value becomes a detection
+   * @param isFile whether the model is the content of a file
+   * @param rule by which a confidence becomes a detection
    */
   record PortableDetection(String name, String model, boolean isFile, double threshold, String rule)
       implements Serializable {
@@ -57,14 +57,14 @@ record PortablePlan(
 
     /** The detection with the same values. */
     Detection detection(Catalogue catalogue) {
-      DetectionModel made =
+      DetectionModel restored =
           isFile
               ? ModelFiles.parse(name, model.getBytes(StandardCharsets.UTF_8))
               : catalogue.detections().create(model);
-      DetectionRule decides = DetectionRule.parse(rule);
-      return decides.certain()
-          ? new Detection(name, made, threshold)
-          : Detection.by(decides, name, made);
+      DetectionRule restoredRule = DetectionRule.parse(rule);
+      return restoredRule.certain()
+          ? new Detection(name, restored, threshold)
+          : Detection.by(restoredRule, name, restored);
     }
   }
 
@@ -86,15 +86,15 @@ record PortablePlan(
   }
 
   /**
-   * The plan with the same results.
+   * The plan, on the machine that computes it.
    *
-   * @throws InputException when models, jars or the version here are others than where it was made
+   * @throws InputException when models, jars or the version differ from those of the driver
    */
   RunPlan plan(Catalogue catalogue) {
     RunPlan plan = new RunPlan(readScenario(catalogue), detection.detection(catalogue), own);
-    RunKey there = RunKey.of(plan);
-    if (!there.text().equals(key)) {
-      String input = there.changed(RunKey.read(key)).orElse("a user's jar");
+    RunKey keyHere = RunKey.of(plan);
+    if (!keyHere.text().equals(key)) {
+      String input = keyHere.changed(RunKey.read(key)).orElse("a user's jar");
       throw InputException.of(
           "scenario '%s' with detection '%s': %s is another on an executor than here,"
               + " expected the same version and jars",

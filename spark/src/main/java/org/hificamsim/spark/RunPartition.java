@@ -9,7 +9,7 @@ import org.hificamsim.runs.compare.RunTask;
 import scala.collection.Iterator;
 import scala.runtime.AbstractFunction2;
 
-/** Computes the runs of a partition, on an executor; stops after a fault. */
+/** Computes the runs of a partition on an executor, until the first fault. */
 final class RunPartition extends AbstractFunction2<TaskContext, Iterator<RunTask>, Answer[]>
     implements Serializable {
   private static final long serialVersionUID = 1L;
@@ -23,11 +23,11 @@ final class RunPartition extends AbstractFunction2<TaskContext, Iterator<RunTask
   @Override
   public Answer[] apply(TaskContext context, Iterator<RunTask> tasks) {
     List<Answer> answers = new ArrayList<>();
-    boolean sound = true;
-    while (sound && tasks.hasNext()) {
+    boolean hasFault = false;
+    while (!hasFault && tasks.hasNext()) {
       Answer answer = Answer.to(tasks.next(), comparison.value());
       answers.add(answer);
-      sound = answer.fault() == null;
+      hasFault = answer.fault() != null;
     }
     return answers.toArray(new Answer[0]);
   }

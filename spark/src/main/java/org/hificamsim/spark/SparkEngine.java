@@ -12,10 +12,10 @@ import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
 
 /**
- * Computes runs on Apache Spark: each a task that any executor can do, since plans travel as text.
+ * Computes runs on Apache Spark. Plans are sent as text, so that any executor can compute any run.
  *
- * <p>Spark computes what a lost executor had under way again. Outcomes come back one by one, so
- * that the driver's journal is as complete as that of the local engine at any moment.
+ * <p>Spark repeats the runs that a lost executor has not finished. Results come back one by one, so
+ * that the journal of the driver is at any time as complete as that of the local engine.
  */
 public final class SparkEngine implements RunEngine {
   private SparkMaster master;

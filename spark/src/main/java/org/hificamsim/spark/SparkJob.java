@@ -23,12 +23,12 @@ import org.hificamsim.runs.compare.RunTask;
 import scala.reflect.ClassTag$;
 
 /**
- * A comparison as one Spark job. Every run is a task of its own, until there are too many for
- * Spark.
+ * A comparison as one Spark job. Every run is a task of its own, up to the number of tasks that
+ * Spark can handle.
  */
 final class SparkJob {
   private static final int MAX_PARTITIONS = 10_000;
-  private static final int PATIENCE_SECONDS = 30;
+  private static final int TIMEOUT_SECONDS = 30;
 
   private final SparkMaster master;
   private final PortableComparison comparison;
@@ -38,11 +38,12 @@ final class SparkJob {
     this.comparison = comparison;
   }
 
-  /** Computes the tasks and hands each outcome to {@code finished} as it arrives. */
+  /** Computes the tasks and passes each result to {@code finished} when it arrives. */
   void run(List<RunTask> tasks, RunEngine.Finished finished) throws IOException {
     SparkConf conf = conf();
-    try (ClassPathJars jars = new ClassPathJars(ships(conf) ? classPath() : List.of(), sparks())) {
-      if (ships(conf)) {
+    try (ClassPathJars jars =
+        new ClassPathJars(sendsJars(conf) ? classPath() : List.of(), sparkJars())) {
+      if (sendsJars(conf)) {
         conf.setJars(jars.paths().toArray(new String[0]));
       }
       try (JavaSparkContext context = connect(conf)) {
@@ -56,20 +57,20 @@ final class SparkJob {
     RDD<RunTask> partitions =
         context.parallelize(tasks, Math.min(tasks.size(), MAX_PARTITIONS)).rdd();
     Broadcast<PortableComparison> shared = context.broadcast(comparison);
-    AnswerCollector taking = new AnswerCollector(finished);
+    AnswerCollector collector = new AnswerCollector(finished);
     try {
       context
           .sc()
           .runJob(
               partitions,
               new RunPartition(shared),
-              taking,
+              collector,
               ClassTag$.MODULE$.<Answer[]>apply(Answer[].class));
     } finally {
-      if (taking.isFaulty()) {
-        context.setLogLevel("OFF"); // what it says about the tasks that are dropped
+      if (collector.isFaulty()) {
+        context.setLogLevel("OFF"); // hides messages about dropped tasks
       }
-      taking.check();
+      collector.check();
     }
   }
 
@@ -78,12 +79,12 @@ final class SparkJob {
         .setMaster(master.url())
         .setIfMissing("spark.app.name", "hificamsim")
         .setIfMissing("spark.ui.enabled", "false")
-        .setIfMissing("spark.driver.maxResultSize", "0") // outcomes are handed on, not collected
+        .setIfMissing("spark.driver.maxResultSize", "0") // results are not kept on the driver
         .set("spark.serializer", "org.apache.spark.serializer.JavaSerializer");
   }
 
-  /** Whether the jars are to be sent from here; {@code spark-submit} does so itself. */
-  private boolean ships(SparkConf conf) {
+  /** Whether the jars have to be sent from here; {@code spark-submit} sends them itself. */
+  private boolean sendsJars(SparkConf conf) {
     return !master.isLocal() && !conf.contains("spark.submit.deployMode");
   }
 
@@ -95,7 +96,8 @@ final class SparkJob {
         .toList();
   }
 
-  private static Path sparks() {
+  /** The folder of Spark's jars. */
+  private static Path sparkJars() {
     try {
       return Path.of(SparkContext.class.getProtectionDomain().getCodeSource().getLocation().toURI())
           .getParent();
@@ -104,18 +106,18 @@ final class SparkJob {
     }
   }
 
-  /** Spark itself would try for a minute, then stop with a stack trace. */
+  /** Connects with a timeout; without it Spark would try for a minute and print a stack trace. */
   private JavaSparkContext connect(SparkConf conf) throws IOException {
     FutureTask<JavaSparkContext> connecting = new FutureTask<>(() -> new JavaSparkContext(conf));
     Thread thread = new Thread(connecting, "spark-connect");
     thread.setDaemon(true);
     thread.start();
     try {
-      return connecting.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+      return connecting.get(TIMEOUT_SECONDS, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw InputException.of(
               "%s '%s' has not taken the job within %s s, expected the URL of a Spark" + " master",
-              setting("master"), master.url(), PATIENCE_SECONDS)
+              setting("master"), master.url(), TIMEOUT_SECONDS)
           .because(e);
     } catch (ExecutionException e) {
       throw InputException.of(

@@ -13,12 +13,12 @@ import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 
 /**
- * A cluster's master.
+ * The master of a cluster.
  *
- * @param url as Spark takes it
+ * @param url in Spark's form
  */
 record SparkMaster(String url) {
-  private static final int PATIENCE_MILLIS = 3000;
+  private static final int TIMEOUT_MILLIS = 3000;
   private static final String STANDALONE = "spark://";
   private static final String HOST = "(?:[\\w.-]+|\\[[0-9a-fA-F:]+\\]):\\d{1,5}";
   private static final Pattern KNOWN =
@@ -27,13 +27,13 @@ record SparkMaster(String url) {
               + ("|" + STANDALONE + HOST + "(?:," + HOST + ")*")
               + "|yarn|k8s://.+");
 
-  /** What {@code spark-submit} sets. */
+  /** The system property that {@code spark-submit} sets. */
   private static final String SUBMITTED = "spark.master";
 
   /**
-   * The master asked for, else that of {@code spark-submit}.
+   * The master that is asked for, else that of {@code spark-submit}.
    *
-   * @throws InputException when there is none, or it is no master's URL
+   * @throws InputException when there is no master, or its URL is malformed
    */
   static SparkMaster of(Optional<String> asked) {
     String url =
@@ -54,9 +54,9 @@ record SparkMaster(String url) {
   }
 
   /**
-   * Makes sure that something listens, where that can be known: Spark itself tries for a minute.
+   * Checks that a standalone master accepts connections; Spark itself would try for a minute.
    *
-   * @throws InputException when none of the addresses takes a connection
+   * @throws InputException when no address accepts a connection
    */
   void requireAnswer() {
     List<String> addresses = addresses(url);
@@ -66,7 +66,7 @@ record SparkMaster(String url) {
     IOException last = null;
     for (String address : addresses) {
       try (Socket socket = new Socket()) {
-        socket.connect(new InetSocketAddress(host(address), port(address)), PATIENCE_MILLIS);
+        socket.connect(new InetSocketAddress(host(address), port(address)), TIMEOUT_MILLIS);
         return;
       } catch (IOException e) {
         last = e;
@@ -74,11 +74,11 @@ record SparkMaster(String url) {
     }
     throw InputException.of(
             "%s '%s' does not answer (%s), expected the URL of a Spark master that" + " is running",
-            setting("master"), url, why(last))
+            setting("master"), url, reason(last))
         .because(last);
   }
 
-  private static String why(IOException fault) {
+  private static String reason(IOException fault) {
     return fault instanceof UnknownHostException
         ? "unknown host " + fault.getMessage()
         : fault.getMessage();

@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A file of a given name in a folder of its own, gone when it is closed.
+ * A file with a given name in a temporary folder; both are deleted when this object is closed.
  *
- * @param path not there until it is written
+ * @param path of the file, which does not exist until it is written
  */
 record TemporaryFile(Path path) implements Closeable {
   TemporaryFile(String name) throws IOException {

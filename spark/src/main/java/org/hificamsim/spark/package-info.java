@@ -1,2 +1,2 @@
-/** The runs of a comparison on Apache Spark: the only package that knows Spark. */
+/** Computes the runs of a comparison on Apache Spark. */
 package org.hificamsim.spark;

@@ -16,7 +16,7 @@ class ClassPathJarsTest {
   @TempDir Path folder;
 
   @Test
-  void sendsJarsAsTheyAreAndFoldersPackedButNothingOfSparks() throws IOException {
+  void sendsJarsAndPackedFoldersWithoutSpark() throws IOException {
     Path sparks = Files.createDirectories(folder.resolve("spark"));
     Path sparksOwn = Files.writeString(sparks.resolve("spark-core.jar"), "");
     Path jar = Files.writeString(folder.resolve("own.jar"), "");

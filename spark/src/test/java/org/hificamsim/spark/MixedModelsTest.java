@@ -64,7 +64,7 @@ class MixedModelsTest {
   }
 
   @Test
-  void aComparisonWhoseModelHasChangedUnderItsNameIsNotResumed() throws IOException {
+  void rejectsResumeWithChangedModel() throws IOException {
     RunPlan plan = plan(model("0.026"));
     try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
       compare(CATALOGUE, plan, out); // and ends before its tables are written
@@ -80,7 +80,7 @@ class MixedModelsTest {
   }
 
   @Test
-  void aModelThatIsAnotherOnTheExecutorIsRefused() throws IOException {
+  void rejectsModelThatDiffersOnExecutor() throws IOException {
     Registry<DetectionModel> here = new Registry<>("detection");
     here.register("geometric", "blind", Blind::new);
     Catalogue changed =

@@ -30,7 +30,7 @@ class PortablePlanTest {
   }
 
   @Test
-  void everyModelOfTheCatalogueComesBackAsItWas() {
+  void restoresEveryModelOfTheCatalogue() {
     int models = 0;
     for (String name : CATALOGUE.detections().names()) {
       RunPlan plan = plan(CATALOGUE.detection(name));
@@ -41,7 +41,7 @@ class PortablePlanTest {
   }
 
   @Test
-  void aRuleOfChanceComesBackAsItWas() {
+  void restoresRuleOfChance() {
     DetectionRule rule = DetectionRule.parse("chance:alpha=0.01,memory=5");
     Detection detection = Detection.by(rule, "mine", CATALOGUE.detection("hifi:orb-lin"));
     RunPlan plan = plan(CATALOGUE.detection("hifi:orb-lin"));
@@ -53,7 +53,7 @@ class PortablePlanTest {
   }
 
   @Test
-  void aModelThatOtherMachinesCannotKnowIsRefused() {
+  void rejectsModelUnknownToOtherMachines() {
     InputException fault =
         assertThrows(
             InputException.class, () -> PortablePlan.of(plan(new Unknown("mine")), CATALOGUE));
@@ -61,7 +61,7 @@ class PortablePlanTest {
   }
 
   @Test
-  void aPlanThatIsAnotherOnTheExecutorIsAnError() {
+  void rejectsPlanThatDiffersOnExecutor() {
     PortablePlan here = PortablePlan.of(plan(CATALOGUE.detection("geometric")), CATALOGUE);
     PortablePlan there =
         new PortablePlan(

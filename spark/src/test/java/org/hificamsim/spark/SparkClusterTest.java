@@ -64,7 +64,7 @@ class SparkClusterTest {
 
   @Test
   @Order(1)
-  void losesNothingWhenAWorkerIsKilledInTheMiddle() throws Exception {
+  void losesNothingWhenWorkerIsKilled() throws Exception {
     Process driver =
         driver("killed", List.of("--engine", "spark", "--master", cluster.url())).start();
     try {
@@ -82,7 +82,7 @@ class SparkClusterTest {
 
   @Test
   @Order(2)
-  void runsUnderSparkSubmitOnTheWorkerThatIsLeft() throws Exception {
+  void runsUnderSparkSubmitOnRemainingWorker() throws Exception {
     Path jar = folder.resolve("policy.jar");
     try (ClassPathJars packed = new ClassPathJars(List.of(policy), home)) {
       Files.copy(Path.of(packed.paths().get(0)), jar);

@@ -27,7 +27,7 @@ class SparkMasterTest {
         "yarn",
         "k8s://https://10.0.0.1:443"
       })
-  void takesTheUrlsOfSpark(String url) {
+  void acceptsUrlsOfSpark(String url) {
     assertEquals(url, SparkMaster.of(Optional.of(url)).url());
   }
 
@@ -44,14 +44,14 @@ class SparkMasterTest {
         "http://host:7077",
         "mesos://host:5050"
       })
-  void refusesEverythingElse(String url) {
+  void rejectsOtherUrls(String url) {
     InputException fault =
         assertThrows(InputException.class, () -> SparkMaster.of(Optional.of(url)));
     assertTrue(fault.getMessage().startsWith("master is '" + url + "', expected spark://"));
   }
 
   @Test
-  void anOpenPortAnswersAndAClosedOneIsAnErrorAtOnce() throws IOException {
+  void acceptsOpenPortAndRejectsClosedOne() throws IOException {
     ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     SparkMaster master = master("127.0.0.1:" + server.getLocalPort());
     master.requireAnswer();
@@ -62,7 +62,7 @@ class SparkMasterTest {
   }
 
   @Test
-  void aHostThatIsUnknownIsNamedSo() {
+  void namesUnknownHost() {
     InputException fault =
         assertThrows(
             InputException.class, () -> master("no-such-host.invalid:7077").requireAnswer());

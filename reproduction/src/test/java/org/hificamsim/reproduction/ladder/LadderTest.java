@@ -59,7 +59,7 @@ class LadderTest {
   }
 
   @Test
-  void everyRungIsThereAndTheirNamesDiffer() {
+  void hasAllRungsWithDifferentNames() {
     Ladder ladder = ladder(Rungs.ofDetection().toArray(Rung[]::new));
     assertEquals(2 * Rungs.ofDetection().size(), ladder.plans(asked(1)).size());
     assertEquals(
@@ -68,7 +68,7 @@ class LadderTest {
   }
 
   @Test
-  void theTopRungIsByChanceAndTheOthersOfItsFitBelowIt() {
+  void topRungIsByChance() {
     List<RunPlan> plans = ladder(Rungs.ofDetection().toArray(Rung[]::new)).plans(asked(1));
     RunPlan top = plans.get(plans.size() - 1);
     assertEquals("hifi:orb-lin@chance", top.detection().name());
@@ -76,7 +76,7 @@ class LadderTest {
   }
 
   @Test
-  void aRungMayChangeTheScenarioAndItsResultsAreFoundUnderTheOldName() {
+  void findsResultsOfChangedScenarioByOriginalName() {
     Ladder ladder = ladder(Rungs.ofDetection("geometric"), LONELY);
     List<RunPlan> plans = ladder.plans(asked(2));
     assertEquals(
@@ -117,14 +117,14 @@ class LadderTest {
   }
 
   @Test
-  void aRungWithoutARuleIsByThresholdWhereTheScenarioSaysChance() {
+  void rungWithoutRuleIgnoresRuleOfScenario() {
     Scenario chance = RING.withDetect(DetectionRule.parse("chance"));
     Rung rung = Rungs.ofDetection("hifi:orb-lin");
     assertTrue(rung.detection(Settings.NONE, chance, LadderTest::model).certain());
   }
 
   @Test
-  void twoRungsThatAreTheSameAreRefused() {
+  void rejectsEqualRungs() {
     InputException fault =
         assertThrows(
             InputException.class,

@@ -49,13 +49,13 @@ class WorldRungsTest {
   }
 
   @Test
-  void theTopRungIsTheScenarioAsItIs() {
+  void topRungIsUnchangedScenario() {
     assertSame(HALL, world("occlusion"));
     assertEquals("occlusion", RUNGS.get(RUNGS.size() - 1).name());
   }
 
   @Test
-  void belowItTargetsHideNoneAndHaveOneSizeTheMean() {
+  void wallsRungHasOneTargetSizeAndNoOcclusion() {
     Scenario walls = world("walls");
     assertEquals("hall-walls", walls.name());
     assertEquals(Occlusion.NONE, walls.occlusion());
@@ -69,14 +69,14 @@ class WorldRungsTest {
   }
 
   @Test
-  void thenThereAreNoWalls() {
+  void timeRungHasNoWalls() {
     assertTrue(world("time").obstacles().isEmpty());
     assertTrue(optics(world("time")).stream().allMatch(OpticsSpec::takesTime));
     assertEquals(1, sizes(world("time")).size());
   }
 
   @Test
-  void thenMovesTakeNoTimeAndThereIsStillPan() {
+  void panRungMovesAtOnce() {
     Scenario pan = world("pan");
     assertTrue(optics(pan).stream().noneMatch(OpticsSpec::takesTime));
     assertEquals(
@@ -85,7 +85,7 @@ class WorldRungsTest {
   }
 
   @Test
-  void thenLensesLookWhereTheyAreMountedTo() {
+  void opticsRungDoesNotTurn() {
     Scenario optics = world("optics");
     assertTrue(optics(optics).stream().allMatch(one -> one.pans().equals(List.of(0.0))));
     assertEquals(
@@ -94,7 +94,7 @@ class WorldRungsTest {
   }
 
   @Test
-  void atLastViewsAreRoundWithTheRadiiOfTheFirstLensByEq32() {
+  void roundRungHasRadiiOfFirstLensByEq32() {
     Scenario round = world("round");
     assertTrue(optics(round).stream().allMatch(one -> one.law() == OpticsLaw.ROUND));
     assertTrue(round.everyCamera().allMatch(camera -> camera.viewingAngle() == 360));
@@ -109,7 +109,7 @@ class WorldRungsTest {
   }
 
   @Test
-  void everyRungIsAFileThatReadsTheSame(@TempDir Path folder) throws IOException {
+  void everyRungCanBeWrittenAndRead(@TempDir Path folder) throws IOException {
     for (Rung rung : RUNGS) {
       String text = ScenarioWriter.write(rung.world().apply(HALL));
       Path file = Files.writeString(folder.resolve(rung.name() + ".xml"), text);
@@ -119,14 +119,14 @@ class WorldRungsTest {
   }
 
   @Test
-  void targetsThatComeLaterAreOfTheSameSizeAsTheOthers() {
+  void laterTargetsHaveTheSameSize() {
     assertFalse(HALL.events().isEmpty());
     String text = ScenarioWriter.write(world("walls"));
     assertFalse(text.contains(" width=\"0.5\""), text);
   }
 
   @Test
-  void aScenarioWithoutALensIsRefused() {
+  void rejectsScenarioWithoutLens() {
     Scenario ring = site("ring-random");
     InputException fault =
         assertThrows(
@@ -136,7 +136,7 @@ class WorldRungsTest {
   }
 
   @Test
-  void anUnknownRungIsRefusedWithThoseThatThereAre() {
+  void rejectsUnknownRung() {
     InputException fault =
         assertThrows(InputException.class, () -> Rungs.ofWorld(Optional.empty(), "lens"));
     assertTrue(fault.getMessage().endsWith("round, optics, pan, time, walls, occlusion"));

@@ -27,7 +27,7 @@ class ChangedWorldTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"lattice-random", "lattice-scripted"})
-  void allTargetsGetTheSizeThoseOfEventsIncluded(String name) {
+  void changesSizeOfAllTargetsIncludingLaterOnes(String name) {
     Scenario changed = ChangedWorld.withSize(read(name), 0.45);
     List<TargetSpec> targets = new java.util.ArrayList<>(changed.targets());
     changed.events().stream()
@@ -39,7 +39,7 @@ class ChangedWorldTest {
   }
 
   @Test
-  void theHeightGivesTheNarrowestLevelItsFocalLength() {
+  void heightGivesNarrowestLevelTheFocalLength() {
     Scenario changed = ChangedWorld.withFocalLength(read("ring-random"), OPTICS, 0.05);
     double height = changed.mountHeight().orElseThrow();
     assertEquals(0.05, OPTICS.focalLength(2.5, height), 1e-15);
@@ -49,7 +49,7 @@ class ChangedWorldTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"ring-random", "cluster-scripted"})
-  void allTargetsGetTheSpeedAndAllLevelsTheirRadius(String name) {
+  void changesSpeedOfAllTargetsAndAllRadii(String name) {
     Scenario changed = ChangedWorld.withWidestRadius(ChangedWorld.withSpeed(read(name), 0.5), 9);
     targets(changed).forEach(target -> assertEquals(0.5, target.speed()));
     assertEquals(List.of(3.0, 4.5, 6.0, 7.5, 9.0), changed.zooms());
@@ -66,7 +66,7 @@ class ChangedWorldTest {
 
   @ParameterizedTest
   @CsvSource({"lattice-random,1", "lattice-random,8", "cluster-scripted,2", "cluster-scripted,8"})
-  void hasAsManyTargetsAsAskedForEachAtAPlaceOfItsOwn(String name, int number) {
+  void hasNumberOfTargetsAtDifferentPositions(String name, int number) {
     Scenario changed = ChangedWorld.withTargets(read(name), number);
     List<TargetSpec> targets = targets(changed);
     assertEquals(number, targets.size());
@@ -76,20 +76,20 @@ class ChangedWorldTest {
   }
 
   @Test
-  void keepsTheFilesTargetsFirst() {
+  void keepsFirstTargetsOfTheFile() {
     Scenario scenario = read("ring-random");
     assertEquals(scenario.targets(), ChangedWorld.withTargets(scenario, 6).targets().subList(0, 3));
   }
 
   @Test
-  void furtherScriptedTargetsWalkTheSameWay() {
+  void addedTargetsFollowTheScript() {
     List<TargetSpec> targets = targets(ChangedWorld.withTargets(read("ring-scripted"), 8));
     assertEquals(4, targets.get(3).waypoints().size());
     assertTrue(targets.get(7).waypoints().containsAll(targets.get(0).waypoints()));
   }
 
   @Test
-  void givesTheSameTargetsEveryTime() {
+  void addsTheSameTargetsEachTime() {
     Scenario scenario = read("lattice-random");
     assertEquals(ChangedWorld.withTargets(scenario, 8), ChangedWorld.withTargets(scenario, 8));
   }

@@ -52,7 +52,7 @@ class BenchmarkTest {
   }
 
   @Test
-  void anyChangeOfATaskIsSeen() {
+  void hashDependsOnEveryPartOfATask() {
     BenchmarkTask task = BENCHMARK.task("passage-v1");
     Scenario site = BENCHMARK.site("passage-v1");
     assertNotEquals(task.hash(), task.digest(site.with(Scenario.STEP_TIME, 0.25)));
@@ -68,7 +68,7 @@ class BenchmarkTest {
   /** The engine still scores as it did when the scale was computed. */
   @ParameterizedTest
   @MethodSource("names")
-  void scaleIsThatOfTheEngine(String name) {
+  void scaleAgreesWithRuns(String name) {
     BenchmarkTask task = BENCHMARK.task(name);
     RunPlan plan = BENCHMARK.plan(name, "optimal", BenchmarkTask.TESTING.get(9));
     RunResult best = new RunExecutor(BENCHMARK.catalogue()).repeat(plan, 0, List.of());
@@ -81,7 +81,7 @@ class BenchmarkTest {
 
   @ParameterizedTest
   @MethodSource("names")
-  void layoutsCanBeReadAndDiffer(String name) throws Exception {
+  void layoutsAreValidAndDiffer(String name) throws Exception {
     Set<String> drawn = new HashSet<>();
     List<Long> seeds = new ArrayList<>(BenchmarkTask.TESTING);
     for (long seed = 0; seed < 30; seed++) {
@@ -100,7 +100,7 @@ class BenchmarkTest {
   }
 
   @Test
-  void trainingNeverHasATestingLayout() {
+  void trainingHasNoTestingLayout() {
     for (long seed : BenchmarkTask.TESTING) {
       String testing = ScenarioWriter.write(BENCHMARK.layout("campus-v1", seed));
       for (long other : new long[] {seed - BenchmarkTask.TRAINING, seed + BenchmarkTask.TRAINING}) {
@@ -129,7 +129,7 @@ class BenchmarkTest {
   }
 
   @Test
-  void mapLacksWhatTheTaskSays() {
+  void mapLacksUnmappedObstacles() {
     Scenario warehouse = BENCHMARK.layout("warehouse-v1", 1);
     assertEquals(12, warehouse.obstacles().size());
     assertEquals(10, warehouse.find(Scenario.MAP).orElseThrow().size());

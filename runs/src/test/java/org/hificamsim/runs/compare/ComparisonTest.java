@@ -29,7 +29,7 @@ class ComparisonTest {
 
   /** Otherwise a second one could begin on a journal that the first one then deletes. */
   @Test
-  void theFolderIsHeldUntilTheJournalIsGone() throws IOException {
+  void locksFolderUntilJournalIsDeleted() throws IOException {
     Path file = folder.resolve(Journal.NAME);
     try (OutputFolder output = new OutputFolder(folder);
         Journal journal = Journal.open(output, Journal.NAME, false)) {
@@ -46,7 +46,7 @@ class ComparisonTest {
 
   /** So that what could not be written need not be computed again. */
   @Test
-  void runsThatAreInTheJournalAreNotComputedAgain() throws IOException {
+  void reusesRunsInJournal() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       try (Journal journal = Journal.open(output, Journal.NAME, false)) {
         compare(journal, () -> {});

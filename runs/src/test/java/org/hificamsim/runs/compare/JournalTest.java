@@ -47,7 +47,7 @@ class JournalTest {
   }
 
   @Test
-  void resumingFindsWhatWasFinishedBitByBit() throws IOException {
+  void resumeFindsFinishedRunsExactly() throws IOException {
     try (Journal journal = open(true)) {
       FinishedRun found = journal.find("case", 7).orElseThrow();
       assertEquals(RESULT, found.result());
@@ -59,7 +59,7 @@ class JournalTest {
   }
 
   @Test
-  void notResumingForgetsIt() throws IOException {
+  void dropsRunsWithoutResume() throws IOException {
     open(false).close();
     try (Journal journal = open(true)) {
       assertTrue(journal.find("case", 7).isEmpty());
@@ -67,7 +67,7 @@ class JournalTest {
   }
 
   @Test
-  void aLineCutOffIsDroppedAndTheNextOneFollowsTheWholeOnes() throws IOException {
+  void dropsIncompleteLastLine() throws IOException {
     Files.writeString(file(), "{\"key\":\"half", StandardOpenOption.APPEND);
     addTheNext();
     assertBothAreFound();
@@ -85,7 +85,7 @@ class JournalTest {
         "{\"key\":\"case/8\",\"result\":null,\"kMin\":\"eJxjYGBgAAAABAAB\"}",
         "{\"key\":null}"
       })
-  void aDamagedLineIsPassedOver(String line) throws IOException {
+  void skipsDamagedLine(String line) throws IOException {
     Files.writeString(file(), line + "\n", StandardOpenOption.APPEND);
     addTheNext();
     assertBothAreFound();
@@ -97,7 +97,7 @@ class JournalTest {
   }
 
   @Test
-  void aLineThatIsStillJsonButNotAsItWasWrittenIsDamaged() throws IOException {
+  void checksumDetectsChangedJson() throws IOException {
     String text = Files.readString(file());
     assertTrue(text.contains("11.0"), text);
     Files.writeString(file(), text.replace("11.0", "99.0") + text.replace("case/7", "case/8"));
@@ -112,7 +112,7 @@ class JournalTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"(\"kMin\":\"....).", "(\"kMin\":\".*).{4}(?=\")", "(\"kMin\":\").*(?=\")"})
-  void aRunWhoseStepsAreDamagedIsNotFound(String damage) throws IOException {
+  void skipsRunWithDamagedSteps(String damage) throws IOException {
     addTheNext();
     String text = Files.readString(file());
     Files.writeString(file(), text.replaceFirst(damage, "$1"));
@@ -123,7 +123,7 @@ class JournalTest {
   }
 
   @Test
-  void runsBeyondTwoGigabytesAreFoundAndAdded() throws IOException {
+  void handlesJournalsBeyondTwoGigabytes() throws IOException {
     long far = 1L << 31;
     byte[] line = ("\n" + Files.readString(file())).getBytes(StandardCharsets.UTF_8);
     addTheNext();
@@ -145,13 +145,13 @@ class JournalTest {
   }
 
   @Test
-  void finishingRemovesTheFile() throws IOException {
+  void finishDeletesFile() throws IOException {
     open(true).finish();
     assertFalse(Files.exists(file()));
   }
 
   @Test
-  void aLinkIsNotFollowed() throws IOException {
+  void rejectsLink() throws IOException {
     Path target = Files.move(file(), folder.resolve("target"));
     byte[] before = Files.readAllBytes(target);
     Files.createSymbolicLink(file(), target);

@@ -8,13 +8,13 @@ import org.junit.jupiter.api.Test;
 
 class RatioTest {
   @Test
-  void isARatioOfSumsAndNotAMeanOfRatios() {
+  void isRatioOfSumsNotMeanOfRatios() {
     Ratio ratio = new Ratio(new double[] {1, 30}, new double[] {10, 30});
     assertEquals(31.0 / 40, ratio.estimate().mean());
   }
 
   @Test
-  void itsIntervalHoldsItAndIsThatOfAMeanWhereTheOptimaAreAlike() {
+  void hasIntervalOfMeanIfOptimaAreEqual() {
     Estimate estimate = new Ratio(new double[] {1, 2, 3}, new double[] {10, 10, 10}).estimate();
     assertEquals(0.2, estimate.mean(), 1e-12);
     Estimate mean = Estimate.mean(new double[] {0.1, 0.2, 0.3});
@@ -23,7 +23,7 @@ class RatioTest {
   }
 
   @Test
-  void whatIsTheSameInEverySeedSaysSo() {
+  void saysIfEverySeedGivesTheSame() {
     Estimate same = new Ratio(new double[] {9, 9, 9}, new double[] {10, 10, 10}).estimate();
     assertEquals(new Estimate(0.9, 0.9, 0.9), same);
     assertEquals("0.90 in every seed", same.text("%.2f"));
@@ -33,7 +33,7 @@ class RatioTest {
   }
 
   @Test
-  void aDifferenceIsPairedBySeed() {
+  void pairsDifferencesBySeed() {
     Ratio one = new Ratio(new double[] {5, 9}, new double[] {10, 10});
     Ratio other = new Ratio(new double[] {4, 8}, new double[] {10, 10});
     Estimate difference = one.minus(other);
@@ -43,7 +43,7 @@ class RatioTest {
   }
 
   @Test
-  void aSingleSeedHasNoInterval() {
+  void singleSeedHasNoInterval() {
     Estimate estimate = new Ratio(new double[] {9}, new double[] {10}).estimate();
     assertEquals(Estimate.single(0.9), estimate);
     assertEquals("0.90", estimate.text("%.2f"));
@@ -51,7 +51,7 @@ class RatioTest {
   }
 
   @Test
-  void withNoOptimumAboveZeroThereIsNoRatio() {
+  void isNaNWithoutOptimumAboveZero() {
     assertTrue(Double.isNaN(new Ratio(new double[] {0}, new double[] {0}).estimate().mean()));
   }
 }

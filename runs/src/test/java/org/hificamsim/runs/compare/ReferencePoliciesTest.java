@@ -17,7 +17,7 @@ class ReferencePoliciesTest {
       Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml");
 
   @Test
-  void theOptimumAndTheBestFixedComeAfterWhatIsAskedFor() {
+  void optimumAndBestFixedFollowThePlans() {
     assertEquals(
         List.of("sarsa", "random", "optimal", "best-fixed"),
         policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 100, "sarsa", "random"));
@@ -27,14 +27,14 @@ class ReferencePoliciesTest {
   }
 
   @Test
-  void nothingIsRunTwice() {
+  void runsNothingTwice() {
     assertEquals(
         List.of("best-fixed", "optimal"),
         policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 100, "best-fixed", "optimal"));
   }
 
   @Test
-  void theBestFixedIsLeftOutWhereItsSearchNeedsTooMuchMemory() {
+  void leavesOutBestFixedThatNeedsTooMuchMemory() {
     assertEquals(
         List.of("sarsa", "optimal"),
         policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "sarsa"));

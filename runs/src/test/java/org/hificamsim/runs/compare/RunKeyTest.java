@@ -54,7 +54,7 @@ class RunKeyTest {
   @TempDir Path folder;
 
   @Test
-  void differsWithWhateverTheResultDependsOn() throws IOException {
+  void dependsOnEverythingThatChangesResults() throws IOException {
     Scenario scenario = scenario();
     DetectionModel model = Catalogue.load().detection("hifi:orb-lin");
     RunKey key = key(scenario, model, 0.1, "zoom-out", 10);
@@ -71,12 +71,12 @@ class RunKeyTest {
   }
 
   @Test
-  void differsWithTheSensorOfAModelFileWhereTheMountHeightMakesItCount() throws IOException {
+  void dependsOnSensorOfModelFile() throws IOException {
     assertNotEquals(key(scenario(), model("0.0224"), 0.05), key(scenario(), model("0.0360"), 0.05));
   }
 
   @Test
-  void differsWithAModelThatDiffersBeyondSixteenMetresAlone() throws IOException {
+  void dependsOnModelAtAllDistances() throws IOException {
     DetectionModel one = read(FAR.replace("WEIGHT", "-2"));
     DetectionModel other = read(FAR.replace("WEIGHT", "2"));
     ZoomLevel zoom = new ZoomLevel(40, 1, 16, 3, 2 * Math.PI);
@@ -89,7 +89,7 @@ class RunKeyTest {
   }
 
   @Test
-  void namesTheInputThatHasChangedUnderItsName() throws IOException {
+  void namesChangedInput() throws IOException {
     RunKey key = key(scenario(), model("0.0224"), 0.05);
     assertEquals(
         Optional.of("detection 'mine'"), key.changed(key(scenario(), model("0.0360"), 0.05)));
@@ -100,7 +100,7 @@ class RunKeyTest {
   }
 
   @Test
-  void findsNothingChangedWhereSettingsDiffer() throws IOException {
+  void findsNoChangeIfOnlySettingsDiffer() throws IOException {
     RunKey key = key(scenario(), model("0.0224"), 0.05);
     assertEquals(Optional.empty(), key.changed(RunKey.read(key.text())));
     assertEquals(

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class ShardTest {
   @Property(tries = 300)
-  void everyRunIsInOneShardAndNoShardHasMoreThanOneRunMore(
+  void distributesRunsEvenlyOverShards(
       @ForAll @IntRange(min = 1, max = 12) int cases,
       @ForAll @IntRange(min = 1, max = 40) int repeats,
       @ForAll @IntRange(min = 1, max = 600) int of) {
@@ -36,7 +36,7 @@ class ShardTest {
   }
 
   @Property(tries = 100)
-  void whereTheSeedsDivideEvenlyEachSeedIsSpreadToo(
+  void distributesSeedsEvenlyOverShards(
       @ForAll @IntRange(min = 1, max = 12) int cases,
       @ForAll @IntRange(min = 1, max = 5) int times,
       @ForAll @IntRange(min = 1, max = 12) int of) {
@@ -57,7 +57,7 @@ class ShardTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"", "3", "0/8", "9/8", "-1/8", "1/0", "a/b", "1/8/2", "1 / 8", "1/99999999"})
-  void refusesWhatIsNoPart(String text) {
+  void rejectsMalformedShards(String text) {
     InputException fault = assertThrows(InputException.class, () -> Shard.parse(text));
     assertTrue(fault.getMessage().startsWith("shard is '" + text + "', expected i/n"));
   }

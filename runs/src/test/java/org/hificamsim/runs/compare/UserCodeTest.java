@@ -23,7 +23,7 @@ class UserCodeTest {
   }
 
   @Test
-  void aJarDiffersWithAnyOfItsFiles() throws IOException {
+  void dependsOnEveryFileOfAJar() throws IOException {
     assertNotEquals(RunKey.digest(jar("org/example/weights.txt")), RunKey.digest(jar("a.txt")));
     assertEquals(RunKey.digest(jar("a.txt")), RunKey.digest(jar("a.txt")));
   }
@@ -37,7 +37,7 @@ class UserCodeTest {
   }
 
   @Test
-  void differsWithAClassAndWithWhatLiesBesideIt() throws IOException {
+  void dependsOnClassesAndOtherFilesOfAFolder() throws IOException {
     String before = RunKey.digest(folder);
     write("org/example/Fog.class", "mist");
     assertNotEquals(before, RunKey.digest(folder));
@@ -51,7 +51,7 @@ class UserCodeTest {
   }
 
   @Test
-  void doesNotDifferWithResultsInTheSameFolder() throws IOException {
+  void ignoresResultsInTheSameFolder() throws IOException {
     String before = RunKey.digest(folder);
     write("out/compare/.hificamsim.sha256", "");
     write("out/compare/steps.csv", "1");

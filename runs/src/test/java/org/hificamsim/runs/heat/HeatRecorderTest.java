@@ -111,7 +111,7 @@ class HeatRecorderTest {
         "camsim-visibility",
         "hifi:orb-lin@chance"
       })
-  void aCellIsCoveredAsATargetInItsMiddle(String model) throws IOException {
+  void coverageOfCellIsThatOfTargetInItsCentre(String model) throws IOException {
     FieldCells cells = new FieldCells(new Field(0, 12, 0, 8), 24, 16);
     Scenario scenario = scenario("lattice", lattice(cells));
     Lattice lattice = new Lattice(cells);
@@ -134,7 +134,7 @@ class HeatRecorderTest {
   }
 
   @Test
-  void visitsAreCountedWhereTargetsWereAndAsTheyWereCovered() throws IOException {
+  void countsVisitsAndTheirCoverage() throws IOException {
     String objects =
         "<object features=\"1.0\" x=\"6.2\" y=\"7.2\" heading=\"0\" speed=\"0\"/>"
             + "<object features=\"2.0\" x=\"6.3\" y=\"7.1\" heading=\"0\" speed=\"0\"/>"
@@ -152,7 +152,7 @@ class HeatRecorderTest {
   }
 
   @Test
-  void theAreaIsMeasuredWhereTargetsCanStand() {
+  void sharesAreOfFreeArea() {
     FieldCells cells = new FieldCells(new Field(0, 4, 0, 1), 4, 1);
     HeatMap map =
         new HeatMap(
@@ -168,7 +168,7 @@ class HeatRecorderTest {
   }
 
   @Test
-  void cellsAreNearlySquareAndBounded() {
+  void cellsAreNearlySquareAndLimited() {
     FieldCells wide = FieldCells.of(new Field(-5, 15, 0, 7), 50);
     assertEquals(new FieldCells(new Field(-5, 15, 0, 7), 50, 18), wide);
     assertEquals(0.4, wide.width(), 1e-12);
@@ -181,7 +181,7 @@ class HeatRecorderTest {
   }
 
   @Test
-  void aTableIsReadAsItWasWrittenAndRefusedForAnotherField() throws IOException {
+  void readsTableAndRejectsAnotherField() throws IOException {
     Scenario scenario = scenario("table", lattice(new FieldCells(new Field(0, 12, 0, 8), 6, 4)));
     HeatMap map = map(scenario, detection("geometric", scenario), 1, null);
     Path out = folder.resolve("written");

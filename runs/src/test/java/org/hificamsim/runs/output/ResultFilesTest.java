@@ -35,7 +35,7 @@ class ResultFilesTest {
   @TempDir Path folder;
 
   @Test
-  void aTableIsReadAsItWasWritten() throws IOException {
+  void readsTableAsWritten() throws IOException {
     try (OutputFolder out = new OutputFolder(folder)) {
       items.write(
           out,
@@ -71,12 +71,12 @@ class ResultFilesTest {
     "9007199254740992, 9.007199254740992E15",
     "-9007199254740992, -9.007199254740992E15"
   })
-  void aNumberHasAFractionWhereItIsNotWholeOrTooLarge(double value, String text) {
+  void writesWholeNumbersWithoutFraction(double value, String text) {
     assertEquals(text, JsonOutput.number(value).toString());
   }
 
   @Test
-  void aRowOfStepsHasItsScoreLast() throws IOException {
+  void readsScoreFromLastCellOfRow() throws IOException {
     Path file = folder.resolve("steps.csv");
     List<StepRow> rows = new ArrayList<>();
     for (String odd : List.of("1,2", "0,x,3,1.5", "0,1,3,z", "y,1,3,1", "0,1,")) {
@@ -92,7 +92,7 @@ class ResultFilesTest {
   }
 
   @Test
-  void aFileOfAFolderIsThereAndJson() throws IOException {
+  void rejectsMissingOrMalformedJson() throws IOException {
     ResultFolder results = new ResultFolder(folder);
     Path file = folder.resolve("summary.json");
     String missing =
@@ -115,7 +115,7 @@ class ResultFilesTest {
   }
 
   @Test
-  void aCommandIsToldAsAShellTakesIt() throws IOException {
+  void quotesCommandForShell() throws IOException {
     Files.writeString(
         folder.resolve("manifest.json"),
         "{\"command\": [\"run\", \"a-b_1.xml\", \"it's\", \"\"], \"hificamsim\": \"0.2\"}");
@@ -126,7 +126,7 @@ class ResultFilesTest {
 
   /** A crate is a file of a folder, and may be anyone's. */
   @Test
-  void whatACrateNamesGoesOnlyWhereItIsAFileOfOursHere() throws IOException {
+  void removesOnlyOwnFilesNamedByCrate() throws IOException {
     try (OutputFolder out = new OutputFolder(folder)) {
       for (String name :
           List.of("old.csv", "scenario-a.xml", "detection-a.json", "policy-a.onnx")) {
@@ -165,7 +165,7 @@ class ResultFilesTest {
   }
 
   @Test
-  void filesThatAPolicysOptionsNameAreItsOwn() throws IOException {
+  void findsFilesNamedByOptionsOfPolicy() throws IOException {
     PolicyFiles policies = new PolicyFiles();
     Path file = Files.writeString(folder.resolve("net"), "weights");
     assertEquals(List.of(), policies.of("zoom-out"));

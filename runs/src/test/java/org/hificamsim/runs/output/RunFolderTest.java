@@ -112,7 +112,7 @@ class RunFolderTest {
   }
 
   @Test
-  void tablesHaveARowForEachStepAndForEachCameraAndTargetThatIsThere() throws IOException {
+  void tablesHaveRowsForStepsCamerasAndTargets() throws IOException {
     Path out = run("tables", plan("geometric", "fixed", REPEATS), Detail.VIEWS);
     List<Map<String, String>> steps = rows(out.resolve("steps.csv"));
     List<Map<String, String>> zooms = rows(out.resolve("zooms.csv"));
@@ -144,7 +144,7 @@ class RunFolderTest {
   }
 
   @Test
-  void aSummaryHasMeansIntervalsAndEveryRun() throws IOException {
+  void summaryHasMeansIntervalsAndAllRuns() throws IOException {
     RunPlan plan = plan("geometric", "random", REPEATS);
     Path out = run("summary", plan, Detail.STEPS);
     assertFalse(Files.exists(out.resolve("zooms.csv")));
@@ -178,7 +178,7 @@ class RunFolderTest {
   }
 
   @Test
-  void settingsAreThoseOfTheRunAndWhatItsCamerasLookThrough() throws IOException {
+  void summaryHasSettingsAndLens() throws IOException {
     JsonNode summary =
         json(
             run("settings", plan("geometric@0.5", "fixed", 1), Detail.STEPS)
@@ -205,7 +205,7 @@ class RunFolderTest {
   }
 
   @Test
-  void aCrateDescribesEveryFileAndWhatWasRun() throws IOException {
+  void crateDescribesFilesAndRun() throws IOException {
     Path out = run("crate", plan("hifi:orb-lin", "fixed", REPEATS), Detail.ZOOMS);
     Map<String, JsonNode> entities = new HashMap<>();
     for (JsonNode one : json(out.resolve("ro-crate-metadata.json")).get("@graph")) {
@@ -267,7 +267,7 @@ class RunFolderTest {
   }
 
   @Test
-  void settingsOfSeveralPlansAreAListWithTheLensOfEach() throws IOException {
+  void settingsOfSeveralPlansAreAList() throws IOException {
     Scenario plain =
         read(Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml"));
     RunPlan lens =
@@ -290,7 +290,7 @@ class RunFolderTest {
   }
 
   @Test
-  void whatAPolicyProvesStandsWithEachRun() throws IOException {
+  void summaryHasProofOfEachRun() throws IOException {
     JsonNode optimal =
         json(run("proof", plan("geometric", "optimal", 1), Detail.STEPS).resolve("summary.json"));
     JsonNode claims = optimal.get("runs").get(0);
@@ -303,7 +303,7 @@ class RunFolderTest {
   }
 
   @Test
-  void aProgramThatTakesTheStepsItselfGetsTheSameFiles() throws IOException {
+  void singleRunWritesTheSameFiles() throws IOException {
     RunPlan plan = plan("geometric", "random", 1);
     Path whole = run("whole", plan, Detail.VIEWS);
     Path out = folder.resolve("own");
@@ -325,7 +325,7 @@ class RunFolderTest {
   }
 
   @Test
-  void aDetectionByChanceIsNamedByItsRuleAndHasItsColumns() throws IOException {
+  void detectionByChanceHasItsNameAndColumns() throws IOException {
     Path out = run("chance", plan("hifi:orb-lin@chance", "fixed", 1), Detail.ZOOMS);
     String crate = Files.readString(out.resolve("ro-crate-metadata.json"));
     assertTrue(crate.contains("Detections: hifi:orb-lin@chance"), crate);
@@ -336,7 +336,7 @@ class RunFolderTest {
   }
 
   @Test
-  void inputsAreWrittenOnceUnderNamesOfTheirOwnAndGiveTheSameRunAgain() throws IOException {
+  void writtenInputsGiveTheSameRun() throws IOException {
     RunPlan fitted = plan("hifi:orb-lin@0.4", "fixed", 1);
     RunPlan other = plan("hifi:sift-lin", "fixed", 1);
     Path one = inputs("one", fitted, fitted);
@@ -380,7 +380,7 @@ class RunFolderTest {
   }
 
   @Test
-  void anotherCommandsResultsGoAndInputsStay() throws IOException {
+  void removesResultsOfEarlierCommandButNotInputs() throws IOException {
     Path out = run("again", plan("geometric", "fixed", REPEATS), Detail.VIEWS);
     Files.writeString(out.resolve("mine.csv"), "mine");
     run("again", plan("hifi:orb-lin", "fixed", 1), Detail.STEPS);
@@ -397,7 +397,7 @@ class RunFolderTest {
   }
 
   @Test
-  void aFolderThatIsTakenIsGivenBackWithItsLock() throws IOException {
+  void releasesLockOfFolderAfterFailure() throws IOException {
     Path out = Files.createDirectory(folder.resolve("taken"));
     Files.writeString(out.resolve("summary.json"), "mine");
     RunPlan plan = plan("geometric", "fixed", 1);

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class TextTableTest {
   @Test
-  void escapesWhatMeansSomethingToLatex() {
+  void escapesSpecialCharactersOfLatex() {
     TextTable table = new TextTable(1, List.of("a"));
     table.row(List.of("a_b&c%$#{}~^\\"));
     table.row(List.of("-"));
@@ -22,7 +22,7 @@ class TextTableTest {
   }
 
   @Test
-  void standsInColumnsOnTheTerminal() {
+  void alignsColumnsOnTheTerminal() {
     TextTable table = new TextTable(1, List.of("name", "figure"));
     table.row(List.of("a", "1.5 [1.0, 2.0]"));
     StringWriter out = new StringWriter();
@@ -33,7 +33,7 @@ class TextTableTest {
   }
 
   @Test
-  void isABooktabsFloat() {
+  void writesBooktabsFloat() {
     TextTable made = new TextTable(1, List.of("a", "of b"));
     made.row(List.of("one", "1 [0, 2]"));
     made.row(List.of("one", "2"));

@@ -12,24 +12,24 @@ class AggregateTest {
       Strata.of(List.of(new double[] {0, 0.2, 0.4, 0.6}, new double[] {0.5, 0.7, 0.9, 1.3}));
 
   @Test
-  void theInterquartileMeanLeavesOutAQuarterOfAllRunsAtEitherEnd() {
+  void interquartileMeanLeavesOutAQuarterAtEachEnd() {
     assertEquals((0.4 + 0.5 + 0.6 + 0.7) / 4, Aggregate.IQM.of(TWO), 1e-12);
   }
 
   @Test
-  void theOptimalityGapDoesNotRewardWhatIsAboveOne() {
+  void optimalityGapIgnoresScoresAboveOne() {
     assertEquals(1 - (1.2 + 2.1 + 1) / 8, Aggregate.OPTIMALITY_GAP.of(TWO), 1e-12);
   }
 
   @Test
-  void meanAndMedianAreOfTheScenariosMeans() {
+  void meanAndMedianUseMeansOfScenarios() {
     Strata uneven = Strata.of(List.of(new double[] {0, 1}, new double[] {1}, new double[] {1}));
     assertEquals(2.5 / 3, Aggregate.MEAN.of(uneven), 1e-12);
     assertEquals(1, Aggregate.MEDIAN.of(uneven), 1e-12);
   }
 
   @Test
-  void runsWithoutAScoreAreLeftOut() {
+  void leavesOutRunsWithoutScore() {
     Strata gaps =
         Strata.of(List.of(new double[] {Double.NaN, 0.5}, new double[] {Double.NaN, Double.NaN}));
     assertEquals(1, gaps.runs());
@@ -40,14 +40,14 @@ class AggregateTest {
   }
 
   @Test
-  void seedsAreDrawnWithinTheirScenarioAlone() {
+  void drawsSeedsWithinTheirScenario() {
     Strata apart = Strata.of(List.of(new double[] {0, 0, 0}, new double[] {1, 1, 1}));
     Estimate mean = Aggregate.estimates(apart).get(Aggregate.MEAN);
     assertEquals(new Estimate(0.5, 0.5, 0.5), mean);
   }
 
   @Test
-  void anIntervalHoldsItsValueAndIsTheSameAgain() {
+  void intervalContainsValueAndIsReproducible() {
     Estimate iqm = Aggregate.estimates(TWO).get(Aggregate.IQM);
     assertTrue(iqm.low() < iqm.mean() && iqm.mean() < iqm.high(), iqm.toString());
     assertEquals(iqm, Aggregate.estimates(TWO).get(Aggregate.IQM));
@@ -61,7 +61,7 @@ class AggregateTest {
   }
 
   @Test
-  void withoutARunThereIsNothing() {
+  void isNaNWithoutRuns() {
     Strata none = Strata.of(List.of(new double[0]));
     for (Aggregate aggregate : Aggregate.values()) {
       assertTrue(Double.isNaN(Aggregate.estimates(none).get(aggregate).mean()), aggregate.label());

@@ -26,14 +26,14 @@ class IntervalCoverageTest {
 
   @ParameterizedTest
   @CsvSource({"20, 3, 5", "8, 2, 5", "8, 2, 10", "8, 2, 30", "1, 4, 5", "1, 4, 10", "1, 4, 30"})
-  void ofAMean(double alpha, double beta, int seeds) {
+  void coversMeanAsOftenAsStated(double alpha, double beta, int seeds) {
     Scores scores = new Scores(alpha, beta);
     assertHolds(8000, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
   }
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
-  void ofARatioOfSums(int seeds) {
+  void coversRatioOfSumsAsOftenAsStated(int seeds) {
     Scores scores = new Scores(8, 2);
     assertHolds(
         1200,
@@ -48,7 +48,7 @@ class IntervalCoverageTest {
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
-  void ofTheMeanOverScenarios(int seeds) {
+  void coversMeanOverScenariosAsOftenAsStated(int seeds) {
     Scores high = new Scores(8, 2);
     Scores low = new Scores(2, 8);
     assertHolds(
@@ -62,7 +62,7 @@ class IntervalCoverageTest {
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
-  void aDrawnMeanHasNearlyTheSameInterval(int seeds) {
+  void drawnMeanHasNearlySameInterval(int seeds) {
     double[] scores = new Scores(8, 2).draw(seeds);
     Estimate mean = Estimate.mean(scores);
     Estimate drawn =
@@ -74,14 +74,14 @@ class IntervalCoverageTest {
   }
 
   @Test
-  void valuesThatLieEvenlyHaveStudentsInterval() {
+  void symmetricValuesHaveStudentsInterval() {
     Estimate mean = Estimate.mean(new double[] {1, 2, 3, 4, 5});
     assertEquals(3 + 2.776445 * Math.sqrt(2.5 / 5), mean.high(), 1e-6); // t with 4 degrees: 2.776
     assertEquals(3 - 2.776445 * Math.sqrt(2.5 / 5), mean.low(), 1e-6);
   }
 
   @Test
-  void anIntervalIsLongerWhereValuesScatterFurther() {
+  void intervalIsLongerOnTheSideOfMoreScatter() {
     Estimate mean = Estimate.mean(new double[] {0.1, 0.1, 0.2, 0.2, 0.9});
     assertTrue(mean.high() - mean.mean() > 2 * (mean.mean() - mean.low()));
   }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 /** What is said of two policies. */
 class PairsTest {
   @Test
-  void theProbabilityOfImprovementCountsTiesHalfAndScenariosAlike() {
+  void probabilityOfImprovementCountsTiesHalfAndScenariosEqually() {
     Strata one = Strata.of(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
     Strata other = Strata.of(List.of(new double[] {2, 0}, new double[] {1, 1, 1}));
     double first = (1 + 1 + 0.5) / 4; // 1 over 0, 2 over 0, 2 beside 2
@@ -21,7 +21,7 @@ class PairsTest {
   }
 
   @Test
-  void aProfileFallsFromAllRunsToThoseThatAreOptimal() {
+  void profileFallsToShareOfOptimalRuns() {
     Estimate[] shares = Aggregate.profile(Strata.of(List.of(new double[] {0, 0.25, 0.5, 1})));
     assertEquals(1, shares[0].mean());
     assertEquals(0.75, shares[25].mean());
@@ -31,14 +31,14 @@ class PairsTest {
   }
 
   @Test
-  void flippedSignsAreCountedOutWhereTheyAreFew() {
+  void triesAllSignsOfFewDifferences() {
     assertEquals(0.25, PairedTest.p(new double[] {1, 1, 1}), 1e-12);
     assertEquals(0.75, PairedTest.p(new double[] {3, 1, -1}), 1e-12); // all but 3 - 1 - 1 reach 3
     assertEquals(1, PairedTest.p(new double[] {0, 0, 0, 0}), 1e-12);
   }
 
   @Test
-  void flippedSignsAreDrawnWhereTheyAreMany() {
+  void drawsSignsOfManyDifferences() {
     double[] all = new double[40];
     Arrays.fill(all, 0.1);
     assertEquals(1e-5, PairedTest.p(all), 1e-12);
@@ -61,7 +61,7 @@ class PairsTest {
   }
 
   @Test
-  void holmMultipliesTheSmallestByAllAndNeverFalls() {
+  void holmMultipliesSmallestPValueByTheirNumber() {
     double[] p = {0.04, 0.01, Double.NaN, 0.03, 0.02, 0.5};
     assertArrayEquals(
         new double[] {0.09, 0.05, Double.NaN, 0.09, 0.08, 0.5}, PairedTest.corrected(p), 1e-12);

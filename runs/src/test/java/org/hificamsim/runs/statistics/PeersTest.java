@@ -51,7 +51,7 @@ class PeersTest {
   }
 
   @Test
-  void aggregatesAreTheSameAndTheirIntervalsAsFarAsChanceAllows() {
+  void aggregatesAgreeWithRliable() {
     Aggregate[] aggregates = Aggregate.values();
     for (int i = 0; i < aggregates.length; i++) {
       Estimate ours = Aggregate.estimates(X).get(aggregates[i]);
@@ -61,7 +61,7 @@ class PeersTest {
   }
 
   @Test
-  void theProbabilityOfImprovementIsTheSame() {
+  void probabilityOfImprovementAgreesWithRliable() {
     Estimate ours = Aggregate.improvement(X, Y);
     assertEquals(theirs.at("/improvement/0").asDouble(), ours.mean(), ROUNDING);
     assertClose(theirs.at("/improvementEnds/0"), theirs.at("/improvementEnds/1"), ours);
@@ -69,7 +69,7 @@ class PeersTest {
 
   /** Near 0 and 1, where what a bootstrap draws is skew, our intervals are longer than theirs. */
   @Test
-  void theProfileIsTheSameWhereNoScoreIsTau() {
+  void profileAgreesWithRliable() {
     Estimate[] ours = Aggregate.profile(X);
     for (int i = 0; i < Aggregate.TAUS.length; i++) {
       Estimate share = ours[i];
@@ -86,7 +86,7 @@ class PeersTest {
   }
 
   @Test
-  void pValuesOfPairedDifferencesAreTheSame() {
+  void pValuesAgreeWithSciPy() {
     double[] differences = new double[SEEDS];
     Arrays.setAll(differences, i -> X.scores()[0][i] - Y.scores()[0][i]);
     double[] few = Arrays.copyOf(differences, PairedTest.MAX_EXACT - 4);

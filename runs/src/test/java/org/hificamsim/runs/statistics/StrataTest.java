@@ -18,7 +18,7 @@ class StrataTest {
               new double[] {Double.NaN}));
 
   @Test
-  void whatIsDrawnIsInTheOrderThatSortingGives() {
+  void sortsDrawnScores() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 100; i++) {
       assertRising(STRATA.drawn(random));
@@ -42,7 +42,7 @@ class StrataTest {
   }
 
   @Test
-  void scoresAreDrawnFromTheirOwnScenarioInTheOrderOfOneGenerator() {
+  void drawsScoresWithinTheirScenario() {
     SplittableRandom expected = new SplittableRandom(7);
     double[][] drawn = STRATA.drawn(new SplittableRandom(7)).scores();
     for (int scenario = 0; scenario < drawn.length; scenario++) {
@@ -54,7 +54,7 @@ class StrataTest {
   }
 
   @Test
-  void whatHasNoScoreIsLeftOut() {
+  void leavesOutMissingScores() {
     assertEquals(8, STRATA.runs());
     assertEquals(2, STRATA.scenarios());
   }
