@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The share of the field within reach of a camera at its widest zoom (Table 7.1), sampled. */
+/** Samples the share of the field within reach of a camera at its widest zoom (Table 7.1). */
 class AreaCoverageTest {
   private static final int SAMPLES = 200_000;
 
@@ -24,7 +24,7 @@ class AreaCoverageTest {
     "cluster-scripted, 14, 0.66",
     "cluster-scripted-origin, 14, 0.66",
   })
-  void areaCoverageIsThatOfTheThesis(String name, int cameras, double published) {
+  void areaCoverageEqualsThatOfTheThesis(String name, int cameras, double published) {
     Scenario scenario = ScenarioReader.read(Cli.scenario(name), movement -> true, warning -> {});
     assertEquals(cameras, scenario.cameras().size());
     assertEquals(published, sampled(scenario), 0.0075);

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Entries of the benchmark: what is played, what is refused, and the page. */
+/** Tests playing, checking and ranking entries of the benchmark. */
 class BenchmarkEntryTest {
   private static final ObjectMapper MAPPER = new ObjectMapper();
   private static final String TASK = "passage-v1";
@@ -55,7 +55,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void sameBytesOnAnyNumberOfThreads() throws IOException {
+  void writesSameBytesOnAnyNumberOfThreads() throws IOException {
     Path again = folder.resolve("again");
     Cli.run(
         "benchmark",
@@ -75,7 +75,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void whatIsWholeAgrees() {
+  void acceptsUnchangedEntry() {
     Cli cli = Cli.run("benchmark", "check", entry, entry.resolve("entry.json"));
     assertEquals(0, cli.exit(), cli.err());
     assertTrue(cli.out().contains("cooperative, 2 tasks, agrees"), cli.out());
@@ -156,7 +156,7 @@ class BenchmarkEntryTest {
                     path ->
                         write(path.resolve("entry.json"), "{".getBytes(StandardCharsets.UTF_8)))));
     return all.entrySet().stream()
-        .map(one -> DynamicTest.dynamicTest(one.getKey(), () -> refuses(one.getValue())));
+        .map(change -> DynamicTest.dynamicTest(change.getKey(), () -> refuses(change.getValue())));
   }
 
   private static void refuses(Broken broken) throws IOException {
@@ -240,7 +240,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void arenaOfMateIsPlayed() {
+  void playsArenaOfMate() {
     Cli cli = Cli.run("benchmark", "arena", "--episodes", 2, "--seed", 5);
     assertEquals(0, cli.exit(), cli.err());
     assertTrue(cli.out().matches("coverage  0\\.[\\s\\S]*transport 0\\.[\\s\\S]*steps [\\s\\S]*"));
@@ -251,7 +251,7 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void wrongWordsAreRefused() {
+  void rejectsWrongWords() {
     for (List<String> words :
         List.of(
             List.of("--policy", "cooperative", "--tasks", "moon-v1"),

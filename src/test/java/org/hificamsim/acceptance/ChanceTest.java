@@ -17,14 +17,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code --detect}: one rule in all commands and in the scenario, with the same results. */
+/** Tests {@code --detect}: a rule has the same results in all commands and in the scenario. */
 class ChanceTest {
   private static final Path LATTICE = Cli.scenario("lattice-random");
 
   @TempDir Path folder;
 
   @Test
-  void detectorsOfOneAbstractionAreOneByAThresholdAndThreeByChance() throws IOException {
+  void onlyChanceTellsDetectorsOfOneAbstractionApart() throws IOException {
     for (String rule : List.of("threshold", "chance")) {
       String orb = steps("hifi:orb-lin", rule);
       boolean same = rule.equals("threshold");
@@ -54,7 +54,7 @@ class ChanceTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"chance", "chance:alpha=0.01,memory=5,phantoms=on", "probability"})
-  void theScenarioMaySayWhatTheOptionSays(String rule) throws IOException {
+  void scenarioMayNameTheRule(String rule) throws IOException {
     Path option = folder.resolve("option");
     Path attribute = folder.resolve("attribute");
     Path file =
@@ -83,7 +83,7 @@ class ChanceTest {
   }
 
   @Test
-  void whatIsExpectedStandsBesideWhatIsDrawn() throws IOException {
+  void writesExpectedNextToDrawnCoverage() throws IOException {
     Path out = folder.resolve("out");
     run("run", LATTICE, "--detect", "chance", "--record", "--steps", 3000, "--out", out);
     List<String> steps = Files.readAllLines(out.resolve("steps.csv"));
@@ -111,7 +111,7 @@ class ChanceTest {
   /** Two cameras and a target 1.9 km away from both, for 2,000 steps. */
   @ParameterizedTest
   @ValueSource(strings = {"hifi:orb-lin", "hifi:sift-pinhole", "lab:orb-pinhole"})
-  void aTargetFarBeyondReachIsCoveredInNoStep(String model) throws IOException {
+  void neverCoversTargetBeyondReach(String model) throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("far.xml"),
@@ -130,17 +130,17 @@ class ChanceTest {
   }
 
   @Test
-  void withoutARuleNothingIsWrittenOfChance() throws IOException {
+  void writesNoChanceWithoutRule() throws IOException {
     Path out = folder.resolve("out");
     run("run", LATTICE, "--steps", 10, "--out", out);
     assertFalse(Files.readString(out.resolve("summary.json")).contains("expected"));
   }
 
   @Test
-  void comparesRulesSideBySideWithTheSameBytesOnAnyNumberOfThreads() throws IOException {
-    Path one = folder.resolve("one");
-    Path two = folder.resolve("two");
-    for (Path out : List.of(one, two)) {
+  void comparesRulesWithSameBytesOnAnyNumberOfThreads() throws IOException {
+    Path first = folder.resolve("one");
+    Path second = folder.resolve("two");
+    for (Path out : List.of(first, second)) {
       run(
           "compare",
           LATTICE,
@@ -153,24 +153,25 @@ class ChanceTest {
           "--repeat",
           2,
           "--threads",
-          out.equals(one) ? 1 : 2,
+          out.equals(first) ? 1 : 2,
           "--out",
           out);
     }
     for (String file : List.of("results.csv", "metrics.csv", "summary.csv")) {
-      assertEquals(Files.readString(one.resolve(file)), Files.readString(two.resolve(file)), file);
+      assertEquals(
+          Files.readString(first.resolve(file)), Files.readString(second.resolve(file)), file);
     }
-    String metrics = Files.readString(one.resolve("metrics.csv"));
+    String metrics = Files.readString(first.resolve("metrics.csv"));
     assertTrue(metrics.contains("hifi:orb-lin@chance,sarsa,0,expected_performance,"));
     assertFalse(metrics.contains("hifi:orb-lin,sarsa,0,expected_performance,"));
-    for (String row : Files.readAllLines(one.resolve("results.csv")).subList(1, 13)) {
+    for (String row : Files.readAllLines(first.resolve("results.csv")).subList(1, 13)) {
       String proportion = row.split(",")[5];
       assertTrue(proportion.isEmpty() || Double.parseDouble(proportion) <= 1, row);
     }
   }
 
   @Test
-  void camSimsNetworkMeetsTheSameLuckAsARunWithoutIt() throws IOException {
+  void camSimsNetworkHasSameLuckAsRun() throws IOException {
     Path scenario = Cli.scenario("tutorial-camsim");
     Path network = folder.resolve("network");
     Path plain = folder.resolve("plain");
@@ -217,7 +218,7 @@ class ChanceTest {
         "--detect chance --detection camsim-range | 'camsim-range' has no rmse",
         "--detection hifi:orb-lin@chance:x=1 | unknown option 'x=1'",
       })
-  void refusesInOneLineWhatDoesNotFit(String options, String expected) {
+  void rejectsContradictoryOptionsInOneLine(String options, String expected) {
     Object[] words = ("run " + LATTICE + " " + options).split(" ");
     Cli run = Cli.run(words);
     assertEquals(2, run.exit());

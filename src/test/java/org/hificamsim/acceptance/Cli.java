@@ -16,9 +16,9 @@ import java.util.stream.Stream;
 import org.hificamsim.cli.Main;
 
 /**
- * What one command of the command line did.
+ * The outcome of a command.
  *
- * @param exit its exit code
+ * @param exit the exit code
  */
 record Cli(int exit, String out, String err) {
   /** The project's root. */
@@ -50,7 +50,7 @@ record Cli(int exit, String out, String err) {
     }
   }
 
-  /** What a file says, for streams and messages. */
+  /** The content of a file; usable in streams. */
   static String text(Path file) {
     try {
       return Files.readString(file);
@@ -59,7 +59,7 @@ record Cli(int exit, String out, String err) {
     }
   }
 
-  /** A scenario of the project. */
+  /** The file of a shipped scenario. */
   static Path scenario(String name) {
     return ROOT.resolve("scenarios").resolve(name + ".xml");
   }
@@ -77,7 +77,7 @@ record Cli(int exit, String out, String err) {
     return lab;
   }
 
-  /** Fails unless {@code validate} and {@code run} take a scenario. */
+  /** Fails unless {@code validate} and {@code run} accept a scenario. */
   static void assertValidAndRuns(Path scenario, Path out) {
     Cli validate = run("validate", scenario);
     assertEquals(0, validate.exit(), validate.err());
@@ -86,9 +86,10 @@ record Cli(int exit, String out, String err) {
   }
 
   /**
-   * Fails unless a command is refused in one line that says so, and writes no folder.
+   * Fails unless a command is rejected in one line with the expected text, and writes no folder.
    *
-   * @param options between blanks; what the command begins with comes before them
+   * @param options with blanks between
+   * @param before the words before the options
    */
   static void assertRefuses(String options, String expected, Path folder, Object... before) {
     Stream<Object> words = Stream.concat(Stream.of(before), Stream.of("--out", folder));
@@ -96,7 +97,7 @@ record Cli(int exit, String out, String err) {
         .assertRefused(expected, folder);
   }
 
-  /** Fails unless a command was refused in one line that says so, and wrote no folder. */
+  /** Fails unless the command was rejected in one line with the expected text, without a folder. */
   void assertRefused(String expected, Path folder) {
     assertEquals(2, exit, err);
     assertEquals(1, err.lines().count(), err);

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What {@code compare} writes, and that nothing but the seeds decides what that is. */
+/** Tests what {@code compare} writes, which depends on the seeds alone. */
 class CompareCommandTest {
   private static final String JOURNAL = ".compare.journal";
 
@@ -38,7 +38,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void quietPrintsNothingButErrors() {
+  void quietPrintsOnlyErrors() {
     Cli compare =
         Cli.run(
             "compare",
@@ -55,7 +55,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void writesOneRowPerScenarioDetectionPolicyAndSeedInThatOrder() throws IOException {
+  void writesRowsByScenarioDetectionPolicyAndSeed() throws IOException {
     List<String> rows = Files.readAllLines(compared.resolve("results.csv"));
     assertEquals(
         "scenario,detection,policy,seed,performance,proportion_of_optimal,"
@@ -78,7 +78,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void aRowEqualsTheRunOfItsSeed() throws IOException {
+  void rowEqualsRunOfItsSeed() throws IOException {
     Cli.run(
         "run",
         Cli.scenario("cluster-scripted"),
@@ -106,7 +106,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void keepsASecondComparisonOutOfItsFolder() throws Exception {
+  void rejectsSecondComparisonInSameFolder() throws Exception {
     Process first =
         Java.main(System.getProperty("java.class.path"), words(folder, 200_000, 20, "--resume"));
     while (first.isAlive() && journalled(folder) == 0) {
@@ -126,7 +126,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void aThresholdIsForEveryDetectionWithoutOneOfItsOwn() throws IOException {
+  void thresholdAppliesToDetectionsWithoutOne() throws IOException {
     String detections = "camsim-range,camsim-range@0.45,geometric@0.1";
     Object[] words = words(folder, 10, 1, "--threshold", 0.2);
     words[Arrays.asList(words).indexOf("--detections") + 1] = detections;
@@ -152,13 +152,13 @@ class CompareCommandTest {
 
   @ParameterizedTest
   @CsvSource({"2", "5"})
-  void writesTheSameBytesOnAnyNumberOfThreads(int threads) throws IOException {
+  void writesSameBytesOnAnyNumberOfThreads(int threads) throws IOException {
     Cli.run(words(folder, 100, 4, "--threads", threads));
     assertSameFiles(compared, folder);
   }
 
   @Test
-  void aComparisonKilledAgainAndAgainEndsWithTheSameBytes() throws Exception {
+  void repeatedlyKilledComparisonWritesSameBytes() throws Exception {
     Path whole = folder.resolve("whole");
     Path killed = folder.resolve("killed");
     Object[] work = words(whole, 1_500, 8, "--threads", 2);
@@ -189,7 +189,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void resumingTakesFinishedRunsFromTheJournalAndNotResumingDropsThem() throws IOException {
+  void onlyResumeReusesFinishedRuns() throws IOException {
     Path out = folder.resolve("out");
     Files.createDirectories(out);
     Files.writeString(out.resolve(JOURNAL), "nothing of use\n");
@@ -215,7 +215,7 @@ class CompareCommandTest {
         "--repeat 0 | --repeat is 0",
         "--seed 9223372036854775779 | --seed is 9223372036854775779, expected at most",
       })
-  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
+  void rejectsWrongUsageInOneLine(String options, String expected) {
     Path out = folder.resolve("out");
     Cli compare =
         Cli.run(
@@ -230,7 +230,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void refusesAnOutputFolderThatIsAFile() throws IOException {
+  void rejectsOutputFolderThatIsAFile() throws IOException {
     Path file = Files.writeString(folder.resolve("taken"), "mine");
     for (Path out : List.of(file, file.resolve("below"))) {
       Cli compare = Cli.run(words(out, 1, 1));

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What {@code compare} says of many runs together. */
+/** Tests the statistics that {@code compare} computes over many runs. */
 class CompareStatisticsTest {
   private static final int SEEDS = 6;
   private static final double ROUNDING = 1e-9;
@@ -36,14 +36,14 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void warnsThatSeedsAreFew() {
+  void warnsOfFewSeeds() {
     String warning = "warning: --repeat " + SEEDS + ": with fewer than 10 seeds";
     assertTrue(compare.err().contains(warning), compare.err());
     assertFalse(run(folder.resolve("ten"), 10, "zoom-out", "--steps", 5).err().contains(warning));
   }
 
   @Test
-  void theOptimumThatAProportionIsOfStandsBesideIt() throws IOException {
+  void resultsHaveOptimumOfEachProportion() throws IOException {
     boolean zero = false;
     for (Map<String, String> row : rows(out, "results.csv", row -> true)) {
       double optimum = number(row, "optimum");
@@ -57,7 +57,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void valuesOfAdaptingAndLearningAreOverTheBestFixedOfTheSeed() throws IOException {
+  void valuesOfAdaptingAndLearningAreRelativeToBestFixed() throws IOException {
     Path asked = folder.resolve("asked");
     run(asked, SEEDS, "zoom-out,epsilon-greedy,sarsa,best-fixed", "--steps", 60);
     Map<String, Double> fixed = metric(asked, "performance", "best-fixed");
@@ -81,7 +81,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void theBestFixedIsNoCaseUnlessAskedFor() throws IOException {
+  void bestFixedIsCaseOnlyIfAskedFor() throws IOException {
     for (String file : List.of("results.csv", "summary.csv", "metrics.csv", "settings.json")) {
       assertFalse(Files.readString(out.resolve(file)).contains("best-fixed"), file);
     }
@@ -103,7 +103,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void countsTheRunsThatHaveAValue() throws IOException {
+  void countsRunsWithAValue() throws IOException {
     int partly = 0;
     for (Map<String, String> row :
         rows(out, "summary.csv", row -> row.get("metric").equals("proportion_of_optimal"))) {
@@ -121,7 +121,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void theInterquartileMeanIsOverAllScenarios() throws IOException {
+  void interquartileMeanIsOverAllScenarios() throws IOException {
     List<Double> scores = new ArrayList<>();
     for (Map<String, String> row : rows(out, "results.csv", CompareStatisticsTest::sarsaHifi)) {
       if (!row.get("proportion_of_optimal").isEmpty()) {
@@ -142,7 +142,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void everyPairOfPoliciesIsComparedInEveryScenarioUnderEveryDetection() throws IOException {
+  void comparesEveryPairOfPolicies() throws IOException {
     List<Map<String, String>> pairs = rows(out, "pairs.csv", row -> true);
     assertEquals(2 * 2 * 3, pairs.size());
     assertEquals(2 * 3, rows(out, "improvement.csv", row -> true).size());
@@ -165,7 +165,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void aProfileNeverRises() throws IOException {
+  void profileNeverRises() throws IOException {
     List<Map<String, String>> rows = rows(out, "profile.csv", CompareStatisticsTest::sarsaHifi);
     assertEquals(101, rows.size());
     assertEquals(1, number(rows.get(0), "share"));
@@ -176,7 +176,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void theTablesForAPaperHaveWhatThePrintedOnesHave() throws IOException {
+  void latexTablesEqualPrintedTables() throws IOException {
     Path paper = folder.resolve("paper");
     Cli cli = run(paper, 3, "zoom-out,one-hop:nodes=50", "--steps", 60, "--latex");
     List<String> lines = Files.readAllLines(paper.resolve("summary.tex"));
@@ -197,7 +197,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void picturesForPrintAreAsWideAsAskedFor() throws IOException {
+  void picturesHaveRequestedWidth() throws IOException {
     Path print = folder.resolve("print");
     run(print, 2, "zoom-out,sarsa", "--steps", 30, "--figure-width", "88mm");
     for (String name : List.of("proportion", "profile", "coverage", "k_min-lattice-random")) {

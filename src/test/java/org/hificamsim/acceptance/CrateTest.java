@@ -24,14 +24,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Every folder of results names its input, and is an RO-Crate 1.1. */
+/** Tests that folders of results contain their inputs and are RO-Crates 1.1. */
 class CrateTest {
   private static final String CRATE = "ro-crate-metadata.json";
 
   @TempDir Path folder;
 
   @Test
-  void aRunNamesEveryFileWithItsHash() throws Exception {
+  void runListsFilesWithHashes() throws Exception {
     Path out = folder.resolve("run");
     command("run", Cli.scenario("ring-random"), "--steps", 5, "--record", "--out", out);
     Map<String, JsonNode> entities = entities(out);
@@ -49,7 +49,7 @@ class CrateTest {
   }
 
   @Test
-  void aRunNamesItsCommandProgramAndInputs() throws Exception {
+  void runNamesCommandProgramAndInputs() throws Exception {
     Path out = folder.resolve("run");
     command(
         "run", Cli.scenario("ring-random"), "--seed", 7, "--repeat", 3, "--steps", 5, "--out", out);
@@ -68,7 +68,7 @@ class CrateTest {
   }
 
   @Test
-  void theScenarioBesideTheResultsGivesThemAgain() throws Exception {
+  void copiedScenarioGivesSameResults() throws Exception {
     Path first = folder.resolve("first");
     command(
         "run", Cli.scenario("cluster-random"), "--order", "camsim", "--steps", 40, "--out", first);
@@ -93,7 +93,7 @@ class CrateTest {
   }
 
   @Test
-  void comparisonsAreCratesToo() throws Exception {
+  void comparisonsAreCrates() throws Exception {
     Path out = folder.resolve("compare");
     command(
         "compare",
@@ -115,7 +115,7 @@ class CrateTest {
   }
 
   @Test
-  void whatAnEarlierRunLeftIsNotNamed() throws Exception {
+  void omitsFilesOfEarlierRun() throws Exception {
     Path out = folder.resolve("run");
     command("run", Cli.scenario("ring-random"), "--steps", 5, "--out", out);
     Files.writeString(out.resolve("notes.txt"), "mine");
@@ -127,7 +127,7 @@ class CrateTest {
   }
 
   @Test
-  void whatAnEarlierComparisonLeftIsRemoved() throws Exception {
+  void removesFilesOfEarlierComparison() throws Exception {
     Path out = folder.resolve("compare");
     List<Object> words = new ArrayList<>(List.of("compare", "--steps", 5, "--repeat", 2));
     words.addAll(List.of("--out", out, Cli.scenario("ring-random")));
@@ -146,7 +146,7 @@ class CrateTest {
 
   /** The copies of inputs are there to be run again, perhaps into the same folder. */
   @Test
-  void anInputThatIsReadFromTheFolderStays() throws Exception {
+  void keepsInputInTheFolder() throws Exception {
     Path out = folder.resolve("run");
     command("run", Cli.scenario("ring-random"), "--steps", 5, "--out", out);
     Path input = out.resolve("scenario-ring-random.xml");
@@ -156,7 +156,7 @@ class CrateTest {
   }
 
   @Test
-  void aRunIntoTheFolderOfAComparisonHasItsOwnPage() throws Exception {
+  void runInFolderOfComparisonHasItsOwnPage() throws Exception {
     Path out = folder.resolve("compare");
     command("compare", Cli.scenario("ring-random"), "--steps", 5, "--repeat", 2, "--out", out);
     command("run", Cli.scenario("ring-random"), "--steps", 5, "--record", "--out", out);
@@ -204,7 +204,9 @@ class CrateTest {
     Set<String> ids = new HashSet<>();
     List<JsonNode> all = new ArrayList<>();
     (node.isArray() ? node : new ObjectMapper().createArrayNode().add(node)).forEach(all::add);
-    all.stream().filter(one -> one.has("@id")).forEach(one -> ids.add(one.get("@id").asText()));
+    all.stream()
+        .filter(entity -> entity.has("@id"))
+        .forEach(entity -> ids.add(entity.get("@id").asText()));
     return ids;
   }
 

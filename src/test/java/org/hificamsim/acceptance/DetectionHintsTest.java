@@ -13,13 +13,13 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What commands say of a scenario that a detection model can hardly see, or not with its lens. */
+/** Tests the warnings about scenarios that do not suit a detection model. */
 class DetectionHintsTest {
 
   @TempDir Path folder;
 
   @Test
-  void compareSaysWhyNothingIsCovered() throws IOException {
+  void compareExplainsZeroCoverage() throws IOException {
     Cli compare = compare(carPark(20));
     assertEquals(0, compare.exit(), compare.err());
     assertTrue(compare.out().contains("no step had every target covered"), compare.out());
@@ -30,14 +30,14 @@ class DetectionHintsTest {
   }
 
   @Test
-  void compareSaysNothingOfTheKindWhereSomethingIsCovered() {
+  void compareExplainsNothingIfSomethingIsCovered() {
     Cli compare = compare(Cli.scenario("ring-random"));
     assertEquals(0, compare.exit(), compare.err());
     assertFalse(compare.out().contains("detected up to"), compare.out());
   }
 
   @Test
-  void runSaysHowFarTargetsAreDetectedWhereNothingIsCovered() throws IOException {
+  void runExplainsZeroCoverage() throws IOException {
     Cli run = Cli.run("run", carPark(20), "--steps", 5, "--out", folder.resolve("out"));
     assertEquals(0, run.exit(), run.err());
     assertTrue(run.out().contains("detected up to   "), run.out());
@@ -49,7 +49,7 @@ class DetectionHintsTest {
 
   /** The targets stand 114 m from the nearer camera. */
   @Test
-  void aModelThatNoTargetComesNearToIsAWarningWithOneThatFits() throws IOException {
+  void warnsOfShortReachAndNamesAlternative() throws IOException {
     Path file = carPark(60);
     String start = "warning: " + file + ": 'hifi:orb-lin' detects up to ";
     String end =
@@ -57,15 +57,15 @@ class DetectionHintsTest {
             + " m): hardly anything is covered; expected another model, such as oodpcvs-2025, which"
             + " reaches 120 m";
     Path out = folder.resolve("out");
-    for (Cli one :
+    for (Cli cli :
         List.of(
             Cli.run("validate", file),
             Cli.run("run", file, "--steps", 5, "--out", out),
             compare(file))) {
-      assertEquals(0, one.exit(), one.err());
+      assertEquals(0, cli.exit(), cli.err());
       assertTrue(
-          one.err().lines().anyMatch(line -> line.startsWith(start) && line.endsWith(end)),
-          one.err());
+          cli.err().lines().anyMatch(line -> line.startsWith(start) && line.endsWith(end)),
+          cli.err());
     }
     assertEquals("", Cli.run("validate", file, "--detection", "geometric").err());
     assertEquals(2, Cli.run("validate", file, "--strict").exit());
@@ -74,7 +74,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void compareSaysSoOfEachDetection() {
+  void compareWarnsOfEachDetection() {
     Cli run =
         Cli.run(
             "compare",
@@ -92,7 +92,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void aThresholdOfTheScenarioThatTakesThePlaceOfTheModelsIsAWarning() throws IOException {
+  void warnsOfThresholdThatReplacesTheModels() throws IOException {
     String text = Files.readString(Cli.scenario("ring-random"));
     Path file = folder.resolve("ring.xml");
     Files.writeString(file, text.replaceFirst("<simulation ", "<simulation threshold=\"0.04\" "));
@@ -109,7 +109,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void publishedModelsWarnBeyondWhatTheyWereFittedOn() throws IOException {
+  void warnsOfSizesOutsideFittedRange() throws IOException {
     Path file = folder.resolve("large.xml");
     String text = Files.readString(Cli.scenario("ring-random"));
     Files.writeString(file, text.replaceAll("size=\"[0-9.]+\"", "size=\"0.9\""));
@@ -121,7 +121,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void lensesWithoutZoomOrOrderSayInWhichOrderStepsRun() throws IOException {
+  void warnsOfUnstatedOrderOfSteps() throws IOException {
     Path file = folder.resolve("hall.xml");
     String text = Files.readString(Cli.scenario("hall"));
     Files.writeString(file, text.replace(" order=\"coverage\"", ""));
@@ -131,7 +131,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void aViewingAngleThatTheFocalLengthsDoNotGiveIsAWarning() throws IOException {
+  void warnsOfContradictoryViewingAngle() throws IOException {
     Path file = Cli.scenario("tutorial-two-cameras");
     String warning =
         "warning: "
@@ -149,7 +149,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void theHeightThatTheWarningAsksForEndsIt() throws IOException {
+  void proposedHeightEndsTheWarning() throws IOException {
     String text = Files.readString(Cli.scenario("tutorial-two-cameras"));
     Path file = folder.resolve("lower.xml");
     Files.writeString(file, text.replace("mount_height=\"19\"", "mount_height=\"4.33\""));
@@ -158,7 +158,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void aCameraThatLooksOverAllHeadsIsAWarning() throws IOException {
+  void warnsOfCameraThatSeesNoTarget() throws IOException {
     Path site = Cli.scenario("warehouse-heights");
     assertEquals("", Cli.run("validate", site).err());
     Path file = folder.resolve("up.xml");
@@ -175,7 +175,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void settingsTellTheLens() throws IOException {
+  void summaryHasTheLens() throws IOException {
     Path out = folder.resolve("out");
     Cli.run("run", Cli.scenario("ring-random"), "--steps", 5, "--out", out);
     JsonNode settings = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
@@ -186,7 +186,7 @@ class DetectionHintsTest {
   }
 
   @Test
-  void aModelWithoutALensHasNoFocalLengths() throws IOException {
+  void summaryHasNoLensForModelWithoutOne() throws IOException {
     Path out = folder.resolve("out");
     Cli.run(
         "run", Cli.scenario("ring-random"), "--detection", "geometric", "--steps", 5, "--out", out);

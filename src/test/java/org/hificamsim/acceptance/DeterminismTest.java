@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Same seed, same bytes, in every file but the manifest. */
+/** Tests that the same seed gives the same bytes in every file except the manifest. */
 class DeterminismTest {
   private static final int STEPS = 400;
   private static final int REPEATS = 3;
@@ -30,7 +30,7 @@ class DeterminismTest {
 
   @ParameterizedTest
   @MethodSource("scenarios")
-  void theSameCommandWritesTheSameBytes(String scenario) throws IOException {
+  void sameCommandWritesSameBytes(String scenario) throws IOException {
     Path first = record(scenario, "first", 7, "epsilon-greedy");
     Path second = record(scenario, "second", 7, "epsilon-greedy");
     for (String file : FILES) {
@@ -41,7 +41,7 @@ class DeterminismTest {
   }
 
   @Test
-  void anotherSeedGivesAnotherRun() throws IOException {
+  void otherSeedGivesOtherRun() throws IOException {
     Path first = record("lattice-random", "first", 7, "epsilon-greedy");
     Path second = record("lattice-random", "second", 8, "epsilon-greedy");
     for (String file : FILES) {
@@ -74,7 +74,7 @@ class DeterminismTest {
   }
 
   @Test
-  void targetsWalkTheSameWayUnderEveryPolicy() throws IOException {
+  void targetsMoveEquallyUnderEveryPolicy() throws IOException {
     Path calm = record("cluster-random", "calm", 3, "zoom-out");
     Path wild = record("cluster-random", "wild", 3, "random");
     assertArrayEquals(

@@ -25,7 +25,9 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
 
-/** {@code docs/embedding.md}: its code is that of the examples, which build and run. */
+/**
+ * Tests that the code in {@code docs/embedding.md} is that of the examples, which build and run.
+ */
 class EmbeddingGuideTest {
   private static final Path EXAMPLES = Cli.ROOT.resolve("examples");
   private static final Path REPOSITORY = Cli.ROOT.resolve("build/repository");
@@ -34,7 +36,7 @@ class EmbeddingGuideTest {
   private static final Pattern BLOCK = Pattern.compile("```java\\n(.*?)```", Pattern.DOTALL);
 
   @Test
-  void everyPieceOfCodeInTheGuideStandsInAnExample() throws IOException {
+  void everyCodeBlockIsInAnExample() throws IOException {
     List<String> blocks =
         BLOCK
             .matcher(Files.readString(Cli.ROOT.resolve("docs/embedding.md")))
@@ -50,22 +52,22 @@ class EmbeddingGuideTest {
   }
 
   @Test
-  void theConsumerBuildsAgainstThePublishedLibrariesAndRuns(@TempDir Path folder) throws Exception {
+  void exampleBuildsWithPublishedLibraries(@TempDir Path folder) throws Exception {
     assumeTrue(GRADLE_HOME != null, "not started by Gradle");
     copy(EXAMPLES.resolve("embedding"), folder);
     String scenario = "-Pscenario=" + Cli.scenario("lattice-random").toRealPath();
-    String said = gradle(folder, scenario, "tenLines", "ownParts");
-    assertTrue(said.contains("step 2: camera Cam_01 sees "), said);
-    assertTrue(said.contains("performance " + performance(folder)), said);
+    String output = gradle(folder, scenario, "tenLines", "ownParts");
+    assertTrue(output.contains("step 2: camera Cam_01 sees "), output);
+    assertTrue(output.contains("performance " + performance(folder)), output);
   }
 
   @Test
-  void aPolicyOfOnesOwnIsTestedWithThePublishedContract(@TempDir Path folder) throws Exception {
+  void publishedContractTestsOwnPolicy(@TempDir Path folder) throws Exception {
     assumeTrue(GRADLE_HOME != null, "not started by Gradle");
     copy(EXAMPLES.resolve("own-policy"), folder);
-    String said = gradle(folder, "contract");
-    assertTrue(said.contains("allocatesNothingPerStep"), said);
-    assertTrue(said.contains("0 tests failed"), said);
+    String output = gradle(folder, "contract");
+    assertTrue(output.contains("allocatesNothingPerStep"), output);
+    assertTrue(output.contains("0 tests failed"), output);
   }
 
   /** What Gradle prints that builds with the published libraries. */
@@ -79,9 +81,9 @@ class EmbeddingGuideTest {
     builder.environment().put("GRADLE_OPTS", String.join(" ", Java.SHORT_LIVED));
     Process process = builder.redirectErrorStream(true).start();
     process.getOutputStream().close();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(0, process.waitFor(), said);
-    return said;
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(0, process.waitFor(), output);
+    return output;
   }
 
   /** What the command line makes of the same run. */

@@ -16,10 +16,9 @@ import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
 /**
- * An extension among {@code examples/}, compiled and packed into a jar of its own as its author
- * would.
+ * An extension in {@code examples/}, compiled and packed into a jar as its author would do it.
  *
- * @param jar its classes and service file
+ * @param jar with the classes and the service file
  */
 record Example(Path jar) {
   /** Compiles {@code examples/NAME/src}. */
@@ -48,8 +47,8 @@ record Example(Path jar) {
   Cli run(Object... words) throws IOException, InterruptedException {
     Process process =
         Java.main(System.getProperty("java.class.path") + File.pathSeparator + jar, words);
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    return new Cli(process.waitFor(), said, said);
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    return new Cli(process.waitFor(), output, output);
   }
 
   private static Stream<Path> files(Path folder) throws IOException {

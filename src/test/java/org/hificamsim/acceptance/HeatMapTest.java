@@ -26,8 +26,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.openqa.selenium.support.ui.Select;
 
 /**
- * The heat map of a hall with walls, a floorplan, and targets that come and go: as table, pictures
- * and layer of both pages.
+ * Tests the heat map of a hall with walls, a floor plan, and targets that come and go: the table,
+ * the pictures, and the layer of both pages.
  */
 class HeatMapTest {
   private static final int STEPS = 120;
@@ -87,7 +87,7 @@ class HeatMapTest {
   }
 
   @Test
-  void theTableHasARowACellAndTheTargetsOfAllSteps() throws IOException {
+  void tableHasRowsOfCellsAndAllVisits() throws IOException {
     List<String[]> rows = table();
     assertEquals(60 * 40, rows.size());
     long visits = rows.stream().mapToLong(row -> Long.parseLong(row[10])).sum();
@@ -117,7 +117,7 @@ class HeatMapTest {
   }
 
   @Test
-  void thePageShowsTheFigureThatIsChosenAndTellsTheNumbersOfTheTable() throws IOException {
+  void pageShowsChosenFigureWithNumbersOfTheTable() throws IOException {
     open();
     choose("mean-k");
     String[] row = table().get(12 * 60 + 22); // of the cell of half a metre from (11, 6) on
@@ -147,7 +147,7 @@ class HeatMapTest {
   }
 
   @Test
-  void tracksAreShownWhereTargetsWentAndOnlyThere() throws IOException {
+  void showsTracksOnlyWhereTargetsWent() throws IOException {
     open();
     String[] row =
         Files.readAllLines(run.resolve("targets.csv")).stream()
@@ -167,7 +167,7 @@ class HeatMapTest {
   }
 
   @Test
-  void figuresAreAsLargeAsThereIsRoomForThoseThatAreThereAtTheSameTime() throws IOException {
+  void scalesFigureToTargetsPresentAtOnce() throws IOException {
     StringBuilder events = new StringBuilder("<events>");
     for (int i = 0; i < 200; i++) {
       events.append(
@@ -190,7 +190,7 @@ class HeatMapTest {
   }
 
   @Test
-  void thePageSaysHowMuchOfEachZoneIsCovered() throws IOException {
+  void pageShowsCoverageOfZones() throws IOException {
     open();
     List<Zone> zones = ScenarioReader.read(scenario, any -> true, warning -> {}).zones();
     for (Zone zone : zones.subList(0, 2)) { // a line is as wide as a cell there
@@ -213,7 +213,7 @@ class HeatMapTest {
   }
 
   @Test
-  void thePageIsReadableAtAllWidths() throws IOException {
+  void pageIsReadableAtAllWidths() throws IOException {
     open();
     choose("mean-k");
     browser.find("[name=tracks]").sendKeys(" ");
@@ -221,7 +221,7 @@ class HeatMapTest {
   }
 
   @Test
-  void theLivePageFindsTheMapOutOnlyWhileItIsLookedAt() throws Exception {
+  void livePageComputesMapOnlyWhileShown() throws Exception {
     try (ViewProcess view = new ViewProcess(scenario, "--policy", "zoom-out")) {
       browser.open(view.address());
       browser.until("return hificamsim.playhead.playing && hificamsim.playhead.count > 5");
@@ -246,7 +246,7 @@ class HeatMapTest {
   }
 
   @Test
-  void picturesShowTheMapWithoutABrowser() throws IOException {
+  void drawsMapWithoutBrowser() throws IOException {
     Path png = folder.resolve("map.png");
     Path svg = folder.resolve("map.svg");
     done("report", run, "--heatmap", "covered-k", "--tracks", "--png", png, "--svg", svg);
@@ -274,7 +274,7 @@ class HeatMapTest {
             + " to 200",
         "run SCENARIO --out FILE --heatmap --cells 201 | --cells is 201, expected",
       })
-  void wrongWordsAreReportedInOneLine(String words, String expected) {
+  void rejectsWrongWordsInOneLine(String words, String expected) {
     Path file = folder.resolve("refused");
     Map<String, Object> paths = Map.of("RUN", run, "FILE", file, "SCENARIO", scenario);
     Cli cli =
@@ -286,7 +286,7 @@ class HeatMapTest {
   }
 
   @Test
-  void aFolderWithoutAMapIsReportedInOneLine() throws IOException {
+  void rejectsFolderWithoutMap() throws IOException {
     Path other = folder.resolve("other");
     done("run", Cli.scenario("ring-random"), "--record", "--steps", 5, "--out", other);
     Cli cli = Cli.run("report", other, "--png", folder.resolve("x.png"), "--heatmap", "visits");

@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What {@code ladder} says of each rung, computed again from the runs that it wrote. */
+/** Computes the results of {@code ladder} again from the runs that it wrote. */
 class LadderCommandTest {
   private static final List<String> SCENARIOS = List.of("ring-random", "cluster-scripted");
   private static final String TOP = "hifi:orb-lin@chance";
@@ -54,7 +54,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void predictsTheMeanKMinOfEachPolicyAndPutsThemInOrder() throws IOException {
+  void predictsMeanKMinAndRanks() throws IOException {
     List<String[]> rows = rows("ladder.csv");
     assertEquals(SCENARIOS.size() * RUNGS.size() * POLICIES.size(), rows.size());
     for (String[] row : rows) {
@@ -67,7 +67,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void tauIsThatOfTheOrderUnderTheTopRung() throws IOException {
+  void tauComparesOrderWithTopRung() throws IOException {
     for (String scenario : SCENARIOS) {
       for (String rung : RUNGS) {
         double expected = tau(means(scenario, rung), means(scenario, TOP));
@@ -82,7 +82,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void regretIsWhatTheRungsChoiceLosesUnderTheTopRung() throws IOException {
+  void regretIsLossUnderTopRung() throws IOException {
     for (String scenario : SCENARIOS) {
       double[] top = means(scenario, TOP);
       double best = Arrays.stream(top).max().orElseThrow();
@@ -110,7 +110,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void theOptimumIsThatOfTheRung() throws IOException {
+  void optimumIsOfSameRung() throws IOException {
     for (String scenario : SCENARIOS) {
       for (String rung : RUNGS) {
         double expected = mean(scenario, rung, "optimal", "performance") / STEPS;
@@ -120,7 +120,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void theLastRowsAreTheMeansOverTheScenarios() throws IOException {
+  void lastRowsAreMeansOverScenarios() throws IOException {
     for (String rung : RUNGS) {
       for (int column : new int[] {2, 3, 7, 10}) {
         double expected =
@@ -137,7 +137,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void theRungsDifferAndSomeDoNotAgreeWithTheTop() throws IOException {
+  void someRungsDisagreeWithTopRung() throws IOException {
     Set<String> predictions = new TreeSet<>();
     for (String[] row : rows("ladder.csv")) {
       predictions.add(row[3]);
@@ -148,7 +148,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void tellsWhatAStepCostsOnTheScreenAndInAFileOfItsOwn() throws IOException {
+  void printsAndWritesCostOfAStep() throws IOException {
     JsonNode cost = new ObjectMapper().readTree(out.resolve("cost.json").toFile());
     assertEquals("zoom-out", cost.get("policy").asText());
     List<String> found = new ArrayList<>();
@@ -164,7 +164,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void writesAPictureAndThePage() throws IOException {
+  void writesPictureAndPage() throws IOException {
     for (String name : List.of("ladder.svg", "ladder.pdf", "cost.pdf", "cost.png")) {
       assertTrue(Files.size(out.resolve(name)) > 3000, name);
     }
@@ -173,7 +173,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void writesTheSameBytesOnTwoThreads() throws IOException {
+  void writesSameBytesOnTwoThreads() throws IOException {
     Path again = folder.resolve("again");
     assertEquals(0, Cli.run(words(again, 2)).exit());
     assertEquals(Cli.names(out), Cli.names(again));
@@ -186,7 +186,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void shardsMergedGiveTheSameTables() throws IOException {
+  void mergedShardsGiveSameTables() throws IOException {
     Path[] parts = {folder.resolve("part-1"), folder.resolve("part-2")};
     for (int i = 0; i < parts.length; i++) {
       assertEquals(0, Cli.run(words(parts[i], 1, "--shard", (i + 1) + "/2")).exit());
@@ -201,7 +201,7 @@ class LadderCommandTest {
   }
 
   @Test
-  void aRungWithoutARuleIsByThresholdWhateverTheScenarioSays() throws IOException {
+  void rungWithoutRuleIgnoresRuleOfScenario() throws IOException {
     Path chance = folder.resolve("chance.xml");
     String text = Files.readString(Cli.scenario("ring-random"));
     Files.writeString(chance, text.replaceFirst("<simulation ", "<simulation detect=\"chance\" "));
@@ -240,7 +240,7 @@ class LadderCommandTest {
         "--policies sarsa,nix | unknown policy 'nix'",
         "--detect chance | --detect is 'chance', expected none",
       })
-  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
+  void rejectsWrongUsageInOneLine(String options, String expected) {
     Path nowhere = folder.resolve("nowhere");
     Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("ring-random"));
   }

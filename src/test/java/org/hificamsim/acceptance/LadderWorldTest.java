@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What {@code ladder --of world} says of each rung, computed again from the runs that it wrote. */
+/** Computes the results of {@code ladder --of world} again from the runs that it wrote. */
 class LadderWorldTest {
   private static final List<String> RUNGS =
       List.of("round", "optics", "pan", "time", "walls", "occlusion");
@@ -57,14 +57,14 @@ class LadderWorldTest {
   }
 
   @Test
-  void theRungsRiseFromRoundViewsToTheScenarioAsItIs() {
+  void rungsRiseFromRoundViewsToWholeScenario() {
     assertEquals(RUNGS, rows("rungs.csv").stream().map(row -> row[1]).limit(RUNGS.size()).toList());
     assertEquals("1.0", row("occlusion")[3]);
     assertEquals("0.0", row("occlusion")[7]);
   }
 
   @Test
-  void policiesAreJudgedByTheObjectiveOfTheScenario() {
+  void judgesPoliciesByObjectiveOfScenario() {
     for (String[] row : rows("ladder.csv")) {
       assertEquals(mean(row[1], row[2]), Double.parseDouble(row[3]), 1e-9, row[1] + row[2]);
     }
@@ -73,14 +73,14 @@ class LadderWorldTest {
   }
 
   @Test
-  void theOptimumIsOfThatObjective() {
+  void optimumIsOfSameObjective() {
     for (String rung : RUNGS) {
       assertEquals(mean(rung, "optimal"), Double.parseDouble(row(rung)[2]), 1e-9, rung);
     }
   }
 
   @Test
-  void regretIsWhatTheRungsChoiceLosesInTheScenarioAsItIs() {
+  void regretIsLossInWholeScenario() {
     double[] top = means("occlusion");
     double best = Arrays.stream(top).max().orElseThrow();
     for (String rung : RUNGS) {
@@ -99,13 +99,13 @@ class LadderWorldTest {
   }
 
   @Test
-  void everyRungIsAnotherWorld() {
+  void everyRungChangesResults() {
     assertEquals(
         RUNGS.size(), RUNGS.stream().map(rung -> Arrays.toString(means(rung))).distinct().count());
   }
 
   @Test
-  void eachWorldIsWrittenAsAScenarioThatCanBeRun() throws IOException {
+  void writesScenarioOfEachRung() throws IOException {
     String round = Files.readString(out.resolve("scenario-hall-round.xml"));
     assertTrue(round.contains("<zoom>") && !round.contains("hfov"), round);
     Path there = folder.resolve("round");
@@ -129,7 +129,7 @@ class LadderWorldTest {
   }
 
   @Test
-  void someRungsAloneAndAnotherDetection() {
+  void acceptsSelectedRungsAndAnotherDetection() {
     Path there = folder.resolve("some");
     Cli some = run(there, "--rungs", "optics, occlusion", "--detection", "ttpf:task=identify");
     assertEquals(0, some.exit(), some.err());
@@ -149,7 +149,7 @@ class LadderWorldTest {
         "--of world --detect chance | --detect is 'chance', expected none",
         "--detection geometric | --detection is 'geometric', expected none without --of world",
       })
-  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
+  void rejectsWrongUsageInOneLine(String options, String expected) {
     Path nowhere = folder.resolve("nowhere");
     Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("hall"));
   }

@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What {@code tools/setup.sh} does about locales and paths before the command line starts, and
- * which options {@code ./hificamsim} gives the JVM.
+ * Tests how {@code tools/setup.sh} handles locales and paths before the command line starts, and
+ * which options {@code ./hificamsim} passes to the JVM.
  */
 class LauncherTest {
   private static final String SOURCE = ". '" + Cli.ROOT.resolve("tools/setup.sh") + "'\n";
@@ -28,7 +28,7 @@ class LauncherTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"C", "C.UTF-8"})
-  void namesWithAccentsAreFilesInEveryLocale(String locale) throws Exception {
+  void acceptsAccentedFileNamesInEveryLocale(String locale) throws Exception {
     Files.copy(Cli.scenario("ring-random"), folder.resolve("plain.xml"));
     String script =
         "root=$PWD\n"
@@ -46,7 +46,7 @@ class LauncherTest {
   /** Without its jar on the class path but in a folder whose name has an accent. */
   @ParameterizedTest
   @ValueSource(strings = {"C", "C.UTF-8"})
-  void startsFromAFolderWithAnAccentInEveryLocale(String locale) throws Exception {
+  void startsInAccentedFolderInEveryLocale(String locale) throws Exception {
     Path jar = Path.of(Main.class.getProtectionDomain().getCodeSource().getLocation().toURI());
     String others = System.getProperty("java.class.path").replace(jar.toString(), "none");
     String script =
@@ -60,7 +60,7 @@ class LauncherTest {
   }
 
   @Test
-  void aFolderWithAColonIsReportedInOneLine() throws Exception {
+  void rejectsFolderWithColonInOneLine() throws Exception {
     assertEquals(
         "hificamsim: this folder is /a:b, expected a path without a colon: Java's class path"
             + " cannot hold one\n",
@@ -68,7 +68,7 @@ class LauncherTest {
   }
 
   @Test
-  void tooFewOpenFilesAreReportedInOneLineBeforeJavaStarts() throws Exception {
+  void rejectsTooFewOpenFilesBeforeJavaStarts() throws Exception {
     assertEquals(
         "error: at most 64 files may be open (ulimit -n), expected 128 or more\n2\n",
         shell("ulimit -n 64\nsh '" + Cli.ROOT.resolve("hificamsim") + "' list; echo $?", Map.of()));
@@ -76,7 +76,7 @@ class LauncherTest {
 
   /** The launcher itself, with a JVM that prints its options. */
   @Test
-  void camsimAloneHasABoundOnYoungObjectsWhichOptionsOfOnesOwnFollow() throws Exception {
+  void onlyCamsimAndViewLimitYoungObjects() throws Exception {
     Files.createDirectories(folder.resolve("tools"));
     Files.createDirectories(folder.resolve("bin"));
     for (String part : List.of("hificamsim", "tools/parts.sh", "tools/start.sh")) {

@@ -19,8 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The same bytes under every locale: one whose decimal sign and digits are its own shows whatever a
- * decimal comma would.
+ * Tests that every locale gives the same bytes. A locale with its own decimal sign and digits shows
+ * all faults that a decimal comma would show.
  */
 class LocaleTest {
   private static final List<String> LOCALES = List.of("en-US", "ar-EG");
@@ -70,20 +70,20 @@ class LocaleTest {
     Process process =
         Java.start(
             own, options, System.getProperty("java.class.path"), LocaleTest.class.getName(), words);
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(0, process.waitFor(), said);
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(0, process.waitFor(), output);
   }
 
   /** Runs each word as a command, and writes what it printed beside its files. */
   public static void main(String[] commands) throws IOException {
     for (String command : commands) {
-      StringWriter said = new StringWriter();
-      PrintWriter writer = new PrintWriter(said, true);
+      StringWriter output = new StringWriter();
+      PrintWriter writer = new PrintWriter(output, true);
       int exit = Main.execute(writer, writer, command.split(" "));
-      assertEquals(0, exit, command + ": " + said);
+      assertEquals(0, exit, command + ": " + output);
       Files.writeString(
           Path.of(name(command), "said.txt"),
-          said.toString().replaceAll("(?m)^.* left$\n", "")); // progress, on a slow machine
+          output.toString().replaceAll("(?m)^.* left$\n", "")); // progress, on a slow machine
     }
   }
 
@@ -93,7 +93,7 @@ class LocaleTest {
 
   @ParameterizedTest
   @MethodSource
-  void commandsPrintAndWriteTheSame(String name) throws IOException {
+  void everyLocaleGivesSameOutput(String name) throws IOException {
     Path expected = folder.resolve(LOCALES.get(0)).resolve(name);
     for (String locale : LOCALES.subList(1, LOCALES.size())) {
       assertSameFiles(expected, folder.resolve(locale).resolve(name));

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Runs of different inputs under one name are never put together. */
+/** Tests that runs of different inputs with the same name are never mixed. */
 class MixedRunsTest {
   /** Models that decide alike below 16 m, and otherwise at 30 m. */
   private static final String MODEL =
@@ -45,7 +45,7 @@ class MixedRunsTest {
   }
 
   @Test
-  void resumingWithTheSameInputsGivesTheBytesOfTheWhole() throws IOException {
+  void resumeWithSameInputsWritesSameBytes() throws IOException {
     Path out = interrupted();
     Path whole = folder.resolve("whole");
     assertEquals(0, Cli.run(words(model, whole)).exit());
@@ -58,7 +58,7 @@ class MixedRunsTest {
   }
 
   @Test
-  void anotherModelUnderTheSameNameIsRefusedAndNothingIsLost() throws IOException {
+  void rejectsChangedModelAndKeepsRuns() throws IOException {
     Path out = interrupted();
     byte[] journal = Files.readAllBytes(out.resolve(".compare.journal"));
     Files.writeString(model, MODEL.replace("WEIGHT", "2"));
@@ -68,7 +68,7 @@ class MixedRunsTest {
   }
 
   @Test
-  void anotherScenarioUnderTheSameNameIsRefused() throws IOException {
+  void rejectsChangedScenario() throws IOException {
     Path out = interrupted();
     Files.copy(
         Cli.scenario("ring-random"), scenario, java.nio.file.StandardCopyOption.REPLACE_EXISTING);
@@ -76,7 +76,7 @@ class MixedRunsTest {
   }
 
   @Test
-  void runsOfAnotherVersionAreRefused() throws IOException {
+  void rejectsRunsOfAnotherVersion() throws IOException {
     Path out = interrupted();
     Path journal = out.resolve(".compare.journal");
     String runs = Files.readString(journal);
@@ -86,7 +86,7 @@ class MixedRunsTest {
   }
 
   @Test
-  void changedLinesAreComputedAgainWithAWarning() throws IOException {
+  void recomputesDamagedLinesWithWarning() throws IOException {
     Path out = interrupted();
     Path journal = out.resolve(".compare.journal");
     String runs = Files.readString(journal);
@@ -97,27 +97,27 @@ class MixedRunsTest {
   }
 
   @Test
-  void otherSettingsAreOtherRunsAndNoReasonToRefuse() throws IOException {
+  void acceptsRunsWithOtherSettings() throws IOException {
     Cli other = Cli.run(words(model, interrupted(), "--resume", "--threshold", 0.2));
     assertEquals(0, other.exit(), other.err());
   }
 
   @Test
-  void partsOfDifferentModelsAreNotMerged() throws IOException {
-    Path one = folder.resolve("one");
-    Path two = folder.resolve("two");
-    assertEquals(0, Cli.run(words(model, one, "--shard", "1/2")).exit());
+  void rejectsMergeOfDifferentModels() throws IOException {
+    Path first = folder.resolve("one");
+    Path second = folder.resolve("two");
+    assertEquals(0, Cli.run(words(model, first, "--shard", "1/2")).exit());
     Files.writeString(model, MODEL.replace("WEIGHT", "2"));
-    assertEquals(0, Cli.run(words(model, two, "--shard", "2/2")).exit());
+    assertEquals(0, Cli.run(words(model, second, "--shard", "2/2")).exit());
     refused(
-        "'%s' has runs of another detection 'mine'".formatted(one.resolve("runs.jsonl")),
-        words(model, folder.resolve("merged"), "--merge", one, two));
+        "'%s' has runs of another detection 'mine'".formatted(first.resolve("runs.jsonl")),
+        words(model, folder.resolve("merged"), "--merge", first, second));
     refused(
-        "has runs of another detection 'mine'", words(model, one, "--shard", "1/2", "--resume"));
+        "has runs of another detection 'mine'", words(model, first, "--shard", "1/2", "--resume"));
   }
 
   @Test
-  void anotherJarOfTheSameModelIsRefused() throws Exception {
+  void rejectsChangedJarOfModel() throws Exception {
     Example fog = Example.pack("own-detection", folder);
     Path part = folder.resolve("part");
     assertEquals(0, fog.run(words("fog", part, "--shard", "1/1")).exit());

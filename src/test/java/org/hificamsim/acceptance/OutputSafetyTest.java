@@ -33,7 +33,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Commands that are interrupted, share a folder, or find links and files of others in it. */
+/** Tests commands that are interrupted, share a folder, or find foreign files and links in it. */
 class OutputSafetyTest {
   private static final Path SCENARIO = Cli.scenario("ring-random");
 
@@ -55,7 +55,7 @@ class OutputSafetyTest {
         "camsim SCENARIO -t 5 -o DIR/o.csv",
         "generate DIR/g.xml --cameras 2"
       })
-  void whatCannotBePrintedIsAnErrorInOneLineAndExitCode1(String command) {
+  void unwritableOutputIsErrorInOneLine(String command) {
     String[] words =
         command.replace("SCENARIO", SCENARIO + "").replace("DIR", folder + "").split(" ");
     Writer full =
@@ -73,7 +73,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void aFullDeviceIsSuchAPlace() throws Exception {
+  void fullDeviceIsError() throws Exception {
     Process process = separate("validate").redirectOutput(new File("/dev/full")).start();
     String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(1, process.waitFor(), err);
@@ -81,7 +81,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void aReaderThatHasSeenEnoughIsNoErrorAndFilesAreComplete() throws Exception {
+  void closedPipeIsNoError() throws Exception {
     Process process = separate("run", "--steps", "5", "--out", folder.toString()).start();
     process.getInputStream().close();
     String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -106,7 +106,7 @@ class OutputSafetyTest {
     "compare --steps 10000000 --repeat 2 --out, .compare.journal",
     "camsim -t 100000000 -o, ''"
   })
-  void anInterruptLeavesNothingButTheJournal(String command, String left) throws Exception {
+  void interruptLeavesOnlyTheJournal(String command, String left) throws Exception {
     Path out = command.startsWith("camsim") ? folder.resolve("o.csv") : folder;
     List<Object> words = new ArrayList<>(List.of((Object[]) command.split(" ")));
     words.addAll(List.of(out, SCENARIO));
@@ -122,7 +122,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void ofRunsIntoOneFolderAtOnceEachWritesAllOrIsToldThatItIsInUse() throws IOException {
+  void concurrentRunsWriteWholeFolderOrReportItInUse() throws IOException {
     List<Cli> runs =
         atOnce(
             seed ->
@@ -152,7 +152,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void ofRunsIntoOneFileAtOnceOneWins() throws IOException {
+  void concurrentWritersLeaveOneWholeFile() throws IOException {
     Path file = folder.resolve("o.csv");
     List<String> alone = new ArrayList<>();
     for (int seed = 0; seed < 4; seed++) {
@@ -171,7 +171,7 @@ class OutputSafetyTest {
     "compare --steps 20 --repeat 1 --out DIR, .compare.journal",
     "camsim -o DIR/o.csv, .o.csv-PID.part"
   })
-  void plantedLinksAreNotFollowed(String command, String link) throws IOException {
+  void followsNoPlantedLinks(String command, String link) throws IOException {
     Path target = Files.writeString(folder.resolve("target"), "mine");
     Path out = Files.createDirectory(folder.resolve("out"));
     Path planted = out.resolve(link.replace("PID", ProcessHandle.current().pid() + ""));
@@ -209,7 +209,7 @@ class OutputSafetyTest {
         "camsim SCENARIO -t 3 -o DIR/o.csv --coverage-out DIR | summary.json",
         "camsim SCENARIO --for-camsim DIR/mine.xml | mine.xml"
       })
-  void whatIsNotOursIsNeverReplaced(String command, String mine) throws IOException {
+  void neverReplacesForeignFiles(String command, String mine) throws IOException {
     Path run = folder.resolve("run");
     if (command.contains("RUN")) {
       Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", run);
@@ -253,7 +253,7 @@ class OutputSafetyTest {
         "camsim CAMSIM -t 3 -o DIR/mine.csv",
         "camsim CAMSIM --for-camsim DIR/mine.xml --force"
       })
-  void aFileThatAnOptionNamesIsReplacedByForce(String command) throws IOException {
+  void forceReplacesNamedFile(String command) throws IOException {
     Path run = folder.resolve("run");
     Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", run);
     Path mine = null;
@@ -280,7 +280,7 @@ class OutputSafetyTest {
             + " RUN/detection-hifi-orb-lin.json --force",
         "run DIR/in.xml --steps 3 --detection RUN/detection-hifi-orb-lin.json --out RUN"
       })
-  void anInputIsNotReplacedEvenIfOursOrByForce(String command) throws IOException {
+  void neverReplacesInput(String command) throws IOException {
     Path run = folder.resolve("run");
     Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", run);
     Files.copy(run.resolve("steps.csv"), run.resolve("steps.csv.svg"));
@@ -300,7 +300,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void aReportOfChangedFilesNamesThem() throws IOException {
+  void reportNamesChangedFiles() throws IOException {
     Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", folder);
     assertEquals("", Cli.run("report", folder).err());
     Files.writeString(folder.resolve("zooms.csv"), "\n", StandardOpenOption.APPEND);
@@ -321,7 +321,7 @@ class OutputSafetyTest {
         "<path d='M 1e5000 0 L 1 1'/> | 2",
         "<g transform='scale(1e9)'><line transform='scale(1e9)' x1='1' x2='5'/></g> | 2"
       })
-  void oddDrawingsAreTakenOrRefusedInOneLine(String shape, int exit) throws IOException {
+  void readsOrRejectsOddDrawingsInOneLine(String shape, int exit) throws IOException {
     Path walls = folder.resolve("walls.svg");
     Files.writeString(walls, "<svg viewBox='0 0 9 9'>" + shape + "</svg>");
     Path tracks = Files.writeString(folder.resolve("t.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,1\n");
@@ -344,7 +344,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void whatIsDamagedOrTooFarIsToldWithItsPlace() throws IOException {
+  void namesPlaceOfDamagedInput() throws IOException {
     Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", folder);
     Files.write(folder.resolve("steps.csv"), new byte[] {(byte) 255}, StandardOpenOption.APPEND);
     Cli.run("report", folder).assertRefused("steps.csv:5:1: ", folder.resolve("none"));
@@ -358,7 +358,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void hiddenFilesOfOthersAreKept() throws IOException {
+  void keepsForeignHiddenFiles() throws IOException {
     Files.writeString(folder.resolve(".holiday-video-2147483647.part"), "mine");
     Cli run = Cli.run("run", SCENARIO, "--steps", 5, "--out", folder);
     assertEquals(0, run.exit(), run.err());
@@ -366,7 +366,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void aComparisonIsKeptOutOfTheFolderOfARun() throws IOException {
+  void rejectsComparisonInFolderOfRun() throws IOException {
     try (OutputFolder held = new OutputFolder(folder)) {
       Cli compare = Cli.run("compare", SCENARIO, "--steps", 5, "--repeat", 1, "--out", held.path());
       assertEquals(2, compare.exit());
@@ -378,7 +378,7 @@ class OutputSafetyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"", "--resume"})
-  void anotherProcessLeavesTheJournalOfAComparisonAlone(String resume) throws Exception {
+  void journalIsSafeFromOtherProcesses(String resume) throws Exception {
     Path journal = folder.resolve(".compare.journal");
     try (OutputFolder held = new OutputFolder(folder)) {
       Files.writeString(journal, "runs of who holds the folder\n");
@@ -386,9 +386,9 @@ class OutputSafetyTest {
       words.addAll(List.of("--repeat", 1, "--out", held.path()));
       words.addAll(resume.isEmpty() ? List.of() : List.of(resume));
       Process other = Java.main(System.getProperty("java.class.path"), words.toArray());
-      String said = new String(other.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      assertEquals(2, other.waitFor(), said);
-      assertTrue(said.contains("is in use by another run"), said);
+      String output = new String(other.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(2, other.waitFor(), output);
+      assertTrue(output.contains("is in use by another run"), output);
       assertEquals("runs of who holds the folder\n", Files.readString(journal));
     }
   }

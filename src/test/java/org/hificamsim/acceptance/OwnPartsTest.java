@@ -11,14 +11,14 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The detection model, movement and listener of {@code examples/}, each found in its own jar. */
+/** Tests that the model, movement and listener of {@code examples/} are found in their jars. */
 class OwnPartsTest {
   private static final int STEPS = 20;
 
   @TempDir Path folder;
 
   @Test
-  void aDetectionModelIsFoundByItsName() throws Exception {
+  void findsDetectionModelByName() throws Exception {
     run("own-detection", Cli.scenario("lattice-random"), "--detection", "fog");
     String summary = Files.readString(folder.resolve("out/summary.json"));
     assertTrue(summary.contains("\"fog\""), summary);
@@ -26,7 +26,7 @@ class OwnPartsTest {
   }
 
   @Test
-  void aMovementIsFoundByTheNameInTheScenario() throws Exception {
+  void findsMovementNamedInScenario() throws Exception {
     Path scenario = folder.resolve("circling.xml");
     String text = Files.readString(Cli.scenario("lattice-random"));
     Files.writeString(scenario, text.replace("speed=\"1.0\"", "speed=\"1.0\" move=\"Circling\""));
@@ -42,7 +42,7 @@ class OwnPartsTest {
   }
 
   @Test
-  void aListenerIsFoundByItsName() throws Exception {
+  void findsListenerByName() throws Exception {
     Cli run =
         run(
             "own-listener",

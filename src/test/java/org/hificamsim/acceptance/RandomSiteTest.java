@@ -19,13 +19,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Sites of {@code generate --lenses}. */
+/** Tests the sites of {@code generate --lenses}. */
 class RandomSiteTest {
   @TempDir Path folder;
 
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4})
-  void isValidWithoutWarningsAndAsksItsQuestion(int seed) throws IOException {
+  void isValidWithoutWarnings(int seed) throws IOException {
     Path file = generated("--cameras", 8, "--lenses", "--walls", 40, "--seed", seed);
     Cli validated = Cli.run("validate", file, "--strict");
     assertEquals(0, validated.exit(), validated.err());
@@ -36,11 +36,11 @@ class RandomSiteTest {
     assertEquals(8, site.cameras().size());
     assertEquals(12, site.targets().size());
     assertEquals(40, site.obstacles().size());
-    assertTrue(site.everyCamera().allMatch(one -> one.optics().orElseThrow().takesTime()));
+    assertTrue(site.everyCamera().allMatch(camera -> camera.optics().orElseThrow().takesTime()));
     assertEquals(
         "[bullet, dome]",
         site.everyCamera()
-            .flatMap(one -> one.optics().stream())
+            .flatMap(camera -> camera.optics().stream())
             .map(OpticsSpec::name)
             .sorted()
             .distinct()
@@ -54,12 +54,14 @@ class RandomSiteTest {
     Path file = generated("--cameras", 6, "--lenses", "--walls", 150, "--seed", seed);
     Scenario site = read(file);
     Walk walk = new Walk(site);
-    site.cameras().forEach(one -> assertTrue(walk.reaches(one.x(), one.y()), one.name()));
-    site.targets().forEach(one -> assertTrue(walk.reaches(one.x(), one.y()), one.name()));
+    site.cameras()
+        .forEach(camera -> assertTrue(walk.reaches(camera.x(), camera.y()), camera.name()));
+    site.targets()
+        .forEach(target -> assertTrue(walk.reaches(target.x(), target.y()), target.name()));
   }
 
   @Test
-  void runsAndIsAskedAnotherQuestionByTheOption() throws IOException {
+  void runsWithOtherObjective() throws IOException {
     Path file = generated("--cameras", 4, "--lenses", "--objective", "sum:cap=2");
     assertEquals("sum:cap=2", read(file).objective().text());
     Cli run = Cli.run("run", file, "--steps", 5, "--out", folder.resolve("out"));
@@ -67,15 +69,15 @@ class RandomSiteTest {
   }
 
   @Test
-  void theSameArgumentsGenerateTheSameSiteAndAnotherSeedAnother() throws IOException {
-    String one = Files.readString(generated("--cameras", 5, "--lenses", "--walls", 9));
-    assertEquals(one, Files.readString(generated("--cameras", 5, "--lenses", "--walls", 9)));
+  void siteDependsOnSeedAlone() throws IOException {
+    String text = Files.readString(generated("--cameras", 5, "--lenses", "--walls", 9));
+    assertEquals(text, Files.readString(generated("--cameras", 5, "--lenses", "--walls", 9)));
     Path other = generated("--cameras", 5, "--lenses", "--walls", 9, "--seed", 1);
-    assertTrue(!one.equals(Files.readString(other)));
+    assertTrue(!text.equals(Files.readString(other)));
   }
 
   @Test
-  void wallsWithoutRoomOrLensesAreRefused() {
+  void rejectsWallsWithoutRoomOrLenses() {
     refused("--walls is 2000, expected at most about", "--cameras", 2, "--lenses", "--walls", 2000);
     refused("--walls is -1", "--cameras", 2, "--lenses", "--walls", -1);
     refused("--walls is given without --lenses", "--walls", 3);

@@ -16,12 +16,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code report} makes of a folder, and what it refuses. */
+/** Tests what {@code report} writes and rejects. */
 class ReportCommandTest {
   @TempDir Path folder;
 
   @Test
-  void makesTheSamePageAgainFromTheFolderAlone() throws IOException {
+  void makesSamePageFromFolder() throws IOException {
     Path scenario = Files.copy(Cli.scenario("ring-random"), folder.resolve("gone.xml"));
     Path run = folder.resolve("run");
     Cli.run("run", scenario, "--steps", 30, "--record", "--out", run);
@@ -35,7 +35,7 @@ class ReportCommandTest {
   }
 
   @Test
-  void aRunWithoutRecordsHasNoPageAndLosesAnOldOne() {
+  void runWithoutRecordHasNoPage() {
     Path run = record();
     assertTrue(Files.exists(run.resolve("report.html")));
     Cli.run("run", Cli.scenario("ring-random"), "--steps", 30, "--out", run);
@@ -44,7 +44,7 @@ class ReportCommandTest {
   }
 
   @Test
-  void refusesTablesWithoutScoresAndStepsWithoutARow() throws IOException {
+  void rejectsTablesWithoutScoresOrSteps() throws IOException {
     Path run = record();
     Path steps = run.resolve("steps.csv");
     List<String> rows = Files.readAllLines(steps);
@@ -58,7 +58,7 @@ class ReportCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"replay.json", "steps.csv", "summary.json", "manifest.json"})
-  void namesAFileThatIsMissing(String name) throws IOException {
+  void namesMissingFile(String name) throws IOException {
     Path run = record();
     Files.delete(run.resolve(name));
     refuses(run, name);
@@ -78,8 +78,7 @@ class ReportCommandTest {
         "replay.json | \"frames\":30 | \"frames\":-1 | frames of run 0",
         "replay.json | replay-1 | replay-9 | format is 'hificamsim-replay-9'",
       })
-  void tellsInOneLineWhatWasEdited(String name, String from, String to, String expected)
-      throws IOException {
+  void namesEditInOneLine(String name, String from, String to, String expected) throws IOException {
     Path run = record();
     Path file = run.resolve(name);
     String before = Files.readString(file);
@@ -97,8 +96,8 @@ class ReportCommandTest {
             + " site,",
         "settings.json | \\[ | < | settings.json:1:1: not JSON",
       })
-  void tellsInOneLineWhatWasEditedInAComparison(
-      String name, String from, String to, String expected) throws IOException {
+  void namesEditOfComparisonInOneLine(String name, String from, String to, String expected)
+      throws IOException {
     Path out = folder.resolve("compared");
     Cli.run(
         "compare",
@@ -125,7 +124,7 @@ class ReportCommandTest {
     "steps.csv, '(?m)^0,7,[0-9]+', '0,7,99'",
     "replay.json, '\"repeat\":1', '\"repeat\":2'"
   })
-  void warnsOfFilesThatWereEdited(String name, String from, String to) throws IOException {
+  void warnsOfEditedFiles(String name, String from, String to) throws IOException {
     Path run = record();
     Path file = run.resolve(name);
     String before = Files.readString(file);
@@ -139,7 +138,7 @@ class ReportCommandTest {
   }
 
   @Test
-  void refusesWhatIsNoFolderAndPlacesThatCannotBeWritten() {
+  void rejectsMissingFoldersAndUnwritableOutputs() {
     refuses(folder.resolve("nowhere"), "no folder");
     refuses(folder, "replay.json");
     Path run = record();
@@ -158,7 +157,7 @@ class ReportCommandTest {
     "--per-second, --gif, ",
     "--width, --png or --gif, --svg"
   })
-  void refusesWordsAboutPicturesThatNobodyAsksFor(String option, String needed, String given) {
+  void rejectsOptionsOfPicturesNotAskedFor(String option, String needed, String given) {
     List<Object> words = new ArrayList<>(List.of("report", record(), option, 5));
     if (given != null) {
       words.addAll(List.of(given, folder.resolve("picture")));

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The thesis's table and figures, from the command line. */
+/** Tests {@code reproduce}. */
 class ReproduceCommandTest {
   private static final List<String> FIGURES =
       Stream.of("7.3", "7.4", "7.6", "7.7", "7.8", "7.9", "8.1").map("figure-"::concat).toList();
@@ -32,14 +32,16 @@ class ReproduceCommandTest {
   @TempDir Path folder;
 
   @Test
-  void writesTheSameFilesOnAnyNumberOfThreads() throws IOException {
-    Path one = reproduced(1).folder();
+  void writesSameFilesOnAnyNumberOfThreads() throws IOException {
+    Path onOneThread = reproduced(1).folder();
     Path many = reproduced(3).folder();
     for (String file : files()) {
       assertArrayEquals(
-          Files.readAllBytes(one.resolve(file)), Files.readAllBytes(many.resolve(file)), file);
+          Files.readAllBytes(onOneThread.resolve(file)),
+          Files.readAllBytes(many.resolve(file)),
+          file);
     }
-    assertEquals(19, Files.readAllLines(one.resolve("table-8.1.csv")).size());
+    assertEquals(19, Files.readAllLines(onOneThread.resolve("table-8.1.csv")).size());
   }
 
   @Test
@@ -55,7 +57,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void anyZoomThatDecidesAloneGivesZoomOutNothingOrEverything() throws IOException {
+  void formulaOfZoomAloneGivesZoomOutZeroOrOne() throws IOException {
     Path out = reproduced(1).folder();
     List<String> header = List.of(line(out, "table-8.1.csv", "layout,").split(",", -1));
     for (String layout : List.of("lattice", "ring", "cluster")) {
@@ -66,7 +68,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void saysFirstThatTheOptimumIsStaticAndWhatWasFitted() throws IOException {
+  void printsFirstThatOptimumIsStatic() throws IOException {
     Path out = reproduced(1).folder();
     Cli run = reproduced(1).cli();
     assertTrue(run.out().startsWith("The optimum is static: fixed:2 has the k_min"), run.out());
@@ -86,7 +88,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void theOptimumWritesTheStepsOfAFixedZoomInAllSixScenarios() throws IOException {
+  void optimumEqualsFixedZoomInAllScenarios() throws IOException {
     for (String detection : List.of("hifi:orb-lin", "camsim-range")) {
       for (String scenario : Cli.SIX) {
         assertArrayEquals(
@@ -127,7 +129,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void wrongNumbersAreReportedInOneLine() {
+  void rejectsWrongNumbersInOneLine() {
     Cli run = Cli.run("reproduce", "--steps", 0, "--out", folder.resolve("none"));
     assertEquals(2, run.exit());
     assertTrue(run.err().contains("--steps is 0"), run.err());

@@ -16,10 +16,11 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
- * What a long command wrote, for tests that only read it: each command runs once for all of them.
+ * The results of a long command, for tests that only read them: each command runs once for all
+ * tests.
  *
- * @param cli what it printed
- * @param folder deleted when this process ends
+ * @param cli the outcome of the command
+ * @param folder of the results, which is deleted when this process ends
  */
 record Results(Cli cli, Path folder) {
   private static final Map<List<String>, Results> MADE = new HashMap<>();

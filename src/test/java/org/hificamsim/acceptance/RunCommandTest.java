@@ -19,14 +19,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code run} writes, prints and refuses. */
+/** Tests what {@code run} writes, prints and rejects. */
 class RunCommandTest {
   private static final Path LATTICE = Cli.scenario("lattice-random");
 
   @TempDir Path folder;
 
   @Test
-  void writesOneRowPerRunAndStepAndASummaryThatAddsThemUp() throws IOException {
+  void writesStepsAndSummary() throws IOException {
     Path out = folder.resolve("out");
     Cli run = Cli.run("run", LATTICE, "--steps", 50, "--repeat", 2, "--out", out);
     assertEquals(0, run.exit(), run.err());
@@ -56,7 +56,7 @@ class RunCommandTest {
   }
 
   @Test
-  void defaultsAreThoseOfTheContract() throws IOException {
+  void usesDocumentedDefaults() throws IOException {
     Path out = folder.resolve("out");
     Cli.run("run", LATTICE, "--out", out);
     JsonNode summary = summary(out);
@@ -70,7 +70,7 @@ class RunCommandTest {
   }
 
   @Test
-  void recordsZoomsAndTargetsOnRequestAndRemovesThemWhenTheyAreStale() throws IOException {
+  void recordsOnRequestAndRemovesStaleRecords() throws IOException {
     Cli.run("run", LATTICE, "--steps", 10, "--record", "--out", folder);
     List<String> zooms = Files.readAllLines(folder.resolve("zooms.csv"));
     assertEquals("run,step,camera,level,radius,detected", zooms.get(0));
@@ -84,7 +84,7 @@ class RunCommandTest {
   }
 
   @Test
-  void leavesNothingButItsFiles() throws IOException {
+  void leavesOnlyItsFiles() throws IOException {
     Cli.run("run", LATTICE, "--steps", 10, "--out", folder);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
@@ -106,7 +106,7 @@ class RunCommandTest {
   }
 
   @Test
-  void endsWithKMinOverTimeTheMeanOverRepeats() throws IOException {
+  void printsMeanKMinOverTime() throws IOException {
     Cli run = Cli.run("run", LATTICE, "--steps", 100, "--repeat", 3, "--out", folder);
     double[] means = new double[40];
     int[] counts = new int[40];
@@ -132,7 +132,7 @@ class RunCommandTest {
   }
 
   @Test
-  void quietPrintsNothingButErrors() throws IOException {
+  void quietPrintsOnlyErrors() throws IOException {
     Path odd =
         Files.writeString(
             folder.resolve("odd.xml"),
@@ -172,7 +172,7 @@ class RunCommandTest {
         "--listener nobody | unknown listener 'nobody', expected one of UserListener",
         "--colour blue | '--colour'",
       })
-  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
+  void rejectsWrongUsageInOneLine(String options, String expected) {
     Path out = folder.resolve("out");
     Object[] words =
         Stream.concat(
@@ -188,7 +188,7 @@ class RunCommandTest {
   }
 
   @Test
-  void tellsFaultsOnOneLineWhateverTheWordsHold() {
+  void printsErrorInOneLineForAnyArgument() {
     for (String word : List.of("two\nlines", "es\u001b[31mcape")) {
       for (Cli run :
           List.of(
@@ -204,20 +204,21 @@ class RunCommandTest {
   }
 
   @Test
-  void warnsOnOneLineWhateverAnAttributeHolds() throws IOException {
+  void warnsInOneLineForAnyAttribute() throws IOException {
     Path scenario = folder.resolve("own.xml");
     Files.writeString(
         scenario,
         Files.readString(LATTICE).replaceFirst("<camera ", "<camera hue=\"&#x9b;31m&#10;\" "));
     Cli run = Cli.run("run", scenario, "--steps", 1, "--out", folder);
     assertEquals(0, run.exit(), run.err());
-    String told = run.err().lines().filter(line -> line.contains("hue=")).findFirst().orElseThrow();
-    assertTrue(told.startsWith("warning: " + scenario + ":"), told);
-    assertFalse(told.contains("\u009b"), told);
+    String message =
+        run.err().lines().filter(line -> line.contains("hue=")).findFirst().orElseThrow();
+    assertTrue(message.startsWith("warning: " + scenario + ":"), message);
+    assertFalse(message.contains("\u009b"), message);
   }
 
   @Test
-  void refusesAnOutputFolderThatIsAFile() throws IOException {
+  void rejectsOutputFolderThatIsAFile() throws IOException {
     Path file = Files.writeString(folder.resolve("taken"), "mine");
     Cli run = Cli.run("run", LATTICE, "--steps", 1, "--out", file);
     assertEquals(2, run.exit());
@@ -233,7 +234,7 @@ class RunCommandTest {
   }
 
   @Test
-  void theScenariosThresholdYieldsToTheOptionAndThatToTheDetectionsOwn() throws IOException {
+  void thresholdInDetectionOverridesOptionAndScenario() throws IOException {
     Path scenario = folder.resolve("own.xml");
     Files.writeString(
         scenario,

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 
-/** A scenario asks: its detection, rule, objective and steps hold where no option does. */
+/** Tests that the detection, rule, objective and steps of a scenario apply without options. */
 class ScenarioQuestionTest {
   private static final String CORRIDOR = "oodpcvs-2025:level=perceive";
 
@@ -27,7 +27,7 @@ class ScenarioQuestionTest {
 
   @ParameterizedTest
   @CsvFileSource(resources = "/org/hificamsim/acceptance/sites.csv")
-  void everySiteAnswersWithoutOptions(String name, String detection) throws IOException {
+  void sitesRunWithoutOptions(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     Cli run = Cli.run("run", Cli.scenario(name), "--out", out);
     assertEquals(0, run.exit(), run.err());
@@ -46,7 +46,7 @@ class ScenarioQuestionTest {
   }
 
   @Test
-  void anOptionGoesBeforeTheScenarioAndTheScenarioBeforeTheDefault() throws IOException {
+  void optionOverridesScenarioAndScenarioOverridesDefault() throws IOException {
     Path bare = scenario("");
     Path asking = scenario("detection=\"geometric\" detect=\"threshold\" steps=\"7\"");
     assertPlan("hifi:orb-lin 1000 default default default", summary("run", bare));
@@ -54,14 +54,16 @@ class ScenarioQuestionTest {
     assertPlan(
         "camsim-range 3 option scenario option",
         summary("run", asking, "--detection", "camsim-range", "--steps", 3));
-    Cli told = Cli.run("run", asking, "--steps", 3, "--out", folder.resolve("told"));
+    Cli withDetection = Cli.run("run", asking, "--steps", 3, "--out", folder.resolve("told"));
     assertTrue(
-        told.out().contains("option: steps; scenario: detection, detect; default: objective"),
-        told.out());
+        withDetection
+            .out()
+            .contains("option: steps; scenario: detection, detect; default: objective"),
+        withDetection.out());
   }
 
   @Test
-  void aThresholdOfTheScenarioIsForItsOwnDetectionAlone() throws IOException {
+  void thresholdOfScenarioAppliesToItsDetectionOnly() throws IOException {
     Path with = scenario("detection=\"camsim-range@0.6\"");
     Path next = scenario("detection=\"camsim-range\" threshold=\"0.6\"");
     for (Path file : List.of(with, next)) {
@@ -73,7 +75,7 @@ class ScenarioQuestionTest {
   }
 
   @Test
-  void aRuleOfAnOptionGoesBeforeThatOfTheScenariosDetection() throws IOException {
+  void ruleOptionOverridesRuleOfScenario() throws IOException {
     Path file = scenario("detection=\"hifi:orb-lin@0.1\"");
     JsonNode summary = summary("run", file, "--detect", "chance", "--steps", 2);
     assertEquals("chance", summary.path("detect").asText());
@@ -82,7 +84,7 @@ class ScenarioQuestionTest {
   }
 
   @Test
-  void aModelFileIsFoundNextToTheScenarioAndInTheFolderOfResults() throws IOException {
+  void findsModelFileNextToScenarioAndResults() throws IOException {
     Cli.run("run", scenario(""), "--steps", 1, "--out", folder.resolve("model"));
     Path model = Files.createDirectories(folder.resolve("models")).resolve("own.json");
     Files.copy(folder.resolve("model").resolve("detection-hifi-orb-lin.json"), model);
@@ -96,7 +98,7 @@ class ScenarioQuestionTest {
   }
 
   @Test
-  void aDetectionThatIsNoneIsAnErrorWithItsPlaceUnlessAnOptionReplacesIt() throws IOException {
+  void reportsPlaceOfUnknownDetection() throws IOException {
     Path file = scenario("detection=\"oodpcvs-2025:level=perceived\"");
     for (String command : List.of("run", "validate", "compare", "view")) {
       Cli refused = Cli.run(command, file);
@@ -109,14 +111,14 @@ class ScenarioQuestionTest {
   }
 
   @Test
-  void aThresholdNextToADetectionThatHasOneIsRefused() throws IOException {
+  void rejectsSecondThreshold() throws IOException {
     Cli refused = Cli.run("validate", scenario("detection=\"geometric@0.3\" threshold=\"0.4\""));
     assertEquals(2, refused.exit());
     assertTrue(refused.err().contains("threshold is '0.4', expected none"), refused.err());
   }
 
   @Test
-  void aComparisonTakesEachScenariosDetectionUnlessDetectionsAreListed() throws IOException {
+  void compareUsesDetectionOfEachScenario() throws IOException {
     Path out = folder.resolve("out");
     String few = "--policies zoom-out --steps 3 --repeat 1 --out " + out;
     run("compare", Cli.scenario("corridor"), Cli.scenario("ring-random"), few);
@@ -128,7 +130,7 @@ class ScenarioQuestionTest {
   }
 
   @Test
-  void theNetworksCommandTakesTheScenariosStepsAndDetection() throws IOException {
+  void camsimUsesStepsAndDetectionOfScenario() throws IOException {
     Path file = scenario("detection=\"camsim-range\" steps=\"7\"");
     String files = "-o " + folder.resolve("c.csv") + " --coverage-out " + folder.resolve("out");
     run("camsim", file, files);
@@ -184,7 +186,7 @@ class ScenarioQuestionTest {
         List.of("detection", "steps", "detection_from", "detect_from", "steps_from");
     assertEquals(
         expected,
-        String.join(" ", fields.stream().map(one -> summary.path(one).asText()).toList()));
+        String.join(" ", fields.stream().map(field -> summary.path(field).asText()).toList()));
   }
 
   private static List<String> cases(Path out) throws IOException {

@@ -13,7 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The sweeps around the defaults, from the command line. */
+/** Tests {@code sensitivity}. */
 class SensitivityCommandTest {
   private static final List<String> PARAMETERS =
       List.of(
@@ -45,7 +45,7 @@ class SensitivityCommandTest {
   }
 
   @Test
-  void sweepsEveryParameterWithItsDefaultAmongTheValues() throws IOException {
+  void everySweepIncludesItsDefault() throws IOException {
     Path swept = swept().folder();
     List<String> rows = Files.readAllLines(swept.resolve("sensitivity.csv"));
     for (String parameter : PARAMETERS) {
@@ -92,7 +92,7 @@ class SensitivityCommandTest {
 
   /** With f_lin, size and threshold move the farthest detected distances of all levels alike. */
   @Test
-  void smallerTargetsUnderALowerThresholdGiveTheSameSteps() throws IOException {
+  void smallerTargetsWithLowerThresholdGiveSameSteps() throws IOException {
     double lower = 0.026 + (0.0441 - 0.026) * Math.pow(10, -2 * (0.66 - 0.45));
     byte[] standard = steps(Cli.scenario("cluster-random"), 0.0441);
     assertArrayEquals(standard, steps(smaller("cluster-random"), lower));
@@ -115,7 +115,7 @@ class SensitivityCommandTest {
 
   /** What an audit found by hand: with smaller targets hi-fi falls below CamSim's model. */
   @Test
-  void theConclusionFlipsWithTheTargetsSize() throws IOException {
+  void conclusionDependsOnTargetSize() throws IOException {
     Cli run =
         Cli.run(
             "compare",
@@ -138,7 +138,7 @@ class SensitivityCommandTest {
             "camsim-range,optimal,0,2311",
             "camsim-range,zoom-out,0,780",
             "camsim-range,sarsa,0,1205")) {
-      assertTrue(results.stream().anyMatch(one -> one.startsWith("small," + row + ",")), row);
+      assertTrue(results.stream().anyMatch(result -> result.startsWith("small," + row + ",")), row);
     }
   }
 }

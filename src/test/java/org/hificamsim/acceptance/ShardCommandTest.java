@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A comparison in parts: the parts' runs make the files of the whole, and nothing less does. */
+/** Tests comparisons in shards, which have to give the files of the whole when merged. */
 class ShardCommandTest {
   private static final int RUNS = (2 + 2) * 2; // with the optimum and the best fixed zoom
 
@@ -37,22 +37,22 @@ class ShardCommandTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 2, RUNS + 3})
-  void anyNumberOfPartsMergesToTheBytesOfTheWhole(int of) throws IOException {
-    assertSameFiles(merge(parts(folder, of)));
+  void mergedShardsEqualWholeComparison(int count) throws IOException {
+    assertSameFiles(merge(parts(folder, count)));
   }
 
   @Test
-  void partsMayComeInAnyOrder() throws IOException {
+  void shardsMayBeInAnyOrder() throws IOException {
     assertSameFiles(merge(List.of(thirds.get(2), thirds.get(0), thirds.get(1))));
   }
 
   @Test
-  void aPartMakesNoResultFiles() throws IOException {
+  void shardWritesNoResultFiles() throws IOException {
     assertEquals(List.of("manifest.json", "runs.jsonl"), Cli.names(thirds.get(0)));
   }
 
   @Test
-  void aPartThatWasCutOffIsCompletedByResume() throws IOException {
+  void resumeCompletesInterruptedShard() throws IOException {
     List<Path> parts = parts(folder, 3);
     Path runs = parts.get(1).resolve("runs.jsonl");
     byte[] bytes = Files.readAllBytes(runs);
@@ -65,43 +65,43 @@ class ShardCommandTest {
   }
 
   @Test
-  void aPartThatIsMissingIsNoticed() {
+  void rejectsMissingShard() {
     assertRefused("--merge lacks 3 of 8 runs", merging(List.of(thirds.get(0), thirds.get(2))));
   }
 
   @Test
-  void partsThatComeTwiceOrAreOfAnotherSplitCountOnce() throws IOException {
-    List<Path> more = new ArrayList<>(thirds);
-    more.add(thirds.get(1));
-    more.addAll(parts(folder, 2));
-    assertSameFiles(merge(more));
+  void countsRepeatedAndOverlappingShardsOnce() throws IOException {
+    List<Path> further = new ArrayList<>(thirds);
+    further.add(thirds.get(1));
+    further.addAll(parts(folder, 2));
+    assertSameFiles(merge(further));
   }
 
   @Test
-  void partsOfAnotherComparisonDoNotCount() {
+  void ignoresShardsOfAnotherComparison() {
     Object[] other =
         Stream.concat(Arrays.stream(merging(thirds)), Stream.of("--seed", 100)).toArray();
     assertRefused("--merge lacks 8 of 8 runs", other);
   }
 
   @Test
-  void aFolderWithoutAPartIsNamed() {
+  void namesFolderWithoutShard() {
     assertRefused("runs.jsonl', expected what --shard writes", merging(List.of(whole)));
   }
 
   @Test
-  void runsThatAreThereAreKeptUnlessTheyAreDeleted() throws IOException {
+  void keepsExistingRuns() throws IOException {
     Path first = parts(folder, 3).get(0);
     List<String> runs = Files.readAllLines(first.resolve("runs.jsonl"));
     assertRefused("expected another folder, or --resume", words(first, "--shard", "2/3"));
     assertEquals(0, Cli.run(words(first, "--shard", "2/3", "--resume")).exit());
-    List<String> more = Files.readAllLines(first.resolve("runs.jsonl"));
-    assertEquals(runs, more.subList(0, runs.size()));
+    List<String> further = Files.readAllLines(first.resolve("runs.jsonl"));
+    assertEquals(runs, further.subList(0, runs.size()));
     assertSameFiles(merge(List.of(first, thirds.get(2))));
   }
 
   @Test
-  void anothersFileOfThisNameIsKept() throws IOException {
+  void keepsForeignFileOfSameName() throws IOException {
     Path out = Files.createDirectory(folder.resolve("own"));
     Path notes = Files.writeString(out.resolve("runs.jsonl"), "my notes");
     assertRefused("no shard wrote it", words(out, "--shard", "2/3", "--resume"));
@@ -110,17 +110,17 @@ class ShardCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"0/3", "4/3", "1", "1/0"})
-  void wrongPartsAreRefused(String part) {
+  void rejectsMalformedShards(String part) {
     Path out = folder.resolve("out");
     assertRefused("--shard is '" + part + "'", words(out, "--shard", part));
     assertFalse(Files.exists(out));
   }
 
-  private static List<Path> parts(Path below, int of) {
+  private static List<Path> parts(Path below, int count) {
     List<Path> parts = new ArrayList<>();
-    for (int number = 1; number <= of; number++) {
-      Path out = below.resolve(number + "-of-" + of);
-      Cli part = Cli.run(words(out, "--shard", number + "/" + of));
+    for (int number = 1; number <= count; number++) {
+      Path out = below.resolve(number + "-of-" + count);
+      Cli part = Cli.run(words(out, "--shard", number + "/" + count));
       assertEquals(0, part.exit(), part.err());
       parts.add(out);
     }
@@ -138,7 +138,7 @@ class ShardCommandTest {
         .toArray();
   }
 
-  private static Object[] words(Path out, Object... more) {
+  private static Object[] words(Path out, Object... further) {
     return Stream.concat(
             Stream.of(
                 "compare",
@@ -153,7 +153,7 @@ class ShardCommandTest {
                 2,
                 "--out",
                 out),
-            Arrays.stream(more))
+            Arrays.stream(further))
         .toArray();
   }
 

@@ -228,9 +228,9 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
           .moveByOffset(30, 0)
           .perform();
       browser.until(
-          "const {poses, step} = hificamsim.runs[0], last = poses[0].at(-1);"
-              + "return hificamsim.players[0].field.pointer.cameraDrag && last.step > 0 && !last.preview"
-              + "    && step.at(-1) > last.step");
+          "const {poses, step} = hificamsim.runs[0], last = poses[0].at(-1);return"
+              + " hificamsim.players[0].field.pointer.cameraDrag && last.step > 0 && !last.preview "
+              + "   && step.at(-1) > last.step");
       browser.until(SCORE_IS_THAT_OF_THE_TARGETS);
       assertTrue(browser.text(".readout .k_min").contains("k_min"));
       browser.actions().release().perform();

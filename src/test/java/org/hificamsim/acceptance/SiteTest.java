@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The documentation site: MkDocs builds it without a dead link, and its pages are accessible. */
+/** Tests that the documentation site has no dead links and accessible pages. */
 class SiteTest {
   private static final Path PYTHON = Cli.ROOT.resolve("build/site-venv/bin/python");
   private static final Path HTML = Cli.ROOT.resolve("build/site/html");
@@ -33,7 +33,7 @@ class SiteTest {
   }
 
   @Test
-  void everyDeclarationIsOnItsPage() {
+  void everyDeclarationHasAnEntry() {
     assertTrue(
         Cli.text(HTML.resolve("docs/data.html")).contains("<code>expected_covered_k</code>"));
     assertTrue(
@@ -45,7 +45,7 @@ class SiteTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"index", "docs/data", "docs/world"})
-  void aPageIsAccessibleInTheLightInTheDarkAndOnAPhone(String page) {
+  void pageIsAccessibleOnAllScreens(String page) {
     Browser browser = Browser.shared();
     browser.open(HTML.resolve(page + ".html").toUri().toString());
     Accessibility.checkEverywhere(browser);

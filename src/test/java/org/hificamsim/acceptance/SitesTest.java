@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The shipped sites with lenses and walls, each by the detection that its first comment names. */
+/** Tests the shipped sites, each with the detection that its first comment names. */
 class SitesTest {
   private static final String SITES = "/org/hificamsim/acceptance/sites.csv";
   private static final Catalogue CATALOGUE = Catalogue.load();
@@ -32,7 +32,7 @@ class SitesTest {
 
   @ParameterizedTest
   @CsvFileSource(resources = SITES)
-  void readsWithoutAWarningAndIsValid(String name, String detection) {
+  void readsWithoutWarnings(String name, String detection) {
     List<String> warnings = new ArrayList<>();
     read(name, warnings);
     assertEquals(List.of(), warnings);
@@ -43,7 +43,7 @@ class SitesTest {
 
   @ParameterizedTest
   @CsvFileSource(resources = SITES)
-  void saysWhereItIsFromAndWhatSuitsIt(String name, String detection) throws IOException {
+  void namesItsSourceAndDetection(String name, String detection) throws IOException {
     String comment = Files.readString(Cli.scenario(name)).split("-->", 2)[0];
     Scenario scenario = read(name, new ArrayList<>());
     assertEquals(Optional.of(detection), scenario.find(Scenario.DETECTION));
@@ -70,7 +70,7 @@ class SitesTest {
     "warehouse, oodpcvs-2025:level=discern",
     "hall, oodpcvs-2025:level=perceive"
   })
-  void adaptingIsWorthAThirdOrMore(String name, String detection) throws IOException {
+  void adaptingGainsAThirdOrMore(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     Cli compare = compare(name, detection, "optimal", 100, 1, out);
     assertEquals(0, compare.exit(), compare.err());
@@ -81,7 +81,7 @@ class SitesTest {
   }
 
   @Test
-  void theSitesDifferInWhatTheyAskOfASimulator() throws IOException {
+  void sitesDifferInTheirFeatures() throws IOException {
     Set<String> objectives = new HashSet<>();
     Set<Integer> cameras = new HashSet<>();
     for (String line : sites()) {

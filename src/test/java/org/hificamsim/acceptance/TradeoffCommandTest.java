@@ -26,7 +26,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** {@code tradeoff}: each of its runs is one of CamSim's, and its front that of all pairs. */
+/** Tests {@code tradeoff}: its runs equal CamSim's, and its fronts are found by brute force. */
 class TradeoffCommandTest {
   private static final Path SASO = Cli.ROOT.resolve("../shared/reference/camsim/scenarios/SASO");
   private static final Path OWN = Cli.scenario("tutorial-camsim");
@@ -35,7 +35,7 @@ class TradeoffCommandTest {
   @TempDir Path folder;
 
   @Test
-  void eachNetworkHasTheBytesOfCamSimWithTheSameOptions() throws IOException {
+  void networksWriteSameBytesAsCamSim() throws IOException {
     String[] more = {"--heterogeneous", "sample:12", "--bandits", "all", "--alphas", "0.2,0.9"};
     Path out = study(List.of(OWN), 90, 4, more);
     List<String> networks = networks(out);
@@ -46,7 +46,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void theScenariosOfSasoHaveTheBytesOfCamSim() throws IOException {
+  void scenariosOfSasoWriteSameBytesAsCamSim() throws IOException {
     assumeTrue(Files.isDirectory(SASO), "without CamSim's scenarios in " + SASO);
     List<Path> files =
         IntStream.rangeClosed(1, 11).mapToObj(i -> SASO.resolve("scenario" + i + ".xml")).toList();
@@ -64,7 +64,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void shardsAndOtherThreadsGiveTheSameBytes() throws IOException {
+  void shardsAndThreadsWriteSameBytes() throws IOException {
     Path whole = study(List.of(OWN), 30, 3, "--heterogeneous", "sample:5", "--threads", "1");
     Object[] words = words(List.of(OWN), 30, 3, "--heterogeneous", "sample:5");
     List<Object> parts = new ArrayList<>();
@@ -81,7 +81,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void aResumedStudyTakesTheRunsThatAreThereAndNoOthers() throws IOException {
+  void resumeReusesOnlyMatchingRuns() throws IOException {
     Path out = study(List.of(OWN), 30, 2);
     Path resumed = folder.resolve("resumed");
     Object[] words = words(List.of(OWN), 30, 2, "--out", resumed);
@@ -101,7 +101,7 @@ class TradeoffCommandTest {
 
   /** A finished run is written before its thread begins the next one, and is never done again. */
   @Test
-  void killsLoseAtMostTheRunsUnderWay() throws Exception {
+  void killsLoseOnlyUnfinishedRuns() throws Exception {
     Object[] words = words(List.of(OWN), 400, 4, "--heterogeneous", "sample:30", "--threads", "2");
     Path part = folder.resolve("killed");
     Path journal = part.resolve("runs.jsonl");
@@ -141,7 +141,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void whatPapersSayIsJudgedByTheNetworksOfAllScenarios() throws IOException {
+  void judgesPapersByNetworksOfAllScenarios() throws IOException {
     List<Path> files = List.of(OWN, Cli.ROOT.resolve("scenarios/studies/yard.xml"));
     String[] more = {"--heterogeneous", "sample:12", "--bandits", "UCB1,SoftMax"};
     Path out = study(files, 80, 5, more);
@@ -213,7 +213,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void aFrontIsThatOfAllPairs() throws IOException {
+  void frontEqualsBruteForce() throws IOException {
     Path out = study(List.of(OWN), 60, 3, "--heterogeneous", "all");
     List<String[]> rows = rows(out.resolve("networks.csv"));
     assertEquals(216, rows.size());
@@ -232,7 +232,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void aSearchFindsTheFrontWithATenthOfTheRuns() throws IOException {
+  void searchFindsFrontWithATenthOfTheRuns() throws IOException {
     List<Path> files = List.of(OWN, Cli.ROOT.resolve("scenarios/studies/yard.xml"));
     Path all = study(files, 150, 3, "--heterogeneous", "all");
     Path found = study(files, 150, 3, "--heterogeneous", "search:21");
@@ -274,7 +274,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void aReportHasAPictureAndReplaysThatAreTheRunsOfTheStudy() throws IOException {
+  void reportHasPictureAndReplaysOfTheStudy() throws IOException {
     Path out = study(List.of(OWN), 40, 2, "--channel", "loss=0.2");
     Cli report = Cli.run("report", out, "--replays");
     assertEquals(0, report.exit(), report.err());
@@ -295,7 +295,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void aChannelAndRealDetectionChangeWhatIsMeasured() throws IOException {
+  void channelAndDetectionChangeResults() throws IOException {
     Path plain = study(List.of(OWN), 60, 2);
     Path real = study(List.of(OWN), 60, 2, "--detection", "hifi:orb-lin", "--detect", "chance");
     Path lossy = study(List.of(OWN), 60, 2, "--channel", "loss=0.5,delay=2");
@@ -316,7 +316,7 @@ class TradeoffCommandTest {
         "--heterogeneous search:9 --shard 1/2 | search has no parts",
         "--detection nothing | unknown detection 'nothing'",
       })
-  void refusesInOneLine(String options, String expected) {
+  void rejectsWrongUsageInOneLine(String options, String expected) {
     Cli.assertRefuses(options, expected, folder.resolve("out"), "tradeoff", OWN);
   }
 

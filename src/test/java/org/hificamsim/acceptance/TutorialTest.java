@@ -19,9 +19,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The tutorials as they stand: files with a title are saved, lines after {@code $} are typed, and
- * what is printed is what the page shows, {@code ...} for anything. What runs Python is tested with
- * the Python package.
+ * Runs the tutorials as they are written: files with a title are saved, lines after {@code $} are
+ * executed, and the output is compared with that on the page, where {@code ...} stands for
+ * anything. Tutorials in Python are tested with the Python package.
  */
 class TutorialTest {
   private static final Path PAGES = Cli.ROOT.resolve("docs/tutorials");
@@ -37,7 +37,7 @@ class TutorialTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"first-result", "detection-model", "floor-plan", "own-policy", "camsim"})
-  void aTutorialRunsAsItStands(String name) throws Exception {
+  void tutorialRunsAsWritten(String name) throws Exception {
     Files.createSymbolicLink(folder.resolve("scenarios"), Cli.ROOT.resolve("scenarios"));
     Files.copy(Cli.ROOT.resolve("docs/img/shop.png"), folder.resolve("floor.png"));
     launcher();
@@ -66,11 +66,11 @@ class TutorialTest {
     ProcessBuilder shell = new ProcessBuilder("sh", "-euc", line).directory(folder.toFile());
     shell.environment().put("TUTORIAL_CLASSES", classPath());
     Process process = shell.redirectError(folder.resolve("errors").toFile()).start();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(
-        0, process.waitFor(), () -> command + "\n" + said + Cli.text(folder.resolve("errors")));
+        0, process.waitFor(), () -> command + "\n" + output + Cli.text(folder.resolve("errors")));
     if (!shown.isBlank()) {
-      assertTrue(pattern(shown).matcher(said).matches(), () -> command + "\n" + said);
+      assertTrue(pattern(shown).matcher(output).matches(), () -> command + "\n" + output);
     }
   }
 

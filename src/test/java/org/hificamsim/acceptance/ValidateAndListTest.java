@@ -16,13 +16,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The commands {@code validate} and {@code list}. */
+/** Tests {@code validate} and {@code list}. */
 class ValidateAndListTest {
   @TempDir Path folder;
 
   @Test
-  void everyScenarioOfTheProjectIsValidWithoutAWarningButForWhatTheTutorialsAskOfTheDefaultModel()
-      throws IOException {
+  void shippedScenariosValidateWithoutWarnings() throws IOException {
     try (Stream<Path> files = Files.list(Cli.ROOT.resolve("scenarios"))) {
       for (Path file : files.filter(path -> path.toString().endsWith(".xml")).sorted().toList()) {
         Cli validate = Cli.run("validate", file);
@@ -41,7 +40,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void everyReferenceFileOfOursIsValidAndRuns() {
+  void referenceFilesAreValidAndRun() {
     List<Path> scenarios =
         Stream.of("own-camsim", "own-coverage")
             .flatMap(name -> Reference.scenarios(name).stream())
@@ -51,7 +50,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void oneBadFileAmongGoodOnesGivesExitCode2AndTheOthersAreStillChecked() throws IOException {
+  void checksAllFilesDespiteABadOne() throws IOException {
     Path bad = Files.writeString(folder.resolve("bad.xml"), "<root/>");
     Cli validate =
         Cli.run("validate", bad, Cli.scenario("lattice-random"), Cli.scenario("ring-random"));
@@ -82,7 +81,7 @@ class ValidateAndListTest {
       """;
 
   @Test
-  void allFaultsOfAFileAreReportedThatDoNotFollowFromOthers() throws IOException {
+  void reportsAllIndependentFaults() throws IOException {
     Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
     Cli validate = Cli.run("validate", bad);
     assertEquals(2, validate.exit());
@@ -103,7 +102,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void runTellsTheFirstFaultAlone() throws IOException {
+  void runReportsOnlyTheFirstFault() throws IOException {
     Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
     Cli run = Cli.run("run", bad);
     assertEquals(2, run.exit());
@@ -111,7 +110,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void ofVeryManyFaultsOneHundredAreReported() throws IOException {
+  void reportsAtMostOneHundredFaults() throws IOException {
     String camera = "<camera name=\"\" x=\"99\"/>\n";
     Path bad =
         Files.writeString(
@@ -126,7 +125,7 @@ class ValidateAndListTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"validate", "run --steps 5 --out", "compare --steps 5 --repeat 1 --out"})
-  void strictTakesWarningsAsErrors(String words) throws IOException {
+  void strictTurnsWarningsIntoErrors(String words) throws IOException {
     Path out = folder.resolve("out");
     Path odd =
         Files.writeString(
@@ -151,7 +150,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void listsModelsWithWhatTheirThresholdsMeanAndPoliciesWithTheirOptions() {
+  void explainsThresholdsAndOptions() {
     List<String> models = Cli.run("list", "detections").out().lines().toList();
     assertTrue(models.get(0).contains(" (threshold "), models.get(0));
     assertTrue(models.get(models.size() - 1).endsWith("See docs/detection.md."));
@@ -167,7 +166,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void runAsJsonPrintsItsSummary() throws IOException {
+  void jsonPrintsSummaryOfRun() throws IOException {
     Cli run = Cli.run("run", Cli.scenario("ring-random"), "--steps", 5, "--json", "--out", folder);
     assertEquals(0, run.exit(), run.err());
     assertEquals(Files.readString(folder.resolve("summary.json")), run.out());
@@ -238,7 +237,7 @@ class ValidateAndListTest {
         "profile | expected lab, measure, fit",
         "run --stepz 3 | Unknown option: '--stepz', maybe --strict or --steps",
       })
-  void aMisspelledWordIsToldWhatWasMeant(String words, String expected) {
+  void suggestsCorrectionOfMisspelledWord(String words, String expected) {
     Cli wrong = Cli.run((Object[]) words.split(" "));
     assertEquals(2, wrong.exit());
     assertEquals(1, wrong.err().lines().count(), wrong.err());
@@ -246,14 +245,14 @@ class ValidateAndListTest {
   }
 
   @Test
-  void helpAndACompletionScriptAreCommands() {
+  void hasHelpAndCompletionScript() {
     assertTrue(Cli.run("help", "run").out().startsWith("Usage: hificamsim run "));
     assertTrue(Cli.run("generate-completion").out().startsWith("#!/usr/bin/env bash"));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"", "list", "walk", "list nothing", "run"})
-  void wrongCommandsAreOneErrorLineAndExitCode2(String words) {
+  void rejectsWrongCommandsInOneLine(String words) {
     Cli wrong = words.isEmpty() ? Cli.run() : Cli.run((Object[]) words.split(" "));
     assertEquals(2, wrong.exit());
     assertEquals(1, wrong.err().lines().count(), wrong.err());

@@ -297,7 +297,8 @@ class ViewPageTest {
     type("x", "99");
     browser.until("return !hificamsim.edits.sending");
     step(1);
-    assertEquals(15, number("return ", "hificamsim.edits.pose(4).x"), "as near as the field reaches");
+    assertEquals(
+        15, number("return ", "hificamsim.edits.pose(4).x"), "as near as the field reaches");
   }
 
   @Test
@@ -319,7 +320,8 @@ class ViewPageTest {
             + before);
     double added = share();
     browser.run(
-        "hificamsim.players[0].select(0); hificamsim.edits.move(0, 0.5, 0.5); hificamsim.edits.turn(0, 225)");
+        "hificamsim.players[0].select(0); hificamsim.edits.move(0, 0.5, 0.5);"
+            + " hificamsim.edits.turn(0, 225)");
     browser.until(
         "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) < "
             + added);

@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A world with optics, walls and cameras that take their time, by the commands. */
+/** Tests commands on a world with optics, walls and cameras that need time to move. */
 class WorldTest {
   private static final String WORLD =
       """
@@ -38,16 +38,16 @@ class WorldTest {
   @Test
   void sameSeedWritesSameBytes() throws IOException {
     for (String policy : List.of("random", "sarsa", "optimal")) {
-      Path one = run(policy, "1");
-      Path two = run(policy, "2");
+      Path first = run(policy, "1");
+      Path second = run(policy, "2");
       for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
-        assertEquals(Files.readString(one.resolve(file)), Files.readString(two.resolve(file)));
+        assertEquals(Files.readString(first.resolve(file)), Files.readString(second.resolve(file)));
       }
     }
   }
 
   @Test
-  void recordsTellWhereCamerasLook() throws IOException {
+  void recordsDirectionOfCameras() throws IOException {
     List<String> rows = Files.readAllLines(run("random", "1").resolve("zooms.csv"));
     assertEquals("run,step,camera,level,radius,detected,pan,viewing_angle,moving", rows.get(0));
     List<String[]> ofTurning =
@@ -62,7 +62,7 @@ class WorldTest {
   }
 
   @Test
-  void camSimsNetworkSeesThroughTheSameOpticsAndPastTheSameWalls() throws IOException {
+  void camSimsNetworkUsesSameOpticsAndWalls() throws IOException {
     Path own = run("random", "1", "--order", "camsim");
     Path coverage = folder.resolve("coverage");
     Cli run =
@@ -86,7 +86,7 @@ class WorldTest {
   }
 
   @Test
-  void aBanditThatSetsRangesIsRefusedWhereACameraHasALens() throws IOException {
+  void rejectsRangeBanditWithLens() throws IOException {
     Path scenario = Files.writeString(folder.resolve("world.xml"), WORLD);
     Cli run =
         Cli.run(

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
 
-/** That {@code options.properties} and the options of the commands fit each other. */
+/** Tests that {@code options.properties} and the options of the commands agree. */
 class DefaultsTest {
   private final ResourceBundle texts = Main.options();
   private final Properties defaults = Main.defaults(texts);

@@ -18,19 +18,19 @@ import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
 
 class ProgressTest {
-  private final StringWriter told = new StringWriter();
+  private final StringWriter output = new StringWriter();
 
   private Progress progress(String task, String unit, long total, Duration quiet) {
-    return new Progress(task, unit, total, new PrintWriter(told, true), quiet);
+    return new Progress(task, unit, total, new PrintWriter(output, true), quiet);
   }
 
   /** The last line without its bar. */
   private String last() {
-    List<String> lines = told.toString().lines().toList();
+    List<String> lines = output.toString().lines().toList();
     return lines.get(lines.size() - 1).replaceAll("\\[.*?\\]", "");
   }
 
-  /** 36 of 60 photos were measured before. */
+  /** An earlier call has measured 36 of 60 photos. */
   @Test
   void resumedWorkCountsAsDoneButNotForTheSpeed() throws InterruptedException {
     try (Progress progress = progress("lab", " photos", 60, Duration.ZERO)) {
@@ -40,9 +40,9 @@ class ProgressTest {
         progress.advance();
       }
     }
-    assertTrue(last().matches("lab +68% .*41/60 photos .*"), told.toString());
+    assertTrue(last().matches("lab +68% .*41/60 photos .*"), output.toString());
     String perSecond = last().replaceFirst(".* ([\\d.]+) photos/s.*", "$1");
-    assertTrue(Double.parseDouble(perSecond) < 10, told.toString());
+    assertTrue(Double.parseDouble(perSecond) < 10, output.toString());
   }
 
   @Test
@@ -52,7 +52,7 @@ class ProgressTest {
         progress.advance();
       }
     }
-    assertTrue(last().matches("run ring +100% .*2000/2000 steps .*"), told.toString());
+    assertTrue(last().matches("run ring +100% .*2000/2000 steps .*"), output.toString());
   }
 
   @Test
@@ -60,14 +60,14 @@ class ProgressTest {
     try (Progress progress = progress("run ring", " steps", 1, Duration.ofSeconds(2))) {
       progress.advance();
     }
-    assertEquals("", told.toString());
+    assertEquals("", output.toString());
   }
 
-  /** As with MATE's 300 steps and HiT-MAC's 100. */
+  /** For example MATE's scenario has 300 steps, and HiT-MAC's 100. */
   @Test
   void countsRunsOfDifferentLengthOnceEach() throws IOException {
     Path file = Path.of("..", "scenarios", "hit-mac.xml");
-    Scenario scenario = ScenarioReader.read(file, any -> true, warning -> {});
+    Scenario scenario = ScenarioReader.read(file, name -> true, warning -> {});
     Detection detection = Detection.of(new GeometricDetection());
     List<RunPlan> plans =
         IntStream.of(300, 100)

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
-/** Numbers as bars in a line of characters. */
 class RunSummaryTest {
   @Test
   void barsAreProportional() {

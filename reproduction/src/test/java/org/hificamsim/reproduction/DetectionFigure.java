@@ -21,8 +21,8 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.knowm.xchart.XYChart;
 
 /**
- * The picture of {@code docs/detection.md}: how likely a detection is over distance, for each
- * detector and each f, by chance and by the default threshold.
+ * Draws the picture of {@code docs/detection.md}: the probability of a detection over distance for
+ * each detector and each f, by chance and by the default threshold.
  */
 public final class DetectionFigure {
   private static final List<String> DETECTORS = List.of("orb", "sift", "surf");
@@ -34,7 +34,7 @@ public final class DetectionFigure {
   private static final double MAX_DISTANCE = 12;
   private static final int POINTS = 241;
 
-  /** Of 50 mm: radius and focal length are inversely proportional, and 2.5 m are 85 mm. */
+  /** The radius of 50 mm: it is inversely proportional to the focal length, and 2.5 m at 85 mm. */
   private static final ZoomLevel ZOOM =
       new ZoomLevel(2.5 * 85 / 50, 2.5, 7.5, Double.NaN, 2 * Math.PI);
 

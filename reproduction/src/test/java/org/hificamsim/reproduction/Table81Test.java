@@ -21,11 +21,11 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.junit.jupiter.api.Test;
 
-/** The aggregation by hand: two seeds, made-up performances. */
+/** Tests the aggregation with made-up performances of two seeds. */
 class Table81Test {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
 
-  /** Random: 10 and 20 of 20; scripted: 30 and 60 of 120. */
+  /** Performances of 10 and 20 of 20 (random), and of 30 and 60 of 120 (scripted). */
   private static ScoredRun run(RunPlan plan, int seed) {
     boolean scripted = plan.scenario().name().contains("scripted");
     double performance = (scripted ? 30.0 : 10.0) * (seed + 1);

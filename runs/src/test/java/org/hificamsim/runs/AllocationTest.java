@@ -23,7 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** No step of any policy allocates after a warm-up, whatever detects, with or without a grid. */
+/** Tests that no step of any policy allocates memory after a warm-up, under any detection. */
 class AllocationTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
 
@@ -43,7 +43,10 @@ class AllocationTest {
   }
 
   static Stream<String> policies() {
-    return steps().map(one -> (String) one.get()[0]).distinct().filter(name -> !isOfKMin(name));
+    return steps()
+        .map(arguments -> (String) arguments.get()[0])
+        .distinct()
+        .filter(name -> !isOfKMin(name));
   }
 
   private static boolean isOfKMin(String policy) {

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is asked for, what the scenario says, and the model's default, in this order. */
+/** Tests the precedence of options, scenario and default of the model. */
 class DetectionSpecTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
 

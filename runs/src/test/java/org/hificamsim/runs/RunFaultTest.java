@@ -16,7 +16,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.junit.jupiter.api.Test;
 
-/** What becomes of an exception of a user's class. */
+/** Tests the messages for exceptions of users' classes. */
 class RunFaultTest {
   private static final Path SCENARIO =
       Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml");

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Detection models that share a name, through a Spark master. */
+/** Tests detection models that share a name, on a Spark master. */
 class MixedModelsTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
   private static final Path SCENARIO =
@@ -43,7 +43,7 @@ class MixedModelsTest {
        "g": {"slope": 0.571, "intercept": INTERCEPT}, "threshold": 0.05}
       """;
 
-  /** Sees nothing, under the name of a model that sees all. */
+  /** Detects nothing, and has the name of a model that detects everything. */
   private record Blind() implements DetectionModel {
     @Override
     public String name() {

@@ -21,7 +21,7 @@ class PortablePlanTest {
   private static final Path FILE =
       Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-scripted.xml");
 
-  /** A model that no catalogue has under its name. */
+  /** A model that is not in the catalogue. */
   private record Unknown(String name) implements DetectionModel {
     @Override
     public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {

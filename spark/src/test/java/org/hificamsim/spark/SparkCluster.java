@@ -13,11 +13,11 @@ import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A standalone cluster on loopback: a master and workers of one core, each a process. */
+/** A standalone cluster on loopback: a master, and workers with one core, each a process. */
 final class SparkCluster implements Closeable {
   private static final Duration PATIENCE = Duration.ofMinutes(4);
 
-  /** Options for JVMs that end soon. */
+  /** Options for short-lived JVMs. */
   static final List<String> SHORT_LIVED = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
 
   private static final Pattern PORT =
@@ -57,7 +57,7 @@ final class SparkCluster implements Closeable {
     return url;
   }
 
-  /** Kills a worker's executors, then the worker; returns how many processes they were. */
+  /** Kills a worker and its executors; returns the number of processes. */
   int kill(int worker) {
     Process process = processes.get(worker);
     List<ProcessHandle> executors = process.descendants().toList();

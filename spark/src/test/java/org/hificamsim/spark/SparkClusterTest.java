@@ -22,8 +22,8 @@ import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A comparison with a user's policy and model file on a real cluster of one master and two workers,
- * one of which is killed.
+ * Runs a comparison with a user's policy and model file on a real cluster of a master and two
+ * workers, one of which is killed.
  */
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
 class SparkClusterTest {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** Spark in this process, {@code local[2]}. */
+/** Tests Spark in this process, {@code local[2]}. */
 class SparkEngineTest {
   @BeforeAll
   static void requireSpark() {

@@ -11,7 +11,7 @@ final class SparkHome {
 
   private SparkHome() {}
 
-  /** Its folder; the test is skipped where there is none. */
+  /** The folder of Spark; the test is skipped if there is none. */
   static Path require() {
     assumeTrue(Files.isDirectory(HOME.resolve("jars")), "no Spark in " + HOME);
     return HOME;

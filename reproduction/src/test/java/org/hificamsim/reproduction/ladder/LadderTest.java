@@ -27,7 +27,6 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.junit.jupiter.api.Test;
 
-/** Rungs as changes of a plan. */
 class LadderTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
   private static final Catalogue CATALOGUE = Catalogue.load();
@@ -35,7 +34,7 @@ class LadderTest {
       ScenarioReader.read(
           ROOT.resolve("scenarios/ring-random.xml"), movement -> true, warning -> {});
 
-  /** A rung that changes the scenario and not the detection: one target alone. */
+  /** A rung that changes the scenario only: it has one target. */
   private static final Rung LONELY =
       new Rung(
           "lonely",
@@ -96,7 +95,7 @@ class LadderTest {
     assertEquals(List.of("ring-random", RungResult.ALL), result.scenarios());
   }
 
-  /** Zooming out gives 10, zooming in 4 of every 10 steps; with one target the other way round. */
+  /** Zooming out gives 10, zooming in 4 of every 10 steps; with one target they are swapped. */
   private static CaseResult made(RunPlan plan) {
     boolean lonely = plan.scenario().name().startsWith("lonely");
     boolean good = plan.policy().equals("zoom-out") != lonely;
@@ -113,7 +112,7 @@ class LadderTest {
   }
 
   private static List<String> names(List<RungResult> results) {
-    return results.stream().map(one -> one.rung().name()).toList();
+    return results.stream().map(row -> row.rung().name()).toList();
   }
 
   @Test

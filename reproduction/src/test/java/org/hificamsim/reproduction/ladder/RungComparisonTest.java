@@ -9,7 +9,7 @@ import org.hificamsim.reproduction.ladder.LadderResult.RungComparison;
 import org.hificamsim.runs.compare.RungScores;
 import org.junit.jupiter.api.Test;
 
-/** Order, choice and regret of made-up policies, one seed unless said. */
+/** Tests order, choice and regret with made-up policies, with one seed unless stated. */
 class RungComparisonTest {
   private static final int[] ONE = {0};
 

@@ -25,7 +25,7 @@ import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What each rung of the world leaves of a scenario that has everything. */
+/** Tests the rungs of the world with a scenario that has everything that rungs remove. */
 class WorldRungsTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
   private static final Scenario HALL = site("hall");
@@ -87,7 +87,7 @@ class WorldRungsTest {
   @Test
   void opticsRungDoesNotTurn() {
     Scenario optics = world("optics");
-    assertTrue(optics(optics).stream().allMatch(one -> one.pans().equals(List.of(0.0))));
+    assertTrue(optics(optics).stream().allMatch(spec -> spec.pans().equals(List.of(0.0))));
     assertEquals(
         optics(HALL).stream().map(OpticsSpec::anglesOfView).toList(),
         optics(optics).stream().map(OpticsSpec::anglesOfView).toList());
@@ -96,7 +96,7 @@ class WorldRungsTest {
   @Test
   void roundRungHasRadiiOfFirstLensByEq32() {
     Scenario round = world("round");
-    assertTrue(optics(round).stream().allMatch(one -> one.law() == OpticsLaw.ROUND));
+    assertTrue(optics(round).stream().allMatch(spec -> spec.law() == OpticsLaw.ROUND));
     assertTrue(round.everyCamera().allMatch(camera -> camera.viewingAngle() == 360));
     double height = round.mountHeight().orElseThrow();
     List<Double> angles = optics(HALL).get(0).anglesOfView();

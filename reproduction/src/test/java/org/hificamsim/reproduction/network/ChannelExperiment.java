@@ -43,22 +43,22 @@ import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.output.Table;
 
 /**
- * The experiment of {@code docs/channel.md}: what losses, delays and narrow bands cost policies
- * whose cameras talk, beside learners that do not, and CamSim's auctions.
+ * Runs the experiment of {@code docs/channel.md}: the cost of losses, delays and narrow bands for
+ * policies whose cameras communicate, for learners that do not, and for CamSim's auctions.
  */
 public final class ChannelExperiment {
   private static final String AUCTIONS = "auctions";
   private static final List<String> TALKING = List.of("cooperative", "qb-sarsa");
   private static final List<String> SILENT = List.of("sarsa", "softmax");
 
-  /** What is varied: its title, and a channel for each value. */
+  /** A property of the channel that is varied, with a channel for each value. */
   private record Sweep(String title, String key, List<Double> values) {
     ChannelModel channel(double value) {
       String number = key.equals("loss") ? "%s" : "%.0f";
       return ChannelModel.parse(key + "=" + String.format(Locale.ROOT, number, value));
     }
 
-    /** Where a value is drawn: bits as powers of two. */
+    /** The position of a value on the axis; bits are logarithmic. */
     double at(double value) {
       return key.equals("bandwidth") ? Math.log(value) / Math.log(2) : value;
     }
@@ -73,7 +73,7 @@ public final class ChannelExperiment {
               "bandwidth",
               List.of(16.0, 32.0, 64.0, 128.0, 256.0)));
 
-  /** What one policy makes of one channel, over the seeds: the mean over the scenarios. */
+  /** The result of a policy over a channel, the mean over scenarios and seeds. */
   private record Outcome(
       String policy, String key, double value, Estimate share, double bits, double dropped) {}
 
@@ -171,7 +171,7 @@ public final class ChannelExperiment {
         file + " " + seed, key -> run(scenario(file), "optimal", seed).score());
   }
 
-  /** The targets in sight, and those of them that one camera owns, which sees them. */
+  /** Counts the targets in sight, and those that are owned by a camera that sees them. */
   private static final class Ownership implements StepListener {
     private final Network network;
     private long seen;
@@ -238,11 +238,11 @@ public final class ChannelExperiment {
         .texts("policy", "", Outcome::policy)
         .texts("varied", "", Outcome::key)
         .doubles("value", "", "", Outcome::value)
-        .doubles("share", "", "", one -> rounded(one.share().mean()))
-        .doubles("low", "", "", one -> rounded(one.share().low()))
-        .doubles("high", "", "", one -> rounded(one.share().high()))
-        .doubles("bits", "", "", one -> rounded(one.bits()))
-        .doubles("dropped", "", "", one -> rounded(one.dropped()))
+        .doubles("share", "", "", outcome -> rounded(outcome.share().mean()))
+        .doubles("low", "", "", outcome -> rounded(outcome.share().low()))
+        .doubles("high", "", "", outcome -> rounded(outcome.share().high()))
+        .doubles("bits", "", "", outcome -> rounded(outcome.bits()))
+        .doubles("dropped", "", "", outcome -> rounded(outcome.dropped()))
         .write(folder, outcomes.stream());
   }
 
@@ -298,10 +298,11 @@ public final class ChannelExperiment {
       XyPanel panel, Sweep sweep, List<Outcome> outcomes, String policy, Color color) {
     List<Outcome> own =
         outcomes.stream()
-            .filter(one -> one.policy().equals(policy) && one.key().equals(sweep.key))
+            .filter(outcome -> outcome.policy().equals(policy) && outcome.key().equals(sweep.key))
             .toList();
-    double[] x = own.stream().mapToDouble(one -> sweep.at(one.value())).toArray();
-    Curve curve = new Curve(x, own.stream().mapToDouble(one -> one.share().mean()).toArray());
+    double[] x = own.stream().mapToDouble(outcome -> sweep.at(outcome.value())).toArray();
+    Curve curve =
+        new Curve(x, own.stream().mapToDouble(outcome -> outcome.share().mean()).toArray());
     if (policy.equals(AUCTIONS)) {
       panel.dashed(curve, color);
     } else {

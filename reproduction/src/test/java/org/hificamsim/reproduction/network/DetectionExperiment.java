@@ -31,8 +31,8 @@ import org.hificamsim.runs.output.Table;
 import org.knowm.xchart.CategoryChart;
 
 /**
- * The experiment of {@code docs/camsim-network.md}: how handovers and communication change when
- * bids come from a hi-fi model instead of CamSim's own visibility.
+ * Runs the experiment of {@code docs/camsim-network.md}: how handovers and communication change if
+ * bids come from a hi-fi model instead of CamSim's visibility.
  */
 public final class DetectionExperiment {
   private static final int STEPS = 1000;
@@ -54,7 +54,7 @@ public final class DetectionExperiment {
     }
   }
 
-  /** What a run added up to, as means over the seeds. */
+  /** The sums of a run, as means over the seeds. */
   private record Outcome(
       String scenario,
       String detection,
@@ -120,7 +120,7 @@ public final class DetectionExperiment {
     return runs.stream().mapToDouble(figure).average().orElse(0);
   }
 
-  /** The file's name with its folder, which in CamSim's collection tells files apart. */
+  /** The name of a file with its folder, which distinguishes files of CamSim's collection. */
   private static String name(Path file) {
     return file.getName(file.getNameCount() - 2)
         + "/"
@@ -134,8 +134,8 @@ public final class DetectionExperiment {
         .texts("setting", "", Outcome::setting)
         .doubles("messages", "", "", Outcome::messages)
         .doubles("handovers", "", "", Outcome::handovers)
-        .doubles("tracked", "", "", one -> rounded(one.tracked()))
-        .doubles("utility", "", "", one -> rounded(one.utility()))
+        .doubles("tracked", "", "", outcome -> rounded(outcome.tracked()))
+        .doubles("utility", "", "", outcome -> rounded(outcome.utility()))
         .write(folder, outcomes.stream());
   }
 
@@ -148,7 +148,9 @@ public final class DetectionExperiment {
     List<CategoryChart> panels = new ArrayList<>();
     scenarios.forEach(name -> panels.add(panel(outcomes, name, "handovers", Outcome::handovers)));
     scenarios.forEach(
-        name -> panels.add(panel(outcomes, name, "messages (1000)", one -> one.messages() / 1000)));
+        name ->
+            panels.add(
+                panel(outcomes, name, "messages (1000)", outcome -> outcome.messages() / 1000)));
     List<LegendEntry> legend = new ArrayList<>();
     for (int i = 0; i < COLORS.size(); i++) {
       legend.add(new LegendEntry(DETECTIONS.get(i), COLORS.get(i), LegendEntry.Mark.BAR));
@@ -172,7 +174,9 @@ public final class DetectionExperiment {
       String detection = DETECTIONS.get(i);
       List<Double> values =
           outcomes.stream()
-              .filter(one -> one.scenario().equals(scenario) && one.detection().equals(detection))
+              .filter(
+                  outcome ->
+                      outcome.scenario().equals(scenario) && outcome.detection().equals(detection))
               .map(figure::applyAsDouble)
               .toList();
       most = values.stream().reduce(most, Math::max);

@@ -71,7 +71,8 @@ class ChangedWorldTest {
     List<TargetSpec> targets = targets(changed);
     assertEquals(number, targets.size());
     assertEquals(number, targets.stream().map(TargetSpec::name).distinct().count());
-    assertEquals(number, targets.stream().map(one -> one.x() + "," + one.y()).distinct().count());
+    assertEquals(
+        number, targets.stream().map(target -> target.x() + "," + target.y()).distinct().count());
     assertEquals(name + "-" + number + "-targets", changed.name());
   }
 

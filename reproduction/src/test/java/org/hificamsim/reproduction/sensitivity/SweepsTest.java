@@ -29,11 +29,11 @@ class SweepsTest {
 
   @Test
   void defaultsAreThoseOfTheModelsAndScenarios() {
-    Variant any = ALL.get(0).variants().get(0);
+    Variant variant = ALL.get(0).variants().get(0);
     assertEquals(
         Catalogue.load().detection("hifi:orb-lin").defaultThreshold(),
         Double.parseDouble(standard("threshold-hifi")));
-    assertEquals(any.camsim().threshold(), Double.parseDouble(standard("threshold-camsim")));
+    assertEquals(variant.camsim().threshold(), Double.parseDouble(standard("threshold-camsim")));
     assertEquals(TargetSpec.DEFAULT_SIZE, Double.parseDouble(standard("size")));
     assertEquals(
         PublishedModels.published().optics().longestFocalLength(),

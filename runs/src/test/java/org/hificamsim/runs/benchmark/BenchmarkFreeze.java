@@ -13,13 +13,13 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
 /**
- * Computes the scale and the hash of tasks that have none yet, and writes them into their file. A
- * task that has them is never touched: a change needs a new name.
+ * Computes the scale and the hash of tasks that have none, and writes them into their file. A task
+ * that has them is not changed: a changed task needs a new name.
  */
 final class BenchmarkFreeze {
   private BenchmarkFreeze() {}
 
-  /** Takes the file of the tasks. */
+  /** Freezes the tasks of the file that is the only argument. */
   public static void main(String[] args) throws IOException {
     Path file = Path.of(args[0]);
     Benchmark benchmark = Benchmark.read(file, Catalogue.load());

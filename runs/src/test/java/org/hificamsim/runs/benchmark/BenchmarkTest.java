@@ -65,7 +65,7 @@ class BenchmarkTest {
                         org.hificamsim.core.scenario.spec.CameraSpec.X, camera.x() + 1e-9))));
   }
 
-  /** The engine still scores as it did when the scale was computed. */
+  /** Computes the scale of a task again. */
   @ParameterizedTest
   @MethodSource("names")
   void scaleAgreesWithRuns(String name) {
@@ -93,7 +93,7 @@ class BenchmarkTest {
       Files.writeString(file, ScenarioWriter.write(layout));
       List<String> warnings = new ArrayList<>();
       ScenarioReader.read(file, movement -> true, warnings::add);
-      warnings.removeIf(one -> one.contains("lead outside the field"));
+      warnings.removeIf(warning -> warning.contains("lead outside the field"));
       assertEquals(List.of(), warnings, () -> name + " " + seed);
       assertTrue(drawn.add(ScenarioWriter.write(layout)), () -> name + " " + seed);
     }
@@ -112,7 +112,7 @@ class BenchmarkTest {
         ScenarioWriter.write(BENCHMARK.layout("campus-v1", 5 - 7L * BenchmarkTask.TRAINING)));
   }
 
-  /** Nobody walks in training whom a testing window begins with, at that time. */
+  /** No target of a testing window is there at the same time in training. */
   @Test
   void recordingsBeginAtOtherTimesInTesting() {
     SiteLayout layout = BENCHMARK.task("street-v1").layout();

@@ -27,7 +27,7 @@ class ComparisonTest {
 
   @TempDir Path folder;
 
-  /** Otherwise a second one could begin on a journal that the first one then deletes. */
+  /** Otherwise a second comparison could use a journal that the first one then deletes. */
   @Test
   void locksFolderUntilJournalIsDeleted() throws IOException {
     Path file = folder.resolve(Journal.NAME);
@@ -44,7 +44,7 @@ class ComparisonTest {
     new OutputFolder(folder).close();
   }
 
-  /** So that what could not be written need not be computed again. */
+  /** So that a comparison whose files could not be written is not computed again. */
   @Test
   void reusesRunsInJournal() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {

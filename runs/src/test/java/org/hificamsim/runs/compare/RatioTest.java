@@ -34,9 +34,9 @@ class RatioTest {
 
   @Test
   void pairsDifferencesBySeed() {
-    Ratio one = new Ratio(new double[] {5, 9}, new double[] {10, 10});
+    Ratio ratio = new Ratio(new double[] {5, 9}, new double[] {10, 10});
     Ratio other = new Ratio(new double[] {4, 8}, new double[] {10, 10});
-    Estimate difference = one.minus(other);
+    Estimate difference = ratio.minus(other);
     assertEquals(0.1, difference.mean(), 1e-12);
     assertEquals(0.1, difference.low(), 1e-12);
     assertEquals(0.1, difference.high(), 1e-12);

@@ -29,7 +29,7 @@ import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.DynamicTest;
 
 /**
- * What every engine owes a comparison, as tests.
+ * The tests that every {@link RunEngine} has to pass.
  *
  * @param engines makes a new, configured instance
  */
@@ -47,7 +47,7 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
        "g": {"slope": 0.571, "intercept": 0.026}, "threshold": 0.05}
       """;
 
-  /** The tests, each named after what it asserts. */
+  /** The tests, named after what they assert. */
   public Stream<DynamicTest> tests() {
     return Stream.of(
         dynamicTest("handsBackEachOutcomeOnce", this::handsBackEachOutcomeOnce),
@@ -91,7 +91,7 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
     assertSameAsAlone(plans, all(plans));
   }
 
-  /** As when a model's file changes between the reading of two plans. */
+  /** As if the file of a model changes while two plans are read. */
   private void keepsModelsOfOneNameApart() throws IOException {
     Path model = Files.createTempFile("model", ".json");
     List<RunPlan> plans = new ArrayList<>();
@@ -172,7 +172,7 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
     return tasks;
   }
 
-  /** Built-in models and one under another name, policies with options, a scenario with changes. */
+  /** Plans with built-in models, a renamed model, policies with options and a changed scenario. */
   private static List<RunPlan> plans() {
     Scenario ring = scenario("ring-random").with(Scenario.HEADINGS, Headings.AS_RADIANS);
     RunPlan plain = plan(ring, "camsim-range", "zoom-out");

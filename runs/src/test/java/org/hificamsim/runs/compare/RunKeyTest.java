@@ -40,7 +40,7 @@ class RunKeyTest {
        "optics": {"sensorWidth": SENSOR, "longestFocalLength": 0.085}, "threshold": 0.05}
       """;
 
-  /** One support vector at 30 m, whose kernel is 0 to the last bit below 16 m. */
+  /** A model with one support vector at 30 m, whose kernel is exactly 0 below 16 m. */
   private static final String FAR =
       """
       {"schema": "hificamsim-model", "version": 1, "name": "far",
@@ -77,15 +77,15 @@ class RunKeyTest {
 
   @Test
   void dependsOnModelAtAllDistances() throws IOException {
-    DetectionModel one = read(FAR.replace("WEIGHT", "-2"));
+    DetectionModel model = read(FAR.replace("WEIGHT", "-2"));
     DetectionModel other = read(FAR.replace("WEIGHT", "2"));
     ZoomLevel zoom = new ZoomLevel(40, 1, 16, 3, 2 * Math.PI);
     for (double distance = 0; distance < 16; distance += 0.01) {
       assertEquals(
-          one.confidence(0.5, distance, 0, zoom), other.confidence(0.5, distance, 0, zoom));
+          model.confidence(0.5, distance, 0, zoom), other.confidence(0.5, distance, 0, zoom));
     }
-    assertNotEquals(one.confidence(0.5, 30, 0, zoom), other.confidence(0.5, 30, 0, zoom));
-    assertNotEquals(key(scenario(), one, 0.05), key(scenario(), other, 0.05));
+    assertNotEquals(model.confidence(0.5, 30, 0, zoom), other.confidence(0.5, 30, 0, zoom));
+    assertNotEquals(key(scenario(), model, 0.05), key(scenario(), other, 0.05));
   }
 
   @Test

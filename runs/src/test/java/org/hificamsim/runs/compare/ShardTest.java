@@ -23,14 +23,14 @@ class ShardTest {
   void distributesRunsEvenlyOverShards(
       @ForAll @IntRange(min = 1, max = 12) int cases,
       @ForAll @IntRange(min = 1, max = 40) int repeats,
-      @ForAll @IntRange(min = 1, max = 600) int of) {
-    List<List<RunTask>> shards = shards(cases, repeats, of);
+      @ForAll @IntRange(min = 1, max = 600) int count) {
+    List<List<RunTask>> shards = shards(cases, repeats, count);
     List<RunTask> all = shards.stream().flatMap(List::stream).toList();
     assertEquals(cases * repeats, all.size());
     assertEquals(cases * repeats, new HashSet<>(all).size());
     assertBalanced(shards, task -> true);
-    for (int one = 0; one < cases; one++) {
-      int plan = one;
+    for (int index = 0; index < cases; index++) {
+      int plan = index;
       assertBalanced(shards, task -> task.plan() == plan);
     }
   }
@@ -39,9 +39,9 @@ class ShardTest {
   void distributesSeedsEvenlyOverShards(
       @ForAll @IntRange(min = 1, max = 12) int cases,
       @ForAll @IntRange(min = 1, max = 5) int times,
-      @ForAll @IntRange(min = 1, max = 12) int of) {
-    List<List<RunTask>> shards = shards(cases, times * of, of);
-    for (int seed = 0; seed < times * of; seed++) {
+      @ForAll @IntRange(min = 1, max = 12) int count) {
+    List<List<RunTask>> shards = shards(cases, times * count, count);
+    for (int seed = 0; seed < times * count; seed++) {
       int repeat = seed;
       assertBalanced(shards, task -> task.repeat() == repeat);
     }
@@ -62,12 +62,12 @@ class ShardTest {
     assertTrue(fault.getMessage().startsWith("shard is '" + text + "', expected i/n"));
   }
 
-  private static List<List<RunTask>> shards(int cases, int repeats, int of) {
+  private static List<List<RunTask>> shards(int cases, int repeats, int count) {
     RunPlan plan = new RunPlan(null, null, "zoom-out", 1, 0, repeats);
     List<RunPlan> plans = Collections.nCopies(cases, plan);
     List<List<RunTask>> shards = new ArrayList<>();
-    for (int number = 1; number <= of; number++) {
-      shards.add(new Shard(number, of).tasks(plans));
+    for (int number = 1; number <= count; number++) {
+      shards.add(new Shard(number, count).tasks(plans));
     }
     return shards;
   }

@@ -31,14 +31,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Maps of a field of 12 x 8 m in cells of half a metre. Targets that stand still in the middle of
- * every free cell tell what the simulation itself makes of these places.
+ * Compares maps of a field of 12 x 8 m, in cells of half a metre, with the simulation: targets
+ * stand still in the centre of every free cell.
  */
 class HeatRecorderTest {
   private static final int STEPS = 30;
   private static final int CELLS = 24;
 
-  /** Cameras that turn, move slowly, fail and are moved; walls that hide, and that dim. */
+  /** A scenario with cameras that turn, fail and are moved, and walls that hide or dim. */
   private static final String SITE =
       """
 <root>
@@ -66,7 +66,7 @@ class HeatRecorderTest {
   @TempDir static Path folder;
   private final Catalogue catalogue = Catalogue.load();
 
-  /** Adds up how the targets, one a free cell, are covered. */
+  /** Sums up the coverage of the targets, of which each free cell has one. */
   private static final class Lattice implements StepListener {
     private final FieldCells cells;
     private final double[] k;

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Files of results, written and read. */
+/** Tests writing and reading files of results. */
 class ResultFilesTest {
   private record Item(long id, double size, String name, Estimate mean) {}
 
@@ -45,12 +45,14 @@ class ResultFilesTest {
       out.commit(List.of());
     }
     Path file = folder.resolve("items.csv");
-    Estimate one = new Estimate(1, 2, 3);
-    Estimate two = new Estimate(4, 5, 6);
+    Estimate first = new Estimate(1, 2, 3);
+    Estimate second = new Estimate(4, 5, 6);
     assertEquals(
         "id,big,size,plain,name,mean,low,high\n"
-            + "1,1099511627776,2.5,2.5,a,%s,%s,%s\n".formatted(one.mean(), one.low(), one.high())
-            + "2,2199023255552,3.0,3,'=b,%s,%s,%s\n".formatted(two.mean(), two.low(), two.high()),
+            + "1,1099511627776,2.5,2.5,a,%s,%s,%s\n"
+                .formatted(first.mean(), first.low(), first.high())
+            + "2,2199023255552,3.0,3,'=b,%s,%s,%s\n"
+                .formatted(second.mean(), second.low(), second.high()),
         Files.readString(file));
     assertTrue(items.isIn(folder));
     assertFalse(Table.of("others.csv").isIn(folder));
@@ -79,12 +81,13 @@ class ResultFilesTest {
   void readsScoreFromLastCellOfRow() throws IOException {
     Path file = folder.resolve("steps.csv");
     List<StepRow> rows = new ArrayList<>();
-    for (String odd : List.of("1,2", "0,x,3,1.5", "0,1,3,z", "y,1,3,1", "0,1,")) {
-      Files.writeString(file, "run,step,k_min,score\n10,7,3,2.5\n" + odd + "\n");
-      String told =
+    for (String malformed : List.of("1,2", "0,x,3,1.5", "0,1,3,z", "y,1,3,1", "0,1,")) {
+      Files.writeString(file, "run,step,k_min,score\n10,7,3,2.5\n" + malformed + "\n");
+      String message =
           assertThrows(InputException.class, () -> StepRow.each(folder, rows::add)).getMessage();
       assertEquals(
-          file + ":3:1: '" + odd + "' is no row, expected run,step,k_min,...,score, numbers", told);
+          file + ":3:1: '" + malformed + "' is no row, expected run,step,k_min,...,score, numbers",
+          message);
       assertEquals(new StepRow(10, 7, 2.5), rows.get(rows.size() - 1));
     }
     Files.writeString(file, "run,step,k_min,score\n");
@@ -124,7 +127,7 @@ class ResultFilesTest {
     assertEquals("0.2", results.version());
   }
 
-  /** A crate is a file of a folder, and may be anyone's. */
+  /** A crate may be a foreign file. */
   @Test
   void removesOnlyOwnFilesNamedByCrate() throws IOException {
     try (OutputFolder out = new OutputFolder(folder)) {
@@ -172,8 +175,8 @@ class ResultFilesTest {
     assertEquals(List.of(), policies.of("unheard-of:file=" + file));
     assertEquals(
         "weights", new String(PolicyFiles.content(file), java.nio.charset.StandardCharsets.UTF_8));
-    String told =
+    String message =
         assertThrows(InputException.class, () -> PolicyFiles.content(folder)).getMessage();
-    assertEquals(folder + " cannot be read, expected a file of a policy", told);
+    assertEquals(folder + " cannot be read, expected a file of a policy", message);
   }
 }

@@ -31,7 +31,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a folder of runs holds, in full. */
+/** Tests the whole content of a folder of runs. */
 class RunFolderTest {
   private static final String SITE =
       """
@@ -158,11 +158,11 @@ class RunFolderTest {
               .filter(row -> row.get("run").equals(number))
               .mapToDouble(row -> Double.parseDouble(row.get("k_min")))
               .sum();
-      JsonNode one = summary.get("runs").get(run);
-      assertEquals(sum, one.get("performance").asDouble());
-      assertTrue(one.get("performance").isIntegralNumber());
-      assertEquals(run, one.get("run").asInt());
-      assertEquals(7 + run, one.get("seed").asInt());
+      JsonNode entry = summary.get("runs").get(run);
+      assertEquals(sum, entry.get("performance").asDouble());
+      assertTrue(entry.get("performance").isIntegralNumber());
+      assertEquals(run, entry.get("run").asInt());
+      assertEquals(7 + run, entry.get("seed").asInt());
       all += sum;
     }
     assertEquals(all / REPEATS, summary.get("performance").asDouble());
@@ -208,8 +208,8 @@ class RunFolderTest {
   void crateDescribesFilesAndRun() throws IOException {
     Path out = run("crate", plan("hifi:orb-lin", "fixed", REPEATS), Detail.ZOOMS);
     Map<String, JsonNode> entities = new HashMap<>();
-    for (JsonNode one : json(out.resolve("ro-crate-metadata.json")).get("@graph")) {
-      entities.put(one.get("@id").asText(), one);
+    for (JsonNode entry : json(out.resolve("ro-crate-metadata.json")).get("@graph")) {
+      entities.put(entry.get("@id").asText(), entry);
     }
     List<String> results =
         List.of("manifest.json", "steps.csv", "summary.json", "targets.csv", "zooms.csv");
@@ -262,7 +262,7 @@ class RunFolderTest {
 
   private static List<String> ids(JsonNode references) {
     List<String> ids = new ArrayList<>();
-    references.forEach(one -> ids.add(id(one)));
+    references.forEach(entry -> ids.add(id(entry)));
     return ids;
   }
 
@@ -339,10 +339,10 @@ class RunFolderTest {
   void writtenInputsGiveTheSameRun() throws IOException {
     RunPlan fitted = plan("hifi:orb-lin@0.4", "fixed", 1);
     RunPlan other = plan("hifi:sift-lin", "fixed", 1);
-    Path one = inputs("one", fitted, fitted);
-    assertEquals(List.of("detection-hifi-orb-lin.json", "scenario-site.xml"), names(one));
+    Path first = inputs("one", fitted, fitted);
+    assertEquals(List.of("detection-hifi-orb-lin.json", "scenario-site.xml"), names(first));
     assertTrue(
-        Files.readString(one.resolve("scenario-site.xml"))
+        Files.readString(first.resolve("scenario-site.xml"))
             .contains("detection=\"detection-hifi-orb-lin.json@0.4\""));
     assertTrue(
         Files.readString(inputs("rule", plan("geometric", "fixed", 1)).resolve("scenario-site.xml"))
@@ -368,7 +368,7 @@ class RunFolderTest {
     return out;
   }
 
-  /** The files of a folder, without what commands keep of it. */
+  /** The files of a folder without the record of their hashes. */
   static List<String> names(Path out) throws IOException {
     try (Stream<Path> files = Files.list(out)) {
       return files

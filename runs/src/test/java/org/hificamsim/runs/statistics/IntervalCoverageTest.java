@@ -15,8 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * How often a 95% interval holds the truth, where the truth is known: scores of seeds that lie in
- * [0, 1] and are skewed, as proportions of an optimum are.
+ * Tests how often a 95% interval contains the true value if that is known, for skewed scores in [0,
+ * 1], which proportions of an optimum are like.
  */
 class IntervalCoverageTest {
   private static final double LEAST = 0.93;
@@ -56,7 +56,7 @@ class IntervalCoverageTest {
         (high.mean() + low.mean()) / 2,
         () -> {
           Strata strata = Strata.of(List.of(high.draw(seeds), low.draw(seeds)));
-          return Bootstrap.all(one -> new double[] {Aggregate.MEAN.of(one)}, strata)[0];
+          return Bootstrap.all(drawn -> new double[] {Aggregate.MEAN.of(drawn)}, strata)[0];
         });
   }
 

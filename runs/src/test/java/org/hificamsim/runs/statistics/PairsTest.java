@@ -9,15 +9,15 @@ import java.util.List;
 import org.hificamsim.runs.Estimate;
 import org.junit.jupiter.api.Test;
 
-/** What is said of two policies. */
+/** Tests the statistics of pairs of policies. */
 class PairsTest {
   @Test
   void probabilityOfImprovementCountsTiesHalfAndScenariosEqually() {
-    Strata one = Strata.of(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
+    Strata policy = Strata.of(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
     Strata other = Strata.of(List.of(new double[] {2, 0}, new double[] {1, 1, 1}));
     double first = (1 + 1 + 0.5) / 4; // 1 over 0, 2 over 0, 2 beside 2
-    assertEquals((first + 1) / 2, Aggregate.probability(one, other), 1e-12);
-    assertEquals(1 - (first + 1) / 2, Aggregate.probability(other, one), 1e-12);
+    assertEquals((first + 1) / 2, Aggregate.probability(policy, other), 1e-12);
+    assertEquals(1 - (first + 1) / 2, Aggregate.probability(other, policy), 1e-12);
   }
 
   @Test

@@ -17,9 +17,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 /**
- * The same numbers as rliable and SciPy, from the same scores: as rliable 1.2.0 and SciPy 1.17
- * answered, {@code peers.json}, or as those of the Python do that HIFICAMSIM_PYTHON names, {@code
- * pip install rliable 'pandas<3'}.
+ * Compares statistics with those of rliable and SciPy for the same scores: with the answers of
+ * rliable 1.2.0 and SciPy 1.17 in {@code peers.json}, or with those of the Python that
+ * HIFICAMSIM_PYTHON names ({@code pip install rliable 'pandas<3'}).
  */
 class PeersTest {
   private static final Optional<String> PYTHON =
@@ -67,7 +67,7 @@ class PeersTest {
     assertClose(theirs.at("/improvementEnds/0"), theirs.at("/improvementEnds/1"), ours);
   }
 
-  /** Near 0 and 1, where what a bootstrap draws is skew, our intervals are longer than theirs. */
+  /** Near 0 and 1, where draws of a bootstrap are skewed, our intervals are longer. */
   @Test
   void profileAgreesWithRliable() {
     Estimate[] ours = Aggregate.profile(X);
@@ -94,7 +94,7 @@ class PeersTest {
     assertEquals(theirs.at("/drawn").asDouble(), PairedTest.p(differences), 0.005);
   }
 
-  /** Ends of intervals, which are of chance, to a tenth of their width. */
+  /** Compares ends of intervals, which depend on draws, to a tenth of their width. */
   private static void assertClose(JsonNode low, JsonNode high, Estimate ours) {
     double width = high.asDouble() - low.asDouble();
     assertTrue(width > 0);
