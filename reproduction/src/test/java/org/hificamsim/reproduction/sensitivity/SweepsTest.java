@@ -18,7 +18,7 @@ class SweepsTest {
   @Test
   void everySweepHasOneDefaultAndOtherValues() {
     for (ParameterSweep sweep : ALL) {
-      long defaults = sweep.variants().stream().filter(Variant::standard).count();
+      long defaults = sweep.variants().stream().filter(Variant::isDefault).count();
       assertEquals(1, defaults, sweep.parameter());
       assertEquals(
           sweep.variants().size(),
@@ -44,7 +44,7 @@ class SweepsTest {
     return ALL.stream()
         .filter(sweep -> sweep.parameter().equals(parameter))
         .flatMap(sweep -> sweep.variants().stream())
-        .filter(Variant::standard)
+        .filter(Variant::isDefault)
         .findFirst()
         .orElseThrow()
         .value();
