@@ -15,8 +15,8 @@ export async function leaderboardPage(root, data) {
         {},
         'Scores from 0, cameras that always zoom out, to 1, the proven optimum of every step.' +
           ' IQM is the interquartile mean over all tasks and testing episodes, with its 95\u00a0%' +
-          ' interval by a bootstrap within tasks. Every entry was checked: its actions were played' +
-          ' again, and scored the same.',
+          ' interval by a bootstrap within tasks. Every entry was checked: its actions were' +
+          ' played again, and scored the same.',
       ),
       el(
         'div',
