@@ -19,8 +19,6 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.profiling.check.Calibration.Size;
-import org.hificamsim.profiling.check.ErrorSummary.Quantity;
-import org.hificamsim.profiling.check.RealityCheck.BoxComparison;
 import org.hificamsim.profiling.dataset.TableLayout;
 
 /** What a check leaves: a row per box, a row per rung and distance, and a picture. */
@@ -99,13 +97,14 @@ public final class CheckFolder {
         "Predicted against measured, " + check.boxes() + " boxes",
         "A point for each box, and the bias by distance as a line.",
         legend,
-        List.of(panel("box height", check, Quantity.HEIGHT), panel("PIP", check, Quantity.PIP)),
+        List.of(
+            panel("box height", check, BoxQuantity.HEIGHT), panel("PIP", check, BoxQuantity.PIP)),
         1,
         WIDTH,
         HEIGHT);
   }
 
-  private static XyPanel panel(String title, RealityCheck check, Quantity quantity) {
+  private static XyPanel panel(String title, RealityCheck check, BoxQuantity quantity) {
     XyPanel panel = new XyPanel(title, "distance, m", "error, % of the measured").cloud();
     int every = 1 + check.boxes() / MAX_POINTS;
     List<BoxComparison> shown =

@@ -1,21 +1,18 @@
 package org.hificamsim.profiling.check;
 
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.Spelling;
-import org.hificamsim.profiling.check.Calibration.Size;
-import org.hificamsim.profiling.check.RealityCheck.BoxComparison;
 
 /**
- * How far predictions are off, as shares of what was measured.
+ * The errors of predictions in a band of distances, as shares of the measured sizes.
  *
- * @param from nearest distance that it is of, metres
- * @param to the distance where the next band begins, metres
- * @param boxes how many
- * @param median of the errors' sizes
- * @param ninety nine in ten errors are of this size or less
- * @param bias the mean error; above 0 where too much is predicted
+ * @param from the least distance of the band, metres
+ * @param to the distance at which the next band begins, metres
+ * @param boxes the number of boxes
+ * @param median of the absolute errors
+ * @param ninety the absolute error that nine in ten boxes do not exceed
+ * @param bias the mean error; above 0 if the predictions are too large
  */
 public record ErrorSummary(
     String rung,
@@ -26,29 +23,15 @@ public record ErrorSummary(
     double median,
     double ninety,
     double bias) {
-  /** What of a box is compared. */
-  @SuppressWarnings("ImmutableEnumChecker") // without state
-  enum Quantity {
-    /** In pixels. */
-    HEIGHT(Size::height),
-    /** The share of the picture that the box fills; as a relative error that of its area. */
-    PIP(Size::area);
-
-    private final ToDoubleFunction<Size> value;
-
-    Quantity(ToDoubleFunction<Size> value) {
-      this.value = value;
-    }
-
-    double of(Size size) {
-      return value.applyAsDouble(size);
-    }
-  }
-
   static ErrorSummary of(
-      SizeModel rung, Quantity quantity, double from, double to, List<BoxComparison> all) {
-    double[] errors = all.stream().mapToDouble(one -> one.error(rung, quantity)).toArray();
-    double[] sizes = all.stream().mapToDouble(one -> Math.abs(one.error(rung, quantity))).toArray();
+      SizeModel rung,
+      BoxQuantity quantity,
+      double from,
+      double to,
+      List<BoxComparison> comparisons) {
+    double[] errors = comparisons.stream().mapToDouble(box -> box.error(rung, quantity)).toArray();
+    double[] sizes =
+        comparisons.stream().mapToDouble(box -> Math.abs(box.error(rung, quantity))).toArray();
     return new ErrorSummary(
         Spelling.of(rung),
         Spelling.of(quantity),

@@ -3,52 +3,15 @@ package org.hificamsim.profiling.check;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.check.Calibration.Size;
-import org.hificamsim.profiling.check.ErrorSummary.Quantity;
 import org.hificamsim.profiling.check.MotSightings.Sighting;
 
-/** Sightings compared with predictions, and a summary of the errors: over all, and by distance. */
+/** Compares sightings with predictions, and summarises the errors, overall and by distance. */
 public final class RealityCheck {
   private static final double MAX_BANDS = 8;
-
-  /**
-   * A sighting and what was predicted of it.
-   *
-   * @param distance from camera to target over the ground, metres
-   * @param footError from where the calibration has the target's foot to where the box stands,
-   *     pixels
-   * @param predicted by each rung
-   */
-  record BoxComparison(
-      Sighting sighting, double distance, double footError, Map<SizeModel, Size> predicted) {
-    static BoxComparison of(Sighting sighting, Calibration camera, Size body) {
-      Map<SizeModel, Size> predicted = new EnumMap<>(SizeModel.class);
-      for (SizeModel rung : SizeModel.values()) {
-        predicted.put(rung, rung.size(camera, sighting.foot(), body));
-      }
-      return new BoxComparison(
-          sighting,
-          SizeModel.distance(camera, sighting.foot()),
-          camera.project(sighting.foot()).distance(sighting.stand()),
-          predicted);
-    }
-
-    /** Whether the camera sees the place at all, and something is predicted. */
-    boolean possible() {
-      return predicted.values().stream().allMatch(size -> size.area() > 0) && footError >= 0;
-    }
-
-    /** The error of a prediction as a share of what was measured; above 0 where it is too large. */
-    double error(SizeModel rung, Quantity quantity) {
-      double measured = quantity.of(sighting.size());
-      return (quantity.of(predicted.get(rung)) - measured) / measured;
-    }
-  }
 
   private final List<BoxComparison> comparisons;
   private final Calibration camera;
@@ -71,7 +34,7 @@ public final class RealityCheck {
     List<BoxComparison> possible =
         sightings.stream()
             .map(sighting -> BoxComparison.of(sighting, camera, body))
-            .filter(BoxComparison::possible)
+            .filter(BoxComparison::isPossible)
             .toList();
     if (possible.isEmpty()) {
       throw InputException.of(
@@ -157,7 +120,7 @@ public final class RealityCheck {
 
   private static List<ErrorSummary> summaries(double from, double to, List<BoxComparison> within) {
     List<ErrorSummary> all = new ArrayList<>();
-    for (Quantity quantity : Quantity.values()) {
+    for (BoxQuantity quantity : BoxQuantity.values()) {
       for (SizeModel rung : SizeModel.values()) {
         all.add(ErrorSummary.of(rung, quantity, from, to, within));
       }

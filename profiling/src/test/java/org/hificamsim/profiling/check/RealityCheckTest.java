@@ -13,7 +13,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.profiling.check.Calibration.Pixel;
 import org.hificamsim.profiling.check.Calibration.Size;
-import org.hificamsim.profiling.check.ErrorSummary.Quantity;
 import org.hificamsim.profiling.check.MotSightings.Sighting;
 import org.hificamsim.tracks.format.MotFile;
 import org.junit.jupiter.api.Test;
@@ -68,12 +67,12 @@ class RealityCheckTest {
     List<Sighting> sightings =
         List.of(sighting(level, 0, 20, 0), sighting(level, 15, 20, 0), sighting(level, 0, 10, 0));
     RealityCheck check = RealityCheck.of(sightings, level, BODY);
-    assertEquals(0, check.comparisons().get(0).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(0).error(SizeModel.FLAT, BoxQuantity.HEIGHT), 1e-12);
     assertEquals(
-        20 / 25.0 - 1, check.comparisons().get(1).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
-    assertEquals(0, check.comparisons().get(2).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
+        20 / 25.0 - 1, check.comparisons().get(1).error(SizeModel.FLAT, BoxQuantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(2).error(SizeModel.FLAT, BoxQuantity.HEIGHT), 1e-12);
     assertEquals(
-        0, check.comparisons().get(1).error(SizeModel.CALIBRATION, Quantity.HEIGHT), 1e-12);
+        0, check.comparisons().get(1).error(SizeModel.CALIBRATION, BoxQuantity.HEIGHT), 1e-12);
   }
 
   @Test
