@@ -214,7 +214,7 @@ class ChanceTest {
       value = {
         "--detect luck | unknown detection rule 'luck', expected",
         "--detect chance:alpha=1 | alpha is '1', expected a number from 1.0E-9 to 0.5",
-        "--detect chance --threshold 0.4 | threshold is 0.4, expected none with detect=chance",
+        "--detect chance --threshold 0.4 | threshold is 0.4, expected none with --detect chance",
         "--detect chance --detection camsim-range | 'camsim-range' has no rmse",
         "--detection hifi:orb-lin@chance:x=1 | unknown option 'x=1'",
       })
