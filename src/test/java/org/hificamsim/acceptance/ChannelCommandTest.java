@@ -75,11 +75,7 @@ class ChannelCommandTest {
   void cooperativeRunsAreReproducible() throws IOException {
     List<String> steps = new ArrayList<>();
     for (String options :
-        List.of(
-            "--channel loss=0.3,delay=1",
-            "--channel loss=0.3,delay=1",
-            "--quiet",
-            "--quiet")) {
+        List.of("--channel loss=0.3,delay=1", "--channel loss=0.3,delay=1", "--quiet", "--quiet")) {
       Path out = folder.resolve("run" + steps.size());
       List<Object> words = new ArrayList<>(List.of("run", Cli.scenario("corridor")));
       words.addAll(List.of("--steps", 40, "--repeat", 2, "--policy", "cooperative:cells=200"));
