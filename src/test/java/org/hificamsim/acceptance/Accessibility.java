@@ -8,11 +8,11 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 
-/** What WCAG 2.2 asks of a page, as far as a script can tell. */
+/** Checks pages against WCAG 2.2, as far as a script can. */
 final class Accessibility {
   private static final String AXE = text("/axe.min.js");
 
-  /** What axe-core finds serious or critical: in which rule, and where first. */
+  /** Returns the serious and critical findings of axe-core: the rule and its first place. */
   private static final String SERIOUS =
       """
 const done = arguments[0];
@@ -37,7 +37,7 @@ axe.run(document, {resultTypes: ['violations']}).then(({violations}) => done(vio
     assertEquals(List.of(), browser.runAsync(SERIOUS));
   }
 
-  /** The same on a dark phone and on a light screen, and nothing may stick out. */
+  /** Checks a page on a dark phone and a light screen; nothing may stick out. */
   static void checkEverywhere(Browser browser) {
     for (int width : new int[] {400, 1400}) {
       browser.dark(width == 400);
@@ -48,16 +48,14 @@ axe.run(document, {resultTypes: ['violations']}).then(({violations}) => done(vio
     browser.dark(false);
   }
 
-  /** The same on a screen of the usual size; nothing may stick out on a phone or a wall. */
+  /** Checks a page on a usual screen; nothing may stick out on a phone or a very wide screen. */
   static void checkWidths(Browser browser) {
     check(browser);
     assertNothingSticksOut(browser, 400);
     assertNothingSticksOut(browser, 3840);
   }
 
-  /**
-   * Fails if a page of this width scrolls sideways, or a part of its controls leaves their card.
-   */
+  /** Fails if a page of this width scrolls sideways, or some controls are outside their card. */
   static void assertNothingSticksOut(Browser browser, int width) {
     browser.size(width, 800);
     assertEquals(true, browser.run("return document.documentElement.scrollWidth <= innerWidth"));

@@ -29,8 +29,8 @@ import org.openqa.selenium.logging.LoggingPreferences;
 import org.openqa.selenium.support.ui.WebDriverWait;
 
 /**
- * Debian's Chromium without a window, with what its console said and what it asked the network for.
- * One for all tests: it ends with this process.
+ * Debian's Chromium without a window, with the logs of its console and of its network requests. All
+ * tests share one, which ends with this process.
  */
 final class Browser {
   private static final Path CHROMIUM = Path.of("/usr/bin/chromium");
@@ -40,13 +40,13 @@ final class Browser {
   private static final Duration MAX_WAIT = Duration.ofSeconds(30);
   private static final Duration MAX_SCRIPT = Duration.ofMinutes(2); // axe-core on a busy machine
 
-  /** The script has ended, and browsers have drawn what they draw once they know its size. */
+  /** Whether the page's script has ended and everything has been drawn. */
   private static final String DRAWN =
       """
 const {player, players = player ? [player] : []} = window.hificamsim ?? {};
 const page = document.getElementById('page'); // none in the documentation
 return (page ? page.dataset.ready !== undefined : document.readyState === 'complete')
-    && players.every(one => one.field.map)
+    && players.every(player => player.field.map)
     && [...document.querySelectorAll('.plot, .lines')].every(box => box.querySelector('canvas'));
 """;
 
@@ -55,7 +55,8 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
   private final ChromeDriver driver;
 
   private Browser(Path profile) {
-    SELENIUM.setLevel(Level.SEVERE); // it knows no DevTools of this Chromium, and none are used
+    SELENIUM.setLevel(
+        Level.SEVERE); // it does not know the DevTools of this Chromium, which are not used
     LoggingPreferences logs = new LoggingPreferences();
     logs.enable(LogType.BROWSER, Level.ALL);
     logs.enable(LogType.PERFORMANCE, Level.ALL);
@@ -78,7 +79,7 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     driver.manage().timeouts().scriptTimeout(MAX_SCRIPT);
   }
 
-  /** Starts a browser with a new profile, unless one runs; skips the test where there is none. */
+  /** Starts a browser with a new profile, unless one runs; skips the test without a browser. */
   static synchronized Browser shared() {
     assumeTrue(
         Files.isExecutable(CHROMIUM) && Files.isExecutable(DRIVER),
@@ -90,7 +91,7 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     return shared;
   }
 
-  /** Opens an address, with empty logs; waits until the page has been drawn. */
+  /** Opens an address with empty logs, and waits until the page has been drawn. */
   void open(String address) {
     driver.get("about:blank");
     driver.manage().logs().get(LogType.BROWSER);
@@ -99,31 +100,31 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     until(DRAWN);
   }
 
-  /** Makes the page this large, in CSS pixels. */
+  /** Sets the size of the page, in CSS pixels. */
   void size(int width, int height) {
     driver.executeCdpCommand(
         "Emulation.setDeviceMetricsOverride",
         Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", false));
   }
 
-  /** Has files that the page hands out saved in this folder. */
+  /** Saves files that the page offers in this folder. */
   void downloadTo(Path folder) {
     driver.executeCdpCommand(
         "Browser.setDownloadBehavior",
         Map.of("behavior", "allow", "downloadPath", folder.toAbsolutePath().toString()));
   }
 
-  /** What a script returns. */
+  /** Runs a script, and returns its result. */
   Object run(String script, Object... arguments) {
     return driver.executeScript(script, arguments);
   }
 
-  /** What a script hands to its last argument, a function. */
+  /** Runs a script, and returns what it passes to its last argument, a function. */
   Object runAsync(String script) {
     return driver.executeAsyncScript(script);
   }
 
-  /** Whether pages are asked to be dark. */
+  /** Sets whether pages are dark. */
   void dark(boolean dark) {
     driver.executeCdpCommand(
         "Emulation.setEmulatedMedia",
@@ -136,7 +137,7 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
   void until(String script) {
     new WebDriverWait(driver, MAX_WAIT, Duration.ofMillis(50))
         .withMessage(script)
-        .until(any -> Boolean.TRUE.equals(run(script)));
+        .until(driver -> Boolean.TRUE.equals(run(script)));
   }
 
   WebElement find(String selector) {
@@ -147,12 +148,12 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     return driver.findElements(By.cssSelector(selector));
   }
 
-  /** The text of the one element that a selector finds. */
+  /** The text of the only element that a selector finds. */
   String text(String selector) {
     return find(selector).getText();
   }
 
-  /** Presses keys on whatever has the focus. */
+  /** Presses keys on the focused element. */
   void press(CharSequence... keys) {
     driver.switchTo().activeElement().sendKeys(keys);
   }
@@ -162,22 +163,22 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     follow("about:blank");
   }
 
-  /** Goes to an address that leads to another one; waits for nothing. */
+  /** Opens an address that redirects to another one, without waiting. */
   void follow(String address) {
     driver.get(address);
   }
 
-  /** Forgets what the console said since {@link #open}. */
+  /** Clears the log of the console. */
   void forgetConsole() {
     driver.manage().logs().get(LogType.BROWSER);
   }
 
-  /** What a mouse does. */
+  /** Actions of the mouse. */
   Actions actions() {
     return new Actions(driver);
   }
 
-  /** A picture of what is visible. */
+  /** Saves a picture of the visible page. */
   void screenshot(Path png) {
     try {
       Files.write(png, driver.getScreenshotAs(OutputType.BYTES));
@@ -195,7 +196,7 @@ return (page ? page.dataset.ready !== undefined : document.readyState === 'compl
     assertEquals(List.of(), lines);
   }
 
-  /** Addresses asked for since {@link #open}, in order, but for data that the page itself holds. */
+  /** The addresses that were requested since {@link #open}, in order, without data of the page. */
   List<String> requests() {
     return StreamSupport.stream(
             driver.manage().logs().get(LogType.PERFORMANCE).spliterator(), false)

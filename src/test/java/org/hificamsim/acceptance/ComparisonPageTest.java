@@ -19,7 +19,7 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
 
-/** A comparison's page in a browser. */
+/** The page of a comparison in a browser. */
 class ComparisonPageTest {
   private static final String ROWS = "section.card:first-of-type tbody tr";
 
@@ -48,18 +48,18 @@ class ComparisonPageTest {
   }
 
   @Test
-  void showsEveryCaseOfTheSummaryForEachMetric() throws IOException {
+  void showsAllCasesForEachMetric() throws IOException {
     open();
-    String said = browser.text("section.card");
+    String text = browser.text("section.card");
     for (String metric : List.of("proportion_of_optimal", "performance", "covered_0")) {
       new Select(browser.find("select[aria-label=metric]")).selectByValue(metric);
       List<String> expected = new ArrayList<>();
       for (String row : Files.readAllLines(out.resolve("summary.csv"))) {
         String[] cells = row.split(",", -1);
         if (cells[3].equals(metric)) {
-          String low = cells[6].startsWith("-") ? "0" : cells[6]; // no share is below it
+          String low = cells[6].startsWith("-") ? "0" : cells[6]; // shares are limited to 0
           expected.add(String.join(",", cells[5], low, cells[7]));
-          assertTrue(said.contains(cells[2]));
+          assertTrue(text.contains(cells[2]));
         }
       }
       List<String> shown = new ArrayList<>();
@@ -78,7 +78,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void theFirstNumberIsTheBestScoreOfAPolicyInTheWordsOfTheObjective() throws IOException {
+  void beginsWithBestScoreInWordsOfObjective() throws IOException {
     open();
     double best =
         Files.readAllLines(out.resolve("summary.csv")).stream()
@@ -96,7 +96,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void theChoicesOfBothDetectionsAreJudgedByTheLast() throws IOException {
+  void judgesChoicesByLastDetection() throws IOException {
     open();
     List<String> rows = Files.readAllLines(out.resolve("choices.csv"));
     assertEquals(5, rows.size(), rows.toString());
@@ -111,7 +111,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void aResearcherHasTheCurvesFirstAndTheBrowserRemembersIt() {
+  void remembersOrderForResearchers() {
     open();
     new Select(browser.find("#reader")).selectByValue("researcher");
     open();
@@ -122,7 +122,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void sortsByClickAndByKey() {
+  void sortsByClickAndKey() {
     open();
     WebElement head = browser.findAll(".sortable thead button").get(4);
     assertEquals("mean", head.getText().split(" ")[0]);
@@ -139,21 +139,21 @@ class ComparisonPageTest {
   }
 
   @Test
-  void narrowsToAScenario() {
+  void showsSingleScenario() {
     open();
-    int all = browser.findAll(ROWS).size();
+    int rows = browser.findAll(ROWS).size();
     new Select(browser.find("select[aria-label=scenario]")).selectByVisibleText("ring-random");
-    assertEquals(all / 2, browser.findAll(ROWS).size());
+    assertEquals(rows / 2, browser.findAll(ROWS).size());
   }
 
   @Test
-  void isReadableAndNothingSticksOut() {
+  void isAccessible() {
     open();
     Accessibility.checkEverywhere(browser);
   }
 
   @Test
-  void opensOnAMetricThatTellsTheCasesApartAndSaysWhy() {
+  void opensWithInformativeMetric() {
     Path blind = folder.resolve("blind");
     Cli cli =
         Cli.run(
@@ -178,7 +178,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void drawsThePicturesAndTheCurvesAndAsksNobody() {
+  void drawsPicturesWithoutRequests() {
     open();
     browser.until("return [...document.images].every(i => i.complete && i.naturalWidth > 100)");
     assertEquals(5, browser.findAll("img").size());
@@ -189,7 +189,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void theLegendTellsEveryCurveApart() {
+  void showsDifferentLegendEntryForEachCurve() {
     open();
     Set<String> looks = new HashSet<>();
     List<WebElement> pieces =
@@ -202,7 +202,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void holdsAllRunsTheSettingsAndTheCommand() throws IOException {
+  void showsRunsSettingsAndCommand() throws IOException {
     open();
     browser.find("details summary").click();
     browser.until("return document.querySelector('details tbody tr') !== null");
@@ -215,7 +215,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void aReproductionSaysFirstThatTheOptimumIsStatic() {
+  void beginsReproductionWithStaticOptimum() {
     Path reproduced = ReproduceCommandTest.reproduced(1).folder();
     browser.open(reproduced.resolve("report.html").toUri().toString());
     assertTrue(
@@ -227,7 +227,7 @@ class ComparisonPageTest {
   }
 
   @Test
-  void aLadderBeginsWithWhatIsLostItsPicturesAndRungs() throws IOException {
+  void beginsLadderWithLossPicturesAndRungs() throws IOException {
     Path ladder = folder.resolve("climbed");
     Cli cli =
         Cli.run(

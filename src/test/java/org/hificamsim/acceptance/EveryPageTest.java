@@ -24,9 +24,9 @@ import org.junit.jupiter.params.provider.ValueSource;
  * environment.
  */
 class EveryPageTest {
-  private static final boolean ALL = "all".equals(System.getenv("PAGES"));
+  private static final boolean CHECK_ALL = "all".equals(System.getenv("PAGES"));
 
-  /** With walls, a floor plan, turning cameras and a score of its own; the others repeat these. */
+  /** Sites with walls, a floor plan, turning cameras and an objective of their own. */
   private static final Set<String> CHECKED = Set.of("border", "mate-4v8-9", "museum", "street");
 
   private static final Pattern NUMBER = Pattern.compile("\\d+(\\.\\d+)?");
@@ -58,7 +58,7 @@ class EveryPageTest {
         "import of boxes",
         "generated"
       })
-  void aSitesPageBeginsWithItsScoreAndHasNoFaults(String site) throws IOException {
+  void showsScoreOfSiteFirst(String site) throws IOException {
     Path out = folder.resolve(site.replace(' ', '-'));
     Cli cli = Cli.run("run", scenario(site), "--steps", 5, "--record", "--heatmap", "--out", out);
     assertEquals(0, cli.exit(), cli.err());
@@ -71,10 +71,10 @@ class EveryPageTest {
         firstNumber(text.substring(browser.text("h1").length())),
         0.0051);
     for (int width : new int[] {400, 1400}) {
-      for (boolean dark : ALL ? new boolean[] {true, false} : new boolean[] {width == 400}) {
+      for (boolean dark : CHECK_ALL ? new boolean[] {true, false} : new boolean[] {width == 400}) {
         browser.dark(dark);
         Accessibility.assertNothingSticksOut(browser, width);
-        if (ALL || CHECKED.contains(site) && dark) {
+        if (CHECK_ALL || CHECKED.contains(site) && dark) {
           browser.size(width, 1000);
           Accessibility.check(browser);
         }
@@ -84,7 +84,7 @@ class EveryPageTest {
     browser.assertQuietConsole();
   }
 
-  /** The first number of a text; shares are in percent on terminals and pages alike. */
+  /** The first number of a text; shares are in percent on terminals and pages. */
   private static double firstNumber(String text) {
     Matcher number = NUMBER.matcher(text);
     assertTrue(number.find(), text);
@@ -108,7 +108,7 @@ class EveryPageTest {
     }
   }
 
-  /** A recording of ten samples with a first draft of cameras. */
+  /** A recording of ten samples with a draft of cameras. */
   private static Path imported(String name, String line, String format, Object... more)
       throws IOException {
     StringBuilder lines = new StringBuilder();

@@ -1,8 +1,8 @@
 package org.hificamsim.acceptance;
 
-/** What tests ask of the field on a page; the arguments are a place in metres. */
+/** Scripts that query the field on a page; their arguments are a place in metres. */
 final class FieldScripts {
-  /** The colour of the field at a place in metres. */
+  /** Returns the colour of the field at a place. */
   static final String COLOUR =
       """
 const {map, surface} = (hificamsim.player ?? hificamsim.players[0]).field;
@@ -10,8 +10,8 @@ const at = [map.x(arguments[0]), map.y(arguments[1])].map(pixel => Math.round(pi
 return [...surface.canvas.getContext('2d').getImageData(...at, 1, 1).data].join();
 """;
 
-  /** What is told about a place in metres. */
-  static final String TOLD =
+  /** Returns the tooltip at a place. */
+  static final String TOOLTIP =
       """
 const {field} = hificamsim.player, {map, surface: {canvas}} = field, box = canvas.getBoundingClientRect();
 canvas.dispatchEvent(new PointerEvent('pointermove', {clientX: box.left + map.x(arguments[0]), clientY: box.top + map.y(arguments[1])}));

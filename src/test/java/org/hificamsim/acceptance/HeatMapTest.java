@@ -121,12 +121,12 @@ class HeatMapTest {
     open();
     choose("mean-k");
     String[] row = table().get(12 * 60 + 22); // of the cell of half a metre from (11, 6) on
-    String told = (String) browser.run(FieldScripts.TOLD, 11.3, 6.3);
+    String told = (String) browser.run(FieldScripts.TOOLTIP, 11.3, 6.3);
     assertTrue(told.startsWith(rounded(row[6]) + " cameras in the mean, none in "), told);
     assertEquals(
         "in an obstacle",
         browser
-            .run(FieldScripts.TOLD, 16.2, 9.2)
+            .run(FieldScripts.TOOLTIP, 16.2, 9.2)
             .toString()
             .lines()
             .skip(1)

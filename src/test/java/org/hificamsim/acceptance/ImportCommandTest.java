@@ -41,13 +41,13 @@ class ImportCommandTest {
 
   private Cli imported(Object... more) {
     Object[] words = {"import", recording, "--format", "ethucy", "--rate", 2, "--out", out};
-    Object[] all = Arrays.copyOf(words, words.length + more.length);
-    System.arraycopy(more, 0, all, words.length, more.length);
-    return Cli.run(all);
+    Object[] arguments = Arrays.copyOf(words, words.length + more.length);
+    System.arraycopy(more, 0, arguments, words.length, more.length);
+    return Cli.run(arguments);
   }
 
   @Test
-  void tellsWhatItFound() {
+  void printsSummary() {
     Cli imported = imported();
     assertEquals(0, imported.exit(), imported.err());
     assertTrue(imported.out().contains("50 samples of 2 targets in 14.5 s"), imported::out);
@@ -61,7 +61,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void aTargetThatIsAwayDoesNotCount() throws IOException {
+  void ignoresAbsentTargets() throws IOException {
     imported();
     Path run = folder.resolve("run");
     Cli ran =
@@ -87,7 +87,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void theScenarioBesideResultsRunsTheSameWithoutTheTracksFile() throws IOException {
+  void writesScenarioThatRunsWithoutTracksFile() throws IOException {
     imported();
     Path run = folder.resolve("run");
     Path again = folder.resolve("again");
@@ -109,7 +109,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void compareIsTheSameOnAnyNumberOfThreads() throws IOException {
+  void comparesSameOnAnyNumberOfThreads() throws IOException {
     imported();
     for (int threads : new int[] {1, 3}) {
       Cli compared =
@@ -137,7 +137,7 @@ class ImportCommandTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"validate", "camsim"})
-  void otherCommandsTakeIt(String command) {
+  void worksWithOtherCommands(String command) {
     imported();
     Path file = out.resolve("people.xml");
     Cli done =
@@ -148,7 +148,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void wallsAFloorplanAndCamerasStandAroundTheTracks() throws IOException {
+  void addsWallsFloorPlanAndCameras() throws IOException {
     Path walls =
         Files.writeString(
             folder.resolve("w.xml"), "<T><Line x1='10.5' y1='0' x2='10.5' y2='9'/></T>");
@@ -188,7 +188,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void aTurkishOrArabicMachineWritesTheSame() throws IOException {
+  void writesSameInAnyLocale() throws IOException {
     imported();
     String expected = Files.readString(out.resolve("people.tracks")) + imported().out();
     Locale before = Locale.getDefault();
@@ -202,7 +202,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void wrongOptionsAreRefusedInALine() {
+  void rejectsWrongOptionsInOneLine() {
     imported("--gap", "-1").assertRefused("--gap is -1.0, expected a number above 0", out);
     imported("--size", "0x1").assertRefused("--size is '0x1', expected metres above 0", out);
     imported("--unit", "ft").assertRefused("--unit is 'ft', expected one of m, cm, mm, px", out);
@@ -226,7 +226,7 @@ class ImportCommandTest {
   }
 
   @Test
-  void zara01IsImportedWithItsWallsAndRuns() {
+  void importsZara01WithWalls() {
     Path file = Reference.file("tracks/zara01-obsmat.txt");
     Cli imported =
         Cli.run(

@@ -40,7 +40,7 @@ class PicturesTest {
   }
 
   @Test
-  void theSameStepGivesTheSameBytes() throws IOException {
+  void writesSameBytesForSameStep() throws IOException {
     List<String> formats = List.of("png", "svg", "pdf", "gif");
     for (int i = 0; i < 2; i++) {
       List<Object> words = new ArrayList<>(List.of("report", run));
@@ -63,7 +63,7 @@ class PicturesTest {
   }
 
   @Test
-  void theScoreOfTheStepLeadsWhereTheObjectiveIsNotKMin() throws IOException {
+  void beginsWithScoreUnlessObjectiveIsKMin() throws IOException {
     Path site = folder.resolve("site");
     Path svg = folder.resolve("step.svg");
     Cli.run("run", Cli.scenario("museum"), "--steps", 4, "--record", "--heatmap", "--out", site);
@@ -79,7 +79,7 @@ class PicturesTest {
   }
 
   @Test
-  void picturesComeWithoutThePageUnlessThatIsAskedFor() throws IOException {
+  void writesPageOnlyOnRequest() throws IOException {
     Files.deleteIfExists(run.resolve("report.html"));
     Path png = folder.resolve("last.png");
     Cli.run("report", run, "--png", png, "--run", 1);
@@ -103,7 +103,7 @@ class PicturesTest {
         "--png FILE --width 5 | --width is 5, expected a whole number from 200 to 8000",
         "--gif FILE --per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
       })
-  void wrongNumbersAreReportedInOneLine(String options, String expected) {
+  void reportsWrongNumbersInOneLine(String options, String expected) {
     Path file = folder.resolve("picture");
     Object[] words =
         Stream.concat(
@@ -119,7 +119,7 @@ class PicturesTest {
   }
 
   @Test
-  void aFolderWithoutARecordingIsReportedInOneLine() {
+  void reportsMissingRecordingInOneLine() {
     Cli report = Cli.run("report", folder, "--png", folder.resolve("a.png"));
     assertEquals(2, report.exit());
     assertTrue(report.err().contains("'run' with --record"), report.err());

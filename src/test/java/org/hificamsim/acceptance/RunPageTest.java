@@ -23,11 +23,11 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
 
-/** A recorded run's page in a browser. */
+/** The page of a recorded run in a browser. */
 class RunPageTest {
   private static final int STEPS = 200;
   private static final int SLOWEST_DRAWING =
-      50; // milliseconds, the mean; some 5 on a quick machine
+      50; // milliseconds on average; about 5 on a fast machine
 
   @TempDir static Path folder;
   private static Browser browser;
@@ -40,7 +40,7 @@ class RunPageTest {
   }
 
   @Test
-  void showsTheNumbersOfTheTablesAtEveryStepLookedAt() throws IOException {
+  void showsNumbersOfTables() throws IOException {
     open(run);
     String hidden = "return document.querySelector('[name=beliefs]').offsetParent === null";
     assertTrue((boolean) browser.run(hidden), "the policy has no beliefs to show");
@@ -60,7 +60,7 @@ class RunPageTest {
   }
 
   @Test
-  void showsEachTargetWhereItIsAndEachCameraAtItsZoom() throws IOException {
+  void describesTargetsAndCameras() throws IOException {
     open(run);
     List<String> targets = Files.readAllLines(run.resolve("targets.csv"));
     List<String> zooms = Files.readAllLines(run.resolve("zooms.csv"));
@@ -70,11 +70,11 @@ class RunPageTest {
         String[] row = targets.get(1 + 3 * step + i).split(",");
         double x = Double.parseDouble(row[3]);
         double y = Double.parseDouble(row[4]);
-        List<String> told = hover(x, y).lines().toList();
-        assertEquals("target " + row[2], told.get(0));
+        List<String> tooltip = hover(x, y).lines().toList();
+        assertEquals("target " + row[2], tooltip.get(0));
         assertEquals(
             String.format(Locale.ROOT, "x %.3f m, y %.3f m", x, y).replace("-0.000", "0.000"),
-            told.get(1).replace("-0.000", "0.000"));
+            tooltip.get(1).replace("-0.000", "0.000"));
       }
       for (int camera : new int[] {0, 8, 13}) {
         String[] row = zooms.get(1 + 14 * step + camera).split(",");
@@ -88,7 +88,7 @@ class RunPageTest {
   }
 
   @Test
-  void choosesTheCameraThatIsClickedInTheField() {
+  void selectsClickedCamera() {
     open(run);
     point("pointerdown", 12.2, 6.0);
     assertEquals("Cam_01", browser.text(".agent h2"));
@@ -99,7 +99,7 @@ class RunPageTest {
   }
 
   @Test
-  void showsTheWholeTipWhereverThePointerIs() {
+  void keepsTooltipInsideField() {
     open(run);
     assertEquals(
         true,
@@ -119,7 +119,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void tellsTheNumbersUnderThePointerOverTime() throws IOException {
+  void describesChartsUnderPointer() throws IOException {
     open(run);
     browser.run(
         "const over = document.querySelector('.u-over'), box = over.getBoundingClientRect();"
@@ -131,7 +131,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void opensAtTheStepInItsAddress() {
+  void opensAtStepInAddress() {
     browser.open(address(run) + "#120");
     assertEquals("120", browser.text("[data-name=step]"));
     assertPlayheadsAt(120 / (STEPS - 1.0));
@@ -149,7 +149,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void playsSoManyStepsOfTheRunASecondHoweverManyOfThemAreShown() {
+  void playsThinnedRunAtChosenSpeed() {
     open(run);
     assertEquals(
         2.5,
@@ -160,7 +160,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void isPlayedWithKeysAlone() {
+  void playsByKeys() {
     open(run);
     browser.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT);
     assertEquals("2", browser.text("[data-name=step]"));
@@ -183,14 +183,14 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void isReadableAndNothingSticksOut() {
+  void isAccessible() {
     open(run);
     Accessibility.checkEverywhere(browser);
     Accessibility.assertNothingSticksOut(browser, 3840);
   }
 
   @Test
-  void theMapIsMagnifiedMovedAndShownWholeByWheelDragKeysAndButtons() {
+  void magnifiesAndMovesMap() {
     open(run);
     String across = "return hificamsim.player.field.map.x(1) - hificamsim.player.field.map.x(0)";
     double before = ((Number) browser.run(across)).doubleValue();
@@ -211,7 +211,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void theChosenReadersOrderIsRemembered() {
+  void remembersOrderForReader() {
     open(run);
     String first = "return document.querySelector('.parts').firstElementChild.className";
     assertEquals("single apart", browser.run(first));
@@ -223,7 +223,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void saysThroughWhichLensACameraLooks() throws IOException {
+  void describesLens() throws IOException {
     Path seen = record("seen", Cli.scenario("ring-random"), "--steps", 5);
     ObjectMapper json = new ObjectMapper();
     ObjectNode summary = (ObjectNode) json.readTree(seen.resolve("summary.json").toFile());
@@ -240,7 +240,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void oneRunIsReadableToo() {
+  void isAccessibleForSingleRun() {
     Path single = record("single", Cli.scenario("ring-random"), "--steps", 20);
     open(single);
     Accessibility.check(browser);
@@ -248,7 +248,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void saysThatNothingIsToBeSeenInKMinWhereAllAreZero() {
+  void explainsKMinOfZero() {
     Path blind = record("blind", Cli.scenario("ring-random"), "--steps", 20, "--policy", "fixed:0");
     open(blind);
     assertEquals("0", browser.run("return String(Math.max(...hificamsim.run.kMin))"));
@@ -258,7 +258,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void isPlayedWithKeysOnTheSliderToo() {
+  void playsByKeysOnSlider() {
     open(run);
     browser.run("document.querySelector('input[type=range]').focus()");
     browser.press(Keys.ARROW_RIGHT);
@@ -270,14 +270,14 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void asksNobodyForAnything() {
+  void makesNoRequests() {
     open(run);
     browser.press(Keys.END);
     assertEquals(List.of(address(run)), browser.requests());
   }
 
   @Test
-  void offersTheRepeats() throws IOException {
+  void opensOtherRepeats() throws IOException {
     open(run);
     new Select(browser.find("#run")).selectByVisibleText("2 (seed 2)");
     browser.until("return document.getElementById('page').dataset.ready === '2'");
@@ -291,9 +291,9 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
 
   @ParameterizedTest
   @ValueSource(strings = {"sarsa", "zoom-out"})
-  void tellsWhatAnAgentKnowsOrThatItLearnsNothing(String policy) {
-    Path other = record(policy, Cli.scenario("ring-random"), "--steps", 80, "--policy", policy);
-    open(other);
+  void showsEstimatesOfAgents(String policy) {
+    Path recorded = record(policy, Cli.scenario("ring-random"), "--steps", 80, "--policy", policy);
+    open(recorded);
     browser.press(Keys.END);
     boolean learns = policy.equals("sarsa");
     assertEquals(learns, browser.text(".agent thead").contains("Q"));
@@ -302,7 +302,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void isNotMisledByNames() throws IOException {
+  void escapesNames() throws IOException {
     String name = "</script><img src=x onerror='window.fooled=1'>\"&amp;--><!--<script>";
     Path scenario =
         Files.writeString(
@@ -324,7 +324,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
   }
 
   @Test
-  void holdsTenThousandStepsOfFourteenCamerasAndEightTargets() throws IOException {
+  void showsTenThousandSteps() throws IOException {
     Path large = record("large", eightTargets(), "--steps", 10_000);
     Path page = large.resolve("report.html");
     assertTrue(Files.size(page) < 5_000_000, Files.size(page) + " bytes");
@@ -384,7 +384,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
         step);
   }
 
-  /** All three lines over time come to stand at this share of their width. */
+  /** Waits until the playheads of all three charts are at this share of the width. */
   private static void assertPlayheadsAt(double share) {
     browser.until(
         "const lines = [...document.querySelectorAll('.playhead')];"
@@ -398,7 +398,7 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
     places.forEach(place -> assertEquals(share, ((Number) place).doubleValue(), 0.005));
   }
 
-  /** Moves the pointer to a place of the field, metres; returns what the page tells about it. */
+  /** Moves the pointer to a place of the field, in metres, and returns the tooltip. */
   private static String hover(double x, double y) {
     point("pointermove", x, y);
     return (String) browser.run("return document.querySelector('.tip').textContent");

@@ -171,7 +171,7 @@ class ScenarioQuestionTest {
     return summary(words.toArray()).path("threshold").asDouble();
   }
 
-  /** Runs a command; a word may be several between blanks. */
+  /** Runs a command; an argument may have several words. */
   private static void run(Object... words) {
     Cli done =
         Cli.run(

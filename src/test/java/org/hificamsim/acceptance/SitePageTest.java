@@ -17,12 +17,12 @@ import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 /**
- * A scenario with optics, obstacles and a floorplan, on the pages of a run and of the live view.
+ * A scenario with optics, obstacles and a floor plan, on the page of a run and in the live view.
  */
 class SitePageTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
 
-  /** The score that is shown is the share of targets that two cameras cover, as the hall asks. */
+  /** The score is the share of targets that two cameras cover, the objective of the hall. */
   private static final String SCORE_IS_THAT_OF_THE_TARGETS =
       """
 const [run] = hificamsim.runs, at = run.count - 1;
@@ -66,12 +66,12 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void obstaclesAreToldAndCastShadows() {
+  void describesObstaclesAndTheirShadows() {
     open();
-    assertEquals("wall, solid", browser.run(FieldScripts.TOLD, 10, 4));
-    assertEquals("pillar, lets 10 % through", browser.run(FieldScripts.TOLD, 6.3, 14.2));
-    assertEquals("polygon, solid", browser.run(FieldScripts.TOLD, 22.2, 5.2));
-    assertEquals("", browser.run(FieldScripts.TOLD, 28, 17));
+    assertEquals("wall, solid", browser.run(FieldScripts.TOOLTIP, 10, 4));
+    assertEquals("pillar, lets 10 % through", browser.run(FieldScripts.TOOLTIP, 6.3, 14.2));
+    assertEquals("polygon, solid", browser.run(FieldScripts.TOOLTIP, 22.2, 5.2));
+    assertEquals("", browser.run(FieldScripts.TOOLTIP, 28, 17));
     browser.assertQuietConsole();
     assertEquals(1, browser.requests().size());
     Object ground = browser.run(FieldScripts.COLOUR, 28.3, 17.3);
@@ -87,7 +87,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void theSettingsSayWhatEachKindOfOpticsIs() {
+  void showsSettingsOfOptics() {
     open();
     String settings = browser.text("section.details");
     assertTrue(
@@ -97,7 +97,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void theViewsOfACameraAreATableOfLevelsByPanAngles() throws IOException {
+  void showsViewsByLevelAndPan() throws IOException {
     open();
     browser.findAll(".rows button").get(0).click();
     assertEquals("ptz-west", browser.text(".agent h2"));
@@ -112,7 +112,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void aCameraThatMovesBlindlySaysSo() {
+  void showsTurningCameraAsBlind() {
     open();
     browser.findAll(".rows button").get(0).click();
     browser.run(
@@ -123,7 +123,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void pixelDensitiesAreShownAndTold() {
+  void showsDensityZones() {
     open();
     browser.findAll(".rows button").get(2).click();
     String place = "const {field} = hificamsim.player, view = field.view(2);" + "return %s";
@@ -132,19 +132,19 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
     Object x = browser.run(place.formatted(east));
     Object y = browser.run(place.formatted(north));
     Object before = browser.run(FieldScripts.COLOUR, x, y);
-    assertEquals("", browser.run(FieldScripts.TOLD, x, y));
+    assertEquals("", browser.run(FieldScripts.TOOLTIP, x, y));
     browser.find("[name=density-zones]").sendKeys(" ");
     assertNotEquals(before, browser.run(FieldScripts.COLOUR, x, y));
     double density = ((Number) browser.run(place.formatted("view.density / 5"))).doubleValue();
-    String told = (String) browser.run(FieldScripts.TOLD, x, y);
-    assertEquals(density, Double.parseDouble(told.split(" ")[0]), 0.06);
+    String tooltip = (String) browser.run(FieldScripts.TOOLTIP, x, y);
+    assertEquals(density, Double.parseDouble(tooltip.split(" ")[0]), 0.06);
     String zone = density >= 250 ? "characterise" : density >= 125 ? "perceive" : "discern";
-    assertTrue(told.endsWith("px/m: " + zone), told);
+    assertTrue(tooltip.endsWith("px/m: " + zone), tooltip);
     assertTrue(browser.text(".legend").contains("discern 80"));
   }
 
   @Test
-  void theFloorplanFadesByKeysAndTheStepStays() {
+  void fadesFloorPlanByKeys() {
     open();
     browser.until("return hificamsim.player.field.floor[0].image.complete");
     Object half = browser.run(FieldScripts.COLOUR, 28.3, 17.3);
@@ -156,14 +156,14 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void isReadableAtAllWidths() throws IOException {
+  void isAccessibleAtAllWidths() throws IOException {
     open();
     browser.find("[name=density-zones]").sendKeys(" ");
     Accessibility.checkWidths(browser);
   }
 
   @Test
-  void aWallIsDrawnTypedRemovedAndSaved() throws Exception {
+  void addsRemovesAndSavesWalls() throws Exception {
     try (ViewProcess view = new ViewProcess(scenario, "--policy", "zoom-out")) {
       browser.open(view.address());
       browser.find(".controls .play").click();
@@ -176,13 +176,13 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
       type("x1", "25", "y1", "12.5", "x2", "28.5", "y2", "12.5");
       browser.find(".walls [name=y2]").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 7");
-      assertEquals("wall from (25, 12.5) to (28.5, 12.5) added", said());
+      assertEquals("wall from (25, 12.5) to (28.5, 12.5) added", status());
       assertEquals("y2", browser.run("return document.activeElement.name"), "keeps the focus");
       type("x1", "99", "y1", "1", "x2", "2", "y2", "2");
       browser.find(".walls .add-wall").click();
       browser.until("return !hificamsim.fault.hidden");
       assertTrue(browser.text("[role=alert]").contains("x is 99"), browser.text("[role=alert]"));
-      browser.forgetConsole(); // Chromium tells of the answer 400
+      browser.forgetConsole(); // Chromium logs the answer 400
       browser.find(".walls select").sendKeys("polygon");
       browser.find(".walls .remove").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
@@ -197,13 +197,13 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void aViewIsHeldByHandUntilItIsLeftToThePolicyAgain() {
+  void holdsViewUntilReleased() {
     try (ViewProcess view = new ViewProcess(scenario, "--policy", "zoom-out")) {
       browser.open(view.address());
       browser.findAll(".rows button").get(2).click();
       browser.find(".views td[data-view='3'] button").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].level[2].at(-1) === 3");
-      assertEquals("camera dome-corner: held at level 0, 0°", said());
+      assertEquals("camera dome-corner: held at level 0, 0°", status());
       browser.until("return !document.querySelector('.agent .free').hidden");
       browser.find(".agent .free").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].level[2].at(-1) !== 3");
@@ -213,7 +213,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void theScoreIsShownNextToKMinWhileACameraIsDragged() {
+  void showsScoreWhileCameraIsDragged() {
     try (ViewProcess view = new ViewProcess(Cli.scenario("hall"), "--policy", "zoom-out")) {
       browser.open(view.address());
       browser.until("return hificamsim.runs[0].count > 3");
@@ -239,20 +239,21 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   }
 
   @Test
-  void aFloorplanThatIsNotThereIsToldBeforeAnythingIsWritten() throws IOException {
-    Path other =
+  void reportsMissingFloorPlanBeforeWriting() throws IOException {
+    Path withoutPicture =
         Files.writeString(
             folder.resolve("other.xml"),
             Files.readString(scenario).replace("floor.png", "none.png"));
     Path out = folder.resolve("none");
-    Cli cli = Cli.run("run", other, "--record", "--steps", 5, "--out", out);
+    Cli cli = Cli.run("run", withoutPicture, "--record", "--steps", 5, "--out", out);
     assertEquals(2, cli.exit());
     assertTrue(cli.err().contains("floorplan is 'none.png', expected a PNG or JPEG"), cli.err());
     assertFalse(Files.exists(out));
-    assertEquals(2, Cli.run("view", other, "--no-browser").exit());
-    Cli validate = Cli.run("validate", other);
-    assertTrue(validate.err().contains("warning: " + other + ": floorplan is"), validate.err());
-    assertEquals(0, Cli.run("run", other, "--steps", 5, "--out", out).exit());
+    assertEquals(2, Cli.run("view", withoutPicture, "--no-browser").exit());
+    Cli validate = Cli.run("validate", withoutPicture);
+    assertTrue(
+        validate.err().contains("warning: " + withoutPicture + ": floorplan is"), validate.err());
+    assertEquals(0, Cli.run("run", withoutPicture, "--steps", 5, "--out", out).exit());
   }
 
   private static void drag(double x1, double y1, double x2, double y2) {
@@ -292,7 +293,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
     }
   }
 
-  private static String said() {
+  private static String status() {
     return (String) browser.run("return document.querySelector('[role=status]').textContent");
   }
 

@@ -54,7 +54,7 @@ class SitesTest {
 
   @ParameterizedTest
   @CsvFileSource(resources = SITES)
-  void runsUnderEveryPolicy(String name, String detection) throws IOException {
+  void runWithEveryPolicy(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     List<String> policies = policiesFor(read(name, new ArrayList<>()));
     Cli compare = compare(name, detection, String.join(",", policies), 20, 1, out);
@@ -62,7 +62,7 @@ class SitesTest {
     assertEquals(policies.size() + 1, Files.readAllLines(out.resolve("results.csv")).size());
   }
 
-  /** On a short run; the long ones are in docs/world.md. */
+  /** In a short run; results of long runs are in docs/world.md. */
   @ParameterizedTest
   @CsvSource({
     "corridor, oodpcvs-2025:level=perceive",
@@ -94,7 +94,7 @@ class SitesTest {
     assertTrue(cameras.containsAll(Set.of(4, 40)), cameras + " cameras");
   }
 
-  /** All but the one that is of k_min alone where a site has another objective. */
+  /** All policies, without the one for k_min only if a site has another objective. */
   private static List<String> policiesFor(Scenario site) {
     return CATALOGUE.policies().names().stream()
         .filter(name -> site.objective().byLeast() || !name.equals("optimal-expected"))

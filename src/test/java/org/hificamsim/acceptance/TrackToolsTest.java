@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The recordings of the shipped sites, made again by SUMO and JuPedSim. The build fetches both into
- * a virtual environment; HIFICAMSIM_PYTHON names another Python that has them.
+ * Recordings of SUMO and JuPedSim, made as for the shipped sites. The build installs both in a
+ * virtual environment; HIFICAMSIM_PYTHON may name another Python that has them.
  */
 class TrackToolsTest {
   private static final String PYTHON =
@@ -25,7 +25,7 @@ class TrackToolsTest {
   @TempDir Path folder;
 
   @Test
-  void aStreetOfSumoIsImported() throws Exception {
+  void importsStreetOfSumo() throws Exception {
     assumeTrue(has("sumo"), missing("SUMO", "eclipse-sumo"));
     Cli imported = made("street", "street-fcd.xml", "fcd", "--size", "1.5");
     assertTrue(imported.out().contains("of 135 targets "), imported::out);
@@ -33,7 +33,7 @@ class TrackToolsTest {
   }
 
   @Test
-  void aPassageOfJuPedSimIsImported() throws Exception {
+  void importsPassageOfJuPedSim() throws Exception {
     assumeTrue(has("jupedsim"), missing("JuPedSim", "jupedsim"));
     Cli imported = made("passage", "passage.txt", "petrack", "--size", "0.5x1.75");
     assertTrue(imported.out().contains("of 60 targets "), imported::out);

@@ -49,7 +49,7 @@ class TradeoffPageTest {
   }
 
   @Test
-  void hasAPointForEachNetworkWithinItsPicture() throws IOException {
+  void drawsPointForEachNetwork() throws IOException {
     open();
     List<String> rows = Files.readAllLines(out.resolve("networks.csv"));
     assertEquals(rows.size() - 1, browser.findAll("svg circle[data-network]").size());
@@ -57,29 +57,29 @@ class TradeoffPageTest {
         browser.run(
             """
 return [...document.querySelectorAll('svg circle[data-network]')].filter(point => {
-  const [own, all] = [point.getBBox(), point.ownerSVGElement.viewBox.baseVal];
-  return own.x < 0 || own.y < 0 || own.x + own.width > all.width || own.y + own.height > all.height;
+  const [box, plot] = [point.getBBox(), point.ownerSVGElement.viewBox.baseVal];
+  return box.x < 0 || box.y < 0 || box.x + box.width > plot.width || box.y + box.height > plot.height;
 }).length;
 """);
     assertEquals(0L, outside);
-    String said = browser.text("main");
-    assertTrue(said.contains("Heterogeneous networks extend the front"), said);
-    assertTrue(said.contains("Bandits come near the front"), said);
+    String text = browser.text("main");
+    assertTrue(text.contains("Heterogeneous networks extend the front"), text);
+    assertTrue(text.contains("Bandits come near the front"), text);
     browser.assertQuietConsole();
   }
 
   @Test
-  void aPointTellsWhoDoesWhatAndLeadsToTheReplay() throws IOException {
+  void describesClickedNetworkAndLinksReplay() throws IOException {
     open();
     String front = Files.readAllLines(out.resolve("fronts.csv")).get(2).split(",")[11];
     for (String network : List.of(front.split(" ")[0], "A0")) {
       WebElement point =
           browser.find("svg circle[data-network='" + network + "']"); // of the first scenario
       browser.run("arguments[0].dispatchEvent(new MouseEvent('click', {bubbles: true}))", point);
-      String told = browser.text("section.card:first-of-type [aria-live]");
-      assertTrue(told.startsWith(network) && told.contains("utility"), told);
-      assertTrue(told.contains(network.contains("-") ? "; " : "all cameras: "), told);
-      assertTrue(told.contains("./hificamsim run "), told);
+      String description = browser.text("section.card:first-of-type [aria-live]");
+      assertTrue(description.startsWith(network) && description.contains("utility"), description);
+      assertTrue(description.contains(network.contains("-") ? "; " : "all cameras: "), description);
+      assertTrue(description.contains("./hificamsim run "), description);
       List<WebElement> links = browser.findAll("section.card:first-of-type [aria-live] a");
       String page = "replay-tutorial-camsim-" + network + "/report.html";
       assertEquals(Files.exists(out.resolve(page)) ? 1 : 0, links.size());
@@ -94,7 +94,7 @@ return [...document.querySelectorAll('svg circle[data-network]')].filter(point =
   }
 
   @Test
-  void hasNothingThatHindersAndNothingSticksOut() {
+  void isAccessible() {
     open();
     browser.run("document.querySelector('button').click()");
     Accessibility.checkEverywhere(browser);

@@ -22,10 +22,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What {@code view} prints and refuses; the page has tests of its own. */
+/** The output and errors of {@code view}; its page has tests of its own. */
 class ViewCommandTest {
   @Test
-  void printsTheAddressInOneLineAndEndsWhenItsPageIsClosed() throws Exception {
+  void printsAddressAndEndsWhenPageIsClosed() throws Exception {
     try (ViewProcess view = new ViewProcess(Cli.scenario("lattice-random"))) {
       assertTrue(
           view.address().matches("http://127\\.0\\.0\\.1:\\d+/[0-9a-f]{48}/"), view.address());
@@ -38,7 +38,7 @@ class ViewCommandTest {
   }
 
   @Test
-  void anErrorInTheSimulationEndsTheCommandInOneLine(@TempDir Path folder) throws Exception {
+  void reportsErrorInSimulationInOneLine(@TempDir Path folder) throws Exception {
     ClassLoader before = Thread.currentThread().getContextClassLoader();
     try (URLClassLoader loader = withBreaking(folder)) {
       Thread.currentThread().setContextClassLoader(loader);
@@ -74,7 +74,7 @@ class ViewCommandTest {
         .statusCode();
   }
 
-  /** A user's policy that breaks after the first step. */
+  /** A user's policy that fails after the first step. */
   public static final class Breaking implements ZoomPolicy {
     @Override
     public String name() {
@@ -90,7 +90,7 @@ class ViewCommandTest {
   }
 
   @Test
-  void aPortInUseIsReportedInOneLine() {
+  void reportsPortInUseInOneLine() {
     try (ViewProcess view = new ViewProcess(Cli.scenario("lattice-random"))) {
       int port = URI.create(view.address()).getPort();
       Cli second = Cli.run("view", Cli.scenario("lattice-random"), "--port", port, "--no-browser");
@@ -112,7 +112,7 @@ class ViewCommandTest {
         "--detection nothing.json | nothing.json",
         "--seed x | 'x'",
       })
-  void refusesWrongUsageInOneLine(String options, String expected) {
+  void rejectsWrongUsageInOneLine(String options, String expected) {
     Object[] words =
         Stream.concat(
                 Stream.of("view", Cli.scenario("lattice-random"), "--no-browser"),

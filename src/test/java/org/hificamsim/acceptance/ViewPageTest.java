@@ -50,9 +50,9 @@ class ViewPageTest {
     browser.open(view.address());
   }
 
-  /** Nothing but this server was asked, and nobody complained. */
+  /** The page made no other requests, and its console is empty. */
   @AfterEach
-  void wasQuiet() {
+  void assertNoRequestsAndErrors() {
     browser.assertQuietConsole();
     List<String> requests =
         browser.requests().stream().filter(url -> !url.startsWith("file:")).toList();
@@ -62,7 +62,7 @@ class ViewPageTest {
   }
 
   @Test
-  void runsWhenThePageOpensAndPausesAndStepsOnRequest() {
+  void runsPausesAndSteps() {
     browser.until("return hificamsim.runs[0].count > 5");
     pause();
     long count = number("hificamsim.runs[0].count");
@@ -78,7 +78,7 @@ class ViewPageTest {
   }
 
   @Test
-  void runsAsFastAsIsAskedFor() {
+  void runsAtChosenSpeed() {
     new Select(browser.find(".controls select")).selectByValue("1000");
     browser.until("return hificamsim.runs[0].steps > 1500");
     pause();
@@ -88,7 +88,7 @@ class ViewPageTest {
   }
 
   @Test
-  void anotherPolicyAndModelGoOnWithTheSameTargets() {
+  void keepsTargetsOnNewPolicyAndModel() {
     browser.until("return hificamsim.runs[0].count > 3");
     choose("policy", "sarsa");
     browser.until("return hificamsim.runs[0].setup.policy === 'sarsa'");
@@ -105,13 +105,13 @@ class ViewPageTest {
   }
 
   @Test
-  void aWrongChoiceIsShownOnThePage() {
+  void showsErrorOfWrongChoice() {
     WebElement options = browser.find("[name=options]");
     options.sendKeys("speed=9", Keys.ENTER);
     browser.until("return !hificamsim.fault.hidden");
     assertTrue(browser.text("[role=alert]").contains("speed=9"), browser.text("[role=alert]"));
     assertEquals("zoom-out", browser.run("return hificamsim.runs[0].setup.policy"));
-    assertEquals("speed=9", options.getDomProperty("value")); // as long as somebody is at it
+    assertEquals("speed=9", options.getDomProperty("value")); // while somebody is typing
     new Select(browser.find("[name=policy]")).selectByValue("sarsa");
     browser.until("return hificamsim.runs[0].setup.policy === 'sarsa'");
     browser.run(
@@ -120,11 +120,11 @@ class ViewPageTest {
     browser.until("return document.querySelector('[name=options]').value === ''");
     assertEquals("sarsa", browser.find("[name=policy]").getDomProperty("value"));
     assertTrue(browser.findAll("[name=policy] option[value=best-fixed]").isEmpty());
-    browser.forgetConsole(); // Chromium tells of the answer 400
+    browser.forgetConsole(); // Chromium logs the answer 400
   }
 
   @Test
-  void aDraggedCameraMovesInTheSimulation() {
+  void movesDraggedCamera() {
     pause();
     String place =
         "const {map} = hificamsim.players[0].field, run = hificamsim.runs[0],"
@@ -151,27 +151,27 @@ class ViewPageTest {
   }
 
   @Test
-  void aCameraThatIsClickedStaysAndWhereItIsGrabbedDoesNotMatter() {
+  void keepsClickedCameraInPlace() {
     pause();
     String drag =
         "const {field} = hificamsim.players[0], {map, surface: {canvas}} = field;"
             + "const run = hificamsim.runs[0], pose = run.pose(2, run.count - 1);"
-            + "const box = canvas.getBoundingClientRect(), told = [];"
+            + "const box = canvas.getBoundingClientRect(), drags = [];"
             + "canvas.setPointerCapture = () => {}; field.pointer.on.drag = (camera, x, y) =>"
-            + "  told.push([camera, Math.round(map.x(x) - map.x(pose.x)),"
+            + "  drags.push([camera, Math.round(map.x(x) - map.x(pose.x)),"
             + "    Math.round(map.y(y) - map.y(pose.y))].join(' '));"
             + "const fire = (name, right, down) => canvas.dispatchEvent(new PointerEvent(name, {"
             + "  button: arguments[0], clientX: box.left + map.x(pose.x) + 5 + right,"
             + "  clientY: box.top + map.y(pose.y) - 4 + down}));"
             + "fire('pointerdown', 0, 0); fire('pointermove', 2, 0); fire('pointermove', 12, 7);"
             + "fire('pointermove', 1, 1); fire('pointercancel', 1, 1); fire('pointermove', 9, 9);"
-            + "return told.join()";
+            + "return drags.join()";
     assertEquals("2 12 7,2 1 1", browser.run(drag, 0));
     assertEquals("", browser.run(drag, 2));
   }
 
   @Test
-  void theLineOfThePlayheadIsWhereTheStepIs() {
+  void drawsPlayheadAtStep() {
     new Select(browser.find(".controls select")).selectByValue("100");
     browser.until("return hificamsim.runs[0].count > 100");
     pause();
@@ -184,9 +184,9 @@ class ViewPageTest {
     }
   }
 
-  /** A field may end within a pixel, which has no traces of what was shown before. */
+  /** A field may end within a pixel, which must be cleared as well. */
   @Test
-  void theLastPixelsOfTheFieldAreClearedToo() {
+  void clearsLastPixelsOfField() {
     pause();
     String surface = "hificamsim.players[0].field.surface";
     browser.run(surface + ".canvas.style.cssText = 'width: 400.6px; height: 300.6px'");
@@ -203,11 +203,11 @@ class ViewPageTest {
                 + "context.resetTransform(); context.fillStyle = 'red';"
                 + "context.fillRect(0, 0, 500, 500); surface.draw();"
                 + "return last() === before"));
-    browser.forgetConsole(); // Chromium would have pixels read in another way
+    browser.forgetConsole(); // Chromium warns of reading pixels
   }
 
   @Test
-  void twoModelsSeeTheSameTargets() {
+  void showsSameTargetsToTwoModels() {
     browser.find("#compare").click();
     browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
     new Select(browser.findAll("[name=detection]").get(1)).selectByValue("geometric");
@@ -262,7 +262,7 @@ class ViewPageTest {
   }
 
   @Test
-  void theChosenCameraIsMovedAndTurnedWithKeysAlone() {
+  void movesAndTurnsCameraByKeys() {
     pause();
     browser.findAll(".rows button").get(2).click();
     double x = number("return ", "hificamsim.edits.pose(2).x");
@@ -277,19 +277,19 @@ class ViewPageTest {
     assertEquals(30, number("return ", "hificamsim.edits.pose(2).heading * 180 / Math.PI"), 1e-9);
     assertTrue(
         browser.find("[role=status]").getDomProperty("textContent").endsWith("heading 30 degrees"));
-    browser.press(Keys.ARROW_LEFT); // still steps
+    browser.press(Keys.ARROW_LEFT); // arrows still step
     assertEquals(number("hificamsim.runs[0].count - 2"), number("hificamsim.playhead.frame"));
   }
 
   @Test
-  void theChosenCameraStandsWhereItsFieldsSay() {
+  void movesCameraByForm() {
     pause();
     browser.findAll(".rows button").get(4).click();
     type("x", "3.25");
     type("y", "-1");
     type("heading", "45");
     browser.until("return !hificamsim.edits.sending");
-    browser.press(Keys.TAB); // away from the field, which keeps the arrows to itself
+    browser.press(Keys.TAB); // the field would handle the arrows itself
     step(1);
     assertEquals(3.25, number("return ", "hificamsim.runs[0].poses[4].at(-1).pose.x"));
     assertEquals(-1, number("return ", "hificamsim.runs[0].poses[4].at(-1).pose.y"));
@@ -302,7 +302,7 @@ class ViewPageTest {
   }
 
   @Test
-  void camerasAreSuggestedAndTheSharesFollow() {
+  void suggestsCamerasAndUpdatesShares() {
     browser.leave();
     view.close();
     view = new ViewProcess(Cli.scenario("corridor"), "--policy", "zoom-out");
@@ -346,7 +346,7 @@ class ViewPageTest {
   }
 
   @Test
-  void aCameraIsAddedAndTheScenarioIsSavedAndRuns() throws IOException {
+  void savesScenarioWithAddedCamera() throws IOException {
     pause();
     browser.findAll(".rows button").get(4).click();
     browser.find(".pose .add").click();
@@ -369,7 +369,7 @@ class ViewPageTest {
   }
 
   @Test
-  void camerasAndTargetsAreRemovedAndComeBackWhileTheStepStays() {
+  void removesAndRestoresCamerasAndTargets() {
     pause();
     long steps = number("hificamsim.runs[0].steps");
     browser.findAll(".rows button").get(4).click();
@@ -389,7 +389,7 @@ class ViewPageTest {
   }
 
   @Test
-  void aLevelIsHeldByHandAlsoWhereACameraCannotTurn() {
+  void holdsLevelOfFixedCamera() {
     browser.findAll(".rows button").get(2).click();
     browser.find(".agent [data-level='0'] .hold").click();
     browser.until("return hificamsim.runs[0].level[2].at(-1) === 0");
@@ -399,7 +399,7 @@ class ViewPageTest {
   }
 
   @Test
-  void aMessageDoesNotMoveTheField() {
+  void messagesDoNotMoveField() {
     pause();
     String top = "return document.querySelector('canvas.field').getBoundingClientRect().top";
     Object before = browser.run(top);
@@ -423,18 +423,19 @@ class ViewPageTest {
   }
 
   @Test
-  void saysThatItDoesNotShowEveryStep() {
+  void tellsWhichStepsAreShown() {
     pause();
     step(9);
     assertTrue(!browser.find(".messages .notice:not([role])").isDisplayed());
     browser.run("hificamsim.runs[0].thin(); hificamsim.runs[0].thin(); hificamsim.refresh()");
     browser.until("return !hificamsim.waiting");
-    String told = browser.text(".messages .notice:not([role])");
-    assertTrue(told.matches("This run has \\d+ steps; the page shows one in 4 of the .*"), told);
+    String notice = browser.text(".messages .notice:not([role])");
+    assertTrue(
+        notice.matches("This run has \\d+ steps; the page shows one in 4 of the .*"), notice);
   }
 
   @Test
-  void restartsWithAnotherSeed() {
+  void restartsWithOtherSeed() {
     pause();
     Object before = browser.run("return hificamsim.runs[0].x.map(list => list[0])");
     step(3);
@@ -444,12 +445,12 @@ class ViewPageTest {
     browser.find("#restart").click();
     browser.until("return hificamsim.runs[0].setup.seed === 7 && hificamsim.runs[0].count === 1");
     step(30);
-    Object other = browser.run("return hificamsim.runs[0].x.map(list => list.at(-1))");
-    assertNotEquals(before, other);
+    Object after = browser.run("return hificamsim.runs[0].x.map(list => list.at(-1))");
+    assertNotEquals(before, after);
   }
 
   @Test
-  void theFileThatIsHandedToTheBrowserLeadsToThePage() throws IOException {
+  void opensPageByFileForBrowser() throws IOException {
     Path file = Files.writeString(folder.resolve("open.html"), Browsers.page(view.address()));
     browser.leave();
     browser.follow(file.toUri().toString());
@@ -459,7 +460,7 @@ class ViewPageTest {
   }
 
   @Test
-  void outlivesAReload() throws Exception {
+  void continuesAfterReload() throws Exception {
     new Select(browser.find(".controls select")).selectByValue("100");
     browser.until("return hificamsim.runs[0].count > 50");
     pause();
@@ -493,7 +494,7 @@ class ViewPageTest {
     browser.until("return hificamsim.runs[0].steps === " + next);
   }
 
-  /** Pauses, and waits until all steps that were made before are drawn. */
+  /** Pauses, and waits until all earlier steps are drawn. */
   private static void pause() {
     browser.until("return hificamsim.playhead.playing");
     browser.run(

@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.hificamsim.cli.Main;
 
-/** {@code view --no-browser} on a thread of its own, until its page is closed. */
+/** Runs {@code view --no-browser} on a thread of its own until its page is closed. */
 final class ViewProcess implements AutoCloseable {
   private final StringWriter err = new StringWriter();
   private final CompletableFuture<Integer> exit = new CompletableFuture<>();
@@ -21,7 +21,7 @@ final class ViewProcess implements AutoCloseable {
   private final String address;
 
   /**
-   * @param words what follows {@code view}
+   * @param words the arguments of {@code view}
    */
   ViewProcess(Object... words) {
     String[] args =
@@ -41,12 +41,12 @@ final class ViewProcess implements AutoCloseable {
     }
   }
 
-  /** The line that it printed. */
+  /** The address that was printed. */
   String address() {
     return address;
   }
 
-  /** Waits until the command has ended, half a minute at most. */
+  /** Waits until the command has ended, at most half a minute. */
   int exit() throws Exception {
     return exit.get(30, TimeUnit.SECONDS);
   }

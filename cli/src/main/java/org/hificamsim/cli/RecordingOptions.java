@@ -115,11 +115,14 @@ final class RecordingOptions {
   /** The sizes of the targets in words. */
   String sizeLine(ImportSummary summary) {
     String others = size == null ? TargetSpec.DEFAULT_SIZE + " m (--size)" : size + " m";
-    return summary.sized() == summary.targets()
+    return summary.targetsWithSize() == summary.targets()
         ? "sizes: from the file"
-        : summary.sized() == 0
+        : summary.targetsWithSize() == 0
             ? "size: " + others
-            : "sizes: of " + summary.sized() + " targets from the file, of the others " + others;
+            : "sizes: of "
+                + summary.targetsWithSize()
+                + " targets from the file, of the others "
+                + others;
   }
 
   Optional<Homography> homography() {

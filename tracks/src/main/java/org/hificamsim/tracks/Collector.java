@@ -13,62 +13,62 @@ import org.hificamsim.tracks.format.TrackSample;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Ground;
 
-/** Takes a file's samples to the ground, and keeps them by target. */
+/** Converts the samples of a file to metres on the ground, and collects them by target. */
 final class Collector implements SampleSink {
-  private static final Pattern WHOLE = Pattern.compile("-?(0|[1-9][0-9]{0,14})");
+  private static final Pattern WHOLE_NUMBER = Pattern.compile("-?(0|[1-9][0-9]{0,14})");
 
-  private final Function<Unit, Ground> grounds;
+  private final Function<Unit, Ground> groundOf;
   private Ground ground;
   private final Map<String, RecordedTarget> targets = new LinkedHashMap<>();
   private long duplicates;
   private String firstDuplicate = "";
 
   /**
-   * @param grounds what takes the samples of a unit to metres
+   * @param groundOf returns what converts the samples of a unit to metres
    */
-  Collector(Function<Unit, Ground> grounds) {
-    this.grounds = grounds;
+  Collector(Function<Unit, Ground> groundOf) {
+    this.groundOf = groundOf;
   }
 
   @Override
   public void measuredIn(Unit unit) {
-    ground = grounds.apply(unit);
+    ground = groundOf.apply(unit);
   }
 
   @Override
-  public void accept(TrackSample asRead) {
-    TrackSample sample = ground.onGround(asRead);
+  public void accept(TrackSample fileSample) {
+    TrackSample sample = ground.onGround(fileSample);
     if (!targets.computeIfAbsent(sample.target(), RecordedTarget::new).add(sample)) {
       firstDuplicate = duplicates++ == 0 ? sample.place().toString() : firstDuplicate;
     }
   }
 
-  /** The targets in the order in which they appear in the file. */
+  /** The targets in the order of their first samples in the file. */
   Collection<RecordedTarget> targets() {
     return targets.values();
   }
 
-  /** Whether the names of all targets are whole numbers, by which a scenario knows them then. */
-  boolean ownNames() {
-    return targets.keySet().stream().allMatch(name -> WHOLE.matcher(name).matches());
+  /** Whether the names of all targets are whole numbers, so that a scenario can use them. */
+  boolean hasNumericNames() {
+    return targets.keySet().stream().allMatch(name -> WHOLE_NUMBER.matcher(name).matches());
   }
 
-  /** How many samples were there twice, the same each time. */
+  /** The number of samples that repeat the one before. */
   long duplicates() {
     return duplicates;
   }
 
-  /** Where the first of them is. */
+  /** The place of the first such sample; empty if there is none. */
   String firstDuplicate() {
     return firstDuplicate;
   }
 
-  /** When the first sample was taken, ticks. */
+  /** The time of the first sample, ticks. */
   double firstTick() {
-    return targets().stream().mapToDouble(one -> one.samples().get(0).time()).min().orElse(0);
+    return targets().stream().mapToDouble(target -> target.samples().get(0).time()).min().orElse(0);
   }
 
-  /** How many ticks lie between two samples of a target most often; 1 where none has two. */
+  /** The most frequent number of ticks between samples of a target; 1 if no target has two. */
   double spacing() {
     Map<Double, Long> counts = new TreeMap<>();
     for (RecordedTarget target : targets()) {

@@ -12,14 +12,21 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.RecordedTarget.Sample;
 
-/** What an import found: extent in time and place, speeds, gaps, and what is odd. */
+/** What an import found: the extent in time and space, speeds, gaps, and oddities. */
 public final class ImportSummary {
-  private static final MathContext FOUR = new MathContext(4);
+  private static final MathContext FOUR_DIGITS = new MathContext(4);
   private static final String JUMP = "target %s jumps %s m before %s s, %s m/s";
-  private static final double ODD = 5;
-  private static final double LEAST = 0.1; // m/s: of targets that all stand
-  private static final double STEP = 0.01; // m/s
-  private static final int NAMED = 3; // jumps that are listed one by one
+
+  /** A jump is this many times as fast as usual. */
+  private static final double JUMP_FACTOR = 5;
+
+  /** The usual speed is at least this, metres per second, even if all targets stand still. */
+  private static final double MIN_SPEED = 0.1;
+
+  /** Quantiles are rounded to multiples of this, metres per second. */
+  private static final double SPEED_STEP = 0.01;
+
+  private static final int MAX_LISTED_JUMPS = 3;
 
   private final Collector collected;
   private final double interval;
@@ -30,20 +37,26 @@ public final class ImportSummary {
   private final DoubleSummaryStatistics ys = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics gaps = new DoubleSummaryStatistics();
   private final DoubleStream.Builder allSpeeds = DoubleStream.builder();
-  private double[] speeds; // sorted, once they are all there
-  private final List<Way> fast = new ArrayList<>();
+  private double[] sortedSpeeds; // null until all targets have been added
+  private final List<Move> fastMoves = new ArrayList<>();
   private int targets;
-  private int single;
-  private long blocked; // ways between two samples
+  private int singleSampleTargets;
+  private long blockedMoves;
   private String firstBlocked = "";
 
-  /** The way between two samples of a target, which ends at a time; metres, metres per second. */
-  private record Way(String target, double time, double length, double speed) {}
+  /**
+   * A target's move between two samples.
+   *
+   * @param time of its end, seconds
+   * @param length metres
+   * @param speed metres per second
+   */
+  private record Move(String target, double time, double length, double speed) {}
 
   /**
    * @param interval between most samples of a target, seconds
-   * @param gap the longest time between two samples of a target that is present in between, seconds
-   * @param obstacles through which nobody should go
+   * @param gap the longest time between two samples of a target that is present meanwhile, seconds
+   * @param obstacles that no target should pass
    */
   ImportSummary(Collector collected, double interval, double gap, Obstacles obstacles) {
     this.collected = collected;
@@ -53,9 +66,9 @@ public final class ImportSummary {
   }
 
   /**
-   * Adds a target, the next one of the recording.
+   * Adds the next target of the recording.
    *
-   * @param tracks of it, perhaps none
+   * @param tracks of the target; may be empty
    */
   void add(String target, List<List<Sample>> tracks) {
     Sample last = null;
@@ -69,127 +82,133 @@ public final class ImportSummary {
         xs.accept(sample.x());
         ys.accept(sample.y());
       }
-      addWays(target, track);
+      addMoves(target, track);
       samples += track.size();
       last = track.get(track.size() - 1);
     }
     targets += samples > 0 ? 1 : 0;
-    single += samples == 1 ? 1 : 0;
+    singleSampleTargets += samples == 1 ? 1 : 0;
   }
 
-  private void addWays(String target, List<Sample> track) {
-    List<Way> ways = new ArrayList<>();
+  private void addMoves(String target, List<Sample> track) {
+    List<Move> moves = new ArrayList<>();
     for (int i = 1; i < track.size(); i++) {
       Sample from = track.get(i - 1);
       Sample to = track.get(i);
       double length = Math.hypot(to.x() - from.x(), to.y() - from.y());
       double speed = length / (to.time() - from.time());
-      ways.add(new Way(target, to.time(), length, speed));
+      moves.add(new Move(target, to.time(), length, speed));
       allSpeeds.add(speed);
       if (!obstacles.isEmpty()
           && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
-          && blocked++ == 0) {
+          && blockedMoves++ == 0) {
         firstBlocked = "target " + target + " at " + to.time() + " s";
       }
     }
-    for (int i = 0; i < ways.size(); i++) {
-      if (ways.get(i).speed > ODD * slowerAround(ways, i)) {
-        fast.add(ways.get(i));
+    for (int i = 0; i < moves.size(); i++) {
+      if (moves.get(i).speed > JUMP_FACTOR * slowerNeighbour(moves, i)) {
+        fastMoves.add(moves.get(i));
       }
     }
   }
 
-  /** The speed of the slower of the ways before and after one; 0 where there are none. */
-  private static double slowerAround(List<Way> ways, int i) {
+  /** The speed of the slower of the moves before and after a move; 0 if there are none. */
+  private static double slowerNeighbour(List<Move> moves, int i) {
     return Stream.of(i - 1, i + 1)
-        .filter(other -> other >= 0 && other < ways.size())
-        .mapToDouble(other -> ways.get(other).speed)
+        .filter(neighbour -> neighbour >= 0 && neighbour < moves.size())
+        .mapToDouble(neighbour -> moves.get(neighbour).speed)
         .min()
         .orElse(0);
   }
 
-  /** The speed that this part of all is not above, to the centimetre; NaN where there is none. */
-  double quantile(double part) {
-    speeds = speeds == null ? allSpeeds.build().sorted().toArray() : speeds;
-    int last = (int) Math.ceil(part * speeds.length) - 1;
-    return speeds.length == 0 ? Double.NaN : Math.rint(speeds[Math.max(0, last)] / STEP) * STEP;
+  /**
+   * The speed that a share of all moves does not exceed, rounded to a centimetre per second; NaN if
+   * there are no moves.
+   */
+  double quantile(double share) {
+    sortedSpeeds = sortedSpeeds == null ? allSpeeds.build().sorted().toArray() : sortedSpeeds;
+    int last = (int) Math.ceil(share * sortedSpeeds.length) - 1;
+    return sortedSpeeds.length == 0
+        ? Double.NaN
+        : Math.rint(sortedSpeeds[Math.max(0, last)] / SPEED_STEP) * SPEED_STEP;
   }
 
   /**
-   * Where targets jump: ways that are five times as fast as the slower of the ways before and after
-   * them, and as three quarters of all ways. A car that drives on is fast and does not jump.
+   * Describes jumps: moves that are five times as fast as the slower of the moves before and after
+   * them, and five times as fast as three quarters of all moves. A car that keeps driving is fast
+   * but does not jump.
    */
   private List<String> jumps() {
     double usual = quantile(0.75);
-    double limit = ODD * Math.max(LEAST, Double.isNaN(usual) ? 0 : usual);
-    List<Way> jumps = fast.stream().filter(way -> way.speed > limit).toList();
+    double limit = JUMP_FACTOR * Math.max(MIN_SPEED, Double.isNaN(usual) ? 0 : usual);
+    List<Move> jumps = fastMoves.stream().filter(move -> move.speed > limit).toList();
     List<String> lines = new ArrayList<>();
     if (!jumps.isEmpty()) {
       lines.add(line("%s jumps, faster than %s m/s", jumps.size(), limit));
       jumps.stream()
-          .sorted(Comparator.comparingDouble(Way::speed).reversed())
-          .limit(NAMED)
-          .map(way -> line(JUMP, way.target, way.length, way.time, way.speed))
+          .sorted(Comparator.comparingDouble(Move::speed).reversed())
+          .limit(MAX_LISTED_JUMPS)
+          .map(move -> line(JUMP, move.target, move.length, move.time, move.speed))
           .forEach(lines::add);
     }
     return lines;
   }
 
-  /** How many targets. */
+  /** The number of targets with samples. */
   public int targets() {
     return targets;
   }
 
-  /** How many samples were written. */
+  /** The number of samples that were written. */
   long samples() {
     return times.getCount();
   }
 
-  /** Between most samples of a target, seconds. */
+  /** The time between most samples of a target, seconds. */
   double interval() {
     return interval;
   }
 
-  /** When the last sample is, seconds from the start. */
+  /** The time of the last sample, seconds from the start. */
   double duration() {
     return times.getMax();
   }
 
-  /** The longest time between two samples of a target that is present in between, seconds. */
+  /** The longest time between two samples of a target that is present meanwhile, seconds. */
   double gap() {
     return gap;
   }
 
-  /** What holds all samples, metres. */
+  /** The bounding box of all samples, metres. */
   Field box() {
     return new Field(xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax());
   }
 
-  /** Of how many targets the file says the size. */
-  public long sized() {
-    return collected.targets().stream().filter(one -> one.extent().isPresent()).count();
+  /** The number of targets whose size the file has. */
+  public long targetsWithSize() {
+    return collected.targets().stream().filter(target -> target.extent().isPresent()).count();
   }
 
-  /** What is odd, in lines. */
-  List<String> odd() {
-    List<String> odd = jumps();
-    if (single > 0) {
-      odd.add(single + " targets with one sample alone");
+  /** Describes what is odd, in lines. */
+  List<String> oddities() {
+    List<String> oddities = jumps();
+    if (singleSampleTargets > 0) {
+      oddities.add(singleSampleTargets + " targets with one sample alone");
     }
-    if (blocked > 0) {
-      String times = blocked == 1 ? "once, " : blocked + " times, first ";
-      odd.add("through a wall: " + times + firstBlocked);
+    if (blockedMoves > 0) {
+      String times = blockedMoves == 1 ? "once, " : blockedMoves + " times, first ";
+      oddities.add("through a wall: " + times + firstBlocked);
     }
     if (collected.duplicates() > 0) {
-      odd.add(
+      oddities.add(
           collected.duplicates()
               + " samples are there twice and count once, the first at "
               + collected.firstDuplicate());
     }
-    return odd;
+    return oddities;
   }
 
-  /** All of it, in lines for people. */
+  /** The whole summary, in lines for people. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     lines.add(line("%s samples of %s targets in %s s", samples(), targets, duration()));
@@ -211,11 +230,11 @@ public final class ImportSummary {
         line(
             "places: x from %s to %s m, y from %s to %s m",
             xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax()));
-    odd().forEach(one -> lines.add("odd: " + one));
+    oddities().forEach(oddity -> lines.add("odd: " + oddity));
     return lines;
   }
 
-  /** A line whose floating numbers are rounded. */
+  /** Formats a line; floating-point numbers are rounded. */
   private static String line(String pattern, Object... values) {
     return pattern.formatted(
         Stream.of(values)
@@ -223,12 +242,12 @@ public final class ImportSummary {
             .toArray());
   }
 
-  /** Four digits, without an exponent or zeros at the end. */
+  /** Rounds to four digits, without an exponent and without trailing zeros. */
   private static String rounded(double value) {
     if (!Double.isFinite(value)) {
       return "-";
     }
-    String plain = new BigDecimal(value).round(FOUR).toPlainString();
+    String plain = new BigDecimal(value).round(FOUR_DIGITS).toPlainString();
     return plain.contains(".") ? plain.replaceFirst("\\.?0+$", "") : plain;
   }
 }

@@ -9,16 +9,17 @@ import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.tracks.format.TrackSample;
 
 /**
- * A target of a recording: its samples on the ground in order of time, and the size of its boxes.
+ * A target of a recording: its samples on the ground in the order of time, and the size of its
+ * boxes.
  */
 final class RecordedTarget {
-  private static final double MICRO = 1e6;
-  private static final double MILLI = 1e3;
+  private static final double PER_MICROSECOND = 1e6;
+  private static final double PER_MILLIMETRE = 1e3;
 
   /**
-   * When and where a target was.
+   * The position of a target at one time.
    *
-   * @param time ticks of the recording; of a track, seconds
+   * @param time in ticks of the recording, or in seconds for a track
    * @param x metres
    * @param y metres
    */
@@ -33,48 +34,48 @@ final class RecordedTarget {
     this.name = name;
   }
 
-  /** As the file says it. */
+  /** The name in the file. */
   String name() {
     return name;
   }
 
-  /** One or more, by time in ticks. */
+  /** The samples, one or more, in the order of time, with times in ticks. */
   List<Sample> samples() {
     return samples;
   }
 
   /**
-   * Takes the next sample.
+   * Adds the next sample.
    *
-   * @return whether it is new, not the last one again
-   * @throws InputException when it is earlier, or at another place at the same time
+   * @return false if it repeats the last one, and is ignored
+   * @throws InputException if it is earlier than the last one, or at another place at the same time
    */
-  boolean add(TrackSample read) {
+  boolean add(TrackSample sample) {
     Sample last = samples.isEmpty() ? null : samples.get(samples.size() - 1);
-    if (last != null && read.tick() < last.time()) {
-      throw fault(
-          read,
+    if (last != null && sample.tick() < last.time()) {
+      throw error(
+          sample,
           ": time runs backwards, from %s to %s, expected a target's samples in order of time"
-              .formatted(last.time(), read.tick()));
+              .formatted(last.time(), sample.tick()));
     }
-    if (last != null && read.tick() == last.time()) {
-      if (last.x() != read.x() || last.y() != read.y()) {
-        throw fault(
-            read,
+    if (last != null && sample.tick() == last.time()) {
+      if (last.x() != sample.x() || last.y() != sample.y()) {
+        throw error(
+            sample,
             " is at two places at time %s, expected one sample of a target at a time"
-                .formatted(read.tick()));
+                .formatted(sample.tick()));
       }
       return false;
     }
-    samples.add(new Sample(read.tick(), read.x(), read.y()));
-    if (isLength(read.width()) && isLength(read.height())) {
-      widths.accept(read.width());
-      heights.accept(read.height());
+    samples.add(new Sample(sample.tick(), sample.x(), sample.y()));
+    if (isLength(sample.width()) && isLength(sample.height())) {
+      widths.accept(sample.width());
+      heights.accept(sample.height());
     }
     return true;
   }
 
-  private static InputException fault(TrackSample sample, String problem) {
+  private static InputException error(TrackSample sample, String problem) {
     return sample.place().error("target " + sample.target() + problem);
   }
 
@@ -82,7 +83,7 @@ final class RecordedTarget {
     return metres > 0 && metres <= 1e9;
   }
 
-  /** The mean of its boxes; empty where the file has none. */
+  /** The mean size of its boxes; empty if the file has none. */
   Optional<Extent> extent() {
     return widths.getCount() == 0
         ? Optional.empty()
@@ -90,20 +91,19 @@ final class RecordedTarget {
   }
 
   private static double size(double metres) {
-    return Math.max(1e-3, rounded(metres, MILLI));
+    return Math.max(1e-3, rounded(metres, PER_MILLIMETRE));
   }
 
-  private static double rounded(double value, double parts) {
-    return Math.rint(value * parts) / parts;
+  private static double rounded(double value, double perUnit) {
+    return Math.rint(value * perUnit) / perUnit;
   }
 
   /**
-   * Its tracks: a new one at first and after each gap. Times are kept to the microsecond, places to
-   * the millimetre.
+   * Returns the tracks, of which each ends at a gap. Times are rounded to microseconds, positions
+   * to millimetres.
    *
-   * @param first when the recording's first sample was taken, ticks
-   * @param secondsPerTick how long a tick is
-   * @param settings say what is cut out
+   * @param first the time of the recording's first sample, ticks
+   * @param settings the part of the recording that is kept
    * @param gap the longest time between two samples of a track, seconds
    */
   List<List<Sample>> tracks(
@@ -112,13 +112,15 @@ final class RecordedTarget {
     Sample last = null;
     for (Sample sample : samples) {
       double seconds = (sample.time() - first) * secondsPerTick;
-      double when = rounded(seconds - settings.from(), MICRO);
+      double time = rounded(seconds - settings.from(), PER_MICROSECOND);
       boolean kept = seconds >= settings.from() && seconds <= settings.to();
-      if (kept && (last == null || when > last.time())) { // not less than a microsecond later
-        if (last == null || when - last.time() > gap * (1 + 1e-9)) {
+      if (kept && (last == null || time > last.time())) { // rounded times may be equal
+        if (last == null || time - last.time() > gap * (1 + 1e-9)) {
           tracks.add(new ArrayList<>());
         }
-        last = new Sample(when, rounded(sample.x(), MILLI), rounded(sample.y(), MILLI));
+        last =
+            new Sample(
+                time, rounded(sample.x(), PER_MILLIMETRE), rounded(sample.y(), PER_MILLIMETRE));
         tracks.get(tracks.size() - 1).add(last);
       }
     }

@@ -11,12 +11,12 @@ import org.hificamsim.core.scenario.spec.Floorplan;
  * Settings of an imported scenario: name, field, walls, floor plan, cameras.
  *
  * @param name of the scenario
- * @param source the recording, as a comment names it
- * @param cameras how many to place as a first draft
+ * @param source the recording, whose name is in a comment
+ * @param cameras the number of cameras to place as a first draft
  * @param margin of the field around all samples, metres
- * @param step how long a step takes, seconds; as a rule the time between two samples
+ * @param step the time of a step, seconds; the time between two samples by default
  * @param walls solid, in metres
- * @param floorplan the picture's name in the scenario's folder and what it shows
+ * @param floorplan the picture's name in the scenario's folder and the area that it shows
  */
 public record SiteSettings(
     String name,
@@ -26,7 +26,7 @@ public record SiteSettings(
     OptionalDouble step,
     List<Obstacle> walls,
     Optional<Floorplan> floorplan) {
-  /** Copies what could change. */
+  /** Copies mutable lists. */
   public SiteSettings {
     walls = List.copyOf(walls);
   }

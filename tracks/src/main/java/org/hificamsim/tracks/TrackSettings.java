@@ -5,14 +5,14 @@ import java.util.OptionalDouble;
 import org.hificamsim.core.scenario.spec.Extent;
 
 /**
- * What becomes of the samples of a recording.
+ * How the samples of a recording become tracks.
  *
- * @param gap the longest time between two samples of a target that is there meanwhile, seconds;
- *     three times the usual one by default
- * @param from where the recording is cut, seconds from its first sample
- * @param to where the recording is cut, seconds from its first sample
- * @param size of targets without a box
- * @param extent of such targets, where width and height are given; comes before the size
+ * @param gap the longest time between two samples of a target that is present meanwhile, seconds;
+ *     three times the usual time by default
+ * @param from the start of the part that is kept, seconds from the first sample
+ * @param to the end of the part that is kept, seconds from the first sample
+ * @param size of targets without a box, metres
+ * @param extent of targets without a box; if present, it is used instead of the size
  */
 public record TrackSettings(
     OptionalDouble gap, double from, double to, double size, Optional<Extent> extent) {}

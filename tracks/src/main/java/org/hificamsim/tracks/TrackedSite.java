@@ -10,11 +10,17 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.tracks.place.DraftCameras;
 
-/** The scenario around imported tracks: field, cameras as a first draft, walls, floor plan. */
+/** Makes the scenario of imported tracks: field, draft of cameras, walls, and floor plan. */
 public final class TrackedSite {
-  private static final double MARGIN = 0.1; // of the longer side
-  private static final double LEAST = 1; // m
-  private static final double ROUNDING = 1e-6; // of a step
+  /** The default margin, as a share of the longer side. */
+  private static final double MARGIN = 0.1;
+
+  /** The least default margin, metres. */
+  private static final double MIN_MARGIN = 1;
+
+  /** The rounding error that is tolerated in the number of steps. */
+  private static final double STEP_TOLERANCE = 1e-6;
+
   private static final String DETECTION = "oodpcvs-2025:level=discern";
   private static final String OBJECTIVE = "covered:k=1";
 
@@ -24,20 +30,20 @@ public final class TrackedSite {
   private final double duration;
 
   /**
-   * @param found what the tracks have in them
+   * @param summary of the tracks
    */
-  public TrackedSite(SiteSettings settings, ImportSummary found) {
+  public TrackedSite(SiteSettings settings, ImportSummary summary) {
     this.settings = settings;
-    this.field = field(found.box());
-    this.interval = found.interval();
-    this.duration = found.duration();
+    this.field = field(summary.box());
+    this.interval = summary.interval();
+    this.duration = summary.duration();
   }
 
   private Field field(Field box) {
     double margin =
         settings
             .margin()
-            .orElse(Math.max(LEAST, Math.ceil(MARGIN * Math.max(box.width(), box.height()))));
+            .orElse(Math.max(MIN_MARGIN, Math.ceil(MARGIN * Math.max(box.width(), box.height()))));
     return new Field(
         Math.floor(box.minX() - margin),
         Math.ceil(box.maxX() + margin),
@@ -50,22 +56,26 @@ public final class TrackedSite {
     return field;
   }
 
-  /** How long a step takes, seconds. */
+  /** The time of a step, seconds. */
   public double step() {
     return settings.step().orElse(interval);
   }
 
-  /** How many steps there are from the first to the last sample, both included. */
+  /** The number of steps from the first to the last sample, both included. */
   public int steps() {
-    return (int) Math.min(Scenario.MAX_STEPS, Math.floor(duration / step() + ROUNDING) + 1);
+    return (int) Math.min(Scenario.MAX_STEPS, Math.floor(duration / step() + STEP_TOLERANCE) + 1);
   }
 
-  /** What the scenario asks, in a line. */
+  /** The objective, detection and steps of the scenario, in one line. */
   public String question() {
     return "question: " + OBJECTIVE + " by " + DETECTION + " in " + steps() + " steps";
   }
 
-  /** The scenario's file, which names that of the tracks. */
+  /**
+   * Returns the scenario as XML.
+   *
+   * @param tracks the name of the file with the tracks
+   */
   public String xml(String tracks) {
     String comment = "Made by hificamsim import of " + settings.source().getFileName();
     String safe = Place.printable(comment).replace("--", "- -");

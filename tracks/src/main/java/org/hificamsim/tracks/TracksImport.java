@@ -15,10 +15,10 @@ import org.hificamsim.tracks.ground.Ground;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
 
-/** A recording, read and checked, to be written as a file of tracks. */
+/** Reads and checks a recording, and writes it as a file of tracks. */
 public final class TracksImport {
-  /** Seconds a sample may be off the interval and be put there. */
-  private static final double SLACK = 1e-6;
+  /** The tolerance within which a sample's time is rounded to the interval, seconds. */
+  private static final double TIME_TOLERANCE = 1e-6;
 
   private final Recording recording;
   private final Collector collector;
@@ -28,7 +28,7 @@ public final class TracksImport {
    * Reads a recording.
    *
    * @param projection of degrees
-   * @throws org.hificamsim.core.InputException when the file, or what is said of it, is wrong
+   * @throws org.hificamsim.core.InputException if the file or a setting of the recording is wrong
    */
   public TracksImport(
       TrackFormat format,
@@ -38,37 +38,39 @@ public final class TracksImport {
     this.recording = recording;
     collector = new Collector(unit -> Ground.of(unit, homography, projection));
     secondsPerTick = format.read(recording, collector).secondsPerTick(collector.spacing());
-    requireSome(!collector.targets().isEmpty());
+    requireSamples(!collector.targets().isEmpty());
   }
 
   /**
-   * Writes the tracks. A scenario knows the targets by their own names where all are whole numbers,
-   * else as 1, 2, 3 in the order of appearance.
+   * Writes the tracks. Targets keep their names if all are whole numbers, otherwise they become 1,
+   * 2, 3, ... in the order of their first samples.
    *
-   * @param obstacles through which nobody should go
-   * @param folder receives the tracks under this name
-   * @throws org.hificamsim.core.InputException when nothing is left of the recording
+   * @param obstacles that no target should pass
+   * @param folder in which the file is written
+   * @param name of the file
+   * @throws org.hificamsim.core.InputException if nothing is left of the recording
    */
   public ImportSummary write(
       TrackSettings settings, Obstacles obstacles, OutputFolder folder, String name)
       throws IOException {
-    double interval = Math.max(SLACK, Math.rint(collector.spacing() * secondsPerTick * 1e6) / 1e6);
+    double interval =
+        Math.max(TIME_TOLERANCE, Math.rint(collector.spacing() * secondsPerTick * 1e6) / 1e6);
     double gap = settings.gap().orElse(3 * interval);
     ImportSummary summary = new ImportSummary(collector, interval, gap, obstacles);
     double first = collector.firstTick();
-    boolean ownNames = collector.ownNames();
+    boolean keepsNames = collector.hasNumericNames();
     int count = 0;
     try (Writer out = folder.open(name)) {
-      TrackWriter writer = new TrackWriter(out, interval, SLACK);
+      TrackWriter writer = new TrackWriter(out, interval, TIME_TOLERANCE);
       for (RecordedTarget target : collector.targets()) {
         count++;
         List<List<Sample>> tracks = target.tracks(first, secondsPerTick, settings, gap);
-        double number = ownNames ? Double.parseDouble(target.name()) : count;
+        double number = keepsNames ? Double.parseDouble(target.name()) : count;
         write(writer, number, target.extent().or(settings::extent), settings.size(), tracks);
         summary.add(target.name(), tracks);
       }
     }
-    requireSome(summary.samples() > 0);
+    requireSamples(summary.samples() > 0);
     return summary;
   }
 
@@ -91,8 +93,8 @@ public final class TracksImport {
     }
   }
 
-  private void requireSome(boolean some) {
-    if (!some) {
+  private void requireSamples(boolean present) {
+    if (!present) {
       throw recording.missing("samples of targets; the file, or what is cut from it, has none");
     }
   }

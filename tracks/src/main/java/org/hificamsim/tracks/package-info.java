@@ -1,2 +1,2 @@
-/** Recordings of real movement, imported as scenarios: samples sorted by target, gaps, figures. */
+/** Imports recordings of real movement as scenarios. */
 package org.hificamsim.tracks;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Each format, read from a small file of our own. */
+/** Each format, with a small file. */
 class FormatsTest {
   private static final String GPX =
       """
@@ -26,7 +26,7 @@ class FormatsTest {
   @TempDir Path folder;
 
   @Test
-  void obsmatHasItsSecondAxisInTheThirdPosition() {
+  void readsObsmat() {
     Imported imported = new Imported(folder).rate(25);
     ImportSummary found =
         imported.of(
@@ -43,14 +43,14 @@ class FormatsTest {
   }
 
   @Test
-  void ethUcyTextIsReadBetweenTabsAndBlanks() {
+  void readsEthUcySeparatedByTabsAndSpaces() {
     Imported imported = new Imported(folder).rate(2.5);
     imported.of("ethucy", "10\t1.0\t2.5\t3\n11\t1.0\t 3.5 4\n");
     assertEquals("target 1 size 0.66;0 2.5 3;3.5 4;", imported.tracks());
   }
 
   @Test
-  void trajNetCountsSamplesBySceneRate() {
+  void countsTrajNetSamplesBySceneRate() {
     Imported imported = new Imported(folder);
     ImportSummary found = imported.of("trajnet", trajNet());
     assertEquals("target 7 size 0.66;0 1 2;1.5 2;2 2;", imported.tracks());
@@ -58,7 +58,7 @@ class FormatsTest {
   }
 
   @Test
-  void aRateBesideTrajNetCountsFrames() {
+  void countsTrajNetFramesByGivenRate() {
     Imported imported = new Imported(folder).rate(6);
     assertEquals(1, imported.of("trajnet", trajNet()).interval());
   }
@@ -73,26 +73,26 @@ class FormatsTest {
   }
 
   @Test
-  void motPositionsInTheWorldAreTakenWhereTheFileHasThem() {
+  void readsMotPositionsInWorld() {
     Imported imported = new Imported(folder).rate(10).unit(Unit.CM);
     ImportSummary found =
         imported.of(
             "mot", "1,3,10,20,30,60,1,100,250,0\n2,3,10,20,30,60,1,200,250,0\n2,4,0,0,1,1,0,5,5,0");
     assertEquals("target 3 size 0.66;0 1 2.5;2 2.5;", imported.tracks());
-    assertEquals(0, found.sized());
+    assertEquals(0, found.targetsWithSize());
   }
 
   @Test
-  void motBoxesStandOnTheGroundWhereAHomographyPutsTheirLowerEdge() {
+  void convertsMotBoxesByHomography() {
     Imported imported =
         new Imported(folder).rate(10).unit(Unit.PX).homography("0.1 0 0\n0 -0.1 50\n0 0 1\n");
     ImportSummary found = imported.of("mot", "1,3,100,20,10,40,1,-1,-1,-1\n");
     assertEquals("target 3 width 1 height 4;0 10.5 44;", imported.tracks());
-    assertEquals(1, found.sized());
+    assertEquals(1, found.targetsWithSize());
   }
 
   @Test
-  void motRowsMayEndWithTheBoxWhichMayBeEmpty() {
+  void readsMotRowsThatEndWithBox() {
     Imported imported =
         new Imported(folder).rate(10).unit(Unit.PX).homography("1 0 0\n0 1 0\n0 0 1\n");
     imported.of("mot", "1,3,100,20,10,40\n2,3,110,20,0,0\n");
@@ -100,13 +100,13 @@ class FormatsTest {
   }
 
   @Test
-  void motBoxesWithoutAWorldAreRefusedWithoutAHomography() {
-    assertRefused(
+  void rejectsMotBoxesWithoutHomography() {
+    assertRejected(
         new Imported(folder).rate(10).unit(Unit.M),
         "mot",
         "1,3,100,20,10,40,1,-1,-1,-1\n",
         ":1:1: the row has no position in the world, expected unit=px and homography=FILE");
-    assertRefused(
+    assertRejected(
         new Imported(folder).rate(10).unit(Unit.PX),
         "mot",
         "1,3,100,20,10,40,1\n",
@@ -114,7 +114,7 @@ class FormatsTest {
   }
 
   @Test
-  void classAndVisibilityOfMot16AreNoPosition() {
+  void ignoresClassAndVisibilityOfMot16() {
     Imported imported =
         new Imported(folder).rate(10).unit(Unit.PX).homography("1 0 0\n0 1 0\n0 0 1\n");
     imported.of("mot", "1,3,100,20,10,40,1,1,0.9\n");
@@ -122,7 +122,7 @@ class FormatsTest {
   }
 
   @Test
-  void peTrackSaysItsRateAndUnitItself() {
+  void readsRateAndUnitOfPeTrack() {
     Imported imported = new Imported(folder);
     imported.of(
         "petrack",
@@ -135,15 +135,15 @@ class FormatsTest {
   }
 
   @Test
-  void peTrackWithoutAHeaderAsksForBoth() {
-    assertRefused(
+  void requiresRateAndUnitForPeTrackWithoutHeader() {
+    assertRejected(
         new Imported(folder).unit(Unit.M), "petrack", "1 0 1 2\n", "expected rate=R, the frames");
-    assertRefused(
+    assertRejected(
         new Imported(folder).rate(16), "petrack", "1 0 1 2 3\n", "expected unit, one of m, cm");
   }
 
   @Test
-  void floatingCarDataHasSecondsAndMetres() {
+  void readsFloatingCarDataInSecondsAndMetres() {
     Imported imported = new Imported(folder);
     imported.of(
         "fcd",
@@ -160,28 +160,28 @@ class FormatsTest {
 
   /** 0.0009 degrees of latitude are 100.075 m at 48.2 degrees (WGS84). */
   @Test
-  void gpxIsProjectedToMetres() {
+  void projectsGpxToMetres() {
     Imported imported = new Imported(folder);
     imported.of("gpx", GPX);
     assertEquals("target 1 size 0.66;0 0 0;0 100.075;", imported.tracks());
   }
 
   @Test
-  void gpxWithoutTimesIsRefused() {
-    assertRefused(
+  void rejectsGpxWithoutTimes() {
+    assertRejected(
         new Imported(folder),
         "gpx",
         GPX.replaceAll("<time>.*?</time>", ""),
         ": <trkpt> has no <time>, expected one");
-    assertRefused(
+    assertRejected(
         new Imported(folder),
         "gpx",
         GPX.replace("12:00:00Z", "noon"),
-        ": <time> is '2024-05-31Tnoon', expected as 2024-05-31T12:00:00Z");
+        ": <time> is '2024-05-31Tnoon', expected a time such as 2024-05-31T12:00:00Z");
   }
 
   @Test
-  void floatingCarDataMayHaveDegrees() {
+  void readsFloatingCarDataInDegrees() {
     Imported imported = new Imported(folder).unit(Unit.DEG);
     imported.of(
         "fcd",
@@ -191,21 +191,21 @@ class FormatsTest {
   }
 
   @Test
-  void timesHaveFractionsOfASecond() {
+  void readsFractionsOfSeconds() {
     assertEquals(10.5, new Imported(folder).of("gpx", GPX).interval());
   }
 
   @Test
-  void aTableOfNumbersAndNamesIsReadByBoth() {
+  void readsColumnsByNameAndNumber() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("x", "4", "y", "north"));
     imported.of("csv", "time,id,north,east,width,height\n0,1,2,3,1e9,1\n");
     assertEquals("target 1 width 1.0E9 height 1;0 3 2;", imported.tracks());
-    assertRefused(
+    assertRejected(
         new Imported(folder).unit(Unit.M).columns(Map.of("x", "5", "y", "y")),
         "csv",
         "time,id,y,z\n0,1,2,3\n",
         ":1:1: no column '5' for x, expected columns with it, of: time, id, y, z");
-    assertRefused(
+    assertRejected(
         new Imported(folder).unit(Unit.M).columns(Map.of("z", "4")),
         "csv",
         "time,id,x,y\n0,1,2,3\n",
@@ -213,7 +213,7 @@ class FormatsTest {
   }
 
   @Test
-  void aFeatureWithoutAPlaceIsPassedOver() {
+  void ignoresGeoJsonFeaturesWithoutPositions() {
     Imported imported = new Imported(folder).unit(Unit.M);
     imported.of(
         "geojson",
@@ -227,7 +227,7 @@ class FormatsTest {
   }
 
   @Test
-  void geoJsonLinesHaveTheirTimesBesideThem() {
+  void readsGeoJsonLines() {
     Imported imported = new Imported(folder).unit(Unit.M);
     imported.of(
         "geojson",
@@ -240,7 +240,7 @@ class FormatsTest {
   }
 
   @Test
-  void geoJsonPointsHaveOneTimeEach() {
+  void readsGeoJsonPoints() {
     Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("id", "who"));
     imported.of(
         "geojson",
@@ -253,16 +253,16 @@ class FormatsTest {
   }
 
   @Test
-  void geoJsonWithoutTimesIsRefused() {
-    assertRefused(
+  void rejectsGeoJsonWithoutTimes() {
+    assertRejected(
         new Imported(folder),
         "geojson",
         "{\"features\": [{\"geometry\": {\"coordinates\": [[1, 2], [3, 4]]}}]}",
-        ":1:15: the feature has 2 positions and 0 times, expected as many");
+        ":1:15: the feature has 2 positions and 0 times, expected the same number");
   }
 
   @Test
-  void tablesAreReadByTheNamesOfTheirColumns() {
+  void readsColumnsByName() {
     Imported imported =
         new Imported(folder)
             .unit(Unit.MM)
@@ -278,7 +278,7 @@ class FormatsTest {
   }
 
   @Test
-  void tablesWithoutNamesAreReadByNumber() {
+  void readsColumnsByNumber() {
     Imported imported =
         new Imported(folder)
             .unit(Unit.M)
@@ -306,7 +306,7 @@ class FormatsTest {
         "mot|1,1,0,0,-5,5,1,1,1,0|:1:9: width is '-5', expected a number of pixels from 0",
         "mot|1;1;0;0;5;5|:1:1: frame is '1;1;0;0;5;5', expected",
         "trajnet|{\"track\": {\"f\": 1, \"p\": 1, \"x\": NaN, \"y\": 1}}|:1:33: x is 'NaN'",
-        "trajnet|{\"track\": {\"f\": 1, \"p\": 1, \"x\": 1}}|:1:11: a track without all of f, p",
+        "trajnet|{\"track\": {\"f\": 1, \"p\": 1, \"x\": 1}}|:1:11: the track lacks some of f, p",
         "trajnet|{\"track\": {\"f\": 1, \"p\"|:1:23: the file ends too early",
         "trajnet|[1]|:1:1: expected an object with a track or a scene",
         "fcd|<f><timestep time='1'><vehicle id='a' x='1'/></timestep></f>|<vehicle> has no y",
@@ -324,10 +324,10 @@ class FormatsTest {
         "csv|time,id,x,y;0,1,2 ,;|:2:8: y is '', expected a number",
         "csv|when,id,x,y;0,1,2,3|:1:1: no column 'time' for time, expected columns with it, of:",
       })
-  void badInputIsRefusedWithItsPlace(String format, String content, String message) {
+  void rejectsInvalidInputWithItsPlace(String format, String content, String message) {
     Imported imported = new Imported(folder).rate(1);
     String text = content == null ? "" : content.replace(';', '\n');
-    assertRefused(
+    assertRejected(
         format.equals("fcd") || format.equals("trajnet")
             ? new Imported(folder)
             : imported.unit(Unit.M),
@@ -338,21 +338,21 @@ class FormatsTest {
 
   @ParameterizedTest
   @CsvSource({"obsmat", "ethucy", "mot"})
-  void framesNeedARate(String format) {
-    assertRefused(
+  void requiresRateForFrames(String format) {
+    assertRejected(
         new Imported(folder).unit(Unit.M), format, "1 1 1 1", ": expected rate=R, the frames");
   }
 
   @Test
-  void aUnitThatTheFormatDoesNotHaveIsRefused() {
-    assertRefused(
+  void rejectsOtherUnits() {
+    assertRejected(
         new Imported(folder).unit(Unit.CM),
         "fcd",
         "<f/>",
-        ": unit is cm, expected m or none: the format says so");
+        ": unit is cm, expected m or none, because the format has no other");
   }
 
-  private static void assertRefused(
+  private static void assertRejected(
       Imported imported, String format, String content, String message) {
     InputException error = assertThrows(InputException.class, () -> imported.of(format, content));
     assertTrue(error.getMessage().contains(message), error::getMessage);

@@ -15,14 +15,14 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** From pictures and the globe to the ground. */
+/** Conversion of pixels and degrees to metres on the ground. */
 class GroundTest {
   private static final Place PLACE = new Place("file", 7, 1);
 
   @TempDir Path folder;
 
   @Test
-  void aBoxStandsWhereTheMatrixTakesItsFoot() throws IOException {
+  void convertsFootOfBox() throws IOException {
     TrackSample box = new TrackSample(PLACE, "a", 3, 10, 20, 4, 8);
     TrackSample ground = matrix("2 0.5 3\n-0.25 1.5 -7\n0.001 0.002 1.25").onGround(box);
     assertEquals(33 / 1.3, ground.x(), 1e-12);
@@ -33,14 +33,14 @@ class GroundTest {
   }
 
   @Test
-  void whatTheMatrixTakesTooFarIsRefused() throws IOException {
+  void rejectsResultsThatAreTooFar() throws IOException {
     Homography same = matrix("1 0 0\n0 1 0\n0 0 1");
     assertEquals(-1e9, same.onGround(new TrackSample(PLACE, "a", 3, 1e9, -1e9)).y());
     for (double[] far : new double[][] {{1.1e9, 0}, {0, -1.1e9}, {Double.NaN, Double.NaN}}) {
       TrackSample sample = new TrackSample(PLACE, "a", 3, far[0], far[1]);
       InputException e = assertThrows(InputException.class, () -> same.onGround(sample));
       assertEquals(
-          "file:7:1: the homography takes (%1$s, %2$s) to (%1$s, %2$s), expected a place nearer"
+          "file:7:1: the homography converts (%1$s, %2$s) to (%1$s, %2$s), expected a place within 1e9 m"
               .formatted(far[0], far[1]),
           e.getMessage());
     }
@@ -51,7 +51,7 @@ class GroundTest {
   }
 
   @Test
-  void degreesAreMeasuredFromTheOriginThatIsGivenOrElseFromTheFirstPoint() {
+  void measuresDegreesFromOriginOrFirstPoint() {
     LocalProjection given = new LocalProjection(16, 48);
     assertEquals(16, given.longitude());
     assertEquals(48, given.latitude());
@@ -65,7 +65,7 @@ class GroundTest {
   }
 
   @Test
-  void theGlobeEndsAtThePolesAndAtTheDateLine() {
+  void rejectsDegreesOutsideTheGlobe() {
     LocalProjection middle = new LocalProjection(0, 0);
     assertEquals(2 * middle.metres(PLACE, 90, 0).x(), middle.metres(PLACE, 180, 90).x(), 1e-6);
     for (double[] off : new double[][] {{180.1, 0}, {0, -90.1}, {Double.NaN, 0}}) {

@@ -19,7 +19,7 @@ import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
 
-/** Imports of small files. */
+/** Imports small files. */
 final class Imported {
   private final Path folder;
   private OptionalDouble rate = OptionalDouble.empty();
@@ -71,7 +71,7 @@ final class Imported {
     return this;
   }
 
-  /** What was found in a file of this content; the tracks are beside it. */
+  /** Imports a file with this content, writes the tracks next to it, and returns the summary. */
   ImportSummary of(String format, String content) {
     return ofFile(format, written("recording", content));
   }
@@ -92,7 +92,7 @@ final class Imported {
     }
   }
 
-  /** The tracks that were made, without the two lines that every file begins with. */
+  /** The tracks that were written, without the first two lines of the file. */
   String tracks() {
     try {
       return Files.readString(folder.resolve("made.tracks")).split("\n", 3)[2].replace('\n', ';');

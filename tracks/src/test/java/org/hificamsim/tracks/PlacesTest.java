@@ -29,14 +29,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Walls, floor plans and first cameras. */
+/** Walls, floor plans and drafts of cameras. */
 class PlacesTest {
   private static final PictureFrame FRAME = new PictureFrame(0.5, 10, 20);
 
   @TempDir Path folder;
 
   @Test
-  void linesOfXmlAreWalls() {
+  void readsLinesOfXml() {
     assertEquals(
         List.of(new Obstacle.Wall(6, 2, 0, 2, 0)),
         walls(
@@ -47,13 +47,13 @@ class PlacesTest {
   }
 
   @Test
-  void zara01HasSevenWalls() {
+  void readsWallsOfZara01() {
     Path file = Reference.file("tracks/zara01-map.xml");
     assertEquals(7, WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty()).size());
   }
 
   @Test
-  void geoJsonHasWallsAndSolids() {
+  void readsWallsAndPolygonsOfGeoJson() {
     String json =
         """
 {"type": "FeatureCollection", "features": [
@@ -70,7 +70,7 @@ class PlacesTest {
   }
 
   @Test
-  void aPolygonWithAHoleIsItsSides() {
+  void convertsPolygonsWithHolesToSides() {
     String json =
         "{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[9,0],[9,9],[0,0]],"
             + "[[5,1],[6,1],[6,2],[5,1]]]}";
@@ -78,7 +78,7 @@ class PlacesTest {
   }
 
   @Test
-  void degreesAreProjectedAsTheTracksAre() {
+  void projectsDegreesLikeTracks() {
     List<Obstacle> walls =
         WallFile.read(
             written("a.geojson", "{\"type\":\"LineString\",\"coordinates\":[[16,48],[16.001,48]]}"),
@@ -89,7 +89,7 @@ class PlacesTest {
   }
 
   @Test
-  void linesOfADrawingAreTurnedUpright() {
+  void convertsDrawingToAxesOfField() {
     String svg =
         """
         <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 100">
@@ -117,7 +117,7 @@ class PlacesTest {
   }
 
   @Test
-  void curvesOfADrawingAreChords() {
+  void convertsCurvesToChords() {
     List<Obstacle> walls =
         walls("a.svg", "<svg height='100'><path d='M0,0 a20,20 0 0 1 20,20'/></svg>", Unit.M);
     assertTrue(walls.size() >= 4, walls::toString);
@@ -125,8 +125,8 @@ class PlacesTest {
     Obstacle.Wall last = (Obstacle.Wall) walls.get(walls.size() - 1);
     assertEquals(List.of(10.0, 70.0), List.of(first.x1(), first.y1()));
     assertEquals(List.of(20.0, 60.0), List.of(last.x2(), last.y2()));
-    for (Obstacle one : walls) {
-      Obstacle.Wall wall = (Obstacle.Wall) one;
+    for (Obstacle obstacle : walls) {
+      Obstacle.Wall wall = (Obstacle.Wall) obstacle;
       double middleX = (wall.x1() + wall.x2()) / 2;
       double middleY = (wall.y1() + wall.y2()) / 2;
       assertEquals(10, Math.hypot(middleX - 10, middleY - 60), 0.03, wall::toString);
@@ -156,23 +156,23 @@ class PlacesTest {
         "a.wkt|wall (1 2)|a.wkt:1:1: Unknown geometry type",
         "a.dxf|0|expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg",
       })
-  void brokenWallsAreRefused(String name, String content, String message) {
+  void rejectsInvalidWalls(String name, String content, String message) {
     InputException error = assertThrows(InputException.class, () -> walls(name, content, Unit.M));
     assertTrue(error.getMessage().contains(message), error::getMessage);
   }
 
   @Test
-  void aDrawingNeedsAScale() {
+  void requiresScaleForDrawings() {
     Path file = written("a.svg", "<svg height='10'/>");
     InputException error =
         assertThrows(
             InputException.class,
             () -> WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty()));
-    assertTrue(error.getMessage().endsWith("how many metres a unit of the drawing is"));
+    assertTrue(error.getMessage().endsWith("the metres of a unit of the drawing"));
   }
 
   @Test
-  void aFloorplanShowsWhatItsPixelsAre() throws IOException {
+  void computesAreaOfFloorPlan() throws IOException {
     Path file = folder.resolve("plan.png");
     ImageIO.write(new BufferedImage(40, 20, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
     assertEquals(new Field(10, 30, 20, 30), FRAME.area(file));
@@ -181,11 +181,12 @@ class PlacesTest {
   }
 
   @Test
-  void firstCamerasStandOnTheBorderOffWallsAndLookInside() {
+  void placesDraftCamerasOnBorderLookingInside() {
     Field field = new Field(0, 100, 0, 50);
     Obstacles walls = new Obstacles(List.of(new Obstacle.Pillar(0, 0, 3, 0)));
     List<CameraSpec> cameras = DraftCameras.of(6, field, walls);
-    assertEquals(6, cameras.stream().map(one -> one.x() + " " + one.y()).distinct().count());
+    assertEquals(
+        6, cameras.stream().map(camera -> camera.x() + " " + camera.y()).distinct().count());
     for (CameraSpec camera : cameras) {
       assertTrue(field.contains(camera.x(), camera.y()), camera::toString);
       assertTrue(walls.containing(camera.x(), camera.y()).isEmpty(), camera::toString);

@@ -26,14 +26,14 @@ class TrackedSiteTest {
   @TempDir Path folder;
 
   @Test
-  void theFieldHasAMarginOfATenthOfItsLongerSideAndAtLeastAMetre() {
+  void addsMarginAroundSamples() {
     assertEquals(new Field(-3, 33, -4, 8), site("0 1 0.5 -0.5\n1 1 30 5\n", 0, 0).field());
     assertEquals(new Field(-1, 3, 0, 6), site("0 1 0.5 1.5\n1 1 1.5 4.5\n", 0, 0).field());
     assertEquals(new Field(-5, 7, -4, 10), site("0 1 0.5 1.5\n1 1 1.5 4.5\n", 5, 0).field());
   }
 
   @Test
-  void itsStepsReachFromTheFirstSampleToTheLast() {
+  void coversTimeFromFirstToLastSample() {
     String recording = "0 1 0 0\n1 1 1 0\n2 1 2 0\n3 1 3 0\n";
     TrackedSite asRecorded = site(recording, 0, 0);
     assertEquals(0.4, asRecorded.step());
@@ -46,7 +46,7 @@ class TrackedSiteTest {
   }
 
   @Test
-  void theScenarioSaysWhereItIsFromAndWhatItHas() throws IOException {
+  void writesScenarioWithItsSource() throws IOException {
     TrackedSite site = site("0 1 0 0\n1 1 10 4\n", 0, 0);
     String xml = site.xml("a.tracks");
     assertTrue(xml.contains("<!-- Made by hificamsim import of a- -b$1.txt -->\n<root>"), xml);
@@ -60,7 +60,7 @@ class TrackedSiteTest {
     assertEquals(List.of(new Obstacle.Wall(0, 1, 2, 1, 0)), read.get(Scenario.OBSTACLES));
   }
 
-  /** At 2.5 samples a second; 0 for what is not said. */
+  /** At 2.5 samples per second; 0 for settings that are not given. */
   private TrackedSite site(String recording, double margin, double step) {
     SiteSettings settings =
         new SiteSettings(
@@ -75,7 +75,7 @@ class TrackedSiteTest {
   }
 
   @Test
-  void camerasStandEvenlyAlongTheBorderFromItsLowerLeftCorner() {
+  void placesCamerasAtEqualDistances() {
     assertEquals(
         List.of(
             new Point(10.5, -19.5),
@@ -90,16 +90,16 @@ class TrackedSiteTest {
   }
 
   @Test
-  void aCameraThatWouldStandInAWallStandsALittleFurtherOn() {
+  void movesCamerasOutOfWalls() {
     Obstacle corner = new Obstacle.Pillar(10, -20, 3, 0);
     Obstacle left =
         new Obstacle.Polygon(
             List.of(new Point(9, -15), new Point(12, -15), new Point(12, 28), new Point(9, 28)), 0);
     List<Point> places = places(8, corner, left);
     assertEquals(new Point(13.46, -19.5), places.get(0)); // the fourth of 400 parts of 296 m
-    assertEquals(new Point(10.5, -15.06), places.get(7)); // 37 m, and 44 of them
-    Obstacle all = new Obstacle.Pillar(10, 0, 25, 0);
-    assertEquals(new Point(26.04, -19.5), places(8, all).get(7)); // round the corner, 71 of them
+    assertEquals(new Point(10.5, -15.06), places.get(7)); // at 37 m and 44 parts
+    Obstacle large = new Obstacle.Pillar(10, 0, 25, 0);
+    assertEquals(new Point(26.04, -19.5), places(8, large).get(7)); // around the corner, 71 parts
   }
 
   private static List<Point> places(int count, Obstacle... obstacles) {

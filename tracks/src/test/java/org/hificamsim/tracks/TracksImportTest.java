@@ -16,12 +16,12 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What becomes of samples, whatever format they come in. */
+/** Imports in general, whatever the format. */
 class TracksImportTest {
   @TempDir Path folder;
 
   @Test
-  void aGapEndsATrackAndTheTargetComesAgain() {
+  void startsNewTrackAfterGap() {
     Imported imported = new Imported(folder).rate(1);
     ImportSummary found = imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
     assertEquals(
@@ -32,14 +32,14 @@ class TracksImportTest {
   }
 
   @Test
-  void aLongerGapMayBeCrossed() {
+  void keepsTrackOverGapThatIsAllowed() {
     Imported imported = new Imported(folder).rate(1).gap(4);
     imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;2 0;6 3 0;4 0;", imported.tracks());
   }
 
   @Test
-  void aPartIsCutOut() {
+  void keepsPartOfRecording() {
     Imported imported = new Imported(folder).rate(1).cut(1, 2);
     ImportSummary found = imported.of("ethucy", "5 1 0 0\n6 1 1 0\n7 1 2 0\n8 1 3 0\n");
     assertEquals("target 1 size 0.66;0 1 0;2 0;", imported.tracks());
@@ -47,7 +47,7 @@ class TracksImportTest {
   }
 
   @Test
-  void allThatIsSaidOfARecording() {
+  void summarisesRecording() {
     ImportSummary found =
         new Imported(folder)
             .rate(1)
@@ -70,7 +70,7 @@ class TracksImportTest {
   }
 
   @Test
-  void aPartOfAllSpeedsIsNotAboveTheirQuantile() {
+  void computesQuantilesOfSpeeds() {
     ImportSummary found =
         new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 0 0\n2 1 1 0\n3 1 3 0\n4 1 5003 0");
     double[] quantiles = {0, 0.25, 0.26, 0.5, 0.75, 1};
@@ -82,8 +82,8 @@ class TracksImportTest {
   }
 
   @Test
-  void aWayIsAJumpBesideTheSlowerOfThoseAroundItInItsOwnTrack() {
-    assertEquals(List.of(), jumps(1, 5, 1)); // five times as fast is none
+  void findsJumpsComparedWithNeighbours() {
+    assertEquals(List.of(), jumps(1, 5, 1)); // five times as fast is not a jump
     assertEquals(
         List.of("1 jumps, faster than 5 m/s", "target 1 jumps 6 m before 2 s, 6 m/s"),
         jumps(1, 6, 1));
@@ -93,7 +93,9 @@ class TracksImportTest {
     assertEquals(4, jumps(1, 6, 1, 7, 1, 8, 1, 9, 1).size()); // four, of which three are named
   }
 
-  /** Of a track with these speeds, a way each second, among others of 1 m/s, two of them slow. */
+  /**
+   * The jumps of a track with these speeds, with moves of a second, among others of about 1 m/s.
+   */
   private List<String> jumps(double... speeds) {
     StringBuilder text = new StringBuilder("0 2 0 1\n1 2 0.01 1\n0 3 0 2\n1 3 0.01 2\n");
     for (int frame = 0; frame < 40; frame++) {
@@ -105,11 +107,11 @@ class TracksImportTest {
       x += speeds[i];
       text.append(i + 1 + " 1 " + x + " 0\n");
     }
-    return new Imported(folder).rate(1).of("ethucy", text.toString()).odd();
+    return new Imported(folder).rate(1).of("ethucy", text.toString()).oddities();
   }
 
   @Test
-  void quartilesAreOfTheSpeedBetweenSamples() {
+  void computesQuartilesOfSpeeds() {
     ImportSummary found =
         new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 3 0\n3 1 6 0\n4 1 10 0\n");
     assertEquals(
@@ -118,7 +120,7 @@ class TracksImportTest {
   }
 
   @Test
-  void oddThingsAreNamed() {
+  void describesOddities() {
     StringBuilder text = new StringBuilder();
     for (int frame = 0; frame < 100; frame++) {
       text.append(frame).append(" 1 ").append(frame == 50 ? 500 : frame).append(" 0\n");
@@ -126,28 +128,29 @@ class TracksImportTest {
     text.append("99 1 99 0\n99 2 5 5\n");
     ImportSummary found =
         new Imported(folder).rate(1).wall(10.5, -1, 10.5, 1).of("ethucy", text.toString());
-    String odd = String.join("\n", found.odd());
-    assertTrue(odd.contains("2 jumps, faster than 5 m/s"), odd);
-    assertTrue(odd.contains("target 1 jumps 451 m before 50 s, 451 m/s"), odd);
-    assertTrue(odd.contains("1 targets with one sample alone"), odd);
-    assertTrue(odd.contains("1 samples are there twice and count once, the first at "), odd);
-    assertTrue(odd.contains("recording:101:1"), odd);
-    assertTrue(odd.contains("through a wall: once, target 1 at 11.0 s"), odd);
+    String oddities = String.join("\n", found.oddities());
+    assertTrue(oddities.contains("2 jumps, faster than 5 m/s"), oddities);
+    assertTrue(oddities.contains("target 1 jumps 451 m before 50 s, 451 m/s"), oddities);
+    assertTrue(oddities.contains("1 targets with one sample alone"), oddities);
+    assertTrue(
+        oddities.contains("1 samples are there twice and count once, the first at "), oddities);
+    assertTrue(oddities.contains("recording:101:1"), oddities);
+    assertTrue(oddities.contains("through a wall: once, target 1 at 11.0 s"), oddities);
   }
 
   @Test
-  void aCarAmongPeopleIsFastAndDoesNotJump() {
+  void findsNoJumpsOfFastCar() {
     StringBuilder text = new StringBuilder();
     for (int frame = 0; frame < 40; frame++) {
       text.append(frame + " 1 " + frame + " 0\n" + frame + " 2 " + frame + " 1\n");
       text.append(frame + " 3 " + frame * 15 + " 2\n");
       text.append(frame + " 4 " + frame + " 3\n" + frame + " 5 " + frame + " 3\n");
     }
-    assertEquals(List.of(), new Imported(folder).rate(1).of("ethucy", text.toString()).odd());
+    assertEquals(List.of(), new Imported(folder).rate(1).of("ethucy", text.toString()).oddities());
   }
 
   @Test
-  void packedFilesAndNamesWithAccentsAreRead() throws IOException {
+  void readsPackedFilesAndNamesWithAccents() throws IOException {
     Path file = folder.resolve("Straße é.txt.gz");
     try (Writer out =
         new OutputStreamWriter(
@@ -160,7 +163,7 @@ class TracksImportTest {
   }
 
   @Test
-  void zara01HasWhatItsAuthorsSay() {
+  void findsPublishedFiguresOfZara01() {
     Path file = Reference.file("tracks/zara01-obsmat.txt");
     ImportSummary found = new Imported(folder).rate(25).ofFile("obsmat", file);
     assertEquals(148, found.targets());

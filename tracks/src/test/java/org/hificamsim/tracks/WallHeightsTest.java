@@ -40,7 +40,7 @@ class WallHeightsTest {
   }
 
   @Test
-  void aFeatureHasItsOwnHeight() throws IOException {
+  void readsHeightsOfFeatures() throws IOException {
     for (String height : List.of("1.8", "\"1.8\"")) {
       List<Obstacle> walls = read("walls.json", feature(height));
       assertEquals(new Obstacle.Wall(1, 2, 3, 4, 0, 0, 1.8), walls.get(0));
@@ -54,7 +54,7 @@ class WallHeightsTest {
   }
 
   @Test
-  void wellKnownTextHasTheHeightOfItsZ() throws IOException {
+  void readsZOfWellKnownTextAsHeight() throws IOException {
     List<Obstacle> walls =
         read(
             "walls.wkt",
@@ -79,7 +79,7 @@ class WallHeightsTest {
   }
 
   @Test
-  void shapesOfADrawingHaveHeightsInMetres() throws IOException {
+  void readsHeightsOfShapesInMetres() throws IOException {
     String drawing =
         "<svg width='40' height='30'><g transform='scale(2)'>"
             + "<line x1='1' y1='2' x2='3' y2='4' data-height='1.8'/>"
@@ -96,7 +96,7 @@ class WallHeightsTest {
   }
 
   @Test
-  void draftsHangWhereWallsHaveHeights() throws IOException {
+  void hangsDraftCamerasIfWallsHaveHeights() throws IOException {
     List<Obstacle> walls =
         read("walls.xml", "<Lines><Line x1='4' y1='5' x2='6' y2='5' height='1.2'/></Lines>");
     Field field = new Field(100, 140, -50, -20);

@@ -44,7 +44,7 @@ public final class MotSightings {
   public MotSightings(Path file, Calibration camera, double metres) {
     this.camera = camera;
     MotFile.read(file, this::take);
-    inWorld = whole.stream().anyMatch(MotFile.Row::inWorld);
+    inWorld = whole.stream().anyMatch(MotFile.Row::isInWorld);
     for (MotFile.Row row : whole) {
       Vector3D foot = foot(row, metres);
       if (Double.isNaN(foot.getX())) {

@@ -3,27 +3,32 @@ package org.hificamsim.tracks.format;
 import java.time.OffsetDateTime;
 
 /**
- * How a format counts time.
+ * The unit of time of a format.
  *
- * @param rate ticks a second, above 0
- * @param ofSamples whether the rate counts a target's samples, however many ticks lie between two
+ * @param rate ticks per second, above 0
+ * @param countsSamples whether the rate is the number of a target's samples per second, whatever
+ *     the number of ticks between them
  */
-public record Clock(double rate, boolean ofSamples) {
+public record Clock(double rate, boolean countsSamples) {
   /** Ticks are seconds. */
   public static final Clock SECONDS = new Clock(1, false);
 
   /**
-   * Seconds since 1970 of a time as ISO 8601 writes it.
+   * Returns the seconds since 1970 of a time in ISO 8601.
    *
-   * @throws java.time.DateTimeException when it is no such time with its zone
+   * @throws java.time.DateTimeException if the text is not such a time with a zone
    */
-  static double sinceEpoch(String written) {
-    OffsetDateTime time = OffsetDateTime.parse(written);
+  static double sinceEpoch(String text) {
+    OffsetDateTime time = OffsetDateTime.parse(text);
     return time.toEpochSecond() + time.getNano() / 1e9;
   }
 
-  /** How long a tick is, seconds, where a target's samples are this many ticks apart. */
+  /**
+   * Returns the length of a tick in seconds.
+   *
+   * @param spacing the number of ticks between samples of a target
+   */
   public double secondsPerTick(double spacing) {
-    return ofSamples ? 1 / (rate * spacing) : 1 / rate;
+    return countsSamples ? 1 / (rate * spacing) : 1 / rate;
   }
 }

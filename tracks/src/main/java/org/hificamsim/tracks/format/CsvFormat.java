@@ -10,36 +10,36 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 
 /**
- * A table of comma, semicolon or tab separated values, of which the user says which column has
- * what: a name in its first line, or a number from 1. Where the user says nothing, the columns have
- * the names that are asked for; where all are known by number, the first line is data.
+ * A table of values separated by commas, semicolons or tabs. The user names the columns, by their
+ * names in the first line or by numbers from 1; by default they have the names of {@code KEYS}. If
+ * all are given by number, the first line is data.
  */
 final class CsvFormat implements TrackFormat {
-  private static final Set<String> KNOWN =
+  private static final Set<String> KEYS =
       Set.of("time", "frame", "id", "x", "y", "width", "height");
 
   private Recording recording;
   private boolean byNumber;
   private List<String> header;
 
-  // Columns, from 0.
-  private int tick;
-  private int target;
-  private int x;
-  private int y;
-  private int width; // -1 where the table has none, as for the height
-  private int height;
+  // Indices of columns, from 0; -1 for a width or height that the table does not have.
+  private int tickColumn;
+  private int targetColumn;
+  private int xColumn;
+  private int yColumn;
+  private int widthColumn;
+  private int heightColumn;
 
   @Override
   public Clock read(Recording file, SampleSink samples) {
     recording = file;
-    requireKnown();
-    boolean frames = recording.columns().containsKey("frame");
-    Clock clock = frames ? recording.frames() : Clock.SECONDS;
-    samples.measuredIn(recording.requireUnit("a table does not say it"));
+    requireValidKeys();
+    boolean countsFrames = recording.columns().containsKey("frame");
+    Clock clock = countsFrames ? recording.frames() : Clock.SECONDS;
+    samples.measuredIn(recording.requireUnit("a table does not have it"));
     try (CsvReader table = CsvReader.open(recording.file(), "fields between separators")) {
       CsvRow first = table.first();
-      find(first.texts(), frames ? "frame" : "time");
+      findColumns(first.texts(), countsFrames ? "frame" : "time");
       if (byNumber) {
         samples.accept(sample(first));
       }
@@ -48,9 +48,9 @@ final class CsvFormat implements TrackFormat {
     return clock;
   }
 
-  private void requireKnown() {
+  private void requireValidKeys() {
     for (String key : recording.columns().keySet()) {
-      if (!KNOWN.contains(key)) {
+      if (!KEYS.contains(key)) {
         throw InputException.of(
             "%s has '%s', expected time or frame, id, x, y, width, height",
             setting("columns"), key);
@@ -58,17 +58,17 @@ final class CsvFormat implements TrackFormat {
     }
   }
 
-  private void find(List<String> firstLine, String tickName) {
+  private void findColumns(List<String> firstLine, String tickName) {
     header = firstLine;
     byNumber =
         !recording.columns().isEmpty()
             && recording.columns().values().stream().allMatch(CsvFormat::isNumber);
-    tick = required(tickName);
-    target = required("id");
-    x = required("x");
-    y = required("y");
-    width = column("width");
-    height = column("height");
+    tickColumn = required(tickName);
+    targetColumn = required("id");
+    xColumn = required("x");
+    yColumn = required("y");
+    widthColumn = column("width");
+    heightColumn = column("height");
   }
 
   private int required(String key) {
@@ -84,9 +84,9 @@ final class CsvFormat implements TrackFormat {
 
   private int column(String key) {
     String name = name(key);
-    int named = byNumber ? -1 : header.indexOf(name);
-    boolean numbered = named < 0 && isNumber(name) && Integer.parseInt(name) <= header.size();
-    return numbered ? Integer.parseInt(name) - 1 : named;
+    int column = byNumber ? -1 : header.indexOf(name);
+    boolean isIndex = column < 0 && isNumber(name) && Integer.parseInt(name) <= header.size();
+    return isIndex ? Integer.parseInt(name) - 1 : column;
   }
 
   private String name(String key) {
@@ -98,17 +98,17 @@ final class CsvFormat implements TrackFormat {
   }
 
   private TrackSample sample(CsvRow row) {
-    if (row.text(target).isEmpty()) {
-      throw row.invalid(target, "id", "a name or number");
+    if (row.text(targetColumn).isEmpty()) {
+      throw row.invalid(targetColumn, "id", "a name or number");
     }
     return new TrackSample(
         row.place(0),
-        row.text(target),
-        row.coordinate(tick, "time"),
-        row.coordinate(x, "x"),
-        row.coordinate(y, "y"),
-        length(row, width, "width"),
-        length(row, height, "height"));
+        row.text(targetColumn),
+        row.coordinate(tickColumn, "time"),
+        row.coordinate(xColumn, "x"),
+        row.coordinate(yColumn, "y"),
+        length(row, widthColumn, "width"),
+        length(row, heightColumn, "height"));
   }
 
   private static double length(CsvRow row, int column, String name) {

@@ -4,9 +4,11 @@ import java.util.Set;
 import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 
-/** SUMO's floating car data: timesteps with vehicles, persons and containers; metres, seconds. */
+/**
+ * SUMO's floating car data: vehicles, persons and containers by time step, in metres and seconds.
+ */
 final class FcdFormat extends PlainXml implements TrackFormat {
-  private static final Set<String> TARGETS = Set.of("vehicle", "person", "container");
+  private static final Set<String> TARGET_ELEMENTS = Set.of("vehicle", "person", "container");
 
   private SampleSink samples;
   private double time = Double.NaN;
@@ -14,13 +16,13 @@ final class FcdFormat extends PlainXml implements TrackFormat {
   @Override
   public Clock read(Recording recording, SampleSink sink) {
     samples = sink;
-    samples.measuredIn(geographic(recording) ? Unit.DEG : recording.only(Unit.M));
+    samples.measuredIn(isGeographic(recording) ? Unit.DEG : recording.only(Unit.M));
     readFile(recording.file());
     return Clock.SECONDS;
   }
 
-  /** Whether SUMO was asked for longitude and latitude, which only its user knows. */
-  private static boolean geographic(Recording recording) {
+  /** Whether SUMO wrote longitude and latitude, which the file does not tell. */
+  private static boolean isGeographic(Recording recording) {
     return recording.unit().filter(unit -> unit == Unit.DEG).isPresent();
   }
 
@@ -28,7 +30,7 @@ final class FcdFormat extends PlainXml implements TrackFormat {
   public void startElement(String uri, String local, String name, Attributes attributes) {
     if (name.equals("timestep")) {
       time = number(attributes, name, "time");
-    } else if (TARGETS.contains(name)) {
+    } else if (TARGET_ELEMENTS.contains(name)) {
       sample(name, attributes);
     }
   }

@@ -9,22 +9,23 @@ import org.hificamsim.core.Place;
 import org.hificamsim.data.JsonStream;
 
 /**
- * GeoJSON features: a {@code LineString} with {@code coordTimes} or {@code times} is a target's
- * track, a {@code Point} with {@code time} and {@code id} one of its samples. Longitude and
- * latitude (WGS84), or another unit where one is given.
+ * GeoJSON features: a {@code LineString} with {@code coordTimes} or {@code times} is the track of a
+ * target, a {@code Point} with {@code time} and {@code id} one of its samples. Positions are
+ * longitude and latitude (WGS84) unless a unit is given.
  */
 final class GeoJsonFormat implements TrackFormat {
-  private static final Set<String> TIMES = Set.of("coordTimes", "times", "coordinateProperties");
+  private static final Set<String> TIME_LISTS =
+      Set.of("coordTimes", "times", "coordinateProperties");
 
   private JsonStream json;
   private String timeName;
   private String idName;
 
-  // Of one feature.
+  // The current feature.
   private final List<Positions.Position> points = new ArrayList<>();
   private final List<Double> times = new ArrayList<>();
   private String target;
-  private int features;
+  private int featureCount;
 
   @Override
   public Clock read(Recording recording, SampleSink samples) {
@@ -50,20 +51,20 @@ final class GeoJsonFormat implements TrackFormat {
     points.clear();
     times.clear();
     target = null;
-    features++;
+    featureCount++;
     json.object("a feature", this::member);
     if (points.isEmpty()) {
       return;
     }
     if (times.size() != points.size()) {
       throw place.error(
-          "the feature has %s positions and %s times, expected as many: a property %s or"
+          "the feature has %s positions and %s times, expected the same number: a property %s or"
               + " coordTimes",
           points.size(), times.size(), timeName);
     }
     for (int i = 0; i < points.size(); i++) {
       Positions.Position point = points.get(i);
-      String name = target == null ? "feature " + features : target;
+      String name = target == null ? "feature " + featureCount : target;
       samples.accept(new TrackSample(point.place(), name, times.get(i), point.x(), point.y()));
     }
   }
@@ -89,14 +90,14 @@ final class GeoJsonFormat implements TrackFormat {
       times.add(time());
     } else if (name.equals(idName)) {
       target = json.text();
-    } else if (TIMES.contains(name) && json.token() == JsonToken.START_OBJECT) {
-      json.object("properties", this::property); // coordinateProperties holds times
-    } else if (TIMES.contains(name)) {
+    } else if (TIME_LISTS.contains(name) && json.token() == JsonToken.START_OBJECT) {
+      json.object("properties", this::property); // coordinateProperties contains times
+    } else if (TIME_LISTS.contains(name)) {
       json.array("an array of times", () -> times.add(time()));
     }
   }
 
-  /** ISO 8601, or a number of seconds. */
+  /** Reads a time in ISO 8601, or a number of seconds. */
   private double time() {
     if (json.token() != JsonToken.VALUE_STRING) {
       return json.number("time");
@@ -104,7 +105,7 @@ final class GeoJsonFormat implements TrackFormat {
     try {
       return Clock.sinceEpoch(json.text());
     } catch (DateTimeException e) {
-      throw json.invalid("time", "as 2024-05-31T12:00:00Z, or a number of seconds");
+      throw json.invalid("time", "a time such as 2024-05-31T12:00:00Z, or a number of seconds");
     }
   }
 }

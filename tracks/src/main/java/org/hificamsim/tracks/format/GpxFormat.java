@@ -4,11 +4,11 @@ import java.time.DateTimeException;
 import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 
-/** GPX: each {@code trk} is a target, each {@code trkpt} a sample with its {@code time}. */
+/** GPX: each {@code trk} is a target, each {@code trkpt} a sample with a {@code time}. */
 final class GpxFormat extends PlainXml implements TrackFormat {
   private final StringBuilder text = new StringBuilder();
   private SampleSink samples;
-  private int tracks;
+  private int trackCount;
   private double latitude;
   private double longitude;
   private double time;
@@ -25,7 +25,7 @@ final class GpxFormat extends PlainXml implements TrackFormat {
   public void startElement(String uri, String local, String name, Attributes attributes) {
     text.setLength(0);
     if (name.equals("trk")) {
-      tracks++;
+      trackCount++;
     } else if (name.equals("trkpt")) {
       latitude = number(attributes, name, "lat");
       longitude = number(attributes, name, "lon");
@@ -47,18 +47,19 @@ final class GpxFormat extends PlainXml implements TrackFormat {
     }
   }
 
-  private double time(String written) {
+  private double time(String text) {
     try {
-      return Clock.sinceEpoch(written);
+      return Clock.sinceEpoch(text);
     } catch (DateTimeException e) {
-      throw place().error("<time> is '" + written + "', expected as 2024-05-31T12:00:00Z");
+      throw place().error("<time> is '" + text + "', expected a time such as 2024-05-31T12:00:00Z");
     }
   }
 
   private void sample() {
     if (Double.isNaN(time)) {
-      throw place().error("<trkpt> has no <time>, expected one: a track without times is no track");
+      throw place().error("<trkpt> has no <time>, expected one: a track needs times");
     }
-    samples.accept(new TrackSample(place(), Integer.toString(tracks), time, longitude, latitude));
+    samples.accept(
+        new TrackSample(place(), Integer.toString(trackCount), time, longitude, latitude));
   }
 }

@@ -8,28 +8,28 @@ import org.hificamsim.data.CsvReader;
 
 /**
  * Reads MOTChallenge files row by row: {@code frame,id,left,top,width,height[,conf[,x,y,z]]}. Rows
- * of nine columns have a class and a visibility behind the confidence (MOT16 and later) and no
+ * of nine columns have a class and a visibility after the confidence (MOT16 and later) and no
  * position in the world.
  */
 public final class MotFile {
-  private static final int BOX = 6; // columns
-  private static final int WORLD = 7; // the column of x
-  private static final int WITH_WORLD = 10; // columns
+  private static final int BOX_COLUMNS = 6;
+  private static final int X_COLUMN = 7;
+  private static final int COLUMNS_WITH_WORLD = 10;
 
   /**
    * A row of a MOTChallenge file: a target's box in one frame.
    *
    * @param place in the file
    * @param frame from 1
-   * @param target its number
+   * @param target the number of the target
    * @param left of the box, pixels
    * @param top of the box, pixels from the picture's upper edge down
    * @param width pixels
    * @param height pixels
-   * @param confidence 0 where the row is not to count; 1 where the file has none
-   * @param x in the world, NaN where the file does not say
-   * @param y in the world, NaN where the file does not say
-   * @param z in the world, NaN where the file does not say
+   * @param confidence 0 if the row is to be ignored; 1 if the file has no confidences
+   * @param x in the world, NaN if the file has none
+   * @param y in the world, NaN if the file has none
+   * @param z in the world, NaN if the file has none
    */
   public record Row(
       Place place,
@@ -43,17 +43,17 @@ public final class MotFile {
       double x,
       double y,
       double z) {
-    /** Whether the file says where on the ground the target was. */
-    public boolean inWorld() {
+    /** Whether the row has a position in the world. */
+    public boolean isInWorld() {
       return !Double.isNaN(x);
     }
 
-    /** Where the box stands, to the right, pixels. */
+    /** The middle of the box's lower edge, pixels to the right. */
     public double footX() {
       return left + width / 2;
     }
 
-    /** Where the box stands, down, pixels. */
+    /** The lower edge of the box, pixels down. */
     public double footY() {
       return top + height;
     }
@@ -62,18 +62,18 @@ public final class MotFile {
   private MotFile() {}
 
   /**
-   * Reads them all.
+   * Reads all rows.
    *
-   * @throws org.hificamsim.core.InputException with the place, when something is wrong
+   * @throws org.hificamsim.core.InputException with the place, if the file is wrong
    */
   public static void read(Path file, Consumer<Row> rows) {
     try (CsvReader table =
         CsvReader.betweenCommas(file, "rows of frame,id,left,top,width,height")) {
-      int[] columns = {0}; // of the first row
+      int[] columns = {0}; // 0 before the first row
       table.each(
           row -> {
             if (!row.text(0).startsWith("#")) {
-              columns[0] = columns[0] == 0 ? Math.max(BOX, row.count()) : columns[0];
+              columns[0] = columns[0] == 0 ? Math.max(BOX_COLUMNS, row.count()) : columns[0];
               rows.accept(row(row, columns[0]));
             }
           });
@@ -81,10 +81,10 @@ public final class MotFile {
   }
 
   private static Row row(Fields fields, int columns) {
-    if (fields.count() != columns && fields.count() >= BOX) {
+    if (fields.count() != columns && fields.count() >= BOX_COLUMNS) {
       throw fields.invalid(columns, "further field", columns + " fields as in the first line");
     }
-    boolean inWorld = columns >= WITH_WORLD && !isNowhere(fields);
+    boolean inWorld = columns >= COLUMNS_WITH_WORLD && !isNowhere(fields);
     return new Row(
         fields.place(0),
         fields.number(0, "frame"),
@@ -93,15 +93,15 @@ public final class MotFile {
         fields.coordinate(3, "top"),
         length(fields, 4, "width"),
         length(fields, 5, "height"),
-        columns > BOX ? fields.number(BOX, "confidence") : 1,
-        inWorld ? fields.coordinate(WORLD, "x") : Double.NaN,
-        inWorld ? fields.coordinate(WORLD + 1, "y") : Double.NaN,
-        inWorld ? fields.coordinate(WORLD + 2, "z") : Double.NaN);
+        columns > BOX_COLUMNS ? fields.number(BOX_COLUMNS, "confidence") : 1,
+        inWorld ? fields.coordinate(X_COLUMN, "x") : Double.NaN,
+        inWorld ? fields.coordinate(X_COLUMN + 1, "y") : Double.NaN,
+        inWorld ? fields.coordinate(X_COLUMN + 2, "z") : Double.NaN);
   }
 
-  /** x and y are both -1 where there is none. */
+  /** Whether a row has no position in the world: x and y are both -1. */
   private static boolean isNowhere(Fields fields) {
-    return fields.number(WORLD, "x") == -1 && fields.number(WORLD + 1, "y") == -1;
+    return fields.number(X_COLUMN, "x") == -1 && fields.number(X_COLUMN + 1, "y") == -1;
   }
 
   private static double length(Fields fields, int field, String name) {

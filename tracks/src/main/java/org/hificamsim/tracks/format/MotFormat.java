@@ -5,8 +5,8 @@ import static org.hificamsim.core.NamedSetting.setting;
 import org.hificamsim.core.InputException;
 
 /**
- * MOTChallenge: positions in the world where the file has them; else where boxes stand in the
- * picture. Rows whose confidence is 0 are not to count, and are left out.
+ * MOTChallenge: positions in the world, or the places of boxes in the picture. Rows whose
+ * confidence is 0 are ignored.
  */
 final class MotFormat implements TrackFormat {
   @Override
@@ -36,7 +36,7 @@ final class MotFormat implements TrackFormat {
   }
 
   private static TrackSample inWorld(MotFile.Row row) {
-    if (!row.inWorld()) {
+    if (!row.isInWorld()) {
       throw noWorld(row);
     }
     return new TrackSample(row.place(), row.target(), row.frame(), row.x(), row.y());
@@ -45,8 +45,8 @@ final class MotFormat implements TrackFormat {
   private static InputException noWorld(MotFile.Row row) {
     return row.place()
         .error(
-            "the row has no position in the world, expected %s and %s, which takes boxes to the"
-                + " ground",
+            "the row has no position in the world, expected %s and %s, which converts boxes to"
+                + " positions on the ground",
             setting("unit", "px"), setting("homography", "FILE"));
   }
 }

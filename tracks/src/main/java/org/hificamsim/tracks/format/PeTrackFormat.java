@@ -8,9 +8,9 @@ import java.util.regex.Pattern;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * PeTrack and the Juelich data archive: {@code id frame x y [z]}, with rate and unit in comments,
- * as {@code # framerate: 25} and {@code # id frame x/cm y/cm}, or in none. What the user says takes
- * precedence.
+ * PeTrack and the Juelich data archive: {@code id frame x y [z]}. Comments may have the rate and
+ * the unit, such as {@code # framerate: 25} and {@code # id frame x/cm y/cm}; those that the user
+ * gives take precedence.
  */
 final class PeTrackFormat implements TrackFormat {
   private static final Pattern RATE =
@@ -30,7 +30,7 @@ final class PeTrackFormat implements TrackFormat {
     try (TextLines lines = TextLines.open(recording.file())) {
       while (lines.next()) {
         if (lines.isComment()) {
-          comment(lines.text().toLowerCase(Locale.ROOT));
+          readComment(lines.text().toLowerCase(Locale.ROOT));
         } else if (lines.count() > 0) {
           clock = clock == null ? begin(recording, samples) : clock;
           samples.accept(ROWS.sample(lines));
@@ -40,21 +40,21 @@ final class PeTrackFormat implements TrackFormat {
     return clock == null ? begin(recording, samples) : clock;
   }
 
-  private void comment(String text) {
-    Matcher rates = RATE.matcher(text);
-    if (rate.isEmpty() && rates.find()) {
-      rate = OptionalDouble.of(Double.parseDouble(rates.group(1)));
+  private void readComment(String text) {
+    Matcher rateMatcher = RATE.matcher(text);
+    if (rate.isEmpty() && rateMatcher.find()) {
+      rate = OptionalDouble.of(Double.parseDouble(rateMatcher.group(1)));
     }
-    Matcher units = UNIT.matcher(text);
-    if (unit.isEmpty() && units.find()) {
-      unit = Optional.of(Unit.valueOf(units.group(1).toUpperCase(Locale.ROOT)));
+    Matcher unitMatcher = UNIT.matcher(text);
+    if (unit.isEmpty() && unitMatcher.find()) {
+      unit = Optional.of(Unit.valueOf(unitMatcher.group(1).toUpperCase(Locale.ROOT)));
     }
   }
 
   private Clock begin(Recording recording, SampleSink samples) {
-    Recording known = new Recording(recording.file(), rate, unit, recording.columns());
-    Clock clock = known.frames();
-    samples.measuredIn(known.requireUnit("no line such as '# id frame x/m y/m' says it"));
+    Recording complete = new Recording(recording.file(), rate, unit, recording.columns());
+    Clock clock = complete.frames();
+    samples.measuredIn(complete.requireUnit("no line such as '# id frame x/m y/m' has it"));
     return clock;
   }
 }

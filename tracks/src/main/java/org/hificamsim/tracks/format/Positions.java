@@ -5,13 +5,13 @@ import java.util.List;
 import org.hificamsim.core.Place;
 import org.hificamsim.data.JsonStream;
 
-/** The {@code coordinates} of a GeoJSON geometry. */
+/** Reads the {@code coordinates} of a GeoJSON geometry. */
 public final class Positions {
   /**
-   * A position; a height behind it is left out.
+   * A position; a third coordinate is ignored.
    *
-   * @param x the longitude, as a rule
-   * @param y the latitude
+   * @param x longitude, unless the file has another unit
+   * @param y latitude, unless the file has another unit
    */
   public record Position(Place place, double x, double y) {}
 
@@ -23,16 +23,16 @@ public final class Positions {
   }
 
   /**
-   * Reads the array that has been begun: each innermost array of positions by itself, a position
-   * alone as an array of one.
+   * Reads the array that has been begun. Each innermost array of positions becomes a list; a single
+   * position becomes a list of one.
    *
-   * @throws org.hificamsim.core.InputException with the place, when it holds anything else
+   * @throws org.hificamsim.core.InputException with the place, if the array has anything else
    */
   public static List<List<Position>> read(JsonStream json) {
     Positions positions = new Positions(json);
-    List<Position> alone = new ArrayList<>();
-    positions.array(alone);
-    positions.add(alone);
+    List<Position> single = new ArrayList<>();
+    positions.readArray(single);
+    positions.add(single);
     return positions.lines;
   }
 
@@ -42,26 +42,26 @@ public final class Positions {
     }
   }
 
-  /** Reads a position into the list that it belongs to, or the arrays in an array. */
-  private void array(List<Position> above) {
+  /** Reads an array: a position, which is added to a list, or an array of arrays. */
+  private void readArray(List<Position> parent) {
     Place place = json.place();
-    List<Position> own = new ArrayList<>();
+    List<Position> children = new ArrayList<>();
     List<Double> numbers = new ArrayList<>();
     json.array(
         "arrays of coordinates",
         () -> {
           if (numbers.isEmpty() && json.isBegun()) {
-            array(own);
+            readArray(children);
           } else {
             numbers.add(json.coordinate("a coordinate"));
           }
         });
-    if (numbers.size() == 1 || (!numbers.isEmpty() && !own.isEmpty())) {
+    if (numbers.size() == 1 || (!numbers.isEmpty() && !children.isEmpty())) {
       throw place.error("expected two coordinates, or arrays of coordinates");
     }
     if (!numbers.isEmpty()) {
-      above.add(new Position(place, numbers.get(0), numbers.get(1)));
+      parent.add(new Position(place, numbers.get(0), numbers.get(1)));
     }
-    add(own);
+    add(children);
   }
 }

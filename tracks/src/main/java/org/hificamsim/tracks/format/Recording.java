@@ -10,23 +10,23 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 
 /**
- * A file of tracks with what its user says of it.
+ * A file of tracks with the settings that its user gives.
  *
- * @param rate frames a second, where given
- * @param unit of positions, where given
- * @param columns which column has what, for formats without a fixed order
+ * @param rate frames per second; may be empty
+ * @param unit of positions; may be empty
+ * @param columns the names or numbers of columns by key, for formats without a fixed order
  */
 public record Recording(
     Path file, OptionalDouble rate, Optional<Unit> unit, Map<String, String> columns) {
-  /** Copies what could change. */
+  /** Copies the map. */
   public Recording {
     columns = Map.copyOf(columns);
   }
 
   /**
-   * The clock of a format that counts frames.
+   * Returns the clock of a format that counts frames.
    *
-   * @throws InputException when nobody has said how many there are in a second
+   * @throws InputException if the rate is not given
    */
   public Clock frames() {
     return new Clock(
@@ -34,32 +34,37 @@ public record Recording(
             () ->
                 missing(
                     setting("rate", "R")
-                        + ", the frames a second by which this format counts: it does not say")),
+                        + ", the frames per second, which a file of this format does not have")),
         false);
   }
 
   /**
-   * The unit.
+   * Returns the unit.
    *
-   * @throws InputException when nobody has said it
+   * @param reason why it has to be given
+   * @throws InputException if it is not given
    */
-  public Unit requireUnit(String why) {
+  public Unit requireUnit(String reason) {
     return unit.orElseThrow(
-        () -> missing(setting("unit") + ", one of " + Spelling.all(Unit.class) + ": " + why));
+        () -> missing(setting("unit") + ", one of " + Spelling.all(Unit.class) + ": " + reason));
   }
 
-  /** The unit of a format that says its own; another one is refused. */
-  public Unit only(Unit own) {
-    if (unit.isPresent() && unit.get() != own) {
+  /**
+   * Returns the unit of a format that has only one.
+   *
+   * @throws InputException if the user gives another unit
+   */
+  public Unit only(Unit formatUnit) {
+    if (unit.isPresent() && unit.get() != formatUnit) {
       throw InputException.of(
-          "%s: %s is %s, expected %s or none: the format says so",
-          file, setting("unit"), Spelling.of(unit.get()), Spelling.of(own));
+          "%s: %s is %s, expected %s or none, because the format has no other",
+          file, setting("unit"), Spelling.of(unit.get()), Spelling.of(formatUnit));
     }
-    return own;
+    return formatUnit;
   }
 
-  /** What a user has to say before the file can be read. */
-  public InputException missing(String option) {
-    return new InputException(file + ": expected " + option);
+  /** Returns the error of a setting that is required for the file. */
+  public InputException missing(String expected) {
+    return new InputException(file + ": expected " + expected);
   }
 }

@@ -4,13 +4,13 @@ import java.util.List;
 import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
 
-/** ETH/UCY: rows of numbers between blanks or tabs, metres and frames. */
+/** ETH/UCY: rows of numbers separated by spaces or tabs, in metres and frames. */
 final class RowFormat implements TrackFormat {
   private final List<String> columns;
 
   /**
-   * @param columns what a row has at least, in order: {@code frame}, {@code id}, {@code x}, {@code
-   *     y} and others, between blanks
+   * @param columns the columns that a row must have, in order and separated by spaces: {@code
+   *     frame}, {@code id}, {@code x}, {@code y} and others
    */
   RowFormat(String columns) {
     this.columns = List.of(columns.split(" "));
@@ -28,7 +28,7 @@ final class RowFormat implements TrackFormat {
     return clock;
   }
 
-  /** The sample of a row, all of whose columns must be there. */
+  /** Returns the sample of a row, which must have all columns. */
   TrackSample sample(Fields fields) {
     TrackSample sample =
         new TrackSample(
@@ -43,7 +43,7 @@ final class RowFormat implements TrackFormat {
     return sample;
   }
 
-  /** The name of a target that is known by a number: 1.000000e+00 is 1. */
+  /** Returns the name of a target that the file has as a number; 1.000000e+00 becomes 1. */
   static String target(Fields fields, int field) {
     double number = fields.number(field, "id");
     return number == Math.rint(number) && Math.abs(number) < 1e15

@@ -1,10 +1,10 @@
 package org.hificamsim.tracks.format;
 
-/** Takes the samples of a file, one by one. */
+/** Receives the samples of a file, one by one. */
 public interface SampleSink {
-  /** Called once, before the first sample: what its position is measured in. */
+  /** Receives the unit of positions; called once, before the first sample. */
   void measuredIn(Unit unit);
 
-  /** Takes a sample. */
+  /** Receives a sample. */
   void accept(TrackSample sample);
 }

@@ -3,16 +3,16 @@ package org.hificamsim.tracks.format;
 import org.hificamsim.core.registry.Registry;
 
 /**
- * A format of recorded tracks. An implementer reads a file once from front to back, keeping
- * nothing; samples of a target come in order of time, those of different targets in any order.
+ * A format of recorded tracks. An implementation reads a file once from start to end, and stores
+ * nothing. Samples of one target are in the order of time; targets may alternate.
  */
 public interface TrackFormat {
   /**
    * Reads a file.
    *
-   * @param samples takes the unit, then each sample
-   * @return how the format counts time
-   * @throws org.hificamsim.core.InputException with the place, when something is wrong
+   * @param samples receives the unit, then each sample
+   * @return the unit of time
+   * @throws org.hificamsim.core.InputException with the place, if the file is wrong
    */
   Clock read(Recording recording, SampleSink samples);
 

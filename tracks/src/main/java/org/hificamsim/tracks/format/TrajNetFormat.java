@@ -7,12 +7,13 @@ import org.hificamsim.core.Place;
 import org.hificamsim.data.JsonStream;
 
 /**
- * TrajNet++: objects, one a line, each a {@code track} with frame f, pedestrian p, x and y in
- * metres, or a {@code scene}, whose {@code fps} counts a pedestrian's samples, whatever the
- * distance of two frames. A rate that the user gives counts frames and takes precedence.
+ * TrajNet++: an object in each line. A {@code track} has the frame f, the pedestrian p, and x and y
+ * in metres; a {@code scene} has {@code fps}, the number of a pedestrian's samples per second,
+ * whatever the number of frames between them. A rate that the user gives is in frames and takes
+ * precedence.
  */
 final class TrajNetFormat implements TrackFormat {
-  private static final List<String> NUMBERS = List.of("f", "p", "x", "y");
+  private static final List<String> TRACK_KEYS = List.of("f", "p", "x", "y");
 
   private double fps = Double.NaN;
 
@@ -25,9 +26,9 @@ final class TrajNetFormat implements TrackFormat {
             "an object with a track or a scene",
             name -> {
               if (name.equals("track")) {
-                samples.accept(track(json));
+                samples.accept(sample(json));
               } else if (name.equals("scene")) {
-                scene(json);
+                readScene(json);
               }
             });
       }
@@ -37,34 +38,34 @@ final class TrajNetFormat implements TrackFormat {
         : new Clock(fps, true);
   }
 
-  private static TrackSample track(JsonStream json) {
+  private static TrackSample sample(JsonStream json) {
     Place place = json.place();
-    Map<String, Double> found = new HashMap<>();
+    Map<String, Double> values = new HashMap<>();
     json.object(
         "a track",
         name -> {
-          if (NUMBERS.contains(name)) {
-            found.put(name, "fp".contains(name) ? json.number(name) : json.coordinate(name));
+          if (TRACK_KEYS.contains(name)) {
+            values.put(name, "fp".contains(name) ? json.number(name) : json.coordinate(name));
           }
         });
-    if (found.size() < NUMBERS.size()) {
-      throw place.error("a track without all of f, p, x and y, expected them");
+    if (values.size() < TRACK_KEYS.size()) {
+      throw place.error("the track lacks some of f, p, x and y, expected all");
     }
-    String pedestrian = Long.toString(found.get("p").longValue());
-    return new TrackSample(place, pedestrian, found.get("f"), found.get("x"), found.get("y"));
+    String pedestrian = Long.toString(values.get("p").longValue());
+    return new TrackSample(place, pedestrian, values.get("f"), values.get("x"), values.get("y"));
   }
 
-  private void scene(JsonStream json) {
+  private void readScene(JsonStream json) {
     json.object(
         "a scene",
         name -> {
           if (name.equals("fps")) {
-            rate(json);
+            readRate(json);
           }
         });
   }
 
-  private void rate(JsonStream json) {
+  private void readRate(JsonStream json) {
     double before = fps;
     fps = json.number("fps");
     if (!(fps > 0) || (!Double.isNaN(before) && before != fps)) {

@@ -1,6 +1,6 @@
 package org.hificamsim.tracks.format;
 
-/** What positions are measured in. */
+/** The units of positions. */
 public enum Unit {
   /** Metres. */
   M(1),
@@ -8,7 +8,7 @@ public enum Unit {
   CM(0.01),
   /** Millimetres. */
   MM(0.001),
-  /** Pixels of a picture, y down; a homography takes them to the ground. */
+  /** Pixels of a picture, y down; a homography converts them to metres. */
   PX(Double.NaN),
   /** Degrees of longitude and latitude (WGS84). */
   DEG(Double.NaN);
@@ -19,7 +19,7 @@ public enum Unit {
     this.metres = metres;
   }
 
-  /** How many metres it is; NaN where that depends on the place. */
+  /** The unit in metres; NaN if that depends on the position. */
   public double metres() {
     return metres;
   }

@@ -1,2 +1,2 @@
-/** The formats that recordings come in, one class each, by name. */
+/** The formats of recordings, each a class with a name. */
 package org.hificamsim.tracks.format;

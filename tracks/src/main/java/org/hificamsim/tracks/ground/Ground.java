@@ -7,23 +7,23 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.TrackSample;
 import org.hificamsim.tracks.format.Unit;
 
-/** Takes samples to the ground: metres, x to the east and y to the north. */
+/** Converts samples to metres on the ground, x to the east and y to the north. */
 public interface Ground {
-  /** The same sample in metres. */
+  /** Returns a sample in metres. */
   TrackSample onGround(TrackSample sample);
 
   /**
-   * The ground for a unit.
+   * Returns the conversion of a unit.
    *
    * @param homography from pictures to the ground
-   * @param projection of degrees, which takes its origin from the first sample if it has none
-   * @throws InputException when pixels come without a homography, or it comes without them
+   * @param projection of degrees, whose origin is the first sample if it has none
+   * @throws InputException if there are pixels without a homography, or a homography without pixels
    */
   static Ground of(Unit unit, Optional<Homography> homography, LocalProjection projection) {
     if (homography.isPresent() != (unit == Unit.PX)) {
       throw unit == Unit.PX
           ? InputException.of(
-              "positions are pixels, expected %s, which takes them to the ground",
+              "positions are pixels, expected %s, which converts them to metres",
               setting("homography", "FILE"))
           : InputException.of(
               "%s is for pixels, expected %s as well",

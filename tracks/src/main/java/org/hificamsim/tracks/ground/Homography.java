@@ -4,9 +4,8 @@ import java.nio.file.Path;
 import org.hificamsim.tracks.format.TrackSample;
 
 /**
- * Takes pixels (to the right, down) to metres on the ground: (x w, y w, w) = H (u, v, 1). A box as
- * wide as it is in the picture stands on the ground where its lower edge is; its height is to its
- * width as in the picture.
+ * Converts pixels (to the right, down) to metres on the ground: (x w, y w, w) = H (u, v, 1). The
+ * width of a box is that of its lower edge on the ground; the ratio of height and width stays.
  */
 public final class Homography implements Ground {
   private final double[] h;
@@ -16,9 +15,9 @@ public final class Homography implements Ground {
   }
 
   /**
-   * Reads three rows of three numbers between blanks.
+   * Reads three rows of three numbers, separated by spaces.
    *
-   * @throws org.hificamsim.core.InputException with the place, when it has others
+   * @throws org.hificamsim.core.InputException with the place, if the file has anything else
    */
   public static Homography read(Path file) {
     return new Homography(MatrixFile.read(file, 3, 3, "a matrix of three rows of three numbers"));
@@ -32,14 +31,14 @@ public final class Homography implements Ground {
       throw sample
           .place()
           .error(
-              "the homography takes (%s, %s) to (%s, %s), expected a place nearer",
+              "the homography converts (%s, %s) to (%s, %s), expected a place within 1e9 m",
               sample.x(), sample.y(), x, y);
     }
-    double half = sample.width() / 2;
+    double halfWidth = sample.width() / 2;
     double width =
         Math.hypot(
-            x(sample.x() + half, sample.y()) - x(sample.x() - half, sample.y()),
-            y(sample.x() + half, sample.y()) - y(sample.x() - half, sample.y()));
+            x(sample.x() + halfWidth, sample.y()) - x(sample.x() - halfWidth, sample.y()),
+            y(sample.x() + halfWidth, sample.y()) - y(sample.x() - halfWidth, sample.y()));
     double height = width * sample.height() / sample.width();
     return sample.at(x, y, width, height);
   }

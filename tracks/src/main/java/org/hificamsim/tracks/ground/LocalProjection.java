@@ -5,47 +5,49 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.format.TrackSample;
 
 /**
- * The equirectangular projection about an origin, on the ellipsoid WGS84: x is N cos(phi) times the
- * difference of longitudes, y is M times that of latitudes, N and M the radii of curvature at the
- * origin. A kilometre from there, at 60 degrees, it is off by less than half a metre in a thousand.
+ * The equirectangular projection about an origin on the ellipsoid WGS84. x is N cos(phi) times the
+ * difference of longitudes and y is M times the difference of latitudes, where N and M are the
+ * radii of curvature at the origin. At a distance of a kilometre, at 60 degrees latitude, the error
+ * is less than half a metre.
  */
 public final class LocalProjection implements Ground {
-  private static final double EQUATOR = 6_378_137; // m
-  private static final double ECCENTRICITY_2 = 6.694_379_990_14e-3;
+  private static final double EQUATORIAL_RADIUS = 6_378_137; // metres
+  private static final double ECCENTRICITY_SQUARED = 6.694_379_990_14e-3;
 
   private double longitude = Double.NaN;
   private double latitude;
-  private double metresX;
-  private double metresY;
+  private double metresPerLongitude;
+  private double metresPerLatitude;
 
-  /** A projection whose origin is the first point that it is asked for. */
+  /** Creates a projection whose origin is the first point that it converts. */
   public LocalProjection() {}
 
   /**
-   * A projection about a point.
+   * Creates a projection about a point.
    *
    * @param longitude degrees
    * @param latitude degrees
    */
   public LocalProjection(double longitude, double latitude) {
-    begin(longitude, latitude);
+    setOrigin(longitude, latitude);
   }
 
-  private void begin(double itsLongitude, double itsLatitude) {
-    longitude = itsLongitude;
-    latitude = itsLatitude;
+  private void setOrigin(double originLongitude, double originLatitude) {
+    longitude = originLongitude;
+    latitude = originLatitude;
     double phi = Math.toRadians(latitude);
-    double w = Math.sqrt(1 - ECCENTRICITY_2 * Math.sin(phi) * Math.sin(phi));
-    metresX = Math.toRadians(EQUATOR / w * Math.cos(phi));
-    metresY = Math.toRadians(EQUATOR * (1 - ECCENTRICITY_2) / (w * w * w));
+    double w = Math.sqrt(1 - ECCENTRICITY_SQUARED * Math.sin(phi) * Math.sin(phi));
+    metresPerLongitude = Math.toRadians(EQUATORIAL_RADIUS / w * Math.cos(phi));
+    metresPerLatitude =
+        Math.toRadians(EQUATORIAL_RADIUS * (1 - ECCENTRICITY_SQUARED) / (w * w * w));
   }
 
-  /** The origin's longitude, degrees; NaN before there is one. */
+  /** The longitude of the origin, degrees; NaN if it has not been set. */
   public double longitude() {
     return longitude;
   }
 
-  /** The origin's latitude, degrees. */
+  /** The latitude of the origin, degrees. */
   public double latitude() {
     return latitude;
   }
@@ -56,16 +58,18 @@ public final class LocalProjection implements Ground {
     return sample.at(point.x(), point.y(), sample.width(), sample.height());
   }
 
-  /** A point of the ellipsoid, degrees, as one of the plane. */
-  public Point metres(Place place, double itsLongitude, double itsLatitude) {
-    if (!(Math.abs(itsLongitude) <= 180 && Math.abs(itsLatitude) <= 90)) {
+  /** Converts a point in degrees to metres. */
+  public Point metres(Place place, double pointLongitude, double pointLatitude) {
+    if (!(Math.abs(pointLongitude) <= 180 && Math.abs(pointLatitude) <= 90)) {
       throw place.error(
           "longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees",
-          itsLongitude, itsLatitude);
+          pointLongitude, pointLatitude);
     }
     if (Double.isNaN(longitude)) {
-      begin(itsLongitude, itsLatitude);
+      setOrigin(pointLongitude, pointLatitude);
     }
-    return new Point((itsLongitude - longitude) * metresX, (itsLatitude - latitude) * metresY);
+    return new Point(
+        (pointLongitude - longitude) * metresPerLongitude,
+        (pointLatitude - latitude) * metresPerLatitude);
   }
 }

@@ -3,15 +3,15 @@ package org.hificamsim.tracks.ground;
 import java.nio.file.Path;
 import org.hificamsim.core.file.TextLines;
 
-/** Reads a matrix as rows of numbers between blanks; lines that begin with # are comments. */
+/** Reads a matrix: rows of numbers separated by spaces; lines that begin with # are comments. */
 public final class MatrixFile {
   private MatrixFile() {}
 
   /**
-   * The matrix, row by row.
+   * Returns the matrix, row by row.
    *
-   * @param expected its rows and columns in words
-   * @throws org.hificamsim.core.InputException with the place, when it is anything else
+   * @param expected the rows and columns in words
+   * @throws org.hificamsim.core.InputException with the place, if the file has anything else
    */
   public static double[] read(Path file, int rows, int columns, String expected) {
     double[] matrix = new double[rows * columns];

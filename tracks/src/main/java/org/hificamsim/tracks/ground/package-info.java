@@ -1,2 +1,2 @@
-/** From what files measure positions in to metres on flat ground. */
+/** Conversion of positions in files to metres on flat ground. */
 package org.hificamsim.tracks.ground;

@@ -12,63 +12,63 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.Targets;
 
 /**
- * MATE's arena as it is drawn for an episode: cameras and obstacles within the bounds of those of
- * the site, which are in the corners' squares, at the field's edges and in the middle. Every second
- * target is slow, and carries twice as much.
+ * A random layout of MATE's arena for an episode. Cameras and obstacles stay in the parts of the
+ * field where the scenario has them: in the corners' squares, at the edges, and in the middle.
+ * Every second target is slow and carries twice as much.
  */
 final class ArenaLayout {
-  /** Angles of view that a lens stops at, degrees apart. */
-  static final double LEVEL = 0.5;
+  /** The difference between the angles of view of a lens, degrees. */
+  static final double ANGLE_STEP = 0.5;
 
-  static final double NARROWEST = 30;
-  static final double WIDEST = 180;
+  static final double NARROWEST_ANGLE = 30;
+  static final double WIDEST_ANGLE = 180;
 
-  private static final double SLOW = 10;
-  private static final double FAST = 20;
+  private static final double SLOW_SPEED = 10;
+  private static final double FAST_SPEED = 20;
   private static final double CAMERA_RADIUS = 40;
   private static final double MIDDLE = 200;
   private static final double CORNER = 800;
   private static final double EDGE = 900;
   private static final double BORDER = 1000;
 
-  /** What is free between two obstacles, or between one and a camera: 42 in MATE's recordings. */
+  /** The distance between obstacles, and from obstacles to cameras: 42 in MATE's recordings. */
   private static final double GAP = 40;
 
   private final SplittableRandom random;
 
-  /** What targets cannot pass, though they can be seen through it: cameras, then obstacles. */
+  /** The discs that targets cannot pass: first cameras, then obstacles. */
   private final List<Obstacle> discs = new ArrayList<>();
 
-  private final Scenario drawn;
-  private int started;
+  private final Scenario scenario;
+  private int targetCount;
 
-  ArenaLayout(Scenario site, SplittableRandom random) {
+  ArenaLayout(Scenario original, SplittableRandom random) {
     this.random = random;
-    Scenario mounted = site.withCameras(this::mounted);
-    site.obstacles().forEach(old -> discs.add(free((Obstacle.Pillar) old)));
-    drawn =
-        mounted
-            .with(Scenario.OBSTACLES, discs.subList(site.cameras().size(), discs.size()))
-            .withTargets(this::started);
+    Scenario withCameras = original.withCameras(this::placed);
+    original.obstacles().forEach(pillar -> discs.add(placed((Obstacle.Pillar) pillar)));
+    scenario =
+        withCameras
+            .with(Scenario.OBSTACLES, discs.subList(original.cameras().size(), discs.size()))
+            .withTargets(this::placed);
   }
 
-  Scenario drawn() {
-    return drawn;
+  Scenario scenario() {
+    return scenario;
   }
 
-  /** A number from -most to most. */
-  private double within(double most) {
-    return most * (2 * random.nextDouble() - 1);
+  /** A random number from -limit to limit. */
+  private double within(double limit) {
+    return limit * (2 * random.nextDouble() - 1);
   }
 
-  /** A number on the same side of 0. */
-  private double beside(double old, double least, double most) {
-    return Math.copySign(random.nextDouble(least, most), old);
+  /** A random number from least to greatest, with the sign of another one. */
+  private double withSignOf(double original, double least, double greatest) {
+    return Math.copySign(random.nextDouble(least, greatest), original);
   }
 
-  private CameraSpec mounted(CameraSpec camera) {
-    double x = beside(camera.x(), 500, CORNER);
-    double y = beside(camera.y(), 500, CORNER);
+  private CameraSpec placed(CameraSpec camera) {
+    double x = withSignOf(camera.x(), 500, CORNER);
+    double y = withSignOf(camera.y(), 500, CORNER);
     discs.add(new Obstacle.Pillar(x, y, CAMERA_RADIUS, 1));
     OpticsSpec optics =
         camera
@@ -76,8 +76,8 @@ final class ArenaLayout {
             .orElseThrow()
             .with(
                 OpticsSpec.ANGLES_OF_VIEW,
-                IntStream.rangeClosed(0, (int) ((WIDEST - NARROWEST) / LEVEL))
-                    .mapToObj(level -> NARROWEST + level * LEVEL)
+                IntStream.rangeClosed(0, (int) ((WIDEST_ANGLE - NARROWEST_ANGLE) / ANGLE_STEP))
+                    .mapToObj(level -> NARROWEST_ANGLE + level * ANGLE_STEP)
                     .toList())
             .with(OpticsSpec.PANS, List.of(0.0))
             .with(OpticsSpec.ZOOM_TIME, 0.0)
@@ -85,38 +85,44 @@ final class ArenaLayout {
     return camera.with(CameraSpec.X, x).with(CameraSpec.Y, y).with(CameraSpec.OPTICS, optics);
   }
 
-  private Obstacle free(Obstacle.Pillar old) {
-    boolean middle = Math.max(Math.abs(old.x()), Math.abs(old.y())) < MIDDLE;
+  private Obstacle placed(Obstacle.Pillar original) {
+    boolean middle = Math.max(Math.abs(original.x()), Math.abs(original.y())) < MIDDLE;
     while (true) {
       double radius = random.nextDouble(25, 100);
-      double x = place(old.x(), old.y(), radius, middle);
-      double y = place(old.y(), old.x(), radius, middle);
+      double x = coordinate(original.x(), original.y(), radius, middle);
+      double y = coordinate(original.y(), original.x(), radius, middle);
       if (isFree(x, y, radius + GAP)) {
-        return new Obstacle.Pillar(x, y, radius, old.transmittance());
+        return new Obstacle.Pillar(x, y, radius, original.transmittance());
       }
     }
   }
 
-  /** At an edge targets can pass on both sides: a fifth of the radius is free there. */
-  private double place(double old, double other, double radius, boolean middle) {
-    return Math.abs(old) == EDGE
-        ? Math.copySign(Math.min(EDGE, BORDER - 1.2 * radius), old)
-        : Math.abs(other) == EDGE
+  /**
+   * Returns a coordinate of an obstacle. At an edge, a fifth of the radius stays free, so that
+   * targets can pass on both sides.
+   *
+   * @param original the coordinate in the scenario
+   * @param perpendicular the other coordinate in the scenario
+   */
+  private double coordinate(double original, double perpendicular, double radius, boolean middle) {
+    return Math.abs(original) == EDGE
+        ? Math.copySign(Math.min(EDGE, BORDER - 1.2 * radius), original)
+        : Math.abs(perpendicular) == EDGE
             ? within(500)
-            : middle ? within(MIDDLE) : beside(old, MIDDLE, CORNER);
+            : middle ? within(MIDDLE) : withSignOf(original, MIDDLE, CORNER);
   }
 
-  private boolean isFree(double x, double y, double away) {
-    return discs.stream().allMatch(disc -> off(disc, x, y) >= away);
+  private boolean isFree(double x, double y, double distance) {
+    return discs.stream().allMatch(disc -> distance(disc, x, y) >= distance);
   }
 
-  /** How far a place is off the border of a disc, less than 0 inside. */
-  static double off(Obstacle disc, double x, double y) {
+  /** The distance of a place from the border of a disc, negative inside. */
+  static double distance(Obstacle disc, double x, double y) {
     Obstacle.Pillar pillar = (Obstacle.Pillar) disc;
     return Math.hypot(x - pillar.x(), y - pillar.y()) - pillar.radius();
   }
 
-  private TargetSpec started(TargetSpec target) {
+  private TargetSpec placed(TargetSpec target) {
     double x;
     double y;
     do {
@@ -127,22 +133,22 @@ final class ArenaLayout {
         .withMovement(Freight.Carrier.NAME)
         .with(TargetSpec.X, x)
         .with(TargetSpec.Y, y)
-        .with(TargetSpec.SPEED, started++ % 2 == 0 ? FAST : SLOW);
+        .with(TargetSpec.SPEED, targetCount++ % 2 == 0 ? FAST_SPEED : SLOW_SPEED);
   }
 
-  /** Puts a target where it comes to from a step: it slides along what is in its way. */
+  /** Moves a target by a step; it slides along the discs in its way. */
   void step(int target, Targets targets, double dx, double dy) {
     double x = targets.x(target) + dx;
     double y = targets.y(target) + dy;
     for (Obstacle disc : discs) {
-      double off = off(disc, x, y);
-      if (off < 0) {
+      double distance = distance(disc, x, y);
+      if (distance < 0) {
         Obstacle.Pillar pillar = (Obstacle.Pillar) disc;
-        double out = off / (pillar.radius() + off);
-        x -= out * (x - pillar.x());
-        y -= out * (y - pillar.y());
+        double share = distance / (pillar.radius() + distance);
+        x -= share * (x - pillar.x());
+        y -= share * (y - pillar.y());
       }
     }
-    targets.put(target, GreedyCameras.within(x, BORDER), GreedyCameras.within(y, BORDER));
+    targets.put(target, GreedyCameras.limited(x, BORDER), GreedyCameras.limited(y, BORDER));
   }
 }

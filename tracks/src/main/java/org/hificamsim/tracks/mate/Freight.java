@@ -10,86 +10,89 @@ import org.hificamsim.core.world.RandomStreams;
 import org.hificamsim.core.world.Targets;
 
 /**
- * The freight of an episode: which cargoes wait in a warehouse for which other one, who carries
- * them, and what is paid. A cargo that is delivered pays {@value #WORTH}, less 1 for each step in
- * which a camera saw who carried it. All targets begin with a load.
+ * The freight of an episode: the cargoes that wait in each warehouse, by destination, the targets
+ * that carry them, and their pay. A delivered cargo pays {@value #CARGO_PAY}, less 1 for each step
+ * in which a camera saw its carrier. All targets begin with a load.
  */
 final class Freight {
   private static final int WAREHOUSES = 4;
-  private static final int WORTH = 100;
-  private static final int CARGOES_EACH = 8;
+  private static final int CARGO_PAY = 100;
+  private static final int CARGOES_PER_TARGET = 8;
 
   private final ArenaLayout arena;
   private final SplittableRandom random;
   private final int[][] waiting = new int[WAREHOUSES][WAREHOUSES];
   private final Carrier[] carriers;
   private final int cargoes;
-  private int left;
-  private int paid;
+  private int undelivered;
+  private int totalPay;
 
   Freight(ArenaLayout arena, SplittableRandom random) {
     this.arena = arena;
     this.random = random;
-    carriers = new Carrier[arena.drawn().targets().size()];
-    cargoes = CARGOES_EACH * carriers.length;
-    left = cargoes;
+    carriers = new Carrier[arena.scenario().targets().size()];
+    cargoes = CARGOES_PER_TARGET * carriers.length;
+    undelivered = cargoes;
   }
 
-  /** What has not been loaded at the start waits, each for another warehouse. */
-  private void fill() {
+  /** Distributes the cargoes that are not loaded at the start among the warehouses. */
+  private void fillWarehouses() {
     int loaded = Arrays.stream(carriers).mapToInt(carrier -> carrier.load).sum();
     for (int i = loaded; i < cargoes; i++) {
       int from = random.nextInt(WAREHOUSES);
-      waiting[from][other(from)]++;
+      waiting[from][otherWarehouse(from)]++;
     }
   }
 
-  private int other(int warehouse) {
+  private int otherWarehouse(int warehouse) {
     return (warehouse + 1 + random.nextInt(WAREHOUSES - 1)) % WAREHOUSES;
   }
 
-  /** One of some numbers, as likely as it is large; another one than this where all are 0. */
-  private int drawn(int[] numbers, int here) {
+  /**
+   * Draws an index with probabilities in proportion to numbers; any warehouse other than {@code
+   * here} if all numbers are 0.
+   */
+  private int draw(int[] numbers, int here) {
     int sum = IntStream.of(numbers).sum();
     if (sum == 0) {
-      return other(here);
+      return otherWarehouse(here);
     }
-    int at = 0;
-    for (int rest = random.nextInt(sum) - numbers[0]; rest >= 0; rest -= numbers[at]) {
-      at++;
+    int index = 0;
+    for (int rest = random.nextInt(sum) - numbers[0]; rest >= 0; rest -= numbers[index]) {
+      index++;
     }
-    return at;
+    return index;
   }
 
-  /** A step in which cameras saw some of the targets. */
+  /** Reduces the pay of the targets that cameras see in a step. */
   void charge(NetworkView network) {
     for (int target = 0; target < carriers.length; target++) {
       carriers[target].pay -= network.coverage(target) > 0 && carriers[target].pay > 0 ? 1 : 0;
     }
   }
 
-  boolean delivered() {
-    return left == 0;
+  boolean isDelivered() {
+    return undelivered == 0;
   }
 
-  /** What has been paid, as a part of the most. */
-  double paid() {
-    return (double) paid / (WORTH * cargoes);
+  /** The pay so far, as a share of the greatest possible pay. */
+  double payShare() {
+    return (double) totalPay / (CARGO_PAY * cargoes);
   }
 
   /**
-   * A greedy target: straight to the warehouse that its freight is for, with a swerve of up to half
-   * its speed in x and in y, another one every ten steps or so.
+   * A greedy target. It moves straight to the destination of its load, with a random swerve of up
+   * to half its speed in x and in y, which changes about every ten steps.
    */
   final class Carrier implements Movement {
     static final String NAME = "Carrier";
 
-    private static final double FAST = 20;
+    private static final double FAST_SPEED = 20;
     private static final double WAREHOUSE = 925;
     private static final double HALF_WIDTH = 75;
-    private static final double CHANGE = 0.1;
+    private static final double SWERVE_CHANGE_PROBABILITY = 0.1;
 
-    private int goal;
+    private int destination;
     private int load;
     private int pay;
     private int capacity;
@@ -104,46 +107,47 @@ final class Freight {
     @Override
     public void start(int target, Targets targets, TargetSpec spec) {
       carriers[target] = this;
-      capacity = (int) (FAST / spec.speed());
-      goal = random.nextInt(WAREHOUSES);
-      take(capacity);
+      capacity = (int) (FAST_SPEED / spec.speed());
+      destination = random.nextInt(WAREHOUSES);
+      load(capacity);
       if (target == carriers.length - 1) {
-        fill();
+        fillWarehouses();
       }
     }
 
-    private void take(int cargo) {
-      load = cargo;
-      pay = WORTH * cargo;
+    private void load(int cargoes) {
+      load = cargoes;
+      pay = CARGO_PAY * cargoes;
     }
 
-    /** With nothing to carry it goes to a warehouse where something waits. */
+    /** Delivers the load and takes another one; without one, goes to where cargoes wait. */
     private void arrive() {
-      int here = goal;
-      left -= load;
-      paid += pay;
-      int[] supplies = Arrays.stream(waiting).mapToInt(to -> IntStream.of(to).sum()).toArray();
-      goal = drawn(supplies[here] > 0 ? waiting[here] : supplies, here);
-      take(Math.min(capacity, waiting[here][goal]));
-      waiting[here][goal] -= load;
+      int here = destination;
+      undelivered -= load;
+      totalPay += pay;
+      int[] supplies =
+          Arrays.stream(waiting).mapToInt(cargoesTo -> IntStream.of(cargoesTo).sum()).toArray();
+      destination = draw(supplies[here] > 0 ? waiting[here] : supplies, here);
+      load(Math.min(capacity, waiting[here][destination]));
+      waiting[here][destination] -= load;
     }
 
     @Override
     public void move(int target, Targets targets, RandomStreams streams) {
-      double dx = (goal % 2 == 0 ? -WAREHOUSE : WAREHOUSE) - targets.x(target);
-      double dy = (goal < 2 ? -WAREHOUSE : WAREHOUSE) - targets.y(target);
+      double dx = (destination % 2 == 0 ? -WAREHOUSE : WAREHOUSE) - targets.x(target);
+      double dy = (destination < 2 ? -WAREHOUSE : WAREHOUSE) - targets.y(target);
       if (Math.max(Math.abs(dx), Math.abs(dy)) <= HALF_WIDTH) {
         arrive();
         move(target, targets, streams);
         return;
       }
-      if (streams.move().nextDouble() < CHANGE) {
+      if (streams.move().nextDouble() < SWERVE_CHANGE_PROBABILITY) {
         swerveX = streams.move().nextDouble() - 0.5;
         swerveY = streams.move().nextDouble() - 0.5;
       }
-      double way = Math.hypot(dx, dy);
-      double x = dx / way + swerveX;
-      double y = dy / way + swerveY;
+      double distance = Math.hypot(dx, dy);
+      double x = dx / distance + swerveX;
+      double y = dy / distance + swerveY;
       double speed = targets.speed(target) / Math.max(1, Math.hypot(x, y));
       arena.step(target, targets, speed * x, speed * y);
     }

@@ -7,22 +7,26 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
 /**
- * The greedy cameras of MATE's arena: each turns to the nearest target that any of them saw in the
- * last {@value #MEMORY} steps, and zooms so as to reach {@value #BEYOND} farther; both at their
- * speed, by any amount. One that knows of no target turns on, to the right. How long they remember,
- * and how far beyond they reach, is read off MATE's recordings.
+ * The greedy cameras of MATE's arena. Each turns to the nearest target that any of them saw in the
+ * last {@value #MEMORY} steps, and zooms so that it reaches {@value #REACH_MARGIN} farther, both by
+ * any angle within its speed. A camera that knows no target turns to the right. {@code MEMORY} and
+ * {@code REACH_MARGIN} are estimates from MATE's recordings.
  */
 final class GreedyCameras implements AimingZoomPolicy {
-  private static final double TURN = Math.toRadians(5);
-  private static final double ZOOM = 2.5;
+  private static final double TURN_SPEED = Math.toRadians(5);
+  private static final double ZOOM_SPEED = 2.5;
   private static final int MEMORY = 25;
-  private static final double BEYOND = 340;
+  private static final double REACH_MARGIN = 340;
   private static final double REACH = 1500;
 
   private final SeenPairs pairs = new SeenPairs();
   private double[] pan = {};
-  private double[] angle = {}; // of view, degrees
-  private double[] x = {}; // of each target, where it was seen last
+
+  /** The angle of view of each camera, degrees. */
+  private double[] angle = {};
+
+  // The place where each target was last seen, and the steps since then.
+  private double[] x = {};
   private double[] y = {};
   private int[] age = {};
 
@@ -34,7 +38,10 @@ final class GreedyCameras implements AimingZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     pan = random.doubles(network.cameras(), -Math.PI, Math.PI).toArray();
-    angle = random.doubles(network.cameras(), ArenaLayout.NARROWEST, ArenaLayout.WIDEST).toArray();
+    angle =
+        random
+            .doubles(network.cameras(), ArenaLayout.NARROWEST_ANGLE, ArenaLayout.WIDEST_ANGLE)
+            .toArray();
     x = new double[network.targets()];
     y = new double[network.targets()];
     age = new int[network.targets()];
@@ -45,33 +52,36 @@ final class GreedyCameras implements AimingZoomPolicy {
   public void decide(NetworkView network, int[] views) {
     for (int camera = 0; camera < views.length; camera++) {
       move(network, camera);
-      views[camera] = (int) Math.round((angle[camera] - ArenaLayout.NARROWEST) / ArenaLayout.LEVEL);
+      views[camera] =
+          (int) Math.round((angle[camera] - ArenaLayout.NARROWEST_ANGLE) / ArenaLayout.ANGLE_STEP);
     }
   }
 
   private void move(NetworkView network, int camera) {
     double nearest = Double.POSITIVE_INFINITY;
-    double turn = TURN;
+    double turn = TURN_SPEED;
     for (int target = 0; target < age.length; target++) {
       double dx = x[target] - network.cameraX(camera);
       double dy = y[target] - network.cameraY(camera);
-      double away = Math.hypot(dx, dy);
-      if (age[target] <= MEMORY && away < nearest) {
-        nearest = away;
+      double distance = Math.hypot(dx, dy);
+      if (age[target] <= MEMORY && distance < nearest) {
+        nearest = distance;
         double axis = network.cameraHeading(camera) + pan[camera];
         turn = Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI);
       }
     }
-    pan[camera] += within(turn, TURN);
+    pan[camera] += limited(turn, TURN_SPEED);
     if (nearest < Double.POSITIVE_INFINITY) {
-      double part = Math.max(1, REACH / (nearest + BEYOND));
-      double wanted = Math.min(ArenaLayout.WIDEST, ArenaLayout.NARROWEST * part * part);
-      angle[camera] += within(wanted - angle[camera], ZOOM);
+      double factor = Math.max(1, REACH / (nearest + REACH_MARGIN));
+      double wanted =
+          Math.min(ArenaLayout.WIDEST_ANGLE, ArenaLayout.NARROWEST_ANGLE * factor * factor);
+      angle[camera] += limited(wanted - angle[camera], ZOOM_SPEED);
     }
   }
 
-  static double within(double by, double most) {
-    return Math.max(-most, Math.min(most, by));
+  /** Returns the nearest number from -limit to limit. */
+  static double limited(double number, double limit) {
+    return Math.max(-limit, Math.min(limit, number));
   }
 
   @Override

@@ -12,18 +12,18 @@ import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.World;
 
 /**
- * An episode of MATE's arena: its greedy cameras against its greedy targets, in this simulator. The
- * layout is drawn anew; targets carry freight between warehouses, and are paid the less the longer
- * they are seen; the episode ends when all is delivered. A look through an obstacle succeeds by a
- * draw for each camera and target.
+ * An episode of MATE's arena in this simulator, with its greedy cameras and greedy targets. The
+ * layout is random. Targets carry freight between warehouses and are paid less the longer they are
+ * seen; the episode ends when all freight is delivered. Whether a camera sees a target through an
+ * obstacle is random for each camera and target.
  *
- * @param steps how many it took
- * @param coverage mean share of the targets that a camera sees
- * @param transported what the targets were paid, as a part of what they could be
+ * @param steps the number of steps
+ * @param coverage the mean share of the targets that a camera sees
+ * @param transported the pay of the targets, as a share of the greatest possible pay
  */
 public record MateArena(int steps, double coverage, double transported) {
-  /** After which MATE ends an episode. */
-  public static final int MOST_STEPS = 10_000;
+  /** The number of steps after which MATE ends an episode. */
+  public static final int MAX_STEPS = 10_000;
 
   private static final Detection DETECTION =
       Detection.by(DetectionRule.parse("probability"), "geometric", new GeometricDetection());
@@ -31,25 +31,25 @@ public record MateArena(int steps, double coverage, double transported) {
   /**
    * Plays an episode.
    *
-   * @param site MATE's field, cameras, targets and obstacles, wherever they stand
+   * @param scenario MATE's field, cameras, targets and obstacles
    */
-  public static MateArena play(Scenario site, long seed) {
+  public static MateArena play(Scenario scenario, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    ArenaLayout arena = new ArenaLayout(site, random.split());
+    ArenaLayout arena = new ArenaLayout(scenario, random.split());
     Freight freight = new Freight(arena, random.split());
     Registry<Movement> movements =
         new Registry<Movement>("movement")
             .register(
                 Freight.Carrier.NAME, "with freight to warehouses", () -> freight.new Carrier());
-    World world = new World(arena.drawn(), movements, seed);
+    World world = new World(arena.scenario(), movements, seed);
     Simulation simulation = new Simulation(world, DETECTION, new GreedyCameras(), seed, List.of());
-    double covered = 0;
+    double sum = 0;
     int steps = 0;
-    for (; !freight.delivered() && steps < MOST_STEPS; steps++) {
+    for (; !freight.isDelivered() && steps < MAX_STEPS; steps++) {
       simulation.step();
-      covered += simulation.coverage().score();
+      sum += simulation.coverage().score();
       freight.charge(simulation.network());
     }
-    return new MateArena(steps, covered / steps, freight.paid());
+    return new MateArena(steps, sum / steps, freight.payShare());
   }
 }

@@ -14,56 +14,57 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 
 /**
- * An episode of MATE (Pan et al., NeurIPS 2022) with the poses that its cameras and targets had: a
- * row for each step with {@code c0_x, c0_y, c0_orientation, c0_viewing_angle, c0_sight_range, ...}
- * and {@code t0_x, t0_y, ...} in units and degrees, 0 is +x, counterclockwise. In the folder of
- * {@code NAME.csv} or {@code NAME.csv.gz} are its obstacles, {@code NAME.obstacles.csv} ({@code
+ * A recorded episode of MATE (Pan et al., NeurIPS 2022): the poses of its cameras and targets, with
+ * a row for each step with {@code c0_x, c0_y, c0_orientation, c0_viewing_angle, c0_sight_range,
+ * ...} and {@code t0_x, t0_y, ...} in units and degrees, 0 is +x, counterclockwise. In the folder
+ * of {@code NAME.csv} or {@code NAME.csv.gz} are its obstacles, {@code NAME.obstacles.csv} ({@code
  * x,y,radius}).
  *
- * @param steps how many it has
- * @param cameras how many there are
- * @param targets how many there are
- * @param coverage mean share of the targets that a camera sees: what is to be expected, as in MATE
- *     a look through an obstacle succeeds by {@link #TRANSMITTANCE}, by a draw
+ * @param steps the number of steps
+ * @param cameras the number of cameras
+ * @param targets the number of targets
+ * @param coverage the expected mean share of the targets that a camera sees; in MATE a camera sees
+ *     through an obstacle with probability {@link #TRANSMITTANCE}
  */
 public record MateEpisode(int steps, int cameras, int targets, double coverage) {
   private static final double TRANSMITTANCE = 0.1;
   private static final double MAX = 1e9;
   private static final String NUMBER = "a number from -1e9 to 1e9";
-  private static final List<String> OF_CAMERA =
+  private static final List<String> CAMERA_COLUMNS =
       List.of("x", "y", "orientation", "viewing_angle", "sight_range");
 
   /**
    * Replays an episode.
    *
-   * @throws InputException when a file is missing or wrong
+   * @throws InputException if a file is missing or wrong
    */
   public static MateEpisode replay(Path file) {
     Obstacles obstacles = obstacles(file);
     try (CsvReader table =
         CsvReader.betweenCommas(file, "poses of a MATE episode: c0_x,...,t0_x,t0_y,...")) {
       List<String> columns = table.header(List.of("c0_x", "t0_x"));
-      List<List<String>> cameras = names(columns, "c", OF_CAMERA);
-      List<List<String>> targets = names(columns, "t", OF_CAMERA.subList(0, 2));
+      List<List<String>> cameras = names(columns, "c", CAMERA_COLUMNS);
+      List<List<String>> targets = names(columns, "t", CAMERA_COLUMNS.subList(0, 2));
       VisibleRegion[] regions = new VisibleRegion[cameras.size()];
-      double covered = 0;
+      double sum = 0;
       int steps = 0;
       for (CsvRow row = table.next(); row != null; row = table.next()) {
-        covered += covered(row, cameras, targets, obstacles, regions);
+        sum += covered(row, cameras, targets, obstacles, regions);
         steps++;
       }
       if (steps == 0) {
-        throw new Place(file.toString(), 1, 1).error("the episode has no steps, expected some");
+        throw new Place(file.toString(), 1, 1)
+            .error("the episode has no steps, expected one or more");
       }
-      return new MateEpisode(steps, cameras.size(), targets.size(), covered / steps);
+      return new MateEpisode(steps, cameras.size(), targets.size(), sum / steps);
     }
   }
 
   private static Obstacles obstacles(Path file) {
     String name = file.getFileName().toString().replaceFirst("\\.csv(\\.gz)?$", "");
-    Path beside = file.resolveSibling(name + ".obstacles.csv");
+    Path obstacleFile = file.resolveSibling(name + ".obstacles.csv");
     List<Obstacle> discs = new ArrayList<>();
-    try (CsvReader table = CsvReader.betweenCommas(beside, "obstacles of a MATE episode")) {
+    try (CsvReader table = CsvReader.betweenCommas(obstacleFile, "obstacles of a MATE episode")) {
       table.header(List.of("x", "y", "radius"));
       table.each(
           row ->
@@ -77,10 +78,11 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
     return new Obstacles(discs);
   }
 
-  /** The columns of each camera or target, as many as the table has. */
-  private static List<List<String>> names(List<String> columns, String kind, List<String> of) {
+  /** The columns of each camera or target that the table has. */
+  private static List<List<String>> names(
+      List<String> columns, String kind, List<String> suffixes) {
     return Stream.iterate(0, number -> columns.contains(kind + number + "_x"), number -> number + 1)
-        .map(number -> of.stream().map(name -> kind + number + "_" + name).toList())
+        .map(number -> suffixes.stream().map(suffix -> kind + number + "_" + suffix).toList())
         .peek(
             names -> {
               if (!columns.containsAll(names)) {
@@ -94,7 +96,7 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
     return row.number(column, -MAX, MAX, NUMBER);
   }
 
-  /** The share of the targets that is to be expected in the step of a row. */
+  /** The expected share of the targets that a camera sees in the step of a row. */
   private static double covered(
       CsvRow row,
       List<List<String>> cameras,
@@ -120,7 +122,8 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
   }
 
   private static boolean inView(double[] pose, double dx, double dy) {
-    double off = Math.toDegrees(Math.atan2(dy, dx)) - pose[2];
-    return Math.hypot(dx, dy) <= pose[4] && Math.abs(Math.IEEEremainder(off, 360)) <= pose[3] / 2;
+    double offAxis = Math.toDegrees(Math.atan2(dy, dx)) - pose[2];
+    return Math.hypot(dx, dy) <= pose[4]
+        && Math.abs(Math.IEEEremainder(offAxis, 360)) <= pose[3] / 2;
   }
 }

@@ -10,9 +10,9 @@ import org.hificamsim.data.JsonStream;
 import org.hificamsim.tracks.format.Positions;
 
 /**
- * The geometries of a GeoJSON file, wherever they stand: lines are walls, polygons are solid. A
- * polygon with holes, and one of several in one geometry, is its sides alone. The property {@code
- * height} of a feature is the height of its walls, metres.
+ * Reads all geometries of a GeoJSON file as walls: lines become walls, polygons solid obstacles.
+ * Polygons with holes, and those of a multi-polygon, become the walls of their sides. The property
+ * {@code height} of a feature is the height of its walls, metres.
  */
 final class GeoJsonWalls {
   private final WallCollector walls;
@@ -30,7 +30,7 @@ final class GeoJsonWalls {
     }
   }
 
-  /** An object that may be a geometry, or hold some. */
+  /** Reads an object that may be a geometry, or contain geometries. */
   private void object() {
     String[] type = {""};
     double[] height = {Double.NaN};
@@ -65,7 +65,7 @@ final class GeoJsonWalls {
     }
   }
 
-  /** A number, or a text that is one, as OpenStreetMap has them. */
+  /** Reads a number or, as in OpenStreetMap, the text of a number. */
   private double height() {
     try {
       return json.token() == JsonToken.VALUE_STRING
@@ -91,6 +91,8 @@ final class GeoJsonWalls {
   }
 
   private List<Point> line(List<Positions.Position> positions) {
-    return positions.stream().map(one -> walls.point(one.place(), one.x(), one.y())).toList();
+    return positions.stream()
+        .map(position -> walls.point(position.place(), position.x(), position.y()))
+        .toList();
   }
 }

@@ -11,17 +11,17 @@ import org.hificamsim.core.file.TextLines;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * Where a drawing or a picture lies on the ground.
+ * The position of a drawing or picture on the ground.
  *
- * @param scale metres that a pixel or unit of it is, above 0
- * @param x of its lower left corner, metres
- * @param y of its lower left corner, metres
+ * @param scale metres per pixel or unit of the drawing, above 0
+ * @param x of the lower left corner, metres
+ * @param y of the lower left corner, metres
  */
 public record PictureFrame(double scale, double x, double y) {
   /**
-   * The ground that a picture shows.
+   * Returns the area that a picture shows.
    *
-   * @throws org.hificamsim.core.InputException when it is missing or no PNG or JPEG
+   * @throws org.hificamsim.core.InputException if the picture is missing or not a PNG or JPEG
    */
   public Field area(Path picture) {
     try (ImageInputStream in = ImageIO.createImageInputStream(TextLines.stream(picture))) {
@@ -34,6 +34,7 @@ public record PictureFrame(double scale, double x, double y) {
     } catch (IOException e) {
       throw TextLines.unreadable(picture.toString(), 1, e);
     }
-    throw new Place(picture.toString(), 1, 1).error("no picture, expected a PNG or JPEG");
+    throw new Place(picture.toString(), 1, 1)
+        .error("the file is not a picture, expected a PNG or JPEG");
   }
 }

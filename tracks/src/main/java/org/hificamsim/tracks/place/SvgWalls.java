@@ -30,10 +30,10 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.xml.sax.Attributes;
 
 /**
- * The lines of an SVG: {@code line}, {@code polyline}, {@code polygon}, {@code rect} and {@code
- * path}, moved as {@code transform} says; of curves, chords. Polygons and rectangles are solid.
- * Their {@code data-height} is a height in metres. What only describes ({@code defs}, {@code
- * symbol}, ...) is left out.
+ * Reads the shapes of an SVG as walls: {@code line}, {@code polyline}, {@code polygon}, {@code
+ * rect} and {@code path}, with their {@code transform}. Curves become chords; polygons and
+ * rectangles become solid obstacles. {@code data-height} is a height in metres. Elements that are
+ * not drawn themselves ({@code defs}, {@code symbol}, ...) are ignored.
  */
 final class SvgWalls extends PlainXml {
   private static final Set<String> HIDDEN =
@@ -41,44 +41,44 @@ final class SvgWalls extends PlainXml {
 
   private static final Set<String> SOLID = Set.of("polygon", "rect");
 
-  /** Metres, whatever the scale. */
+  /** An attribute with the height in metres, independent of the scale. */
   private static final String HEIGHT = "data-height";
 
-  /** How far a chord may be off its curve, metres. */
+  /** The largest distance of a chord from its curve, metres. */
   private static final double FLATNESS = 0.02;
 
   private final Path file;
   private final PictureFrame frame;
   private final WallCollector walls = new WallCollector(Unit.M, new LocalProjection());
-  private final Deque<AffineTransform> transforms = new ArrayDeque<>(); // to metres
-  private int hidden;
+  private final Deque<AffineTransform> toMetres = new ArrayDeque<>();
+  private int hiddenDepth;
 
   SvgWalls(Path file, PictureFrame frame) {
     this.file = file;
     this.frame = frame;
   }
 
-  /** All of them, in metres. */
+  /** Returns all walls, in metres. */
   List<Obstacle> read() {
     readFile(file);
-    return walls.all();
+    return walls.obstacles();
   }
 
   @Override
   public void startElement(String uri, String local, String qualified, Attributes attributes) {
-    String name = plain(qualified);
-    hidden += HIDDEN.contains(name) ? 1 : 0;
-    if (transforms.isEmpty() && !name.equals("svg")) {
+    String name = localName(qualified);
+    hiddenDepth += HIDDEN.contains(name) ? 1 : 0;
+    if (toMetres.isEmpty() && !name.equals("svg")) {
       throw place().error("the drawing is a <" + Place.shortened(name) + ">, expected an <svg>");
     }
     AffineTransform transform =
-        transforms.isEmpty() ? toMetres(attributes) : new AffineTransform(transforms.peek());
+        toMetres.isEmpty() ? drawingToMetres(attributes) : new AffineTransform(toMetres.peek());
     if (attributes.getValue("transform") != null) {
       transform.concatenate(
           parsed(attributes, name, "transform", AWTTransformProducer::createAffineTransform));
     }
-    transforms.push(transform);
-    if (hidden == 0) {
+    toMetres.push(transform);
+    if (hiddenDepth == 0) {
       int first = walls.count();
       add(shape(name, attributes), SOLID.contains(name));
       if (attributes.getValue(HEIGHT) != null) {
@@ -87,18 +87,18 @@ final class SvgWalls extends PlainXml {
     }
   }
 
-  private static String plain(String qualified) {
+  private static String localName(String qualified) {
     return qualified.substring(qualified.indexOf(':') + 1);
   }
 
   @Override
   public void endElement(String uri, String local, String qualified) {
-    hidden -= HIDDEN.contains(plain(qualified)) ? 1 : 0;
-    transforms.pop();
+    hiddenDepth -= HIDDEN.contains(localName(qualified)) ? 1 : 0;
+    toMetres.pop();
   }
 
-  /** The drawing's lower edge is where its view box ends, or its height. */
-  private AffineTransform toMetres(Attributes attributes) {
+  /** The lower edge of the drawing is the end of its view box, or else its height. */
+  private AffineTransform drawingToMetres(Attributes attributes) {
     double[] box = {0, 0, 0, 0};
     if (attributes.getValue("viewBox") != null) {
       box = parsed(attributes, "svg", "viewBox", text -> numbers(text, 4));
@@ -127,48 +127,50 @@ final class SvgWalls extends PlainXml {
     return numbers;
   }
 
-  /** Reads an attribute. */
+  /** Parses the text of an attribute. */
   private interface Parser<T> {
-    T parsed(String text) throws IOException;
+    T parse(String text) throws IOException;
   }
 
   private <T> T parsed(Attributes attributes, String element, String name, Parser<T> parser) {
     String text = text(attributes, element, name);
     try {
-      return parser.parsed(text);
-    } catch (IOException | RuntimeException e) { // Batik throws what it likes
-      throw place().invalid("<" + element + "> " + name, text, "as SVG has it");
+      return parser.parse(text);
+    } catch (IOException | RuntimeException e) { // Batik throws exceptions of any kind
+      throw place().invalid("<" + element + "> " + name, text, "a value as in SVG");
     }
   }
 
-  /** What an element draws; nothing for one that is no shape. */
+  /** The shape of an element; empty for an element that is not a shape. */
   private Shape shape(String name, Attributes attributes) {
     return switch (name) {
       case "line" ->
           new Line2D.Double(
-              of(attributes, "x1"),
-              of(attributes, "y1"),
-              of(attributes, "x2"),
-              of(attributes, "y2"));
+              coordinate(attributes, "x1"),
+              coordinate(attributes, "y1"),
+              coordinate(attributes, "x2"),
+              coordinate(attributes, "y2"));
       case "rect" ->
           new Rectangle2D.Double(
-              of(attributes, "x"),
-              of(attributes, "y"),
-              of(attributes, "width"),
-              of(attributes, "height"));
-      case "polyline" -> drawn(attributes, name, "points", AWTPolylineProducer::createShape);
-      case "polygon" -> drawn(attributes, name, "points", AWTPolygonProducer::createShape);
-      case "path" -> drawn(attributes, name, "d", AWTPathProducer::createShape);
+              coordinate(attributes, "x"),
+              coordinate(attributes, "y"),
+              coordinate(attributes, "width"),
+              coordinate(attributes, "height"));
+      case "polyline" ->
+          producedShape(attributes, name, "points", AWTPolylineProducer::createShape);
+      case "polygon" -> producedShape(attributes, name, "points", AWTPolygonProducer::createShape);
+      case "path" -> producedShape(attributes, name, "d", AWTPathProducer::createShape);
       default -> new Path2D.Double();
     };
   }
 
-  /** Batik's reader of one kind of shape. */
+  /** Batik's parser of one kind of shape. */
   private interface Producer {
     Shape shape(Reader text, int windingRule) throws IOException;
   }
 
-  private Shape drawn(Attributes attributes, String element, String name, Producer producer) {
+  private Shape producedShape(
+      Attributes attributes, String element, String name, Producer producer) {
     return text(attributes, element, name).isBlank()
         ? new Path2D.Double()
         : parsed(
@@ -178,22 +180,23 @@ final class SvgWalls extends PlainXml {
             text -> producer.shape(new StringReader(text), PathIterator.WIND_NON_ZERO));
   }
 
-  private double of(Attributes attributes, String name) {
+  private double coordinate(Attributes attributes, String name) {
     return attributes.getValue(name) == null ? 0 : number(attributes, "shape", name);
   }
 
   private void add(Shape shape, boolean solid) {
     List<Point> part = new ArrayList<>();
-    double[] at = new double[6];
+    double[] coordinates = new double[6];
     PathIterator path =
-        new FlatteningPathIterator(shape.getPathIterator(transforms.peek()), FLATNESS);
+        new FlatteningPathIterator(shape.getPathIterator(toMetres.peek()), FLATNESS);
     for (; !path.isDone(); path.next()) {
-      int segment = path.currentSegment(at);
+      int segment = path.currentSegment(coordinates);
       if (segment == PathIterator.SEG_MOVETO) {
         add(part, solid);
         part.clear();
       }
-      part.add(segment == PathIterator.SEG_CLOSE ? part.get(0) : point(at[0], at[1]));
+      part.add(
+          segment == PathIterator.SEG_CLOSE ? part.get(0) : point(coordinates[0], coordinates[1]));
     }
     add(part, solid);
   }

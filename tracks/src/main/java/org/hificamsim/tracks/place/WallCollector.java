@@ -8,20 +8,20 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 
-/** Makes obstacles of lines and rings, in metres. */
+/** Collects the obstacles that lines and rings make, in metres. */
 final class WallCollector {
-  private static final double MILLI = 1e3;
+  private static final double PER_MILLIMETRE = 1e3;
 
   private final Unit unit;
   private final LocalProjection projection;
-  private final List<Obstacle> all = new ArrayList<>();
+  private final List<Obstacle> obstacles = new ArrayList<>();
 
   WallCollector(Unit unit, LocalProjection projection) {
     this.unit = unit;
     this.projection = projection;
   }
 
-  /** A point of the file in metres, to the millimetre. */
+  /** Converts a point of the file to metres, rounded to the millimetre. */
   Point point(Place place, double x, double y) {
     if (unit == Unit.DEG) {
       Point metres = projection.metres(place, x, y);
@@ -31,21 +31,23 @@ final class WallCollector {
   }
 
   static Point rounded(double x, double y) {
-    return new Point(Math.rint(x * MILLI) / MILLI, Math.rint(y * MILLI) / MILLI);
+    return new Point(
+        Math.rint(x * PER_MILLIMETRE) / PER_MILLIMETRE,
+        Math.rint(y * PER_MILLIMETRE) / PER_MILLIMETRE);
   }
 
-  /** Adds the segments between points; one without length is left out. */
+  /** Adds walls between consecutive points, except between equal ones. */
   void line(List<Point> points) {
     for (int i = 1; i < points.size(); i++) {
       Point from = points.get(i - 1);
       Point to = points.get(i);
       if (!from.equals(to)) {
-        all.add(new Obstacle.Wall(from.x(), from.y(), to.x(), to.y(), 0));
+        obstacles.add(new Obstacle.Wall(from.x(), from.y(), to.x(), to.y(), 0));
       }
     }
   }
 
-  /** Adds a solid polygon; where its sides touch each other, its sides. A point is no polygon. */
+  /** Adds a solid polygon, or its sides if they cross each other; a single point adds nothing. */
   void ring(List<Point> points) {
     List<Point> corners = new ArrayList<>();
     for (Point point : points) {
@@ -60,33 +62,34 @@ final class WallCollector {
       return;
     }
     try {
-      all.add(new Obstacle.Polygon(corners, 0));
+      obstacles.add(new Obstacle.Polygon(corners, 0));
     } catch (IllegalArgumentException e) {
       corners.add(corners.get(0));
       line(corners);
     }
   }
 
-  /** How many there are so far. */
+  /** The number of obstacles so far. */
   int count() {
-    return all.size();
+    return obstacles.size();
   }
 
   /**
-   * Gives all from a number on a height.
+   * Sets the height of all obstacles from an index on.
    *
+   * @param place of the height in the file
    * @param height metres, above 0
    */
   void raise(Place place, int from, double height) {
     if (!(height > 0 && height <= 1e9)) {
       throw place.error("height is " + height + ", expected a number above 0 and at most 1e9 (m)");
     }
-    for (int i = from; i < all.size(); i++) {
-      all.set(i, all.get(i).between(0, height));
+    for (int i = from; i < obstacles.size(); i++) {
+      obstacles.set(i, obstacles.get(i).between(0, height));
     }
   }
 
-  List<Obstacle> all() {
-    return all;
+  List<Obstacle> obstacles() {
+    return obstacles;
   }
 }

@@ -14,19 +14,19 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.xml.sax.Attributes;
 
 /**
- * Reads walls, by the ending: GeoJSON, well-known text, XML with {@code Line} elements, or the
- * lines of an SVG.
+ * Reads walls from GeoJSON, well-known text, XML with {@code Line} elements, or SVG, according to
+ * the ending of the file.
  */
 public final class WallFile {
   private WallFile() {}
 
   /**
-   * Reads them.
+   * Reads the walls.
    *
-   * @param unit of all but SVG
+   * @param unit of coordinates, except in SVG
    * @param projection of degrees
-   * @param frame of SVG; empty where its scale is not known
-   * @throws InputException with the place, when something is wrong
+   * @param frame of an SVG; empty if its scale is not known
+   * @throws InputException with the place, if the file is wrong
    */
   public static List<Obstacle> read(
       Path file, Unit unit, LocalProjection projection, Optional<PictureFrame> frame) {
@@ -49,7 +49,7 @@ public final class WallFile {
       throw InputException.of(
           "%s: expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg", file);
     }
-    return walls.all();
+    return walls.obstacles();
   }
 
   private static InputException noScale(Path file) {
@@ -58,7 +58,7 @@ public final class WallFile {
         file, setting("scale", "M"));
   }
 
-  /** Elements {@code <Line x1="" y1="" x2="" y2=""/>}, wherever they stand. */
+  /** Reads all elements {@code <Line x1="" y1="" x2="" y2=""/>}. */
   private static final class XmlWalls extends PlainXml {
     private final WallCollector walls;
 

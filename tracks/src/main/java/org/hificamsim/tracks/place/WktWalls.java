@@ -19,13 +19,13 @@ import org.locationtech.jts.io.ParseException;
 import org.locationtech.jts.io.WKTReader;
 
 /**
- * Geometries in well-known text (OGC 06-103r4), one after the other: lines are walls, polygons are
- * solid. A polygon with holes is its sides alone. Z, the same for all points of a line or ring, is
- * the height of its walls, metres.
+ * Reads geometries in well-known text (OGC 06-103r4), one after the other, as walls: lines become
+ * walls, polygons solid obstacles, and polygons with holes the walls of their sides. Z, the same
+ * for all points of a line or ring, is the height of its walls, metres.
  */
 final class WktWalls {
   private final WallCollector walls;
-  private Place place; // of the geometry
+  private Place geometryPlace;
 
   WktWalls(WallCollector walls) {
     this.walls = walls;
@@ -36,8 +36,8 @@ final class WktWalls {
     try (LineNumberReader in =
         new LineNumberReader(
             new InputStreamReader(TextLines.stream(file), StandardCharsets.UTF_8))) {
-      while (skipBlanks(in)) {
-        place = line(file, in);
+      while (skipSpaces(in)) {
+        geometryPlace = line(file, in);
         try {
           add(reader.read(in));
         } catch (ParseException | IllegalArgumentException e) {
@@ -54,8 +54,8 @@ final class WktWalls {
     return new Place(file.toString(), in.getLineNumber() + 1, 1);
   }
 
-  /** Goes to the next character that is no blank; false where there is none. */
-  private static boolean skipBlanks(LineNumberReader in) throws IOException {
+  /** Skips white space; returns false at the end of the file. */
+  private static boolean skipSpaces(LineNumberReader in) throws IOException {
     int next;
     do {
       in.mark(1);
@@ -66,9 +66,9 @@ final class WktWalls {
   }
 
   private void add(Geometry geometry) {
-    if (geometry instanceof GeometryCollection several) { // of lines and of polygons as well
-      for (int i = 0; i < several.getNumGeometries(); i++) {
-        add(several.getGeometryN(i));
+    if (geometry instanceof GeometryCollection collection) { // also of lines or of polygons
+      for (int i = 0; i < collection.getNumGeometries(); i++) {
+        add(collection.getGeometryN(i));
       }
     } else if (geometry instanceof Polygon polygon) {
       add(polygon.getExteriorRing(), polygon.getNumInteriorRing() == 0);
@@ -77,7 +77,7 @@ final class WktWalls {
       }
     } else if (geometry instanceof LineString line) {
       add(line, false);
-    } // a point is no wall
+    } // points are ignored
   }
 
   private void add(LineString line, boolean solid) {
@@ -91,18 +91,18 @@ final class WktWalls {
     }
     double[] heights = Arrays.stream(positions).mapToDouble(Coordinate::getZ).distinct().toArray();
     if (heights.length > 1) {
-      throw place.error(
+      throw geometryPlace.error(
           "Z is %s and %s, expected one height for a line or ring", heights[0], heights[1]);
     }
     if (heights.length == 1 && !Double.isNaN(heights[0])) {
-      walls.raise(place, first, heights[0]);
+      walls.raise(geometryPlace, first, heights[0]);
     }
   }
 
   private Point point(Coordinate position) {
     if (!Double.isFinite(position.x) || !Double.isFinite(position.y)) {
-      throw place.error("a coordinate is " + position + ", expected numbers");
+      throw geometryPlace.error("a coordinate is " + position + ", expected numbers");
     }
-    return walls.point(place, position.x, position.y);
+    return walls.point(geometryPlace, position.x, position.y);
   }
 }

@@ -1,2 +1,2 @@
-/** Real places: walls from drawings and maps, floor plans, where cameras could stand. */
+/** Real places: walls from drawings and maps, floor plans, and drafts of cameras. */
 package org.hificamsim.tracks.place;

@@ -20,11 +20,11 @@ import org.junit.jupiter.api.Test;
 
 class MateArenaTest {
   private static final Scenario SITE =
-      ScenarioReader.read(Path.of("../scenarios/mate-4v8-9.xml"), any -> true, warning -> {});
+      ScenarioReader.read(Path.of("../scenarios/mate-4v8-9.xml"), movement -> true, warning -> {});
 
   /** The means of MATE's own twelve episodes, with their 95 % intervals. */
   @Test
-  void greedyAgainstGreedyIsAsInMate() {
+  void reproducesMatesGreedyEpisodes() {
     List<MateArena> played =
         LongStream.range(0, 40).mapToObj(seed -> MateArena.play(SITE, seed)).toList();
     assertEquals(.61, played.stream().mapToDouble(MateArena::coverage).average().orElse(0), .035);
@@ -34,20 +34,20 @@ class MateArenaTest {
   }
 
   @Test
-  void theSameSeedIsTheSameEpisode() {
+  void playsSameEpisodeForSameSeed() {
     assertEquals(MateArena.play(SITE, 7), MateArena.play(SITE, 7));
     assertNotEquals(MateArena.play(SITE, 7), MateArena.play(SITE, 8));
   }
 
   @Test
-  void layoutsAreWithinMatesBounds() {
+  void drawsLayoutsWithinMatesBounds() {
     for (long seed = 0; seed < 200; seed++) {
-      Scenario drawn = new ArenaLayout(SITE, new SplittableRandom(seed)).drawn();
-      for (CameraSpec camera : drawn.cameras()) {
+      Scenario layout = new ArenaLayout(SITE, new SplittableRandom(seed)).scenario();
+      for (CameraSpec camera : layout.cameras()) {
         assertTrue(isWithin(camera.x(), 500, 800) && isWithin(camera.y(), 500, 800));
       }
-      for (int i = 0; i < drawn.obstacles().size(); i++) {
-        Obstacle.Pillar disc = (Obstacle.Pillar) drawn.obstacles().get(i);
+      for (int i = 0; i < layout.obstacles().size(); i++) {
+        Obstacle.Pillar disc = (Obstacle.Pillar) layout.obstacles().get(i);
         boolean edge = i > 3 && i < 8; // in the file's order
         double farther = Math.max(Math.abs(disc.x()), Math.abs(disc.y()));
         double nearer = Math.min(Math.abs(disc.x()), Math.abs(disc.y()));
@@ -59,8 +59,8 @@ class MateArenaTest {
                     ? isWithin(farther, 880, 900) && nearer <= 500
                     : farther <= 800 && nearer >= 200);
       }
-      assertEquals(4, drawn.targets().stream().filter(target -> target.speed() == 10).count());
-      assertTrue(drawn.targets().stream().allMatch(MateArenaTest::startsInTheMiddle));
+      assertEquals(4, layout.targets().stream().filter(target -> target.speed() == 10).count());
+      assertTrue(layout.targets().stream().allMatch(MateArenaTest::startsInTheMiddle));
     }
   }
 
@@ -72,17 +72,17 @@ class MateArenaTest {
     return Math.max(Math.abs(target.x()), Math.abs(target.y())) <= 200;
   }
 
-  /** Through nothing, and no faster than they can; all freight comes to where it is for. */
+  /** Targets pass no discs and keep their speed; all freight reaches its destination. */
   @Test
-  void targetsWalkAroundWhatTheyCannotPassUntilAllIsDelivered() {
+  void targetsAvoidDiscsUntilAllIsDelivered() {
     ArenaLayout arena = new ArenaLayout(SITE, new SplittableRandom(1));
-    Scenario drawn = arena.drawn();
+    Scenario layout = arena.scenario();
     Freight freight = new Freight(arena, new SplittableRandom(2));
     Registry<Movement> movements = new Registry<>("movement");
     movements.register(Freight.Carrier.NAME, "", () -> freight.new Carrier());
-    World world = new World(drawn, movements, 3);
+    World world = new World(layout, movements, 3);
     int steps = 0;
-    while (!freight.delivered()) {
+    while (!freight.isDelivered()) {
       double[] before = places(world);
       world.moveTargets();
       double[] after = places(world);
@@ -91,16 +91,16 @@ class MateArenaTest {
         double y = after[2 * target + 1];
         double way = Math.hypot(x - before[2 * target], y - before[2 * target + 1]);
         assertTrue(way <= 2 * world.targets().speed(target), "slides are short");
-        assertTrue(drawn.field().contains(x, y));
+        assertTrue(layout.field().contains(x, y));
         assertTrue(
-            drawn.obstacles().stream().allMatch(disc -> ArenaLayout.off(disc, x, y) > -1e-9)
-                && drawn.cameras().stream()
-                    .allMatch(one -> Math.hypot(x - one.x(), y - one.y()) > 40 - 1e-9));
+            layout.obstacles().stream().allMatch(disc -> ArenaLayout.distance(disc, x, y) > -1e-9)
+                && layout.cameras().stream()
+                    .allMatch(disc -> Math.hypot(x - disc.x(), y - disc.y()) > 40 - 1e-9));
       }
       steps++;
     }
     assertTrue(steps > 900 && steps < 2000, "steps " + steps);
-    assertEquals(1, freight.paid(), "nobody has seen them");
+    assertEquals(1, freight.payShare(), "no target was seen");
   }
 
   private static double[] places(World world) {

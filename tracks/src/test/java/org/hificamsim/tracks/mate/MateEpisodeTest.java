@@ -26,21 +26,21 @@ class MateEpisodeTest {
     return MateEpisode.replay(Files.writeString(folder.resolve("a.csv"), HEADER + poses));
   }
 
-  /** The first camera looks east, the second one north, from the origin and from (100, 0). */
+  /** The first camera looks east, the second north, from the origin and from (100, 0). */
   @Test
-  void coverageIsWhatIsToBeExpected() throws IOException {
+  void computesExpectedCoverage() throws IOException {
     String cameras = "0,0,0,0,60,50,100,0,450,60,50,";
     assertEquals(1, replay(cameras + "40,0,100,40\n", "").coverage(), 1e-12);
     assertEquals(0.5, replay(cameras + "60,0,100,40\n", "").coverage(), 1e-12, "out of range");
     assertEquals(0.5, replay(cameras + "20,20,100,40\n", "").coverage(), 1e-12, "beside");
     assertEquals(0.55, replay(cameras + "40,0,100,40\n", "20,0,5\n").coverage(), 1e-12);
-    MateEpisode two = replay(cameras + "40,0,100,40\n" + cameras + "60,0,100,60\n", "");
-    assertEquals(0.5, two.coverage(), 1e-12, "the mean of two steps");
-    assertEquals(2, two.steps());
+    MateEpisode twoSteps = replay(cameras + "40,0,100,40\n" + cameras + "60,0,100,60\n", "");
+    assertEquals(0.5, twoSteps.coverage(), 1e-12, "the mean of two steps");
+    assertEquals(2, twoSteps.steps());
   }
 
   @Test
-  void whatIsWrongIsSaidWithItsPlace() {
+  void reportsErrorsWithTheirPlace() {
     String cameras = "0,0,0,0,60,50,100,0,450,60,50,";
     InputException text =
         assertThrows(InputException.class, () -> replay(cameras + "4,x,1,4\n", ""));
@@ -51,10 +51,10 @@ class MateEpisodeTest {
     assertThrows(InputException.class, () -> MateEpisode.replay(none));
   }
 
-  /** What MATE itself counted, with its own draws. */
+  /** The coverage that MATE itself counted, with its own random draws. */
   @ParameterizedTest
   @CsvSource({"0, 1416, 0.6671", "1, 1364, 0.5682", "2, 1088, 0.5924"})
-  void matesOwnEpisodesHaveMatesCoverage(int episode, int steps, double coverage) {
+  void reproducesCoverageOfMatesEpisodes(int episode, int steps, double coverage) {
     MateEpisode replayed = MateEpisode.replay(Reference.file("mate/episode" + episode + ".csv.gz"));
     assertEquals(steps, replayed.steps());
     assertEquals(coverage, replayed.coverage(), 0.01);
