@@ -116,15 +116,10 @@ class CamSimCommandTest {
   void ourTablesLeaveCamSimsAsTheyAre() throws IOException {
     camsim("-t 40 -a active -c 0", SCENARIO);
     List<String> plain = lines("o.csv");
-    Path extra = folder.resolve("extra.csv");
     Path coverage = folder.resolve("coverage");
-    Cli run =
-        camsim(
-            "-t 40 -a active -c 0 --extra-out " + extra + " --coverage-out " + coverage, SCENARIO);
+    Cli run = camsim("-t 40 -a active -c 0 --coverage-out " + coverage, SCENARIO);
     assertEquals(0, run.exit(), run.err());
     assertEquals(plain, lines("o.csv"));
-    assertEquals("time;cameras_seeing;overlap_area;handovers", lines("extra.csv").get(0));
-    assertEquals(41, lines("extra.csv").size());
     assertEquals(41, Files.readAllLines(coverage.resolve("steps.csv")).size());
     assertTrue(Files.exists(coverage.resolve("summary.json")));
   }
@@ -182,7 +177,6 @@ class CamSimCommandTest {
         "--policy nobody | unknown policy 'nobody'",
         "--threshold 2 | threshold is 2.0",
         "-f /no/such/folder/s.csv | summary file",
-        "--extra-out /no/such/folder/x.csv | --extra-out",
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected)
       throws IOException {
@@ -201,8 +195,7 @@ class CamSimCommandTest {
       delimiter = '|',
       value = {
         "-f DIR/o.csv | -o and -f are one file",
-        "--extra-out DIR/./o.csv | -o and --extra-out are one file",
-        "--extra-out DIR/summary.csv | the default of -f and --extra-out are one file",
+        "-f DIR/./o.csv | -o and -f are one file",
         "--coverage-out DIR/o.csv | -o and --coverage-out are one file",
         "-f DIR/c/steps.csv --coverage-out DIR/c | -f and --coverage-out are one file",
         "-f DIR/in.xml | what the command reads and -f are one file",

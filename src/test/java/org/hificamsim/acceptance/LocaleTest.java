@@ -34,8 +34,7 @@ class LocaleTest {
           "compare SCENARIOS/ring-random.xml --steps 30 --repeat 2 --out compare",
           "reproduce --steps 20 --repeat 2 --out reproduce",
           "sensitivity --steps 20 --repeat 2 --out sensitivity",
-          "camsim SCENARIOS/tutorial-camsim.xml -t 50 --extra-out camsim/extra.csv"
-              + " --coverage-out camsim/coverage",
+          "camsim SCENARIOS/tutorial-camsim.xml -t 50 --coverage-out camsim/coverage",
           "generate generate/out.xml --cameras 12",
           "profile fit profile/lab --population 60 --generations 1");
 

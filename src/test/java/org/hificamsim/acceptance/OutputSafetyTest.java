@@ -205,7 +205,6 @@ class OutputSafetyTest {
         "report RUN --out DIR/mine.html | mine.html",
         "report RUN --png DIR/mine.png | mine.png",
         "report RUN --gif DIR/mine.gif --out DIR/b.html | mine.gif",
-        "camsim SCENARIO -t 3 -o DIR/o.csv --extra-out DIR/mine.csv | mine.csv",
         "camsim SCENARIO -t 3 -o DIR/o.csv --coverage-out DIR | summary.json",
         "camsim SCENARIO --for-camsim DIR/mine.xml | mine.xml"
       })
@@ -249,7 +248,6 @@ class OutputSafetyTest {
         "generate DIR/mine.xml --force",
         "report RUN --out DIR/mine.html --force",
         "report RUN --png DIR/mine.png --force",
-        "camsim CAMSIM -t 3 -o DIR/o.csv --extra-out DIR/mine.csv --force",
         "camsim CAMSIM -t 3 -o DIR/mine.csv",
         "camsim CAMSIM --for-camsim DIR/mine.xml --force"
       })
@@ -276,8 +274,8 @@ class OutputSafetyTest {
         "report RUN --svg RUN/steps.csv --force",
         "camsim DIR/in.xml -o DIR/in.xml",
         "camsim DIR/in.xml --for-camsim DIR/in.xml --force",
-        "camsim DIR/in.xml -o DIR/o.csv --detection RUN/detection-hifi-orb-lin.json --extra-out"
-            + " RUN/detection-hifi-orb-lin.json --force",
+        "camsim DIR/in.xml --detection RUN/detection-hifi-orb-lin.json -o"
+            + " RUN/detection-hifi-orb-lin.json",
         "run DIR/in.xml --steps 3 --detection RUN/detection-hifi-orb-lin.json --out RUN"
       })
   void neverReplacesInput(String command) throws IOException {

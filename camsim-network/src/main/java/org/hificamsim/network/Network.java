@@ -69,7 +69,7 @@ public final class Network implements Cooperation, WorldObserver {
     camerasComeBack = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
     errors = new CameraErrors(world, settings, new Random(seed));
     figures = new CameraFigures(world);
-    tally = new StepTally(world, figures, sightings, queue);
+    tally = new StepTally(world, figures, queue);
     factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
     bandits = new CameraBandit[cameras.count()];

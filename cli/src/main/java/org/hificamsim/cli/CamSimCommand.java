@@ -71,9 +71,6 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
-  @Option(names = "--extra-out", paramLabel = "FILE")
-  private Optional<Path> extra;
-
   @Option(names = "--coverage-out", paramLabel = "DIR")
   private Optional<Path> coverage;
 
@@ -157,12 +154,8 @@ final class CamSimCommand implements Callable<Integer> {
             : summary;
     destination.requireNoInput("-o", steps);
     destination.requireNoInput("-f", sums.orElse(steps));
-    Optional<Path> extraFile = extra.map(path -> withSuffix(path, ofRun));
-    if (extraFile.isPresent()) {
-      destination.file("--extra-out", extraFile.get());
-    }
     Optional<Path> covered = coverage.map(path -> path.resolveSibling(path.getFileName() + ofRun));
-    return new CamSimFiles.Places(file, steps, sums, extraFile, covered, destination.force());
+    return new CamSimFiles.Places(file, steps, sums, covered);
   }
 
   /** A path whose file name has a suffix before its ending. */

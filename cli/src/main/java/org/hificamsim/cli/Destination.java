@@ -33,7 +33,6 @@ final class Destination {
           "--gif",
           "--output",
           "--summaryfile",
-          "--extra-out",
           "--coverage-out",
           "--for-camsim");
 

@@ -12,7 +12,6 @@ import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.SeparateFiles;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
-import org.hificamsim.network.statistics.OverlapTable;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ManifestFile;
@@ -28,17 +27,10 @@ public final class CamSimFiles implements Closeable {
    * @param scenario the file that is read
    * @param output CamSim's table of steps
    * @param summary CamSim's summary; in the folder of the output unless given
-   * @param extra the table of what CamSim's columns are taken for
    * @param coverage the folder of the run's k-coverage
-   * @param force whether the table may be there; CamSim's own files are replaced
    */
   public record Places(
-      Path scenario,
-      Path output,
-      Optional<Path> summary,
-      Optional<Path> extra,
-      Optional<Path> coverage,
-      boolean force) {}
+      Path scenario, Path output, Optional<Path> summary, Optional<Path> coverage) {}
 
   private static final List<String> COVERAGE =
       List.of(RunTables.STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
@@ -47,10 +39,12 @@ public final class CamSimFiles implements Closeable {
   private final SummaryRows summary;
   private final NetworkRun run;
   private final RunPlan plan;
-  private StepTable steps; // null where it cannot be opened
-  private OutputFile extraFile; // null where none is asked for
-  private StepTable extra; // the same
-  private SingleRun coverage; // null where none is asked for
+
+  /** Null if the file cannot be opened. */
+  private StepTable steps;
+
+  /** Null unless coverage was asked for. */
+  private SingleRun coverage;
 
   /**
    * Opens the files of a run that is to begin, and has them listen to it.
@@ -66,14 +60,8 @@ public final class CamSimFiles implements Closeable {
     file = OutputFile.of("-o", places.output(), true);
     Network network = run.network();
     try {
-      steps = StepTable.camSim(file.open());
-      run.listen((view, measured) -> steps.camSim(network.figures()));
-      if (places.extra().isPresent()) {
-        extraFile = OutputFile.of(setting("extra_out"), places.extra().get(), places.force());
-        extra = StepTable.extra(extraFile.open());
-        OverlapTable overlap = OverlapTable.exact(run.world().cameras());
-        run.listen((view, measured) -> extra.extra(network.figures(), overlap.sum()));
-      }
+      steps = new StepTable(file.open());
+      run.listen((view, measured) -> steps.add(network.figures()));
       if (places.coverage().isPresent()) {
         coverage = new SingleRun(places.coverage().get(), 0, plan.detection(), Detail.STEPS);
         run.listen(coverage);
@@ -90,7 +78,6 @@ public final class CamSimFiles implements Closeable {
             .with("the scenario", places.scenario())
             .with("-o", places.output())
             .with(places.summary().isPresent() ? "-f" : "the default of -f", summary);
-    places.extra().ifPresent(path -> files.with(setting("extra_out"), path));
     if (places.coverage().isPresent()) {
       Path folder = places.coverage().get();
       files.with(setting("coverage_out"), folder);
@@ -101,17 +88,11 @@ public final class CamSimFiles implements Closeable {
   /** Moves the files into place and appends to the summary, after the run. */
   public void commit(List<String> command, Instant started) throws IOException {
     steps.close();
-    if (extra != null) {
-      extra.close();
-    }
     if (coverage != null) {
       ManifestFile.write(coverage.folder(), command, started, plan.steps());
       coverage.commit(plan, run.traffic(), Optional.empty());
     }
     file.commit();
-    if (extra != null) {
-      extraFile.commit();
-    }
     summary.append(plan.seed(), run.sums());
   }
 
@@ -119,13 +100,9 @@ public final class CamSimFiles implements Closeable {
   @Override
   public void close() throws IOException {
     Closeable table = steps;
-    Closeable other = extraFile;
-    Closeable otherTable = extra;
     Closeable folder = coverage;
     try (file;
         table;
-        other;
-        otherTable;
         folder) {
       // nothing more to do
     }

@@ -3,23 +3,22 @@ package org.hificamsim.network.statistics;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments, opening angles
- * ignored, right for some positions only; kept for its numbers. {@link FieldOfView#overlap} is
- * right.
+ * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments. It ignores
+ * opening angles and is right for some positions only; it is kept for CamSim's numbers.
  *
- * @param field whose top left corner CamSim counts from
+ * @param field whose top left corner is CamSim's origin
  */
 record CamSimOverlap(Field field) {
   /** Of two cameras, the first being earlier in the list, square metres. */
-  double of(FieldOfView first, FieldOfView second) {
+  double of(RangeCircle first, RangeCircle second) {
     return of(x(first), y(first), first.radius(), x(second), y(second), second.radius());
   }
 
-  private double x(FieldOfView camera) {
+  private double x(RangeCircle camera) {
     return camera.x() - field.minX();
   }
 
-  private double y(FieldOfView camera) {
+  private double y(RangeCircle camera) {
     return (field.minY() + camera.y()) * -1;
   }
 

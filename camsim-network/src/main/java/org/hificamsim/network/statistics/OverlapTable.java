@@ -10,37 +10,24 @@ import org.hificamsim.core.world.Cameras;
  */
 public final class OverlapTable {
   private final Cameras cameras;
-  private final ToDoubleBiFunction<FieldOfView, FieldOfView> overlap;
-  private final double[][] overlaps; // by camera, with each later one
-  private final FieldOfView[] fields;
+  private final ToDoubleBiFunction<RangeCircle, RangeCircle> overlap;
+
+  /** By camera, and by later camera. */
+  private final double[][] overlaps;
+
+  private final RangeCircle[] circles;
   private int revision = -1;
 
   /**
    * @param overlap of two cameras, the first being earlier in the list
    */
-  OverlapTable(Cameras cameras, ToDoubleBiFunction<FieldOfView, FieldOfView> overlap) {
+  OverlapTable(Cameras cameras, ToDoubleBiFunction<RangeCircle, RangeCircle> overlap) {
     this.cameras = cameras;
     this.overlap = overlap;
     int count = cameras.count();
     overlaps = new double[count][];
     Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
-    fields = new FieldOfView[count];
-  }
-
-  /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
-  public static OverlapTable exact(Cameras cameras) {
-    return new OverlapTable(cameras, FieldOfView::overlap);
-  }
-
-  /** The sum over all pairs of cameras that are online. */
-  public double sum() {
-    double sum = 0;
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      if (cameras.online(camera)) {
-        sum = addPairs(camera, sum);
-      }
-    }
-    return sum;
+    circles = new RangeCircle[count];
   }
 
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
@@ -61,17 +48,17 @@ public final class OverlapTable {
       return;
     }
     revision = cameras.viewRevision();
-    boolean[] changed = new boolean[fields.length];
-    for (int camera = 0; camera < fields.length; camera++) {
-      FieldOfView now = FieldOfView.of(cameras, camera);
-      changed[camera] = !now.equals(fields[camera]);
-      fields[camera] = now;
+    boolean[] changed = new boolean[circles.length];
+    for (int camera = 0; camera < circles.length; camera++) {
+      RangeCircle circle = RangeCircle.of(cameras, camera);
+      changed[camera] = !circle.equals(circles[camera]);
+      circles[camera] = circle;
     }
-    for (int first = 0; first < fields.length; first++) {
-      for (int second = first + 1; second < fields.length; second++) {
+    for (int first = 0; first < circles.length; first++) {
+      for (int second = first + 1; second < circles.length; second++) {
         if (changed[first] || changed[second]) {
           overlaps[first][second - first - 1] =
-              overlap.applyAsDouble(fields[first], fields[second]);
+              overlap.applyAsDouble(circles[first], circles[second]);
         }
       }
     }

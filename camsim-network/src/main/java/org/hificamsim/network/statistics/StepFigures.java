@@ -13,7 +13,6 @@ package org.hificamsim.network.statistics;
  * @param confidence relative confidences, added up
  * @param proportion of the targets present that are tracked and seen
  * @param handovers StartTracking messages delivered
- * @param seeing online cameras that see anything
  */
 public record StepFigures(
     long step,
@@ -25,10 +24,9 @@ public record StepFigures(
     double overlap,
     double confidence,
     double proportion,
-    long handovers,
-    int seeing) {
+    long handovers) {
   /** The sums of no step. */
-  public static final StepFigures NONE = new StepFigures(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+  public static final StepFigures NONE = new StepFigures(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 
   /** These sums and one step more. */
   public StepFigures plus(StepFigures next) {
@@ -42,8 +40,7 @@ public record StepFigures(
         overlap + next.overlap,
         confidence + next.confidence,
         proportion + next.proportion,
-        handovers + next.handovers,
-        seeing + next.seeing);
+        handovers + next.handovers);
   }
 
   /** The mean over the steps of the proportion tracked; 0 without steps. */

@@ -4,14 +4,12 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.MessageQueue;
-import org.hificamsim.network.agent.Sightings;
 
 /** Adds a step's figures up, camera by camera (behaviour 7, steps 8 to 11). */
 public final class StepTally {
   private final Targets targets;
   private final OverlapTable overlaps;
   private final CameraFigures figures;
-  private final Sightings sightings;
   private final MessageQueue queue;
   private double utility;
   private double banditUtility;
@@ -20,15 +18,13 @@ public final class StepTally {
   private double overlap;
   private double confidence;
   private int tracked;
-  private int seeing;
 
   /** Sums of a world's steps, at 0. */
-  public StepTally(World world, CameraFigures figures, Sightings sightings, MessageQueue queue) {
+  public StepTally(World world, CameraFigures figures, MessageQueue queue) {
     this.targets = world.targets();
     this.overlaps =
         new OverlapTable(world.cameras(), new CamSimOverlap(world.scenario().field())::of);
     this.figures = figures;
-    this.sightings = sightings;
     this.queue = queue;
   }
 
@@ -42,7 +38,6 @@ public final class StepTally {
     overlap = 0.0;
     confidence = 0.0;
     tracked = 0;
-    seeing = 0;
   }
 
   /** Counts a camera that changed its schedule or policy. */
@@ -62,9 +57,6 @@ public final class StepTally {
     overlap = overlaps.addPairs(agent.camera(), overlap);
     confidence += figures.relativeConfidence();
     tracked += figures.tracked();
-    if (sightings.visible(agent.camera()) > 0) {
-      seeing++;
-    }
   }
 
   /** Counts an online camera's utility, once all have settled. */
@@ -84,8 +76,7 @@ public final class StepTally {
         overlap,
         confidence,
         proportion(),
-        queue.startTrackings(),
-        seeing);
+        queue.startTrackings());
   }
 
   /** Of the targets present; 0 without any, also where one that is gone counts as tracked (Q6). */

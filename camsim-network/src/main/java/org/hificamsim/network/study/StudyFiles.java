@@ -198,8 +198,7 @@ public final class StudyFiles {
         run.value(Metric.OVERLAP),
         run.value(Metric.CONFIDENCE),
         run.value(Metric.TRACKED),
-        (long) run.value(Metric.HANDOVERS),
-        0);
+        (long) run.value(Metric.HANDOVERS));
   }
 
   private static Stream<Column<StudyRun>> metric(Metric metric) {

@@ -18,37 +18,31 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.runs.RunPlan;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 class CamSimFilesTest {
   @TempDir Path folder;
 
-  @ParameterizedTest
-  @CsvSource({"steps, extra", "extra, steps"})
-  void ofARunThatFailsNothingIsLeftEvenWhereAnotherFileCannotBeDeleted(String stuck, String other)
-      throws IOException {
+  @Test
+  void deletesTheOtherDraftsOfAFailedRunIfOneCannotBeDeleted() throws IOException {
     CamSimFiles files = files();
-    Path draft = in(stuck).get(0);
+    Path draft = in("steps").get(0);
     Files.delete(draft);
     Files.createDirectories(draft.resolve("not empty"));
     assertThrows(DirectoryNotEmptyException.class, files::close);
-    assertEquals(List.of(), in(other));
+    assertEquals(List.of(), in("coverage"));
   }
 
-  /** Two tables, each in a folder of its own. */
+  /** The table of steps and the folder of the coverage, each in a folder of its own. */
   private CamSimFiles files() throws IOException {
     Path steps = Files.createDirectory(folder.resolve("steps"));
-    Path extra = Files.createDirectory(folder.resolve("extra"));
     CamSimFiles.Places places =
         new CamSimFiles.Places(
             folder.resolve("scenario.xml"),
             steps.resolve("o.csv"),
             Optional.empty(),
-            Optional.of(extra.resolve("x.csv")),
-            Optional.empty(),
-            false);
+            Optional.of(folder.resolve("coverage")));
     Scenario scenario = new TestScenario().camera(0, 0).target(1, 0).scenario();
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     RunPlan plan = new RunPlan(scenario, detection, "zoom-out", 1, 0, 1);

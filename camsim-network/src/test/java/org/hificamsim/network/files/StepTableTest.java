@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class StepTableTest {
   private static final StepFigures FIGURES =
-      new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2, 4);
+      new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2);
 
   /** A disk with room for the header alone. */
   private static final class Full extends Writer {
@@ -42,22 +42,17 @@ class StepTableTest {
   }
 
   @Test
-  void aStepIsARowOfEachTable() throws IOException {
-    Writer steps = new StringWriter();
-    Writer extra = new StringWriter();
-    try (StepTable ofSteps = StepTable.camSim(steps);
-        StepTable ofExtra = StepTable.extra(extra)) {
-      ofSteps.camSim(FIGURES);
-      ofExtra.extra(FIGURES, 1.5);
+  void writesARowForEachStep() throws IOException {
+    Writer out = new StringWriter();
+    try (StepTable table = new StepTable(out)) {
+      table.add(FIGURES);
     }
     assertEquals(
         lines(
             "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;"
                 + "proportion",
             "3;0.5;7.0;0;1;0.25;9.0;12.5;0.75;1.0"),
-        steps.toString());
-    assertEquals(
-        lines("time;cameras_seeing;overlap_area;handovers", "3;4;1.5;2"), extra.toString());
+        out.toString());
   }
 
   private static String lines(String... all) {
@@ -66,15 +61,15 @@ class StepTableTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 100_000})
-  void whoRunsTheStepsLearnsThatARowCannotBeWritten(int rows) {
+  void reportsARowThatCannotBeWritten(int rows) {
     Full full = new Full();
     UncheckedIOException e =
         assertThrows(
             UncheckedIOException.class,
             () -> {
-              try (StepTable table = StepTable.camSim(full)) {
+              try (StepTable table = new StepTable(full)) {
                 for (int row = 0; row < rows; row++) {
-                  table.camSim(FIGURES);
+                  table.add(FIGURES);
                 }
               }
             });
