@@ -90,29 +90,30 @@ class CameraObserverTest {
 
   @Test
   void tiltingCameraObservesHeightAndTilts() {
-    ObservationLayout high = new ObservationLayout(2, 1, true);
+    ObservationLayout withHeights = new ObservationLayout(2, 1, true);
     String cameras =
         CAMERAS
             .replace("pan_speed='40'", "tilt='0 45' pan_speed='40'")
             .replace("heading='0'", "heading='0' z='4' tilt='9'");
-    Watching still =
-        new Watching(RealWorld.always(3, 1), high); // the widest level at the second tilt
-    RealWorld.run(cameras + TARGETS, still, 1).run(5);
-    Observed under = new Observed(still.seen.get(1), high);
-    assertEquals(0.4, under.of("height"), 1e-6, "4 m of 10");
-    assertEquals(0.6, under.of("goal_tilt"), 1e-6, "54 degrees of 90");
-    assertEquals(0, under.of("tilt"), "on its way");
-    assertEquals(0.6, new Observed(still.seen.get(4), high).of("tilt"), 1e-6);
-    assertEquals(1, under.of("neighbour0_dx"), "neighbours follow");
-    assertEquals(high.size(), LAYOUT.size() + 3);
+    int widestAtSecondTilt = 3;
+    WatchingPolicy watching =
+        new WatchingPolicy(RealWorld.always(widestAtSecondTilt, 1), withHeights);
+    RealWorld.run(cameras + TARGETS, watching, 1).run(5);
+    Observed observed = new Observed(watching.observations.get(1), withHeights);
+    assertEquals(0.4, observed.of("height"), 1e-6, "4 m of 10");
+    assertEquals(0.6, observed.of("goal_tilt"), 1e-6, "54 degrees of 90");
+    assertEquals(0, observed.of("tilt"), "while it moves");
+    assertEquals(0.6, new Observed(watching.observations.get(4), withHeights).of("tilt"), 1e-6);
+    assertEquals(1, observed.of("neighbour0_dx"), "neighbours follow");
+    assertEquals(withHeights.size(), LAYOUT.size() + 3);
   }
 
   @Test
   void offlineCameraObservesOnlyZeros() {
     String off = "<event timestep='1' participant='camera' event='error' name='a' duration='-1'/>";
-    Watching watching = new Watching(RealWorld.always(1, 1));
+    WatchingPolicy watching = new WatchingPolicy(RealWorld.always(1, 1));
     RealWorld.run(CAMERAS + TARGETS + events(off), watching, 1).run(3);
-    float[] last = watching.seen.get(2);
+    float[] last = watching.observations.get(2);
     float[] first = new float[LAYOUT.size()];
     System.arraycopy(last, 0, first, 0, first.length);
     assertArrayEquals(new float[LAYOUT.size()], first);
@@ -125,19 +126,20 @@ class CameraObserverTest {
 
   @Test
   void numbersStayWithinTheirBoundsInRandomRuns() {
-    Watching watching = new Watching(new RandomZoomPolicy());
+    WatchingPolicy watching = new WatchingPolicy(new RandomZoomPolicy());
     String walkers = CAMERAS + TARGETS.replace("speed='0'", "speed='1'");
     RealWorld.run(walkers, watching, 3).run(2_000);
     List<Feature> features = LAYOUT.features();
-    int looked = 0;
-    for (float[] all : watching.seen) {
-      for (int i = 0; i < all.length; i++) {
+    int checked = 0;
+    for (float[] observation : watching.observations) {
+      for (int i = 0; i < observation.length; i++) {
         Feature feature = features.get(i % features.size());
-        assertTrue(all[i] >= feature.low() && all[i] <= feature.high(), feature + ": " + all[i]);
-        looked++;
+        float number = observation[i];
+        assertTrue(number >= feature.low() && number <= feature.high(), feature + ": " + number);
+        checked++;
       }
     }
-    assertEquals(2_000 * 2 * LAYOUT.size(), looked);
+    assertEquals(2_000 * 2 * LAYOUT.size(), checked);
   }
 
   @Test
@@ -157,9 +159,9 @@ class CameraObserverTest {
   }
 
   private static Observed observe(ZoomPolicy policy, int steps) {
-    Watching watching = new Watching(policy);
+    WatchingPolicy watching = new WatchingPolicy(policy);
     RealWorld.run(CAMERAS + TARGETS, watching, 1).run(steps + 1);
-    return new Observed(watching.seen.get(steps), LAYOUT);
+    return new Observed(watching.observations.get(steps), LAYOUT);
   }
 
   /** What the first camera observed. */
@@ -171,17 +173,17 @@ class CameraObserverTest {
   }
 
   /** Keeps the observations before each decision of a policy. */
-  private static final class Watching implements ZoomPolicy {
+  private static final class WatchingPolicy implements ZoomPolicy {
     private final ZoomPolicy policy;
     private final ObservationLayout layout;
-    private final List<float[]> seen = new ArrayList<>();
+    private final List<float[]> observations = new ArrayList<>();
     private CameraObserver observer;
 
-    Watching(ZoomPolicy policy) {
+    WatchingPolicy(ZoomPolicy policy) {
       this(policy, LAYOUT);
     }
 
-    Watching(ZoomPolicy policy, ObservationLayout layout) {
+    WatchingPolicy(ZoomPolicy policy, ObservationLayout layout) {
       this.policy = policy;
       this.layout = layout;
     }
@@ -201,7 +203,7 @@ class CameraObserverTest {
       observer = observer == null ? new CameraObserver(network, layout) : observer;
       float[] out = new float[network.cameras() * layout.size()];
       observer.observe(network, out);
-      seen.add(out);
+      observations.add(out);
       policy.decide(network, views);
     }
   }

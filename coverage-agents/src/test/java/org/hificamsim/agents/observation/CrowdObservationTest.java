@@ -37,15 +37,15 @@ class CrowdObservationTest {
 
   /** Targets in pairs on both sides of the first camera's axis. */
   private static String targets() {
-    StringBuilder all = new StringBuilder();
+    StringBuilder elements = new StringBuilder();
     for (int name = 0; name < 24; name++) {
       double aside = (name % 2 == 0 ? 1 : -1) * (1 + name % 3) * 0.25;
       int row = name / 2;
-      all.append(
+      elements.append(
           "<object features='%s' x='%s' y='%s' heading='%s' speed='%s' size='0.5'/>"
               .formatted(name, -8 + aside, 11 - row, 15 * name, name < 12 ? 0 : 0.3));
     }
-    return all.toString();
+    return elements.toString();
   }
 
   @Test
@@ -92,7 +92,7 @@ class CrowdObservationTest {
 
   @Test
   void ownNumbersDescribeChosenAndPresentView() {
-    int[] others = new int[1];
+    int[] moving = new int[1];
     run(
         new RandomZoomPolicy(),
         network -> {
@@ -107,10 +107,10 @@ class CrowdObservationTest {
             assertEquals(seeing % 3 / 2.0, out[at + ObservationLayout.at("zoom")]);
             double angle = network.zoom(camera, seeing).viewingAngle() / (2 * Math.PI);
             assertEquals(angle, out[at + ObservationLayout.at("angle")], 1e-7);
-            others[0] += seeing == goal ? 0 : 1;
+            moving[0] += seeing == goal ? 0 : 1;
           }
         });
-    assertTrue(others[0] > 20, others[0] + " on their way");
+    assertTrue(moving[0] > 20, moving[0] + " moving");
   }
 
   @Test
@@ -130,8 +130,8 @@ class CrowdObservationTest {
   @Test
   void clearsNumbersOfOfflineCameras() {
     String off = "<event timestep='0' participant='camera' event='error' name='a' duration='-1'/>";
-    Checking checking =
-        new Checking(
+    CheckingPolicy checking =
+        new CheckingPolicy(
             new RandomZoomPolicy(),
             network -> {
               float[] out = new float[3 * LAYOUT.size()];
@@ -151,8 +151,8 @@ class CrowdObservationTest {
     int x = LAYOUT.size() * 2 + 1;
     float[] seen = new float[4];
     CameraObserver[] observer = new CameraObserver[1];
-    Checking checking =
-        new Checking(
+    CheckingPolicy checking =
+        new CheckingPolicy(
             new RandomZoomPolicy(),
             network -> {
               observer[0] = observer[0] == null ? new CameraObserver(network, LAYOUT) : observer[0];
@@ -166,20 +166,21 @@ class CrowdObservationTest {
 
   @Test
   void worldsWithEqualCamerasShareNumbers() {
-    NetworkView one = network(-6);
-    NetworkView same = network(-6);
-    NetworkView other = network(4);
-    ViewFeatures features = features(one, LAYOUT);
-    assertSame(features, features(same, LAYOUT).sharedWith(features));
+    NetworkView network = network(-6);
+    NetworkView equal = network(-6);
+    NetworkView moved = network(4);
+    ViewFeatures features = features(network, LAYOUT);
+    assertSame(features, features(equal, LAYOUT).sharedWith(features));
     for (ViewFeatures different :
-        List.of(features(other, LAYOUT), features(same, new ObservationLayout(3, 1, false)))) {
+        List.of(features(moved, LAYOUT), features(equal, new ObservationLayout(3, 1, false)))) {
       assertNotSame(features, different.sharedWith(features));
       assertSame(different, different.sharedWith(features));
     }
-    CameraObserver known = new CameraObserver(one, LAYOUT);
-    assertArrayEquals(observe(same), observe(new CameraObserver(same, LAYOUT, known), same));
-    assertArrayEquals(observe(other), observe(new CameraObserver(other, LAYOUT, known), other));
-    assertNotEquals(observe(one)[LAYOUT.size() * 2 + 1], observe(other)[LAYOUT.size() * 2 + 1]);
+    CameraObserver first = new CameraObserver(network, LAYOUT);
+    assertArrayEquals(observe(equal), observe(new CameraObserver(equal, LAYOUT, first), equal));
+    assertArrayEquals(observe(moved), observe(new CameraObserver(moved, LAYOUT, first), moved));
+    int lastCameraX = LAYOUT.size() * 2 + 1;
+    assertNotEquals(observe(network)[lastCameraX], observe(moved)[lastCameraX]);
   }
 
   private static ViewFeatures features(NetworkView network, ObservationLayout layout) {
@@ -187,8 +188,8 @@ class CrowdObservationTest {
     return new ViewFeatures(network, layout, new ViewFeatures.Standpoints(network), nearest);
   }
 
-  private static NetworkView network(double xOfTheLast) {
-    return RealWorld.run(cameras(xOfTheLast) + targets(), new RandomZoomPolicy(), 1).network();
+  private static NetworkView network(double lastCameraX) {
+    return RealWorld.run(cameras(lastCameraX) + targets(), new RandomZoomPolicy(), 1).network();
   }
 
   private static float[] observe(NetworkView network) {
@@ -202,11 +203,12 @@ class CrowdObservationTest {
   }
 
   private static void run(ZoomPolicy policy, Consumer<NetworkView> check) {
-    RealWorld.run(cameras(-6) + targets(), new Checking(policy, check), 1).run(200);
+    RealWorld.run(cameras(-6) + targets(), new CheckingPolicy(policy, check), 1).run(200);
   }
 
   /** Observes the network before each decision of a policy. */
-  private record Checking(ZoomPolicy policy, Consumer<NetworkView> check) implements ZoomPolicy {
+  private record CheckingPolicy(ZoomPolicy policy, Consumer<NetworkView> check)
+      implements ZoomPolicy {
     @Override
     public String name() {
       return policy.name();

@@ -143,7 +143,7 @@ class BestFixedZoomPolicyTest {
               random
                   .ints(0, targets)
                   .limit(targets)
-                  .filter(t -> random.nextDouble() < density)
+                  .filter(target -> random.nextDouble() < density)
                   .distinct()
                   .toArray());
         }
@@ -185,16 +185,17 @@ class BestFixedZoomPolicyTest {
 
   private static double performance(RunDetections run, int[] views) {
     CoverageProblem problem = run.problem();
-    int[] k = new int[problem.targets()];
+    int[] coverage = new int[problem.targets()];
     for (int camera = 0; camera < views.length; camera++) {
-      for (int moment = 0; moment < k.length; moment++) {
-        k[moment] += problem.contains(problem.firstSet(camera) + views[camera], moment) ? 1 : 0;
+      for (int moment = 0; moment < coverage.length; moment++) {
+        coverage[moment] +=
+            problem.contains(problem.firstSet(camera) + views[camera], moment) ? 1 : 0;
       }
     }
     double sum = 0;
     int from = 0;
     for (int end : run.ends()) {
-      sum += run.objective().score(k, from, end);
+      sum += run.objective().score(coverage, from, end);
       from = end;
     }
     return sum;

@@ -73,7 +73,7 @@ class ObjectivesTest {
   @Test
   void optimalExpectedRejectsOtherObjectives() {
     ToyNetwork network = new ToyNetwork(1, LEVELS).scoredBy(Objective.parse("covered"));
-    InputException fault =
+    InputException error =
         assertThrows(
             InputException.class,
             () ->
@@ -81,7 +81,7 @@ class ObjectivesTest {
                     new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=1")),
                     1));
     assertTrue(
-        fault.getMessage().startsWith("objective is covered:k=1, expected kmin with policy"),
-        fault.getMessage());
+        error.getMessage().startsWith("objective is covered:k=1, expected kmin with policy"),
+        error.getMessage());
   }
 }

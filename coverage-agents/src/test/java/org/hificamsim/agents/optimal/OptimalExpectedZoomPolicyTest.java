@@ -16,10 +16,10 @@ import org.junit.jupiter.api.Test;
 /** Compares with all configurations. */
 class OptimalExpectedZoomPolicyTest {
   /** Random chances: some are 0 or 1, some views are equal, and some are better for all targets. */
-  private static final class Chances extends ToyNetwork {
+  private static final class RandomChances extends ToyNetwork {
     private final double[][][] chances;
 
-    Chances(int targets, int[] views, SplittableRandom random) {
+    RandomChances(int targets, int[] views, SplittableRandom random) {
       super(targets, views);
       chances = new double[views.length][][];
       for (int camera = 0; camera < views.length; camera++) {
@@ -38,37 +38,39 @@ class OptimalExpectedZoomPolicyTest {
       return chances[camera][view][target];
     }
 
-    double least(int[] at) {
+    /** The least expected coverage in these views. */
+    double leastCoverage(int[] views) {
       double least = Double.POSITIVE_INFINITY;
       for (int target = 0; target < targets(); target++) {
         double sum = 0;
         for (int camera = 0; camera < cameras(); camera++) {
-          sum += online(camera) ? chances[camera][at[camera]][target] : 0;
+          sum += online(camera) ? chances[camera][views[camera]][target] : 0;
         }
         least = present(target) ? Math.min(least, sum) : least;
       }
       return least;
     }
 
-    double best(int[] at, int camera) {
+    /** The greatest least coverage with the views of the cameras before {@code camera}. */
+    double best(int[] views, int camera) {
       if (camera == cameras()) {
-        return least(at);
+        return leastCoverage(views);
       }
       double best = 0;
       for (int view = 0; view < views(camera); view++) {
-        at[camera] = view;
-        best = Math.max(best, best(at, camera + 1));
+        views[camera] = view;
+        best = Math.max(best, best(views, camera + 1));
       }
       return best;
     }
   }
 
-  private static Chances network(int cameras, int targets, SplittableRandom random) {
+  private static RandomChances network(int cameras, int targets, SplittableRandom random) {
     int[] views = new int[cameras];
     for (int camera = 0; camera < cameras; camera++) {
       views[camera] = 1 + random.nextInt(4);
     }
-    return new Chances(targets, views, random);
+    return new RandomChances(targets, views, random);
   }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
@@ -77,7 +79,7 @@ class OptimalExpectedZoomPolicyTest {
       @ForAll @IntRange(min = 1, max = 6) int targets,
       @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    Chances network = network(cameras, targets, random);
+    RandomChances network = network(cameras, targets, random);
     network.switchCamera(0, random.nextInt(4) > 0);
     network.showTarget(0, targets == 1 || random.nextInt(4) > 0);
     OptimalExpectedZoomPolicy policy =
@@ -85,19 +87,19 @@ class OptimalExpectedZoomPolicyTest {
             new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=100000")), 1);
     network.decide(policy);
     double best = network.best(new int[cameras], 0);
-    assertEquals(best, network.least(network.currentLevels()), 1e-8);
+    assertEquals(best, network.leastCoverage(network.currentLevels()), 1e-8);
     assertEquals(0, policy.unprovenSteps());
     assertEquals(0, policy.gap());
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
   void reportsGapWhenItGivesUp(@ForAll long seed) {
-    Chances network = network(6, 5, new SplittableRandom(seed));
+    RandomChances network = network(6, 5, new SplittableRandom(seed));
     OptimalExpectedZoomPolicy policy =
         network.begin(
             new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=0")), 1);
     network.decide(policy);
-    double reached = network.least(network.currentLevels());
+    double reached = network.leastCoverage(network.currentLevels());
     double best = network.best(new int[6], 0);
     assertTrue(reached + policy.gap() >= best - 1e-8, reached + " + " + policy.gap());
     assertTrue(policy.unprovenSteps() == 1 || reached >= best - 1e-8);
@@ -107,19 +109,19 @@ class OptimalExpectedZoomPolicyTest {
   void firstConfigurationIsSeldomFarFromTheBest() {
     double lost = 0;
     for (int seed = 0; seed < 200; seed++) {
-      Chances network = network(6, 5, new SplittableRandom(seed));
+      RandomChances network = network(6, 5, new SplittableRandom(seed));
       network.decide(
           network.begin(
               new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=0")), 1));
       double best = network.best(new int[6], 0);
-      lost += 1 - network.least(network.currentLevels()) / best;
+      lost += 1 - network.leastCoverage(network.currentLevels()) / best;
     }
     assertTrue(lost / 200 < 0.01, "lost " + lost / 200);
   }
 
   @Test
   void keepsLevelsWithoutTargets() {
-    Chances network = network(3, 1, new SplittableRandom(3));
+    RandomChances network = network(3, 1, new SplittableRandom(3));
     network.showTarget(0, false);
     int[] before = network.currentLevels();
     network.decide(

@@ -15,27 +15,27 @@ class OptimalZoomPolicyTest {
       new GeometricNetwork.Kind(6, 4, 5, 1, true, true, 12, 16);
 
   @Test
-  void reachesTheBestOfAllConfigurationsWithRingsAndSectors() {
+  void findsTheOptimumWithRingsAndSectors() {
     compare(new GeometricNetwork.Kind(5, -4, 4, 3, false, true, 12, 16), 2_000);
   }
 
   @Test
-  void reachesTheBestOfAllConfigurationsWithRingsAllRound() {
+  void findsTheOptimumWithRingsAllRound() {
     compare(new GeometricNetwork.Kind(6, 3, 5, 1, false, false, 10, 16), 1_500);
   }
 
   @Test
-  void reachesTheBestOfAllConfigurationsWithNestedSets() {
+  void findsTheOptimumWithNestedSets() {
     compare(new GeometricNetwork.Kind(5, -4, 4, 3, true, true, 12, 16), 1_500);
   }
 
   @Test
-  void reachesTheBestOfAllConfigurationsWithManyTargets() {
+  void findsTheOptimumWithManyTargets() {
     compare(new GeometricNetwork.Kind(5, 3, 70, 2, false, false, 4, 40), 200);
   }
 
   @Test
-  void reachesTheBestOfAllConfigurationsWithASingleLevel() {
+  void findsTheOptimumWithASingleLevel() {
     compare(new GeometricNetwork.Kind(4, 1, 2, 1, true, false, 10, 16), 50);
   }
 
@@ -45,13 +45,13 @@ class OptimalZoomPolicyTest {
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
     int[] views = network.currentLevels();
-    long asked = network.globalQueries();
+    long queries = network.globalQueries();
     for (int step = 0; step < 100; step++) {
       network.scatter();
       network.decide(policy);
       assertArrayEquals(views, network.currentLevels());
     }
-    assertEquals(asked, network.globalQueries());
+    assertEquals(queries, network.globalQueries());
     for (int camera = 0; camera < views.length; camera++) {
       for (int view = 0; view < network.views(camera); view++) {
         assertTrue(network.dominates(camera, views[camera], view));
@@ -65,10 +65,10 @@ class OptimalZoomPolicyTest {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
-    long asked = network.globalQueries();
+    long queries = network.globalQueries();
     network.switchCamera(0, false);
     network.decide(policy);
-    assertTrue(network.globalQueries() > asked);
+    assertTrue(network.globalQueries() > queries);
   }
 
   @Test

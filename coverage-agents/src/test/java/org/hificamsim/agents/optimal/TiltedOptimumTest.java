@@ -13,8 +13,8 @@ import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
 
 /**
- * Two cameras that tilt, over a shelf: the optimum is what the simulation makes of the best of all
- * configurations, each simulated by itself.
+ * Tests two tilting cameras above a shelf: the optimum has the score of the best of all
+ * configurations, each of which is simulated.
  */
 class TiltedOptimumTest {
   private static final String SITE =
@@ -35,18 +35,19 @@ class TiltedOptimumTest {
     for (int world = 0; world < 30; world++) {
       String parts = SITE + targets(world, random);
       double best = 0;
-      double level = 0; // the best without the second tilt
+      double bestAtFirstTilt = 0;
       for (int a = 0; a < VIEWS; a++) {
         for (int b = 0; b < VIEWS; b++) {
           double score = score(parts, RealWorld.always(a, b));
           best = Math.max(best, score);
-          level = a % 4 < 2 && b % 4 < 2 ? Math.max(level, score) : level;
+          boolean firstTilt = a % 4 < 2 && b % 4 < 2;
+          bestAtFirstTilt = firstTilt ? Math.max(bestAtFirstTilt, score) : bestAtFirstTilt;
         }
       }
       assertEquals(best, score(parts, registry.create("optimal")), 1e-12, parts);
-      tiltPays += best > level ? 1 : 0;
+      tiltPays += best > bestAtFirstTilt ? 1 : 0;
     }
-    assertTrue(tiltPays > 4, "in hardly any world both tilts are worth anything: " + tiltPays);
+    assertTrue(tiltPays > 4, "few worlds in which the second tilt pays: " + tiltPays);
   }
 
   private static String targets(int world, SplittableRandom random) {

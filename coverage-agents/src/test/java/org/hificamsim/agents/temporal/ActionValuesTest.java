@@ -32,12 +32,12 @@ class ActionValuesTest {
       @ForAll @IntRange(min = 1, max = 6) int views, @ForAll Ties ties, @ForAll long seed) {
     ActionValues values = new ActionValues(new ToyNetwork(2, views), StateReading.COUNT, ties, 0);
     SplittableRandom random = new SplittableRandom(seed);
-    double[] plain = new double[views];
+    double[] expected = new double[views];
     for (int i = 0; i < 100; i++) {
       int action = random.nextInt(views);
-      plain[action] = random.nextInt(-3, 4); // few different values, so that many are equal
-      values.set(0, 1, action, plain[action]);
-      assertEquals(ties.best(plain, 0, views), values.best(0, 1), "update " + i);
+      expected[action] = random.nextInt(-3, 4); // few different values, so that many are equal
+      values.set(0, 1, action, expected[action]);
+      assertEquals(ties.best(expected, 0, views), values.best(0, 1), "update " + i);
     }
   }
 
@@ -46,18 +46,18 @@ class ActionValuesTest {
       @ForAll StateReading reading, @ForAll Ties ties, @ForAll long seed) {
     ActionValues values = new ActionValues(bigNetwork(), reading, ties, -1);
     SplittableRandom random = new SplittableRandom(seed);
-    Map<Integer, double[]> plain = new HashMap<>();
+    Map<Integer, double[]> expected = new HashMap<>();
     for (int i = 0; i < 2_000; i++) {
       int percept = random.nextInt(1 + random.nextInt(1 + random.nextInt(TARGETS)));
       int state = values.state(7, random.nextInt(LEVELS), percept % reading.percepts(TARGETS));
-      double[] row = plain.computeIfAbsent(state, unseen -> new double[] {-1, -1, -1, -1, -1});
+      double[] row = expected.computeIfAbsent(state, newState -> new double[] {-1, -1, -1, -1, -1});
       assertRow(values, state, row, ties);
       int action = random.nextInt(LEVELS);
       row[action] = random.nextInt(-3, 2);
       values.set(7, state, action, row[action]);
       assertRow(values, state, row, ties);
     }
-    plain.forEach((state, row) -> assertRow(values, state, row, ties));
+    expected.forEach((state, row) -> assertRow(values, state, row, ties));
   }
 
   @Test
@@ -106,7 +106,7 @@ class ActionValuesTest {
 
   @Test
   void updatesOfSmallNetworksAllocateNothing() {
-    Iterator<ActionValues> fresh =
+    Iterator<ActionValues> newTables =
         Stream.generate(
                 () ->
                     new ActionValues(
@@ -116,7 +116,7 @@ class ActionValuesTest {
         0,
         AllocatedBytes.fewest(
             () -> {
-              ActionValues values = fresh.next();
+              ActionValues values = newTables.next();
               return AllocatedBytes.by(() -> values.set(0, values.state(0, 4, 50), 0, 1));
             }));
   }
@@ -128,14 +128,14 @@ class ActionValuesTest {
         new ActionValues(oneCamera(127, counts - 1), StateReading.COUNT, Ties.WIDEST, 0);
     assertEquals(126, values.best(0, counts - 1));
     NetworkView larger = oneCamera(127, counts);
-    InputException refused =
+    InputException error =
         assertThrows(
             InputException.class,
             () -> new ActionValues(larger, StateReading.COUNT, Ties.WIDEST, 0));
     assertEquals(
         "a camera's table of action values needs more than 268435456 entries for 2097152 targets"
             + " and 127 views. Maybe give the option state=none",
-        refused.getMessage());
+        error.getMessage());
   }
 
   /** A network that knows only its size. */

@@ -19,7 +19,8 @@ class MovingLearnersTest {
 
   @Test
   void rewardsAndDiscountsEveryStepOfAMove() {
-    TemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,alpha=1,gamma=0.5,ties=narrowest");
+    TemporalDifferenceZoomPolicy policy =
+        startPolicy("sarsa:epsilon=0,alpha=1,gamma=0.5,ties=narrowest");
     network.observe();
     ActionValues values = policy.q();
     int wide = values.state(0, 1, 1);
@@ -42,9 +43,9 @@ class MovingLearnersTest {
       int moves = 0;
       for (int step = 0; step < 400; step++) {
         int before = network.view(0);
-        boolean onItsWay = network.seeing(0) < 0;
+        boolean moving = network.seeing(0) < 0;
         network.step(policy);
-        assertTrue(!onItsWay || before == network.view(0), name + " in step " + step);
+        assertTrue(!moving || before == network.view(0), name + " in step " + step);
         moves += before == network.view(0) ? 0 : 1;
       }
       assertTrue(moves > 0, name + " moves");
@@ -78,7 +79,7 @@ class MovingLearnersTest {
     assertEquals(8, policy.messages());
   }
 
-  private TemporalDifferenceZoomPolicy begun(String spec) {
+  private TemporalDifferenceZoomPolicy startPolicy(String spec) {
     return (TemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
   }
 }

@@ -35,18 +35,18 @@ class PictureLearnersTest {
   void pictureStatesBeatCounts() {
     int picture = detected("sarsa:state=view-picture,gamma=0.9");
     int count = detected("sarsa:state=level-count,gamma=0.9");
-    assertTrue(picture > 1.2 * count, picture + " beside " + count);
+    assertTrue(picture > 1.2 * count, picture + " compared with " + count);
   }
 
   @Test
   void rejectsTablesThatAreTooLarge() {
     ToyNetwork turning = new ToyNetwork(1, 3_000);
     ZoomPolicy policy = registry.create("sarsa:state=view-picture-depth");
-    InputException refused = assertThrows(InputException.class, () -> turning.begin(policy, 1));
+    InputException error = assertThrows(InputException.class, () -> turning.begin(policy, 1));
     assertEquals(
         "a camera's table of action values needs more than 268435456 entries for 1 targets and"
             + " 3000 views. Maybe give the option state=none",
-        refused.getMessage());
+        error.getMessage());
   }
 
   private int detected(String spec) {

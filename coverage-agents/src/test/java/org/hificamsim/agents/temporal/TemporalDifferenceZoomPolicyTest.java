@@ -25,7 +25,7 @@ class TemporalDifferenceZoomPolicyTest {
   void creditsTheActionThatLedToTheNewCount() {
     for (String name : BOTH) {
       TemporalDifferenceZoomPolicy policy =
-          begun(name + ":epsilon=0,alpha=0.5,gamma=0,ties=narrowest");
+          startPolicy(name + ":epsilon=0,alpha=0.5,gamma=0,ties=narrowest");
       start();
       network.step(policy);
       assertEquals(0, network.view(0));
@@ -39,7 +39,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void firstDecisionTeachesNothing() {
     for (String name : BOTH) {
-      TemporalDifferenceZoomPolicy policy = begun(name + ":alpha=1,ties=narrowest");
+      TemporalDifferenceZoomPolicy policy = startPolicy(name + ":alpha=1,ties=narrowest");
       network.setLevel(0, 0);
       network.observe();
       network.step(policy);
@@ -53,7 +53,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void sarsaUpdatesWithTheActionChosenNext() {
     TemporalDifferenceZoomPolicy policy =
-        begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
+        startPolicy("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
     assertEquals(1 + 0.25 * 3, values.value(0, values.state(0, 1, 0), 0), 1e-12);
   }
@@ -61,7 +61,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void qLearningUpdatesWithTheBestAction() {
     TemporalDifferenceZoomPolicy policy =
-        begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
+        startPolicy("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
     assertEquals(1 + 0.25 * 8, values.value(0, values.state(0, 1, 0), 0), 1e-12);
   }
@@ -69,7 +69,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void reportsValuesOfThePresentState() {
     for (String name : BOTH) {
-      TemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
+      TemporalDifferenceZoomPolicy policy = startPolicy(name + ":epsilon=0,ties=narrowest");
       start();
       network.step(policy);
       policy.q().set(0, policy.q().state(0, 0, 2), 1, 7);
@@ -85,7 +85,7 @@ class TemporalDifferenceZoomPolicyTest {
   void sarsaAndQLearningLearnTheBestLevel() {
     for (String name : BOTH) {
       start();
-      TemporalDifferenceZoomPolicy policy = begun(name);
+      TemporalDifferenceZoomPolicy policy = startPolicy(name);
       int atBest = 0;
       for (int step = 0; step < 5_000; step++) {
         network.step(policy);
@@ -98,7 +98,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void qLearningConvergesToKnownValues() {
     start();
-    TemporalDifferenceZoomPolicy policy = begun("q-learning:gamma=0.5,epsilon=0.5");
+    TemporalDifferenceZoomPolicy policy = startPolicy("q-learning:gamma=0.5,epsilon=0.5");
     for (int step = 0; step < 20_000; step++) {
       network.step(policy);
     }
@@ -114,7 +114,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void sarsaConvergesToValuesOfItsExploringPolicy() {
     start();
-    TemporalDifferenceZoomPolicy policy = begun("sarsa:gamma=0.5,epsilon=0.5,alpha=0.002");
+    TemporalDifferenceZoomPolicy policy = startPolicy("sarsa:gamma=0.5,epsilon=0.5,alpha=0.002");
     for (int step = 0; step < 200_000; step++) {
       network.step(policy);
     }
@@ -130,7 +130,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void offlineCameraGetsNoRewardForMissedSteps() {
     network.see(0, 1, 1);
-    TemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,gamma=0,ties=narrowest");
+    TemporalDifferenceZoomPolicy policy = startPolicy("sarsa:epsilon=0,gamma=0,ties=narrowest");
     start();
     network.decide(policy);
     network.switchCamera(0, false);
@@ -150,14 +150,14 @@ class TemporalDifferenceZoomPolicyTest {
 
   @Test
   void everyActionStartsAtTheInitialValue() {
-    ActionValues values = begun("sarsa:q0=2.5").q();
+    ActionValues values = startPolicy("sarsa:q0=2.5").q();
     assertEquals(2.5, values.value(0, values.state(0, 1, 2), 1));
   }
 
   @Test
   void lambdaScalesTheReward() {
     TemporalDifferenceZoomPolicy policy =
-        begun("sarsa:lambda=3,epsilon=0,alpha=1,gamma=0,ties=narrowest");
+        startPolicy("sarsa:lambda=3,epsilon=0,alpha=1,gamma=0,ties=narrowest");
     start();
     network.step(policy);
     network.decide(policy);
@@ -167,9 +167,9 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void rejectsTablesThatAreTooLarge() {
     ToyNetwork crowd = new ToyNetwork(2_000_000, 12);
-    InputException refused =
+    InputException error =
         assertThrows(InputException.class, () -> crowd.begin(registry.create("sarsa"), 1));
-    assertTrue(refused.getMessage().contains("state=none"), refused.getMessage());
+    assertTrue(error.getMessage().contains("state=none"), error.getMessage());
   }
 
   /** Moves from the wide view to the narrow one, and then explores. */
@@ -189,7 +189,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   private void assertStates(String spec, int states) {
-    ActionValues values = begun(spec).q();
+    ActionValues values = startPolicy(spec).q();
     long distinct =
         java.util.stream.IntStream.range(0, 6)
             .map(i -> values.state(0, i / 3, i % 3))
@@ -203,7 +203,7 @@ class TemporalDifferenceZoomPolicyTest {
     network.observe();
   }
 
-  private TemporalDifferenceZoomPolicy begun(String spec) {
+  private TemporalDifferenceZoomPolicy startPolicy(String spec) {
     return (TemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
   }
 }

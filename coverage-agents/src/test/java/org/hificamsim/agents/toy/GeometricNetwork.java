@@ -3,11 +3,20 @@ package org.hificamsim.agents.toy;
 import java.util.SplittableRandom;
 
 /**
- * A toy world in the plane: each camera detects, at each view, the targets of each size within a
- * ring of distances and inside its angle of view. Targets jump to new places on request.
+ * A toy world in the plane. In each view a camera detects the targets of each size that are within
+ * a ring of distances and inside its angle of view. Targets jump to new positions on request.
  */
 public final class GeometricNetwork extends ToyNetwork {
-  /** The parameters of random worlds. */
+  /**
+   * The parameters of random worlds.
+   *
+   * @param views number of views of each camera; if negative, a random number up to its amount
+   * @param sizes number of different sizes of targets
+   * @param nested whether rings begin at distance 0, so that wider views include narrower ones
+   * @param sectors whether cameras have an angle of view, and do not look all round
+   * @param field side of the square in which cameras and targets are
+   * @param reach greatest distance of any ring
+   */
   public record Kind(
       int cameras,
       int views,
@@ -18,35 +27,46 @@ public final class GeometricNetwork extends ToyNetwork {
       double field,
       double reach) {}
 
+  private record PlacedCamera(double x, double y, double heading, double angle) {}
+
+  private record Ring(double inner, double outer) {}
+
+  private record Position(double x, double y) {}
+
   private final Kind kind;
   private final SplittableRandom random;
-  private final double[][] camera;
-  private final double[][][][] ring;
-  private final double[][] target;
-  private final int[] size;
+  private final PlacedCamera[] placedCameras;
+
+  /** By camera, view and size of the target. */
+  private final Ring[][][] rings;
+
+  private final Position[] positions;
+  private final int[] sizes;
 
   private GeometricNetwork(Kind kind, int[] views, SplittableRandom random) {
     super(kind.targets, views);
     this.kind = kind;
     this.random = random;
-    camera = new double[kind.cameras][];
-    ring = new double[kind.cameras][][][];
-    for (int c = 0; c < kind.cameras; c++) {
+    placedCameras = new PlacedCamera[kind.cameras];
+    rings = new Ring[kind.cameras][][];
+    for (int camera = 0; camera < kind.cameras; camera++) {
       double angle = kind.sectors ? 0.5 + random.nextDouble(2 * Math.PI) : 2 * Math.PI;
-      camera[c] = new double[] {anywhere(), anywhere(), random.nextDouble(2 * Math.PI), angle};
-      ring[c] = new double[views[c]][kind.sizes][];
-      for (int view = 0; view < views[c]; view++) {
-        double outer = kind.reach * (view + 1) / views[c];
-        for (int s = 0; s < kind.sizes; s++) {
-          double inner = kind.nested ? 0 : random.nextDouble(outer);
-          ring[c][view][s] = new double[] {inner, inner + random.nextDouble(outer - inner)};
+      placedCameras[camera] =
+          new PlacedCamera(
+              randomCoordinate(), randomCoordinate(), random.nextDouble(2 * Math.PI), angle);
+      rings[camera] = new Ring[views[camera]][kind.sizes];
+      for (int view = 0; view < views[camera]; view++) {
+        double limit = kind.reach * (view + 1) / views[camera];
+        for (int size = 0; size < kind.sizes; size++) {
+          double inner = kind.nested ? 0 : random.nextDouble(limit);
+          rings[camera][view][size] = new Ring(inner, inner + random.nextDouble(limit - inner));
         }
       }
     }
-    target = new double[kind.targets][];
-    size = new int[kind.targets];
-    for (int t = 0; t < kind.targets; t++) {
-      size[t] = random.nextInt(kind.sizes);
+    positions = new Position[kind.targets];
+    sizes = new int[kind.targets];
+    for (int target = 0; target < kind.targets; target++) {
+      sizes[target] = random.nextInt(kind.sizes);
     }
     scatter();
   }
@@ -55,13 +75,13 @@ public final class GeometricNetwork extends ToyNetwork {
   public static GeometricNetwork random(Kind kind, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     int[] views = new int[kind.cameras];
-    for (int c = 0; c < kind.cameras; c++) {
-      views[c] = kind.views < 0 ? 1 + random.nextInt(-kind.views) : kind.views;
+    for (int camera = 0; camera < kind.cameras; camera++) {
+      views[camera] = kind.views < 0 ? 1 + random.nextInt(-kind.views) : kind.views;
     }
     return new GeometricNetwork(kind, views, random);
   }
 
-  /** Lets cameras turn, and moves take time: as {@link #turning} and {@link #moving}. */
+  /** Lets cameras turn ({@link #turning}), and moves take additional steps ({@link #slow}). */
   public GeometricNetwork turned(int pans, int steps) {
     turning(pans).slow(steps);
     scatter();
@@ -70,13 +90,13 @@ public final class GeometricNetwork extends ToyNetwork {
 
   /** Moves every target to a random position. */
   public void scatter() {
-    for (int t = 0; t < targets(); t++) {
-      target[t] = new double[] {anywhere(), anywhere()};
+    for (int target = 0; target < targets(); target++) {
+      positions[target] = new Position(randomCoordinate(), randomCoordinate());
     }
-    for (int c = 0; c < cameras(); c++) {
-      for (int view = 0; view < views(c); view++) {
-        for (int t = 0; t < targets(); t++) {
-          see(c, view, t, sees(c, view, t));
+    for (int camera = 0; camera < cameras(); camera++) {
+      for (int view = 0; view < views(camera); view++) {
+        for (int target = 0; target < targets(); target++) {
+          see(camera, view, target, sees(camera, view, target));
         }
       }
     }
@@ -84,63 +104,64 @@ public final class GeometricNetwork extends ToyNetwork {
 
   /** Switches cameras and targets at random. */
   public void disturb() {
-    for (int c = 0; c < cameras(); c++) {
+    for (int camera = 0; camera < cameras(); camera++) {
       if (random.nextInt(4) == 0) {
-        switchCamera(c, !online(c));
+        switchCamera(camera, !online(camera));
       }
     }
-    for (int t = 0; t < targets(); t++) {
+    for (int target = 0; target < targets(); target++) {
       if (random.nextInt(4) == 0) {
-        showTarget(t, !present(t));
+        showTarget(target, !present(target));
       }
     }
   }
 
-  private double anywhere() {
+  private double randomCoordinate() {
     return random.nextDouble(kind.field);
   }
 
-  private boolean sees(int c, int view, int t) {
-    double dx = target[t][0] - camera[c][0];
-    double dy = target[t][1] - camera[c][1];
+  private boolean sees(int camera, int view, int target) {
+    PlacedCamera placed = placedCameras[camera];
+    double dx = positions[target].x - placed.x;
+    double dy = positions[target].y - placed.y;
     double distance = Math.hypot(dx, dy);
-    double turn =
-        Math.abs(Math.IEEEremainder(Math.atan2(dx, dy) - camera[c][2] - pan(c, view), 2 * Math.PI));
-    double[] within = ring[c][view][size[t]];
-    return turn <= camera[c][3] / 2 && distance >= within[0] && distance <= within[1];
+    double bearing = Math.atan2(dx, dy) - placed.heading - pan(camera, view);
+    double offAxis = Math.abs(Math.IEEEremainder(bearing, 2 * Math.PI));
+    Ring ring = rings[camera][view][sizes[target]];
+    return offAxis <= placed.angle / 2 && distance >= ring.inner && distance <= ring.outer;
   }
 
   @Override
-  public double cameraX(int c) {
-    return camera[c][0];
+  public double cameraX(int camera) {
+    return placedCameras[camera].x;
   }
 
   @Override
-  public double cameraY(int c) {
-    return camera[c][1];
+  public double cameraY(int camera) {
+    return placedCameras[camera].y;
   }
 
   @Override
-  public double cameraHeading(int c) {
-    return camera[c][2];
+  public double cameraHeading(int camera) {
+    return placedCameras[camera].heading;
   }
 
   @Override
-  protected double x(int t) {
-    return target[t][0];
+  protected double x(int target) {
+    return positions[target].x;
   }
 
   @Override
-  protected double y(int t) {
-    return target[t][1];
+  protected double y(int target) {
+    return positions[target].y;
   }
 
   @Override
-  protected boolean provenSuperset(int c, int view, int other) {
-    for (int s = 0; s < kind.sizes; s++) {
-      double[] outer = ring[c][view][s];
-      double[] inner = ring[c][other][s];
-      if (outer[0] > inner[0] || outer[1] < inner[1]) {
+  protected boolean provenSuperset(int camera, int view, int other) {
+    for (int size = 0; size < kind.sizes; size++) {
+      Ring ring = rings[camera][view][size];
+      Ring otherRing = rings[camera][other][size];
+      if (ring.inner > otherRing.inner || ring.outer < otherRing.outer) {
         return false;
       }
     }
