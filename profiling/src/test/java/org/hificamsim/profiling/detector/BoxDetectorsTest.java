@@ -22,12 +22,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.opencv.core.CvType;
 import org.opencv.core.Mat;
-import org.opencv.core.Point;
 import org.opencv.core.Rect;
 import org.opencv.core.Scalar;
-import org.opencv.core.Size;
 import org.opencv.imgcodecs.Imgcodecs;
-import org.opencv.imgproc.Imgproc;
 
 /** Detectors that find boxes, each on a picture drawn for it. */
 class BoxDetectorsTest {
@@ -39,22 +36,6 @@ class BoxDetectorsTest {
   @BeforeAll
   static void load() {
     OpenCv.load();
-  }
-
-  @Test
-  void peopleDetectorFindsSomebodyWhereSomebodyIs() {
-    Path photo = picture(320, 320, Scalar.all(200), BoxDetectorsTest::person);
-    Patch there = new Patch(125, 60, 70, 200);
-    assertTrue(confidence("hog", photo, there) > 0.9);
-    assertEquals(0, confidence("hog", photo, new Patch(0, 0, 60, 100)));
-    Path empty = picture(320, 320, Scalar.all(200), canvas -> {});
-    assertEquals(0, falseConfidence("hog", empty));
-    assertTrue(falseConfidence("hog", photo) > 0.9);
-  }
-
-  @Test
-  void peopleDetectorPassesOverPhotosSmallerThanItsWindow() {
-    assertEquals(0, falseConfidence("hog", picture(60, 60, RED, canvas -> {})));
   }
 
   @Test
@@ -179,14 +160,5 @@ class BoxDetectorsTest {
 
   private static void fill(Mat canvas, Rect part, Scalar colour) {
     canvas.submat(part).setTo(colour);
-  }
-
-  /** A head, a body and two legs, 200 pixels high. */
-  private static void person(Mat canvas) {
-    Scalar dark = Scalar.all(40);
-    Imgproc.circle(canvas, new Point(160, 72), 12, dark, -1);
-    Imgproc.ellipse(canvas, new Point(160, 125), new Size(23, 42), 0, 0, 360, dark, -1);
-    Imgproc.line(canvas, new Point(150, 160), new Point(145, 260), dark, 15);
-    Imgproc.line(canvas, new Point(170, 160), new Point(175, 260), dark, 15);
   }
 }

@@ -18,10 +18,10 @@ class RecallTest {
       heights[i] = 100 - i;
       rows.add(row(heights[i] > 50 || heights[i] % 10 == 0 ? 0.4 : 0));
     }
-    List<Measurement> more = Recall.with(rows, heights, "hog");
+    List<Measurement> more = Recall.with(rows, heights, "onnx-tiny-0");
     for (int i = 0; i < 100; i++) {
-      assertEquals(heights[i] > 50 ? 1 : 0.1, more.get(i).confidence("hog-recall"), 1e-12);
-      assertEquals(rows.get(i).confidence("hog"), more.get(i).confidence("hog"));
+      assertEquals(heights[i] > 50 ? 1 : 0.1, more.get(i).confidence("onnx-tiny-0-recall"), 1e-12);
+      assertEquals(rows.get(i).confidence("onnx-tiny-0"), more.get(i).confidence("onnx-tiny-0"));
     }
   }
 
@@ -33,11 +33,11 @@ class RecallTest {
     }
     int[] heights = new int[20];
     Arrays.fill(heights, 80);
-    Recall.with(rows, heights, "hog")
-        .forEach(row -> assertEquals(0.5, row.confidence("hog-recall")));
+    Recall.with(rows, heights, "onnx-tiny-0")
+        .forEach(row -> assertEquals(0.5, row.confidence("onnx-tiny-0-recall")));
   }
 
   private static Measurement row(double confidence) {
-    return new Measurement("a", "person", 1, 1, 0.05, 0.1, Map.of("hog", confidence));
+    return new Measurement("a", "person", 1, 1, 0.05, 0.1, Map.of("onnx-tiny-0", confidence));
   }
 }

@@ -179,12 +179,12 @@ class FitReportTest {
   @Test
   void detectorThatTheThesisDoesNotHaveStandsAlone() throws IOException {
     List<Measurement> rows =
-        new Photos().detector("hog", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
+        new Photos().detector("onnx-tiny-0", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
-    Path page = Files.createDirectories(folder.resolve("hog"));
+    Path page = Files.createDirectories(folder.resolve("onnx-tiny-0"));
     write(own, "people", page);
     String text = Files.readString(page.resolve("report.html"));
-    assertTrue(text.contains("Take hog-pinhole"), text.substring(0, 1500));
+    assertTrue(text.contains("Take onnx-tiny-0-pinhole"), text.substring(0, 1500));
     assertFalse(text.contains("0 of 0"), "a count of nothing");
     assertFalse(text.contains("(-)"), "brackets around nothing");
     assertFalse(words(text).contains("NaN"));
