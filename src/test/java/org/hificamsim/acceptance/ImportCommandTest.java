@@ -220,7 +220,7 @@ class ImportCommandTest {
     Cli.run("import", recording, "--format", "obsmatt", "--out", out)
         .assertRefused("unknown format 'obsmatt', expected one of obsmat", out);
     Cli.run("import", recording, "--format", "ethucy", "--out", out)
-        .assertRefused("people.txt: expected --rate R, the frames a second", out);
+        .assertRefused("people.txt: expected --rate R, the frames per second", out);
     Cli.run("import", folder.resolve("none"), "--format", "fcd", "--out", out)
         .assertRefused("none:1:1: no such file, expected a file", out);
   }

@@ -6,7 +6,7 @@ export const MOST_RAW = 400;
 const PARTS = 100;
 
 /** The mean of each entry and up to `half` neighbours on either side. */
-export function movingMean(values, half) {
+function movingMean(values, half) {
   const sums = [0];
   for (const value of values) sums.push(sums[sums.length - 1] + value);
   return values.map((value, i) => {

@@ -58,7 +58,7 @@ export function viewAt(run, camera, frame) {
 }
 
 /** Adds a sector or a full circle about a camera to the path. Headings are clockwise from +y. */
-export function sector(path, map, {x, y, heading, viewingAngle}, radius) {
+function sector(path, map, {x, y, heading, viewingAngle}, radius) {
   const [cx, cy, r] = [map.x(x), map.y(y), map.scale * radius];
   if (viewingAngle >= 2 * Math.PI) {
     path.moveTo(cx + r, cy);
