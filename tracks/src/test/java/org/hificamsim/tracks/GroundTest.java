@@ -55,25 +55,25 @@ class GroundTest {
     LocalProjection given = new LocalProjection(16, 48);
     assertEquals(16, given.longitude());
     assertEquals(48, given.latitude());
-    Point there = given.metres(PLACE, 17, 49);
-    assertEquals(74_625.3, there.x(), 0.1); // degrees of WGS84 at 48 north
-    assertEquals(111_190.3, there.y(), 0.1);
+    Point converted = given.metres(PLACE, 17, 49);
+    assertEquals(74_625.3, converted.x(), 0.1); // degrees of WGS84 at 48 north
+    assertEquals(111_190.3, converted.y(), 0.1);
     LocalProjection first = new LocalProjection();
     assertEquals(Double.NaN, first.longitude());
     assertEquals(new Point(0, 0), first.metres(PLACE, 16, 48));
-    assertEquals(there, first.metres(PLACE, 17, 49));
+    assertEquals(converted, first.metres(PLACE, 17, 49));
   }
 
   @Test
   void rejectsDegreesOutsideTheGlobe() {
     LocalProjection middle = new LocalProjection(0, 0);
     assertEquals(2 * middle.metres(PLACE, 90, 0).x(), middle.metres(PLACE, 180, 90).x(), 1e-6);
-    for (double[] off : new double[][] {{180.1, 0}, {0, -90.1}, {Double.NaN, 0}}) {
+    for (double[] outside : new double[][] {{180.1, 0}, {0, -90.1}, {Double.NaN, 0}}) {
       InputException e =
-          assertThrows(InputException.class, () -> middle.metres(PLACE, off[0], off[1]));
+          assertThrows(InputException.class, () -> middle.metres(PLACE, outside[0], outside[1]));
       assertEquals(
           "file:7:1: longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees"
-              .formatted(off[0], off[1]),
+              .formatted(outside[0], outside[1]),
           e.getMessage());
     }
   }

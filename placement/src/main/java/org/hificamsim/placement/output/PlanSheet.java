@@ -103,7 +103,7 @@ final class PlanSheet {
             .flatMap(detection -> DensityDetections.levels(detection).stream())
             .distinct()
             .toList();
-    boolean oneStandard = names.size() <= Palette.LEVELS.size();
+    boolean oneStandard = names.size() <= Palette.SEQUENCE.size();
     if (names.isEmpty() || !oneStandard) {
       return Optional.empty();
     }
@@ -113,7 +113,7 @@ final class PlanSheet {
     List<String> labels = new ArrayList<>(List.of("none"));
     for (String name : names) {
       Detection detection = Detection.of(catalogue.detections().create(name));
-      colors.add(Palette.LEVELS.get(labels.size() - 1));
+      colors.add(Palette.SEQUENCE.get(labels.size() - 1));
       String suffix = asked.contains(detection.name()) ? " (asked for)" : "";
       labels.add(name.replaceFirst(".*=", "") + suffix);
       int[][] seen =

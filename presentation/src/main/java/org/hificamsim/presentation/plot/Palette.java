@@ -32,8 +32,8 @@ public final class Palette {
   public static final Color SEEN_OFTEN = GREEN;
   public static final Color CAMERA = BLUE;
 
-  /** Colours of a standard's classes, the least first: viridis (Smith and van der Walt 2015). */
-  public static final List<Color> LEVELS =
+  /** Colours of ordered classes, the least first: viridis (Smith and van der Walt 2015). */
+  public static final List<Color> SEQUENCE =
       IntStream.of(0xFDE725, 0x90D743, 0x35B779, 0x21918C, 0x31688E, 0x443983, 0x440154)
           .mapToObj(Color::new)
           .toList();

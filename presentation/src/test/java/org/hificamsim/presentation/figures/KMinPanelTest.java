@@ -20,8 +20,8 @@ class KMinPanelTest {
     Arrays.fill(peak, 400, 405, 2.9);
     XYChart chart = panel(peak);
     for (XYSeries series : chart.getSeriesMap().values()) {
-      double most = Arrays.stream(series.getYData()).max().orElseThrow();
-      assertTrue(most < chart.getStyler().getYAxisMax(), most + " is cut off");
+      double greatest = Arrays.stream(series.getYData()).max().orElseThrow();
+      assertTrue(greatest < chart.getStyler().getYAxisMax(), greatest + " is cut off");
     }
     assertEquals(2.9, Arrays.stream(KMinPanel.drawn(Curve.of(peak)).y()).max().orElse(0), 1e-9);
   }

@@ -53,19 +53,19 @@ class HeatPictureTest {
   void paintsCellsInColoursOfScale() {
     BufferedImage image = image(HeatFigure.MEAN_K, frames(false, STAYS));
     assertHatched(image, 5.3, 5.2);
-    assertSeen(0.25, at(image, 15.3, 5.2));
-    assertSeen(1, at(image, 25.3, 5.2));
-    assertEquals(Color.WHITE, at(image, 5.3, 15.2), "in an obstacle");
-    assertSeen(0.5, at(image, 15.3, 15.2));
+    assertSeen(0.25, colorAt(image, 15.3, 5.2));
+    assertSeen(1, colorAt(image, 25.3, 5.2));
+    assertEquals(Color.WHITE, colorAt(image, 5.3, 15.2), "in an obstacle");
+    assertSeen(0.5, colorAt(image, 15.3, 15.2));
   }
 
   @Test
   void scalesVisitsByLogarithm() {
     BufferedImage visits = image(HeatFigure.VISITS, frames(false, STAYS));
-    assertEquals(Color.WHITE, at(visits, 5.3, 5.2), "nobody was there");
-    assertSeen(1 / 3.0, at(visits, 15.3, 15.2));
+    assertEquals(Color.WHITE, colorAt(visits, 5.3, 5.2), "nobody was there");
+    assertSeen(1 / 3.0, colorAt(visits, 15.3, 15.2));
     BufferedImage covered = image(HeatFigure.VISITS_COVERED, frames(false, STAYS));
-    assertSeen(0.75, at(covered, 25.3, 5.2));
+    assertSeen(0.75, colorAt(covered, 25.3, 5.2));
     assertHatched(covered, 15.3, 5.2);
   }
 
@@ -116,10 +116,10 @@ class HeatPictureTest {
     List<double[]> colors =
         frames(false, STAYS).script().scale(101).stream().map(color -> lab(color, matrix)).toList();
     for (int i = 0; i <= 100; i++) {
-      double[] here = colors.get(i);
-      assertTrue(apart(here, lab(NEVER, matrix)) > 20, "never from " + i);
-      assertTrue(i == 0 || here[0] > colors.get(i - 1)[0], "lighter");
-      assertTrue(i < 20 || apart(here, colors.get(i - 20)) > 10, "a fifth on");
+      double[] color = colors.get(i);
+      assertTrue(difference(color, lab(NEVER, matrix)) > 20, "never from " + i);
+      assertTrue(i == 0 || color[0] > colors.get(i - 1)[0], "lighter");
+      assertTrue(i < 20 || difference(color, colors.get(i - 20)) > 10, "20 % of the scale");
     }
   }
 
@@ -129,10 +129,11 @@ class HeatPictureTest {
     BufferedImage image = image(HeatFigure.VISITS, frames(true, away));
     BufferedImage bare = image(HeatFigure.VISITS, frames(false, away));
     BufferedImage whole = image(HeatFigure.VISITS, frames(true, STAYS));
-    assertEquals(at(bare, 4, 17), at(image, 4, 17), "between the places where it was seen");
-    assertNotEquals(at(bare, 4, 17), at(whole, 4, 17));
-    assertNotEquals(at(bare, 2, 17), at(image, 2, 17), "a dot where it appears");
-    assertNotEquals(at(bare, 8, 17), at(image, 8, 17), "and where it comes again");
+    assertEquals(
+        colorAt(bare, 4, 17), colorAt(image, 4, 17), "between the places where it was seen");
+    assertNotEquals(colorAt(bare, 4, 17), colorAt(whole, 4, 17));
+    assertNotEquals(colorAt(bare, 2, 17), colorAt(image, 2, 17), "a dot where it appears");
+    assertNotEquals(colorAt(bare, 8, 17), colorAt(image, 8, 17), "and where it comes again");
   }
 
   /** Asserts that there are both the ground and the lines of the hatching within a few metres. */
@@ -140,7 +141,7 @@ class HeatPictureTest {
     int palest = 0;
     int darkest = 255;
     for (int i = 0; i < 100; i++) {
-      int blue = at(image, x + i % 10 * 0.1, y + i * 0.01).getBlue();
+      int blue = colorAt(image, x + i % 10 * 0.1, y + i * 0.01).getBlue();
       palest = Math.max(palest, blue);
       darkest = Math.min(darkest, blue);
     }
@@ -155,10 +156,10 @@ class HeatPictureTest {
 
   private static void assertSeen(double share, Color color) {
     double[] wanted = lab(seen(share), SAME);
-    assertTrue(apart(wanted, lab(color, SAME)) < 1, color + " instead of " + seen(share));
+    assertTrue(difference(wanted, lab(color, SAME)) < 1, color + " instead of " + seen(share));
   }
 
-  private static double apart(double[] a, double[] b) {
+  private static double difference(double[] a, double[] b) {
     return Math.sqrt(IntStream.range(0, 3).mapToDouble(i -> Math.pow(a[i] - b[i], 2)).sum());
   }
 
@@ -220,7 +221,7 @@ class HeatPictureTest {
     return FigureFile.image(new HeatPicture(frames, MAP, figure, 1), WIDTH);
   }
 
-  private static Color at(BufferedImage image, double x, double y) {
+  private static Color colorAt(BufferedImage image, double x, double y) {
     return new Places(FIELD).color(image, x, y);
   }
 }

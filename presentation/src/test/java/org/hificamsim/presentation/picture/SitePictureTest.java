@@ -43,10 +43,10 @@ class SitePictureTest {
   @Test
   void hatchesWhatWallHides() {
     BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), 1, Look.DEFAULT);
-    assertEquals(LIT, at(image, 8.3, 10.2));
+    assertEquals(LIT, colorAt(image, 8.3, 10.2));
     assertShadow(image, 12.3, 10.2);
-    assertEquals(Color.WHITE, at(image, 2.3, 10.2), "behind the camera");
-    assertEquals(WALL_COLOR, at(image, 10, 9.2));
+    assertEquals(Color.WHITE, colorAt(image, 2.3, 10.2), "behind the camera");
+    assertEquals(WALL_COLOR, colorAt(image, 10, 9.2));
   }
 
   /** Asserts that there are both the ground and the lines of the hatching within a metre. */
@@ -54,7 +54,7 @@ class SitePictureTest {
     int palest = 0;
     int darkest = 255;
     for (int i = 0; i < 100; i++) {
-      int green = at(image, x + i % 10 * 0.1, y + i * 0.01).getGreen();
+      int green = colorAt(image, x + i % 10 * 0.1, y + i * 0.01).getGreen();
       palest = Math.max(palest, green);
       darkest = Math.min(darkest, green);
     }
@@ -64,15 +64,15 @@ class SitePictureTest {
   @Test
   void paintsNoDetectionRangeOfTurningCamera() {
     BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), -1, Look.DEFAULT);
-    assertEquals(Color.WHITE, at(image, 8.3, 10.2));
-    assertEquals(Color.WHITE, at(image, 12.3, 10.2));
+    assertEquals(Color.WHITE, colorAt(image, 8.3, 10.2));
+    assertEquals(Color.WHITE, colorAt(image, 12.3, 10.2));
   }
 
   @Test
   void turnsViewByPan() {
     BufferedImage image = image(setup(List.of(), List.of(), List.of()), 0, Look.DEFAULT);
-    assertEquals(Color.WHITE, at(image, 8.3, 10.2));
-    assertEquals(LIT, at(image, 5.3, 14.2), "a quarter to the left");
+    assertEquals(Color.WHITE, colorAt(image, 8.3, 10.2));
+    assertEquals(LIT, colorAt(image, 5.3, 14.2), "a quarter to the left");
   }
 
   @Test
@@ -80,8 +80,8 @@ class SitePictureTest {
     Obstacle solid = new Obstacle.Pillar(20, 16, 1.5, 0);
     Obstacle pale = new Obstacle.Pillar(25, 16, 1.5, 0.3);
     BufferedImage image = image(setup(List.of(solid, pale), List.of(), List.of()), 0, Look.DEFAULT);
-    int dark = at(image, 20.3, 16.3).getGreen();
-    int light = at(image, 25.3, 16.3).getGreen();
+    int dark = colorAt(image, 20.3, 16.3).getGreen();
+    int light = colorAt(image, 25.3, 16.3).getGreen();
     assertTrue(dark < light - 60 && light < 250, dark + " and " + light);
   }
 
@@ -89,27 +89,27 @@ class SitePictureTest {
   void paintsDensityZonesOfChosenCamera() {
     Setup setup = setup(List.of(), List.of(), List.of());
     BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0), false));
-    Color characterise = at(image, 6.3, 10.4); // 500 px/m at a metre: characterise to 2 m
-    Color perceive = at(image, 8.3, 10.9); // to 4 m
-    Color discern = at(image, 10.3, 10.9); // to 6.25 m
-    Color outline = at(image, 14.3, 10.9); // to 12.5 m
-    Color overview = at(image, 22.3, 10.9); // to 25 m
+    Color characterise = colorAt(image, 6.3, 10.4); // 500 px/m at a metre: characterise to 2 m
+    Color perceive = colorAt(image, 8.3, 10.9); // to 4 m
+    Color discern = colorAt(image, 10.3, 10.9); // to 6.25 m
+    Color outline = colorAt(image, 14.3, 10.9); // to 12.5 m
+    Color overview = colorAt(image, 22.3, 10.9); // to 25 m
     assertTrue(characterise.getGreen() < perceive.getGreen(), characterise + " " + perceive);
     assertTrue(perceive.getGreen() < discern.getGreen(), perceive + " " + discern);
     assertTrue(discern.getGreen() < outline.getGreen(), discern + " " + outline);
     assertTrue(outline.getGreen() < overview.getGreen(), outline + " " + overview);
-    assertEquals(Color.WHITE, at(image, 31.3, 10.2));
+    assertEquals(Color.WHITE, colorAt(image, 31.3, 10.2));
   }
 
   @Test
   void paintsFloorPlanWithOpacity() throws IOException {
     Setup setup = setup(List.of(), List.of(), List.of(floor()));
-    Color half = at(image(setup, 1, Look.DEFAULT), 20.3, 17.3);
+    Color half = colorAt(image(setup, 1, Look.DEFAULT), 20.3, 17.3);
     assertEquals(255, half.getRed());
     assertEquals(127.5, half.getGreen(), 1);
     Look opaqueFloor = new Look(1, OptionalInt.empty(), false);
-    assertEquals(Color.RED, at(image(setup, 1, opaqueFloor), 20.3, 17.3));
-    assertEquals(Color.WHITE, at(image(setup, 1, opaqueFloor), 20.3, 3.3), "outside the plan");
+    assertEquals(Color.RED, colorAt(image(setup, 1, opaqueFloor), 20.3, 17.3));
+    assertEquals(Color.WHITE, colorAt(image(setup, 1, opaqueFloor), 20.3, 3.3), "outside the plan");
     ByteArrayOutputStream svg = new ByteArrayOutputStream();
     FigureFile.write(svg, "svg", new StepPicture(frames(setup, 1, opaqueFloor), 0));
     assertTrue(svg.toString(StandardCharsets.UTF_8).contains("xlink:href=\"data:image/png;base64"));
@@ -120,9 +120,9 @@ class SitePictureTest {
     Setup setup = setup(List.of(), List.of(), List.of());
     RunFrames frames = frames(setup, 1, Look.DEFAULT, true);
     BufferedImage image = FigureFile.image(new StepPicture(frames, 0), WIDTH);
-    double off = 12 / new Places(FIELD).scale(); // 12 points aside and up
-    assertNotEquals(NO_CAMERA, at(image, 13 + off, 2 + off));
-    assertEquals(NO_CAMERA, at(image, 20 + off, 2 + off));
+    double offset = 12 / new Places(FIELD).scale(); // 12 points to the right and up
+    assertNotEquals(NO_CAMERA, colorAt(image, 13 + offset, 2 + offset));
+    assertEquals(NO_CAMERA, colorAt(image, 20 + offset, 2 + offset));
   }
 
   private static Setup.Floor floor() throws IOException {
@@ -176,7 +176,7 @@ class SitePictureTest {
     return FigureFile.image(new StepPicture(frames(setup, seeing, look), 0), WIDTH);
   }
 
-  private static Color at(BufferedImage image, double x, double y) {
+  private static Color colorAt(BufferedImage image, double x, double y) {
     return new Places(FIELD).color(image, x, y);
   }
 }

@@ -49,34 +49,38 @@ class OutlookTest {
   void containsExactlyVisiblePlaces(@ForAll long seed) {
     Random random = new Random(seed);
     Obstacles obstacles = new Obstacles(Stream.generate(() -> obstacle(random)).limit(8).toList());
-    Point at = point(random);
-    if (obstacles.containing(at.x(), at.y()).isPresent()) {
+    Point camera = point(random);
+    if (obstacles.containing(camera.x(), camera.y()).isPresent()) {
       return;
     }
     List<Double> ring =
-        new Outlook(obstacles.all(), AROUND).from(at.x(), at.y(), Double.NaN, REACH);
+        new Outlook(obstacles.all(), AROUND).from(camera.x(), camera.y(), Double.NaN, REACH);
     Path2D path = path(ring);
     for (int i = 0; i < 200; i++) {
       Point target = point(random);
-      double distance = Math.hypot(target.x() - at.x(), target.y() - at.y());
+      double distance = Math.hypot(target.x() - camera.x(), target.y() - camera.y());
       if (distance < REACH && toBorder(ring, target) > 0.02) {
         assertEquals(
-            obstacles.clear(at.x(), at.y(), target.x(), target.y()),
+            obstacles.clear(camera.x(), camera.y(), target.x(), target.y()),
             path.contains(target.x(), target.y()),
-            () -> "from " + at + " to " + target + " past " + obstacles.all());
+            () -> "from " + camera + " to " + target + " past " + obstacles.all());
       }
     }
   }
 
   private static Obstacle obstacle(Random random) {
-    Point at = point(random);
+    Point start = point(random);
     Point end = point(random);
     return switch (random.nextInt(3)) {
-      case 0 -> new Obstacle.Wall(at.x(), at.y(), end.x(), end.y(), 0);
-      case 1 -> new Obstacle.Pillar(at.x(), at.y(), 0.2 + random.nextDouble(), 0);
+      case 0 -> new Obstacle.Wall(start.x(), start.y(), end.x(), end.y(), 0);
+      case 1 -> new Obstacle.Pillar(start.x(), start.y(), 0.2 + random.nextDouble(), 0);
       default ->
           new Obstacle.Polygon(
-              List.of(at, new Point(at.x() + 2, at.y() + 0.3), new Point(at.x(), at.y() + 3)), 0);
+              List.of(
+                  start,
+                  new Point(start.x() + 2, start.y() + 0.3),
+                  new Point(start.x(), start.y() + 3)),
+              0);
     };
   }
 

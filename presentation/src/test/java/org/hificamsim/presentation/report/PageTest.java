@@ -57,7 +57,7 @@ class PageTest {
     String bundle = Scripts.bundle(entry);
     assertFalse(Pattern.compile("(?m)^(import|export) ").matcher(bundle).find(), "left over");
     assertEquals(1, bundle.split("const module_dom = ", -1).length - 1);
-    int own = bundle.indexOf("const " + Scripts.variable(entry) + " = ");
-    assertTrue(bundle.indexOf("const module_dom = ") < own);
+    int entryStart = bundle.indexOf("const " + Scripts.variable(entry) + " = ");
+    assertTrue(bundle.indexOf("const module_dom = ") < entryStart);
   }
 }
