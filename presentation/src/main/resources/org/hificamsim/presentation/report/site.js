@@ -20,7 +20,7 @@ export function located(obstacle) {
 }
 
 /** Returns the obstacle at a place in pixels, undefined if there is none. */
-export function obstacleAt(context, obstacles, map, unit, x, y) {
+export function obstacleAt(context, obstacles, map, unit, [x, y]) {
   context.save();
   context.resetTransform();
   context.lineWidth = 2 * NEAR * unit;

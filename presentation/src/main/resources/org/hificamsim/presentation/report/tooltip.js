@@ -75,7 +75,7 @@ function describeView(pose, view) {
 export function describePlace(field, [px, py]) {
   const {surface, run, map, frame, heat, selected} = field;
   const context = surface.canvas.getContext('2d');
-  const obstacle = obstacleAt(context, run.setup.obstacles ?? [], map, surface.unit, px, py);
+  const obstacle = obstacleAt(context, run.setup.obstacles ?? [], map, surface.unit, [px, py]);
   const lines = obstacle ? [named(obstacle)] : [];
   const [x, y] = map.place(px, py);
   if (field.densityZones && run.online[selected]?.[frame]) {
