@@ -32,7 +32,8 @@ class MateEpisodeTest {
     String cameras = "0,0,0,0,60,50,100,0,450,60,50,";
     assertEquals(1, replay(cameras + "40,0,100,40\n", "").coverage(), 1e-12);
     assertEquals(0.5, replay(cameras + "60,0,100,40\n", "").coverage(), 1e-12, "out of range");
-    assertEquals(0.5, replay(cameras + "20,20,100,40\n", "").coverage(), 1e-12, "outside the angle");
+    assertEquals(
+        0.5, replay(cameras + "20,20,100,40\n", "").coverage(), 1e-12, "outside the angle");
     assertEquals(0.55, replay(cameras + "40,0,100,40\n", "20,0,5\n").coverage(), 1e-12);
     MateEpisode twoSteps = replay(cameras + "40,0,100,40\n" + cameras + "60,0,100,60\n", "");
     assertEquals(0.5, twoSteps.coverage(), 1e-12, "the mean of two steps");
