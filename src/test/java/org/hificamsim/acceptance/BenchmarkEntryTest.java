@@ -271,20 +271,24 @@ class BenchmarkEntryTest {
   }
 
   @Test
-  void ranksEntriesThatPlayedAllTasks() throws IOException {
-    Path all = folder.resolve("greedy");
-    Cli.run(
-        "benchmark", "run", "--policy", "independent-greedy", "--name", "<greedy>", "--out", all);
+  void ranksDeployablePoliciesThatPlayedAllTasks() throws IOException {
+    Path tracker = folder.resolve("tracker");
+    Cli.run("benchmark", "run", "--policy", "tracker", "--name", "<tracker>", "--out", tracker);
+    Path greedy = folder.resolve("greedy");
+    Cli played = Cli.run("benchmark", "run", "--policy", "independent-greedy", "--out", greedy);
+    assertTrue(played.out().contains("plays out of competition"), played.out());
     Path page = folder.resolve("page");
-    Cli cli = Cli.run("benchmark", "leaderboard", entry, all, "--out", page);
+    Cli cli = Cli.run("benchmark", "leaderboard", entry, greedy, tracker, "--out", page);
     assertEquals(0, cli.exit(), cli.err());
     List<String> lines = cli.out().lines().toList();
-    assertTrue(
-        lines.get(0).matches("0\\.6\\d\\d \\[0\\.6\\d\\d, 0\\.6\\d\\d\\]  <greedy>"), cli.out());
+    assertTrue(lines.get(0).matches("0\\.\\d+ \\[0\\.\\d+, 0\\.\\d+\\]  <tracker>"), cli.out());
+    String bound = "-  independent-greedy (a bound, out of competition): 0.6";
+    assertTrue(lines.get(1).startsWith(bound), cli.out());
     String partly = "-  cooperative, no place without all tasks: passage-v1 0.";
-    assertTrue(lines.get(1).startsWith(partly), cli.out());
+    assertTrue(lines.get(2).startsWith(partly), cli.out());
     String html = Files.readString(page.resolve("leaderboard.html"));
-    assertTrue(html.contains("\\u003cgreedy>") && !html.contains("<greedy>"));
+    assertTrue(html.contains("\\u003ctracker>") && !html.contains("<tracker>"));
+    assertTrue(html.contains("independent-greedy (a bound, out of competition)"));
     assertTrue(Files.readString(page.resolve("leaderboard.csv")).contains("iqm"));
   }
 }

@@ -10,6 +10,7 @@ import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.camsim.CamSimDetections;
 import org.hificamsim.core.engine.NetworkModel;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.world.Movement;
@@ -59,6 +60,15 @@ public record Catalogue(
         nameOrFile.endsWith(".json")
             || (!detections.knows(nameOrFile) && new File(nameOrFile).isFile());
     return isFile ? ModelFiles.read(path(nameOrFile)) : detections.create(nameOrFile);
+  }
+
+  /**
+   * Whether a policy is a bound, which knows what no camera can know.
+   *
+   * @param policy a name, with or without options
+   */
+  public boolean isBound(String policy) {
+    return policies.create(policy) instanceof OraclePolicy;
   }
 
   private static Path path(String file) {

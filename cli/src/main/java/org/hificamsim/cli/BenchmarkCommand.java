@@ -64,6 +64,9 @@ final class BenchmarkCommand {
         screen.say("%-14s %s", task, Estimate.mean(entry.normalized(benchmark, task)).text("%.3f"));
       }
     }
+    if (benchmark.isBound(policy)) {
+      screen.say("%s is a bound: it plays out of competition and has no rank", policy);
+    }
     screen.out().println("files: " + out);
   }
 

@@ -99,7 +99,15 @@ final class CompareCommand implements Callable<Integer> {
           if (latex) {
             SummaryTables.writeLatex(folder, asked, results);
           }
-          return out -> print(out, results);
+          return out -> {
+            print(out, results);
+            asked.stream()
+                .map(result -> result.plan().policy())
+                .distinct()
+                .filter(catalogue::isBound)
+                .map(policy -> policy + " is a bound: it knows what no camera can know")
+                .forEach(out::println);
+          };
         });
   }
 

@@ -8,7 +8,6 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
-import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
@@ -68,10 +67,11 @@ See docs/detection.md.
       description =
           "Zoom policies, with their options and defaults. A bound knows what no camera can know.")
   void policies() {
-    Registry<ZoomPolicy> policies = Catalogue.load().policies();
+    Catalogue catalogue = Catalogue.load();
+    Registry<ZoomPolicy> policies = catalogue.policies();
     for (Registry.Entry<ZoomPolicy> policy : policies.entries()) {
-      boolean bound = policies.create(policy.name()) instanceof OraclePolicy;
-      line(policy.name(), (bound ? "bound: " : "") + policy.summary());
+      String kind = catalogue.isBound(policy.name()) ? "bound: " : "";
+      line(policy.name(), kind + policy.summary());
       for (Options.Declared option : policies.options(policy.name())) {
         out().printf("    %s=%s  %s%n", option.key(), option.defaultValue(), option.meaning());
       }

@@ -313,7 +313,8 @@ public final class ScenarioReader {
   private Scenario withStory(Scenario scenario) {
     Clearing clearing = new Clearing(scenario.obstacles());
     Map<String, OpticsSpec> optics = new OpticsReader().all(all(OpticsSpec.ELEMENT), faults);
-    CameraReader cameraReader = new CameraReader(scenario, clearing, optics, agents);
+    CameraReader cameraReader =
+        new CameraReader(scenario.field(), scenario.mountHeight(), clearing, optics, agents);
     TargetReader targetReader = new TargetReader(scenario.field(), clearing, hasZooms(), movements);
     EventReader eventReader = new EventReader(cameraReader, targetReader);
     List<CameraSpec> cameras =
@@ -338,7 +339,8 @@ public final class ScenarioReader {
   private List<EventStory.Told> tracks(Scenario scenario) {
     List<XmlElement> elements = all(TracksReader.ELEMENT);
     List<List<ScenarioEvent>> events =
-        faults.each(elements, xml -> TracksReader.events(xml, path, scenario));
+        faults.each(
+            elements, xml -> TracksReader.events(xml, path, scenario.stepTime(), scenario.field()));
     faults.check(() -> root.only(TracksReader.ELEMENT.name(), "one"));
     return events.stream()
         .flatMap(List::stream)

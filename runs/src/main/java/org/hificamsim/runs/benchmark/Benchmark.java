@@ -93,6 +93,12 @@ public final class Benchmark {
     return task(name).plan(catalogue, layout(name, seed), policy, seed);
   }
 
+  /** Whether a policy is a bound, which plays out of competition; false for an unknown one. */
+  public boolean isBound(String policy) {
+    String name = policy.split(":", 2)[0];
+    return catalogue.policies().names().contains(name) && catalogue.isBound(name);
+  }
+
   /** The catalogue of policies, models and movements. */
   public Catalogue catalogue() {
     return catalogue;

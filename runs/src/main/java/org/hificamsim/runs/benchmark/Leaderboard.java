@@ -15,7 +15,10 @@ import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.statistics.Aggregate;
 import org.hificamsim.runs.statistics.Strata;
 
-/** Checked entries, the best first. Entries that lack tasks come last and have no rank. */
+/**
+ * Checked entries, the best first. After these come the bounds, which know what no camera can know
+ * and play out of competition, and then the entries that lack tasks; both have no rank.
+ */
 public final class Leaderboard {
   private static final String MEAN = "mean";
   private static final String FORMAT = "%.3f";
@@ -41,9 +44,14 @@ public final class Leaderboard {
         entries.stream()
             .sorted(
                 Comparator.comparing((BenchmarkEntry entry) -> !hasAllTasks(entry))
+                    .thenComparing(this::isBound)
                     .thenComparing(entry -> -Aggregate.IQM.of(strata(entry)))
                     .thenComparing(BenchmarkEntry::name))
             .toList();
+  }
+
+  private boolean isBound(BenchmarkEntry entry) {
+    return benchmark.isBound(entry.policy());
   }
 
   private boolean hasAllTasks(BenchmarkEntry entry) {
@@ -67,11 +75,18 @@ public final class Leaderboard {
 
   private String line(BenchmarkEntry entry) {
     List<Figure> figures = figures(entry);
-    return hasAllTasks(entry)
-        ? text(figures, "", Aggregate.IQM.label()) + "  " + entry.name()
-        : figures.stream()
-            .map(figure -> figure.task + " " + figure.value.text(FORMAT))
-            .collect(joining(", ", "-  " + entry.name() + ", no place without all tasks: ", ""));
+    if (hasAllTasks(entry)) {
+      String score = text(figures, "", Aggregate.IQM.label());
+      return isBound(entry) ? "-  " + marked(entry) + ": " + score : score + "  " + entry.name();
+    }
+    return figures.stream()
+        .map(figure -> figure.task + " " + figure.value.text(FORMAT))
+        .collect(joining(", ", "-  " + marked(entry) + ", no place without all tasks: ", ""));
+  }
+
+  /** The name of an entry, with a mark if it plays out of competition. */
+  private String marked(BenchmarkEntry entry) {
+    return entry.name() + (isBound(entry) ? " (a bound, out of competition)" : "");
   }
 
   /** The names of a page's columns. */
@@ -81,7 +96,7 @@ public final class Leaderboard {
 
   /** One row for each entry, by the names of the columns; a figure that is missing is {@code -}. */
   public List<Map<String, String>> rows() {
-    return entries.stream().map(entry -> row(entry.name(), figures(entry))).toList();
+    return entries.stream().map(entry -> row(marked(entry), figures(entry))).toList();
   }
 
   private Map<String, String> row(String name, List<Figure> figures) {

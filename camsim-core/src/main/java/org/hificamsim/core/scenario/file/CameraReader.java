@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.declaration.Element;
 import org.hificamsim.core.scenario.declaration.Range;
 import org.hificamsim.core.scenario.declaration.Type;
@@ -28,15 +27,20 @@ public final class CameraReader {
   private final Set<String> names = new HashSet<>();
 
   /**
-   * @param optics those of the file, by name
+   * @param field where cameras may stand
+   * @param mountHeight of the scenario, metres, if it has one
+   * @param optics of the file, by name
    */
   public CameraReader(
-      Scenario scenario, Clearing clearing, Map<String, OpticsSpec> optics, AgentCheck agents) {
-    Field field = scenario.field();
+      Field field,
+      OptionalDouble mountHeight,
+      Clearing clearing,
+      Map<String, OpticsSpec> optics,
+      AgentCheck agents) {
     this.across = inField(field.minX(), field.maxX());
     this.along = inField(field.minY(), field.maxY());
     this.optics = oneOf(optics);
-    this.mountHeight = scenario.mountHeight();
+    this.mountHeight = mountHeight;
     this.clearing = clearing;
     this.agents = agents;
   }

@@ -7,7 +7,6 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.TextLines;
-import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.declaration.Element;
 import org.hificamsim.core.scenario.declaration.Property;
 import org.hificamsim.core.scenario.declaration.Type;
@@ -41,15 +40,16 @@ public final class TracksReader {
    *
    * @param path of the scenario, from whose folder paths are
    */
-  public static List<ScenarioEvent> events(XmlElement element, Path path, Scenario scenario) {
+  public static List<ScenarioEvent> events(
+      XmlElement element, Path path, double stepTime, Field field) {
     Attributes<Track> attributes = new Attributes<>(element, ELEMENT);
     attributes.warnOfUnknown();
     try (TextLines lines =
         attributes.has(FILE) ? open(element, attributes, path) : element.lines()) {
-      List<TargetSpec> targets = new TrackReader(lines, scenario.stepTime()).tracks();
+      List<TargetSpec> targets = new TrackReader(lines, stepTime).tracks();
       StepPlaces.keep(targets.stream().map(one -> one.track().orElseThrow()).toList());
       warn(element, targets, track -> !isMet(track), "no step meets: they are shorter than a step");
-      warn(element, targets, track -> !staysIn(track, scenario.field()), "lead outside the field");
+      warn(element, targets, track -> !staysIn(track, field), "lead outside the field");
       return targets.stream().flatMap(TracksReader::events).toList();
     }
   }
