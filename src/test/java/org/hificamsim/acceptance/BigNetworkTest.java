@@ -84,7 +84,7 @@ class BigNetworkTest {
     refused("--area is NaN", "generate", folder.resolve("x.xml"), "--area", "NaN");
     refused("is a folder", "generate", folder);
     refused("--threads is -1", "compare", scenario, "--threads", -1);
-    refused("Unknown option: '--threads'", "run", scenario, "--threads", 2);
+    refused("Unknown options: '--threads'", "run", scenario, "--threads", 2);
   }
 
   private void refused(String expected, Object... words) {

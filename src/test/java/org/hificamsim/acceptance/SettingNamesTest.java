@@ -36,8 +36,12 @@ class SettingNamesTest {
 
   @TempDir private Path folder;
 
+  /** The module of benchmarks has no main classes. */
   @ParameterizedTest
-  @EnumSource(value = Module.class, names = "CLI", mode = EnumSource.Mode.EXCLUDE)
+  @EnumSource(
+      value = Module.class,
+      names = {"CLI", "BENCH"},
+      mode = EnumSource.Mode.EXCLUDE)
   void librariesNameNoFlags(Module module) throws IOException {
     Path sources = Cli.ROOT.resolve(module.folder).resolve("src/main/java");
     try (Stream<Path> files = Files.walk(sources)) {
