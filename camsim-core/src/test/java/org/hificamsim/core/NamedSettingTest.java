@@ -20,7 +20,7 @@ class NamedSettingTest {
       };
 
   @Test
-  void messageHasPlainNamesUnlessAskedOtherwise() {
+  void messageHasPlainNamesUnlessNotationIsGiven() {
     InputException fault =
         InputException.of("%s is %s, expected %s", setting("steps"), 0, setting("method", "exact"));
     assertEquals("steps is 0, expected method=exact", fault.getMessage());
@@ -28,7 +28,7 @@ class NamedSettingTest {
   }
 
   @Test
-  void placeKeepsTheSettingsOfAMessage() {
+  void errorAtPlaceKeepsSettingsOfMessage() {
     InputException fault =
         new Place("a.csv", 3, 1).error("no column 'x', maybe " + setting("columns"));
     assertEquals("a.csv:3:1: no column 'x', maybe columns", fault.getMessage());
@@ -36,7 +36,7 @@ class NamedSettingTest {
   }
 
   @Test
-  void valueMayHaveCharactersThatPatternsTreatSpecially() {
+  void acceptsRegexCharactersInValues() {
     InputException fault = InputException.of("expected %s", setting("unit", "$1\\"));
     assertEquals("expected --unit $1\\", fault.message(FLAGS));
   }

@@ -21,7 +21,7 @@ class NearestTest {
     "sim, camsim",
     "'', run"
   })
-  void theOneThatWasMeantComesFirst(String text, String expected) {
+  void listsIntendedNameFirst(String text, String expected) {
     String names = Nearest.to(text, COMMANDS);
     assertTrue(names.startsWith(expected + ", "), names);
     assertTrue(names.endsWith(", ... (7 in all)"), names);
@@ -29,20 +29,20 @@ class NearestTest {
   }
 
   @Test
-  void fewNamesAreAllThereInTheirOrder() {
+  void listsFewNamesInTheirOrder() {
     assertEquals("view, run", Nearest.to("rnu", List.of("view", "run")));
     assertEquals("a, b, c, d, e", Nearest.to("e", List.of("a", "b", "c", "d", "e")));
   }
 
   @Test
-  void twoLettersSwappedAreOneMistake() {
+  void countsSwappedLettersAsOneMistake() {
     List<String> names = List.of("rat", "run", "to", "tap", "lists", "views");
     assertTrue(Nearest.to("rnu", names).startsWith("run, rat, "));
     assertTrue(Nearest.to("ot", names).startsWith("to, "));
   }
 
   @Test
-  void aTextOfAnyLengthIsFine() {
+  void acceptsTextOfAnyLength() {
     assertTrue(Nearest.to("x".repeat(1_000_000), COMMANDS).contains("(7 in all)"));
   }
 }

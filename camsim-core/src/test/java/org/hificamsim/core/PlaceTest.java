@@ -8,13 +8,13 @@ class PlaceTest {
   private static final Place PLACE = new Place("town.xml", 3, 14);
 
   @Test
-  void aFaultBeginsWithItsPlace() {
+  void errorBeginsWithPlace() {
     assertEquals("town.xml:3:14", PLACE.toString());
     assertEquals("town.xml:3:14: no width", PLACE.error("no width").getMessage());
   }
 
   @Test
-  void controlCharactersOfTextsAndFilesNeverReachTheTerminal() {
+  void escapesControlCharacters() {
     assertEquals(
         "a\\u001B[31mb c\\u009Bd \\u202Ee",
         Place.printable("a\u001b[31mb\r\n\u2028c\u009bd\t\u202ee"));
@@ -22,7 +22,7 @@ class PlaceTest {
   }
 
   @Test
-  void aLongTextIsCutOff() {
+  void truncatesLongTextButKeepsExpectation() {
     String longest = "x".repeat(500);
     assertEquals("town.xml:3:14: " + longest, PLACE.line(longest));
     assertEquals("town.xml:3:14: " + longest + "...", PLACE.line(longest + "y"));

@@ -12,13 +12,13 @@ class SpellingTest {
   }
 
   @Test
-  void constantsAreWrittenSmallWithHyphens() {
+  void spellsConstantsInLowerCaseWithHyphens() {
     assertEquals("in-mid-winter", Spelling.of(Season.IN_MID_WINTER));
     assertEquals("early-spring, in-mid-winter", Spelling.all(Season.class));
   }
 
   @Test
-  void theirSpellingAloneFindsThem() {
+  void findsConstantsOnlyByTheirSpelling() {
     assertEquals(Optional.of(Season.IN_MID_WINTER), Spelling.find(Season.class, "in-mid-winter"));
     assertEquals(Optional.empty(), Spelling.find(Season.class, "IN_MID_WINTER"));
   }

@@ -93,12 +93,12 @@ class ChannelTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.2, 0.5, 1})
-  void losesTheShareThatItIsGiven(double loss) {
+  void losesGivenShareOfMessages(double loss) {
     assertEquals(loss, lost(delays("loss=" + loss)), margin(loss) + 1e-12);
   }
 
   @Test
-  void aLossSaysNothingOfTheNext() {
+  void lossesAreIndependentWithoutBursts() {
     int[] delays = delays("loss=0.3");
     long both =
         IntStream.range(1, STEPS)
@@ -110,7 +110,7 @@ class ChannelTest {
   /** The mean of n geometric lengths of mean L has the standard error L / sqrt(n), about. */
   @ParameterizedTest
   @CsvSource({"0.2, 5", "0.1, 20", "0.5, 2", "0.6, 1.6"})
-  void burstsLastAsLongAsTheyAreToldAndKeepTheMeanLoss(double loss, double burst) {
+  void burstsHaveGivenLengthAndKeepMeanLoss(double loss, double burst) {
     int[] delays = delays("loss=%s,burst=%s".formatted(loss, burst));
     List<Integer> lengths = new ArrayList<>();
     for (int i = 1, length = 0; i < STEPS; i++) {
@@ -125,13 +125,13 @@ class ChannelTest {
   }
 
   @Test
-  void theStatesOfALinkMayLoseAndKeepAPartEach() {
+  void bothStatesMayLosePartOfTheMessages() {
     double lost = lost(delays("loss=0.2,burst=5,h=0.4,k=0.95"));
     assertEquals(0.2, lost, 4 * margin(0.2));
   }
 
   @Test
-  void aLinkKnowsItsStateWithoutThoseBefore() {
+  void computesStateOfLinkWithoutEarlierSteps() {
     int[] inOrder = delays("loss=0.3,burst=50");
     Line line = new Line(2);
     Channel late = channel("loss=0.3,burst=50", line, 7);
@@ -143,12 +143,12 @@ class ChannelTest {
   }
 
   @Test
-  void aConstantDelayIsExact() {
+  void constantDelayIsExact() {
     assertTrue(IntStream.of(delays("delay=3")).allMatch(delay -> delay == 3));
   }
 
   @Test
-  void aUniformDelayTakesEachStepAlike() {
+  void uniformDelaysAreEquallyFrequent() {
     int[] delays = delays("delay=1..4");
     for (int steps = 1; steps <= 4; steps++) {
       int wanted = steps;
@@ -158,7 +158,7 @@ class ChannelTest {
   }
 
   @Test
-  void anExponentialDelayIsRoundedToSteps() {
+  void roundsExponentialDelayToSteps() {
     int[] delays = delays("delay=exponential:2");
     double none = 1 - Math.exp(-0.25);
     double share = IntStream.of(delays).filter(d -> d == 0).count() / (double) STEPS;
@@ -167,7 +167,7 @@ class ChannelTest {
   }
 
   @Test
-  void whatOthersSendAndInWhichOrderChangesNothing() {
+  void linkIsIndependentOfOtherMessages() {
     Line line = new Line(3);
     Channel alone = channel("loss=0.4,delay=0..9", line, 1);
     Channel busy = channel("loss=0.4,delay=0..9", line, 1);
@@ -179,7 +179,7 @@ class ChannelTest {
   }
 
   @Test
-  void seedsLinksAndMessagesOfAStepHaveTheirOwnLuck() {
+  void drawsDifferPerSeedLinkAndMessage() {
     Line line = new Line(3);
     Channel channel = channel("delay=0..9999", line, 1);
     int first = delay(line, channel, 5, 0, 1);
@@ -190,7 +190,7 @@ class ChannelTest {
   }
 
   @Test
-  void hopsAddTheirDelaysAndGoRoundWhoFails() {
+  void routesAddDelaysAndAvoidFailedCameras() {
     Line line = new Line(6);
     Channel channel = channel("delay=2,range=20", line, 0);
     assertEquals(2, delay(line, channel, 0, 0, 2));
@@ -203,7 +203,7 @@ class ChannelTest {
   }
 
   @Test
-  void eachHopMayLoseAMessage() {
+  void losesMessagesAtEachHop() {
     Line line = new Line(4);
     Channel channel = channel("loss=0.1,range=10", line, 0);
     long arrived =
@@ -215,7 +215,7 @@ class ChannelTest {
   }
 
   @Test
-  void oneMessageToAllSharesItsHops() {
+  void broadcastSharesItsHops() {
     Line line = new Line(3);
     Channel channel = channel("loss=0.5,range=10", line, 0);
     for (int step = 0; step < 1000; step++) {
@@ -225,7 +225,7 @@ class ChannelTest {
   }
 
   @Test
-  void messagesWaitForTheBandwidthAndAreDroppedWhereTheQueueIsFull() {
+  void queuesMessagesAndDropsThemIfFull() {
     Line line = new Line(2);
     Channel channel = channel("bandwidth=10,queue=2", line, 0);
     assertEquals(0, delay(line, channel, 0, 0, 1)); // 8 bits of this step's 10
@@ -238,7 +238,7 @@ class ChannelTest {
   }
 
   @Test
-  void deliversInTheOrderOfArrivalAndThenOfSending() {
+  void deliversByArrivalThenBySending() {
     Line line = new Line(3);
     Post<String> post = new Post<>(line, channel("delay=1", line, 0));
     List<String> received = new ArrayList<>();
@@ -255,7 +255,7 @@ class ChannelTest {
   }
 
   @Test
-  void answersThatTakeNoTimeArriveInTheSameStep() {
+  void deliversInstantAnswersInTheSameStep() {
     Line line = new Line(2);
     Post<String> post = new Post<>(line, channel("perfect", line, 0));
     List<String> received = new ArrayList<>();
@@ -281,7 +281,7 @@ class ChannelTest {
         "bandwidth=1000,queue=10 | bandwidth=1000",
         "loss=0.2,burst=5,h=0.1,k=1 | loss=0.2,burst=5,h=0.1",
       })
-  void isWrittenWithWhatIsNotTheDefault(String text, String written) {
+  void textOmitsDefaults(String text, String written) {
     ChannelModel model = ChannelModel.parse(text);
     assertEquals(written, model.text());
     assertEquals(model, ChannelModel.parse(written));
@@ -309,7 +309,7 @@ class ChannelTest {
         "bandwidth=1.5",
         "queue=0",
       })
-  void refusesInOneLine(String text) {
+  void rejectsInvalidModelsInOneLine(String text) {
     InputException refused =
         assertThrows(InputException.class, () -> ChannelModel.parse(text), text);
     assertTrue(refused.getMessage().matches("channel: .*, expected .*"), refused.getMessage());

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class DetectedDistancesTest {
   /** Waves give anything from nothing and everything to rings within rings. */
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
-  void agreesWithAskingTheModel(
+  void agreesWithTheModel(
       @ForAll @DoubleRange(min = 0.01, max = 50) double radius,
       @ForAll @IntRange(max = 9) int waves,
       @ForAll @DoubleRange(min = 0, max = 6.3) double phase,
@@ -66,7 +66,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void aFallingModelGivesOneIntervalFromZero() {
+  void fallingModelGivesOneIntervalFromZero() {
     DetectedDistances set = distances(model(d -> 1 - d / 10), 8, 0.5);
     assertEquals(1, set.intervals());
     assertEquals(0, set.from(0));
@@ -74,7 +74,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void aRisingModelGivesARingUpToTheRadius() {
+  void risingModelGivesRingUpToTheRadius() {
     DetectedDistances set = distances(model(d -> d / 10), 8, 0.5);
     assertEquals(1, set.intervals());
     assertEquals(25, set.from(0), 1e-12);
@@ -95,7 +95,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void neverIsEmpty() {
+  void isEmptyIfNothingIsDetected() {
     DetectedDistances set = distances(model(d -> 0), 8, 0.5);
     assertEquals(0, set.intervals());
     assertFalse(set.contains(0));
@@ -104,7 +104,7 @@ class DetectedDistancesTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 1e-200, 1e-9, 1, 7.3, 1e9, 1e17, 1e100, 1e200, 1e308})
-  void alwaysReachesExactlyTheRadius(double radius) {
+  void endsAtRadiusIfEverythingIsDetected(double radius) {
     DetectedDistances set = distances(model(d -> 1), radius, 0.5);
     assertEquals(1, set.intervals());
     assertEquals(0, set.from(0));
@@ -114,7 +114,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void aRadiusOfNothingHoldsTheCamerasPosition() {
+  void radiusOfZeroContainsOnlyTheCamera() {
     DetectedDistances set = distances(model(d -> 1), 0, 0.5);
     assertTrue(set.contains(0));
     assertFalse(set.contains(Double.MIN_VALUE));
@@ -122,7 +122,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void notANumberIsNeverDetected() {
+  void neverDetectsNaN() {
     assertEquals(DetectedDistances.NONE, distances(model(d -> Double.NaN), 8, 0));
     assertEquals(
         DetectedDistances.NONE, distances(model(d -> Double.NaN), 8, Double.NEGATIVE_INFINITY));
@@ -133,13 +133,13 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void aValueAtTheThresholdIsDetected() {
+  void detectsValueAtTheThreshold() {
     assertEquals(1, distances(model(d -> 0.5), 8, 0.5).intervals());
     assertEquals(0, distances(model(d -> Math.nextDown(0.5)), 8, 0.5).intervals());
   }
 
   @Test
-  void includesMeansEveryDistance() {
+  void includesSetsOfContainedDistances() {
     DetectedDistances all = distances(model(d -> 1), 8, 0.5);
     DetectedDistances near = distances(model(d -> 1 - d / 10), 8, 0.5);
     DetectedDistances far = distances(model(d -> d / 10), 8, 0.2);
@@ -158,7 +158,7 @@ class DetectedDistancesTest {
   }
 
   @Property(tries = 200)
-  void aLowerThresholdIncludesAHigherOne(
+  void lowerThresholdIncludesHigherOne(
       @ForAll @DoubleRange(min = -1, max = 1) double one,
       @ForAll @DoubleRange(min = -1, max = 1) double other) {
     DetectionModel model = model(d -> Math.cos(3 * d));
@@ -168,7 +168,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void equalSetsAreEqual() {
+  void equalDistancesMakeEqualSets() {
     DetectedDistances set = distances(model(d -> 1), 8, 0.5);
     assertEquals(set, distances(model(d -> 2), 8, 0.5));
     assertEquals(set.hashCode(), distances(model(d -> 2), 8, 0.5).hashCode());
@@ -176,7 +176,7 @@ class DetectedDistancesTest {
   }
 
   @Test
-  void aModelThatLooksAtTheBearingIsRefused() {
+  void rejectsModelThatDependsOnBearing() {
     CamSimVisibilityDetection model = new CamSimVisibilityDetection();
     IllegalArgumentException error =
         assertThrows(IllegalArgumentException.class, () -> distances(model, 8, 0.5));

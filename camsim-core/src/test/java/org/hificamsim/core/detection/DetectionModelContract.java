@@ -14,14 +14,14 @@ public interface DetectionModelContract {
   DetectionModel model();
 
   @Test
-  default void hasANameForTheCommandLine() {
+  default void hasNameForTheCommandLine() {
     assertFalse(model().name().isBlank());
     assertEquals(model().name().toLowerCase(Locale.ROOT), model().name());
     assertFalse(model().name().contains(" ") || model().name().contains(","));
   }
 
   @Test
-  default void hasAThresholdThatIsANumber() {
+  default void hasFiniteDefaultThreshold() {
     assertTrue(Double.isFinite(model().defaultThreshold()));
   }
 
@@ -51,7 +51,7 @@ public interface DetectionModelContract {
   }
 
   @Test
-  default void looksAtTheBearingOnlyIfItSaysSo() {
+  default void ignoresBearingUnlessDeclared() {
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 1000; i++) {
       ZoomLevel zoom = i % 2 == 0 ? zoom(random) : zoom(random, 2 * Math.PI);

@@ -40,12 +40,12 @@ class DetectionRuleTest {
         "probability",
         "probability:memory=4"
       })
-  void isReadAsItIsWritten(String text) {
+  void parsesItsOwnText(String text) {
     assertEquals(text, DetectionRule.parse(text).text());
   }
 
   @Test
-  void leavesOutWhatIsTheDefault() {
+  void textOmitsDefaults() {
     assertEquals("chance", DetectionRule.parse("chance:alpha=0.05,memory=1,phantoms=off").text());
   }
 
@@ -61,14 +61,14 @@ class DetectionRuleTest {
         "probability:alpha=0.1 | unknown option 'alpha=0.1'",
         "threshold:0.4 | expected no options",
       })
-  void refusesWhatIsNoRule(String text, String expected) {
+  void rejectsInvalidRules(String text, String expected) {
     InputException fault =
         assertThrows(InputException.class, () -> DetectionRule.parse(text), "no fault");
     assertTrue(fault.getMessage().contains(expected), fault.getMessage());
   }
 
   @Test
-  void chanceNeedsAModelWhoseScatterIsKnown() {
+  void chanceRejectsModelWithoutScatter() {
     DetectionModel model = new Falling(Optional.empty());
     InputException fault =
         assertThrows(
@@ -83,7 +83,7 @@ class DetectionRuleTest {
 
   /** P = Phi((v - tau) / 0.1) with tau = 0.2 + 2.3263 * 0.1; of the target: (P - 0.01) / 0.99. */
   @Test
-  void byChanceADetectionIsOfTheTargetAndNoFalseAlarm() {
+  void chanceExcludesFalseAlarms() {
     Detection detection = byChance("0.01", new Scatter(0.2, 0.1));
     double tau = 0.2 + 2.3263478740408408 * 0.1;
     assertEquals(0, detection.chance(0.2), 1e-12);
@@ -96,7 +96,7 @@ class DetectionRuleTest {
   }
 
   @Test
-  void itsThresholdIsDetectedHalfOfTheTime() {
+  void detectsHalfOfTheTargetsAtItsThreshold() {
     for (double growth : new double[] {0, 0.3, 2}) {
       Detection detection = byChance("0.05", new Scatter(0.2, 0.1, 0.08, growth));
       assertEquals(0.5, detection.chance(detection.threshold()), 1e-12, "growth " + growth);
@@ -109,7 +109,7 @@ class DetectionRuleTest {
 
   /** The scatter at 0.7 is 0.02 + 0.4 * 0.5 = 0.22; without a target it is 0.02. */
   @Test
-  void aScatterThatGrowsHasFewerFalseAlarmsAndBlursWhatIsWellInSight() {
+  void growingScatterGivesFewerFalseAlarms() {
     double tau = 0.2 + 1.6448536269514722 * 0.1;
     Scatter growing = new Scatter(0.2, 0.1, 0.02, 0.4);
     assertEquals(0.05, new Scatter(0.2, 0.1).falseAlarms(tau), 1e-12);
@@ -122,7 +122,7 @@ class DetectionRuleTest {
   }
 
   @Test
-  void aProbabilityIsTheValueItselfWithinItsLimits() {
+  void probabilityIsTheClampedValue() {
     Detection detection =
         Detection.by(DetectionRule.parse("probability"), "x", new Falling(Optional.empty()));
     assertEquals(0.3, detection.chance(0.3));
@@ -146,7 +146,7 @@ class DetectionRuleTest {
   }
 
   @Test
-  void theTableOfChancesIsCloseToTheModelEverywhere() {
+  void chanceTableIsCloseToTheModel() {
     for (DetectionModel model :
         List.of(
             new Falling(Optional.of(new Scatter(0.2, 0.3))),
@@ -163,7 +163,7 @@ class DetectionRuleTest {
   }
 
   @Test
-  void theTableOfChancesDecidesAsTheModelDoes() {
+  void chanceTableDetectsAsTheModelDoes() {
     Detection detection =
         Detection.by(
             DetectionRule.parse("chance"), "x", new Falling(Optional.of(new Scatter(0.2, 0.3))));

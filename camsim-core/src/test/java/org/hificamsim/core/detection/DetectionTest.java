@@ -28,7 +28,7 @@ class DetectionTest {
   }
 
   @Test
-  void byAThresholdItIsCertainWhateverTheLuck() {
+  void thresholdIgnoresLuck() {
     Detection detection = Detection.of(new Falling());
     assertEquals("falling", detection.name());
     assertEquals("threshold", detection.rule().text());
@@ -43,7 +43,7 @@ class DetectionTest {
   }
 
   @Test
-  void aThresholdTakesAsMuchOfTheValueAsGetsThrough() {
+  void thresholdMultipliesValueByTransmittance() {
     Detection detection = Detection.of(new Falling());
     assertTrue(detection.detects(1, 0.99, 0.5));
     assertFalse(detection.detects(1, 0, 0.4999));
@@ -51,7 +51,7 @@ class DetectionTest {
   }
 
   @Test
-  void chanceTakesAsMuchOfTheChanceAsGetsThrough() {
+  void chanceIsMultipliedByTransmittance() {
     Detection detection = Detection.by(DetectionRule.parse("probability"), "mine", new Falling());
     assertFalse(detection.certain());
     assertTrue(detection.detects(0.8, 0.3999, 0.5));
@@ -64,20 +64,20 @@ class DetectionTest {
   }
 
   @Test
-  void phantomsComeAtTheRateOfFalseAlarmsWhereAskedFor() {
+  void phantomsComeAtFalseAlarmRateIfEnabled() {
     assertEquals(0.1, DetectionRule.parse("chance:alpha=0.1,phantoms=on").phantoms());
     assertEquals(0, DetectionRule.parse("chance:alpha=0.1").phantoms());
   }
 
   @Test
-  void itsValuesByDistanceAreTheModelsAndFoundOnce() {
+  void tabulatesValuesOfTheModelOnce() {
     Detection detection = Detection.of(new Falling());
     assertEquals(0.7, detection.values(1, ZOOM).value(3), 1e-8);
     assertSame(detection.values(1, ZOOM), detection.values(1, ZOOM));
   }
 
   @Test
-  void modelsHaveTheirThresholdsAndReportProportions() {
+  void modelsHaveThresholdsAndReportProportions() {
     assertEquals(0.5, new Falling().defaultThreshold());
     assertEquals(0.85, new Falling().reported(0.85));
     assertEquals(1, new Falling().reported(1.7));
@@ -89,14 +89,14 @@ class DetectionTest {
   }
 
   @Test
-  void onItsAxisAModelDoesNotLookAtTheBearing() {
+  void onAxisModelIgnoresTheBearing() {
     DetectionModel model = new OnAxis(new Falling());
     assertEquals("falling", model.name());
     assertEquals(0.8, model.confidence(1, 2, 1, ZOOM));
   }
 
   @Test
-  void aLevelSeesAllRoundFromAFullTurnOn() {
+  void levelOfFullTurnSeesAllRound() {
     assertTrue(ZOOM.allRound());
     assertFalse(new ZoomLevel(8, 2, 8, 3, 6.28).allRound());
     assertFalse(ZOOM.hasLens());

@@ -12,7 +12,7 @@ class DistanceTableTest {
   private static final double RADIUS = 13;
 
   @Test
-  void aSmoothFunctionIsTabulatedAndNotAskedAgain() {
+  void tabulatesSmoothFunctionOnce() {
     AtomicInteger asked = new AtomicInteger();
     DoubleUnaryOperator smooth = distance -> Math.exp(-distance / 5);
     DistanceTable table =
@@ -27,20 +27,20 @@ class DistanceTableTest {
   }
 
   @Test
-  void whereItJumpsTheFunctionItselfIsAsked() {
+  void evaluatesFunctionDirectlyAtJumps() {
     DoubleUnaryOperator jumps = distance -> distance < 4.0001 ? 1 : distance / 100;
     assertClose(jumps, table(jumps), 1e-8);
   }
 
   @Test
-  void theBordersBelongToIt() {
+  void includesBothEnds() {
     DistanceTable table = table(distance -> distance * distance);
     assertEquals(0, table.value(0), 1e-8);
     assertEquals(RADIUS * RADIUS, table.value(RADIUS), 1e-6);
   }
 
   @Test
-  void whatIsNoNumberStaysSo() {
+  void keepsNaN() {
     DistanceTable table = table(distance -> distance < 6 ? Double.NaN : 0.5);
     assertTrue(Double.isNaN(table.value(3)));
     assertEquals(0.5, table.value(9));

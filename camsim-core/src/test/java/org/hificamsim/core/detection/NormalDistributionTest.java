@@ -21,12 +21,12 @@ class NormalDistributionTest {
     "9, 1",
     "-9, 0",
   })
-  void hasTheKnownValues(double x, double expected) {
+  void matchesPublishedValues(double x, double expected) {
     assertEquals(expected, NormalDistribution.cdf(x), 2e-15);
   }
 
   @Test
-  void risesByItsDensity() {
+  void risesByTheDensity() {
     double h = 1e-4;
     for (double x = -7.99; x < 7.98; x += 0.0137) {
       double middle = x + h / 2;
@@ -37,7 +37,7 @@ class NormalDistributionTest {
   }
 
   @Test
-  void isNoNumberWhereItIsAskedForNone() {
+  void handlesNaNAndInfinity() {
     assertTrue(Double.isNaN(NormalDistribution.cdf(Double.NaN)));
     assertEquals(1, NormalDistribution.cdf(Double.POSITIVE_INFINITY));
     assertEquals(0, NormalDistribution.cdf(Double.NEGATIVE_INFINITY));
@@ -50,7 +50,7 @@ class NormalDistributionTest {
     "0.5, 0",
     "0.001, -3.0902323"
   })
-  void theQuantileIsItsInverse(double chance, double expected) {
+  void quantileIsTheInverse(double chance, double expected) {
     assertEquals(expected, NormalDistribution.quantile(chance), 1e-7);
     assertEquals(chance, NormalDistribution.cdf(NormalDistribution.quantile(chance)), 1e-15);
   }

@@ -30,7 +30,7 @@ class AllocationTest {
     "DirectedBrownian, distance",
     "Straight, chance",
   })
-  void aStepAllocatesNothing(String movement, String kind) {
+  void stepAllocatesNothing(String movement, String kind) {
     DetectionModel model =
         kind.equals("bearing") ? new CamSimVisibilityDetection() : new CamSimRangeDetection();
     Detection detection =

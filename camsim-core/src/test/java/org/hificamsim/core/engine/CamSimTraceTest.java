@@ -23,7 +23,7 @@ class CamSimTraceTest {
 
   @ParameterizedTest
   @MethodSource("org.hificamsim.core.CamSimTrace#all")
-  void positionsEqualTheRecordedOnes(CamSimTrace trace) {
+  void positionsEqualRecordedOnes(CamSimTrace trace) {
     double tolerance = trace.command().option("-m").isPresent() ? 3e-13 : 0;
     Map<Key, Position> recorded = new HashMap<>();
     for (String[] row : trace.rows("positions")) {
@@ -45,7 +45,7 @@ class CamSimTraceTest {
   /** Where CamSim's bandit zooms, only the first steps' ranges are those of the file. */
   @ParameterizedTest
   @MethodSource("org.hificamsim.core.CamSimTrace#all")
-  void confidencesOfVisiblePairsEqualTheRecordedOnesBeforeAnyZoom(CamSimTrace trace) {
+  void confidencesEqualRecordedOnesBeforeAnyZoom(CamSimTrace trace) {
     boolean zooming = trace.command().option("-b").isPresent();
     int steps = zooming ? 11 : trace.command().steps();
     Map<Key, Double> recorded = new HashMap<>();

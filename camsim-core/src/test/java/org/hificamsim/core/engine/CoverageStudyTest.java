@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CoverageStudyTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4, 5})
-  void zoomedOutEqualsTheRecordedRun(int number) {
+  void widestZoomEqualsRecordedRun(int number) {
     String name = "own-coverage/own-" + number;
     List<Integer> recorded =
         Reference.rows(name + ".expected.csv").stream()

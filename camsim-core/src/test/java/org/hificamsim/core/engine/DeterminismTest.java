@@ -45,7 +45,7 @@ class DeterminismTest {
   }
 
   @Test
-  void theSameSeedsGiveTheSameRun() {
+  void sameSeedsGiveSameRun() {
     List<Integer> first = run(1, 2);
     List<Integer> second = run(1, 2);
     assertEquals(STEPS, first.size(), "steps compared");
@@ -53,12 +53,12 @@ class DeterminismTest {
   }
 
   @Test
-  void anotherPolicySeedGivesAnotherRun() {
+  void policySeedChangesRun() {
     assertNotEquals(run(1, 2), run(1, 3));
   }
 
   @Test
-  void anotherWorldSeedGivesAnotherRun() {
+  void worldSeedChangesRun() {
     assertNotEquals(run(1, 2), run(4, 2));
   }
 

@@ -46,7 +46,7 @@ class GridTest {
   }
 
   @Property(tries = 150, edgeCases = EdgeCasesMode.NONE)
-  void aGridObservesWhatThePlainLoopDoes(@ForAll @IntRange(max = 3) int which, @ForAll long seed) {
+  void gridObservesAsThePlainLoopDoes(@ForAll @IntRange(max = 3) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     Detection detection = Detection.of(model(which, random));
     TestScenario scenario = scenario(random);
@@ -91,8 +91,7 @@ class GridTest {
   }
 
   @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
-  void detectionSetsAreThoseOfSingleQuestions(
-      @ForAll @IntRange(max = 3) int which, @ForAll long seed) {
+  void masksEqualSingleDetections(@ForAll @IntRange(max = 3) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = scenario(random).world(seed);
     double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
@@ -115,7 +114,7 @@ class GridTest {
   }
 
   @Test
-  void targetsAtTheVeryEndOfReachAreSeenAcrossTheBordersOfCells() {
+  void seesTargetsAtReachAcrossCellBorders() {
     TestScenario scenario =
         new TestScenario()
             .camera(TestScenario.camera("a", 0, 0, 45, 360, 5))
@@ -144,7 +143,7 @@ class GridTest {
   }
 
   @Test
-  void bigWorldsHaveAGridAndSmallOnesDoNot() {
+  void onlyBigWorldsHaveAGrid() {
     assertEquals(1, cells(strewn(20, 20, 100).world()));
     assertTrue(cells(strewn(300, 200, 100).world()) > 100);
     assertEquals(1, cells(strewn(300, 200, 5).world()));

@@ -56,7 +56,7 @@ class MovingCamerasTest {
   }
 
   @Test
-  void itIsOnItsWayForAsManyStepsAsItTakes() {
+  void cameraMovesForNeededSteps() {
     Simulation simulation = simulation(new ToTheRight(false));
     NetworkView network = simulation.network();
     assertEquals(2, network.zooms(0));
@@ -74,7 +74,7 @@ class MovingCamerasTest {
   }
 
   @Test
-  void underABoundItIsThereAtOnce() {
+  void boundArrivesAtOnce() {
     Simulation simulation = simulation(new ToTheRight(true));
     simulation.run(1);
     assertEquals(RIGHT, simulation.network().seeing(0));
@@ -83,7 +83,7 @@ class MovingCamerasTest {
 
   @ParameterizedTest
   @CsvSource({"0.3, 0.3", "NaN, 0.6981317007977318"})
-  void underOneThatAimsItLooksToAnyAngleOrToThatOfTheView(double aimed, double pan) {
+  void aimingPolicyTurnsToItsPanAngle(double aimed, double pan) {
     Simulation simulation = simulation(new Aiming(aimed));
     simulation.run(1);
     assertEquals(RIGHT, simulation.network().seeing(0));

@@ -91,7 +91,7 @@ class ObservedNetworkTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"threshold", "probability"})
-  void aCameraThatWasMovedSeesFromWhereItIs(String rule) {
+  void movedCameraSeesFromNewPlace(String rule) {
     World world =
         new TestScenario()
             .camera(0, 0)
@@ -111,7 +111,7 @@ class ObservedNetworkTest {
 
   @ParameterizedTest
   @CsvSource({"threshold, false", "threshold, true", "probability, false"})
-  void whatIsHalfHiddenIsSeenWithHalfTheConfidence(String rule, boolean bearing) {
+  void halfTransmittanceHalvesConfidence(String rule, boolean bearing) {
     World world = new TestScenario().camera(0, 0).target(0, 3).obstacles(HALF_LIGHT).world();
     Detection detection =
         Detection.by(DetectionRule.parse(rule), "constant", new Constant(0.7, bearing));
@@ -122,7 +122,7 @@ class ObservedNetworkTest {
 
   @ParameterizedTest
   @CsvSource({"0.3, 1", "0.4, 0"})
-  void whatIsHalfHiddenIsDetectedWhereHalfTheValueReachesTheThreshold(double threshold, int seen) {
+  void comparesAttenuatedValueWithThreshold(double threshold, int seen) {
     World world = new TestScenario().camera(0, 0).target(0, 3).obstacles(HALF_LIGHT).world();
     TestNetwork network = network(world, new Detection(new Constant(0.7, false), threshold));
     network.observe();
@@ -131,7 +131,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void aModelThatIsBlindNearbyCountsNothingThere() {
+  void ignoresTargetsInBlindZoneNearby() {
     World world = new TestScenario().camera(0, 0).target(0, 1).target(0, 3).target(0, 0).world();
     TestNetwork network = network(world, Detection.of(new Ring()));
     network.observe();
@@ -142,7 +142,7 @@ class ObservedNetworkTest {
 
   /** The angle is bracketed first: the model says no at the bracket's lower end. */
   @Test
-  void aModelThatDecidesRightAtTheAngleIsAskedForTheAngleItself() {
+  void asksModelForExactAngleIfBracketIsUndecided() {
     World world = new TestScenario().camera(0, 0).target(1, 2).world();
     double angle = world.cameras().pose(0).offAxis(1, 2);
     DetectionModel aside =
@@ -166,7 +166,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void aTargetOnTheCameraIsDetected() {
+  void detectsTargetAtTheCamera() {
     TestNetwork network =
         network(new TestScenario().camera(0, 0).target(0, 0).world(), certain("threshold"));
     assertTrue(network.detects(0, 0, 0));
@@ -174,7 +174,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void whatIsBehindACameraIsNotFound() {
+  void omitsTargetsBehindCamera() {
     World world =
         new TestScenario()
             .camera(TestScenario.camera("a", 0, 0, 0, 90, 5))
@@ -195,7 +195,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void allAreFoundWhereAllAreSeen() {
+  void findsAllSeenTargets() {
     World world = new TestScenario().camera(0, 0).target(0, 1).target(0, 2).target(3, 0).world();
     assertEquals(List.of(0, 1, 2), found(network(world, certain("threshold"))));
   }
@@ -203,7 +203,7 @@ class ObservedNetworkTest {
   /** Two words a view over what was there before, and the words behind them as they were. */
   @ParameterizedTest
   @CsvSource({"threshold, 100", "threshold, 3", "probability, 100", "probability, 3"})
-  void detectionsAreMarkedForEachView(String rule, double side) {
+  void marksDetectionsOfEachView(String rule, double side) {
     World world = crowd().world();
     Visibility visibility = Visibility.of(certain(rule));
     TestNetwork network = new TestNetwork(world, visibility, side);
@@ -225,7 +225,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void aTargetIsCoverableWhereSomeViewDetectsIt() {
+  void marksTargetsDetectedBySomeView() {
     TestNetwork network = network(crowd().world(), certain("threshold"));
     boolean[] coverable = new boolean[network.targets() + 1];
     Arrays.fill(coverable, true);
@@ -247,7 +247,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void aWiderLevelOfTheSameSectorDominates() {
+  void widerLevelOfSameSectorDominates() {
     World world =
         new TestScenario()
             .zooms(2, 4)
@@ -260,7 +260,7 @@ class ObservedNetworkTest {
   }
 
   @Test
-  void aTargetHasItsSize() {
+  void reportsTargetSize() {
     World world =
         new TestScenario()
             .camera(0, 0)

@@ -99,7 +99,7 @@ class OracleWallTest {
   }
 
   @Test
-  void boundsAreGivenTheOracle() {
+  void boundsReceiveTheOracle() {
     KeepingBound bound = new KeepingBound();
     run(bound);
     assertTrue(bound.given.stream().allMatch(OracleView.class::isInstance));
@@ -109,7 +109,7 @@ class OracleWallTest {
   }
 
   @Test
-  void wrappersAreGivenWhatTheyWrap() {
+  void wrappersReceiveViewOfWrappedPolicy() {
     Keeping wrapper = new Keeping();
     run(OraclePolicy.wrapping(new KeepingBound(), wrapper));
     assertTrue(wrapper.given.stream().allMatch(OracleView.class::isInstance));

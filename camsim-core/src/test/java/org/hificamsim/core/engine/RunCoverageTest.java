@@ -12,7 +12,7 @@ class RunCoverageTest {
   private final RunCoverage coverage = new RunCoverage();
 
   @Test
-  void countsTheZoomChangesOfCamerasThatCameLater() {
+  void countsZoomChangesOfLaterCameras() {
     step(2);
     step(2, 0);
     assertEquals(0, coverage.zoomChanges());
@@ -23,7 +23,7 @@ class RunCoverageTest {
   }
 
   @Test
-  void whatIsExpectedIsSummedOrAveragedOverTheSteps() {
+  void aggregatesExpectedValuesOverSteps() {
     StepCoverage half = new StepCoverage();
     half.expect(new Coins());
     coverage.stepped(at(0, 0), half);
@@ -35,7 +35,7 @@ class RunCoverageTest {
   }
 
   @Test
-  void withoutChanceNothingIsExpected() {
+  void expectedValuesAreNaNWithoutChance() {
     step(0);
     assertEquals(Double.NaN, coverage.expectedPerformance());
     assertEquals(Double.NaN, coverage.leastChance());
@@ -84,7 +84,7 @@ class RunCoverageTest {
   }
 
   @Test
-  void aListenerIsNamedAfterItsClass() {
+  void listenerIsNamedAfterItsClass() {
     assertEquals("RunCoverage", coverage.name());
   }
 }

@@ -27,7 +27,7 @@ class SeenTargetsTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.5, 3, 100})
-  void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
+  void findsSamePairsAsSingleQuestions(double side) {
     World world = world();
     Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
     TestNetwork network = new TestNetwork(world, visibility, side);

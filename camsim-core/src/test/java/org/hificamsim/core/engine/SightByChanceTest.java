@@ -51,8 +51,7 @@ class SightByChanceTest {
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-  void theTableDetectsWhatTheModelInFullDoes(
-      @ForAll @IntRange(max = 2) int which, @ForAll long seed) {
+  void tableDetectsAsTheModelDoes(@ForAll @IntRange(max = 2) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     String rule = List.of("chance", "chance:memory=3", "probability").get(which);
@@ -94,7 +93,7 @@ class SightByChanceTest {
   }
 
   @Property(tries = 40, edgeCases = EdgeCasesMode.NONE)
-  void aGridAndThreadsSeeTheSameAndExpectTheSame(@ForAll long seed) {
+  void gridSeesAndExpectsTheSame(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection("chance:phantoms=on", 0, false), seed);
@@ -153,7 +152,7 @@ class SightByChanceTest {
   }
 
   @Test
-  void twoPoliciesOnOneSeedMeetTheSameLuck() {
+  void policiesMeetSameLuckForSameSeed() {
     List<String> widest = seen((network, views) -> views[0] = 1);
     List<String> turns = seen((network, views) -> views[0] = (int) (network.step() % 2));
     int compared = 0;
@@ -198,7 +197,7 @@ class SightByChanceTest {
   }
 
   @Test
-  void phantomsAreReportedAtTheirRateAndCoverNothing() {
+  void phantomsComeAtTheirRateAndCoverNothing() {
     World world =
         new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 360, 2)).target(8, 8).world();
     int[] sums = new int[2];
@@ -214,7 +213,7 @@ class SightByChanceTest {
   }
 
   @Test
-  void whatIsExpectedIsTheMeanOfWhatIsDrawn() {
+  void expectedValuesEqualMeansOfDraws() {
     TestScenario scenario = new TestScenario();
     for (int i = 0; i < 4; i++) {
       scenario.camera(TestScenario.camera("c" + i, 2 * i - 4, 0, 0, 360, 8));

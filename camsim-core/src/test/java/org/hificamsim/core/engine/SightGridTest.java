@@ -31,24 +31,24 @@ class SightGridTest {
   }
 
   @Test
-  void theSideIsTheMeanReach() {
+  void cellSideIsTheMeanReach() {
     assertEquals(64, cells(strewn(80, 40, 40), new GeometricDetection()));
   }
 
   @Test
-  void fewPairsNeedNone() {
+  void hasOneCellForFewPairs() {
     assertEquals(1, cells(strewn(79, 40, 40), new GeometricDetection()));
   }
 
   @Test
-  void fewCellsAreOfNoUse() {
+  void hasOneCellForSmallField() {
     assertEquals(40, cells(strewn(80, 40, 25), new GeometricDetection()));
     assertEquals(1, cells(strewn(80, 35, 25), new GeometricDetection()));
   }
 
   /** 7.6 m at 30 degrees and 3.8 m at 60: 5.4 m. */
   @Test
-  void throughALensTheSideIsBetweenTheNarrowestAndTheWidest() {
+  void cellSideAveragesReachesOfLens() {
     OpticsSpec optics = new OpticsSpec("lens").with(OpticsSpec.ANGLES_OF_VIEW, List.of(30.0, 60.0));
     TestScenario scenario = new TestScenario().field(0, 40, 0, 40);
     for (int camera = 0; camera < 80; camera++) {

@@ -64,7 +64,8 @@ class SightTest {
   }
 
   @Property(tries = 80, edgeCases = EdgeCasesMode.NONE)
-  void bothSightsDetectTheSame(@ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+  void tabulatedModelDetectsAsTheFullModel(
+      @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
@@ -74,8 +75,7 @@ class SightTest {
   }
 
   @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
-  void lookingAtManyTargetsSeesThoseThatAreDetectedOneByOne(
-      @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+  void lookSeesTargetsDetectedOneByOne(@ForAll @IntRange(max = 4) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
@@ -85,7 +85,7 @@ class SightTest {
 
   /** One camera is off, one is at another level, and one target stands on a border. */
   @Test
-  void allCamerasAtOnceSeeWhatEachSees() {
+  void lookOfAllCamerasEqualsSingleDetections() {
     TestScenario scenario = new TestScenario().zooms(2, 5);
     for (int camera = 0; camera < 5; camera++) {
       scenario.camera(TestScenario.camera("c" + camera, camera - 2, camera % 2, 0, 360, 5));
@@ -153,7 +153,7 @@ class SightTest {
   }
 
   @Test
-  void aTargetRightOnTheBorderIsSeenAndTheNextOneFurtherOutIsNot() {
+  void seesUpToTheExactBorder() {
     TestScenario scenario = new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 360, 5));
     // The squares of the last two are 25 and one or two units in the last place; the root of the
     // first of them is rounded to 5.
@@ -172,7 +172,7 @@ class SightTest {
   }
 
   @Test
-  void bothSightsDetectTheSameAfterCamerasChanged() {
+  void detectsAsTheFullModelAfterCamerasChange() {
     World world =
         new TestScenario()
             .camera(TestScenario.camera("a", 0, 0, 0, 90, 3))
@@ -243,7 +243,7 @@ class SightTest {
   }
 
   @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
-  void aDominatingLevelDetectsWhateverTheOtherDoes(
+  void dominatingLevelDetectsAllOfTheOther(
       @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
@@ -263,7 +263,7 @@ class SightTest {
   }
 
   @Test
-  void widerLevelsOfACertainModelDominateNarrowerOnes() {
+  void widerLevelsDominateWithoutChance() {
     World world = randomWorld(new SplittableRandom(1));
     Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
     assertTrue(sight.dominates(0, 2, 0));
@@ -272,7 +272,7 @@ class SightTest {
   }
 
   @Test
-  void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
+  void bearingModelDominatesOnlyTheSameLevel() {
     World world = randomWorld(new SplittableRandom(1));
     Sight sight = new Sight(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
     assertTrue(sight.dominates(0, 1, 1));

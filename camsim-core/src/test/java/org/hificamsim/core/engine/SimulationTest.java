@@ -103,7 +103,7 @@ class SimulationTest {
   }
 
   @Test
-  void decidesOnTheObservationBeforeAndLearnsFromTheNewOne() {
+  void decidesOnLastObservationAndLearnsFromNewOne() {
     TestPolicy policy = widest();
     simulation(leaving(StepOrder.CAMSIM), policy).run(4);
     assertEquals(
@@ -121,7 +121,7 @@ class SimulationTest {
   }
 
   @Test
-  void learnsUnderTheLevelsJustChosen() {
+  void learnsUnderJustChosenLevels() {
     TestScenario scenario = new TestScenario().zooms(1, 5).camera(0, 0).target(3, 0);
     TestPolicy policy = new TestPolicy((network, views) -> views[0] = (int) network.step() % 2);
     simulation(scenario, policy).run(4);
@@ -132,7 +132,7 @@ class SimulationTest {
   }
 
   @Test
-  void allCamerasDecideFromTheSameSnapshot() {
+  void camerasDecideFromSameSnapshot() {
     List<String> levelsSeen = new ArrayList<>();
     TestPolicy policy =
         new TestPolicy(
@@ -148,7 +148,7 @@ class SimulationTest {
   }
 
   @Test
-  void thePolicyIsHandedTheCurrentLevels() {
+  void policyReceivesCurrentLevels() {
     List<String> handed = new ArrayList<>();
     TestPolicy policy =
         new TestPolicy(
@@ -162,7 +162,7 @@ class SimulationTest {
   }
 
   @Test
-  void anOfflineCameraSeesNothingAndItsEntryIsIgnored() {
+  void offlineCameraSeesNothingAndItsViewIsIgnored() {
     TestScenario scenario =
         new TestScenario()
             .zooms(1, 5)
@@ -186,7 +186,7 @@ class SimulationTest {
   }
 
   @Test
-  void aCameraAddedLaterTakesPartFromItsStepOn() {
+  void laterCameraTakesPartFromItsStep() {
     TestScenario scenario =
         new TestScenario()
             .camera(0, 0)
@@ -199,7 +199,7 @@ class SimulationTest {
   }
 
   @Test
-  void targetsAreSeenWhileTheyAreThere() {
+  void seesOnlyPresentTargets() {
     TestScenario scenario =
         new TestScenario()
             .camera(0, 0)
@@ -223,7 +223,7 @@ class SimulationTest {
 
   @ParameterizedTest
   @ValueSource(ints = {-1, 2, 99})
-  void anIllegalLevelIsTheNamedPolicysFault(int view) {
+  void errorOfInvalidViewNamesThePolicy(int view) {
     TestPolicy policy = new TestPolicy((network, views) -> views[1] = view);
     Simulation simulation =
         simulation(new TestScenario().zooms(1, 2).camera(0, 0).camera(0, 0).target(0, 0), policy);
@@ -234,7 +234,7 @@ class SimulationTest {
   }
 
   @Test
-  void listenersAreCalledInOrder() {
+  void callsListenersInOrder() {
     List<String> calls = new ArrayList<>();
     simulation(leaving(StepOrder.CAMSIM), widest(), logger("a", calls), logger("b", calls)).run(2);
     assertEquals(
@@ -262,7 +262,7 @@ class SimulationTest {
 
   @ParameterizedTest
   @EnumSource(StepOrder.class)
-  void coverageEqualsAskingEveryCameraAboutEveryTarget(StepOrder order) {
+  void coverageEqualsBruteForce(StepOrder order) {
     SplittableRandom random = new SplittableRandom(5);
     TestScenario scenario = new TestScenario().order(order).zooms(2, 5, 9);
     for (int i = 0; i < 8; i++) {
@@ -316,7 +316,7 @@ class SimulationTest {
   }
 
   @Test
-  void aRunIsScoredByItsScenariosObjective() {
+  void scoresByObjectiveOfScenario() {
     TestScenario two = new TestScenario().zooms(2, 4, 7).camera(0, 0).camera(5, 0);
     IntStream.range(0, 70).forEach(i -> two.target(-9 + i * 0.25, 1, 90, 0.1));
     for (String text : List.of("kmin", "covered:k=2", "lexicographic", "sum:cap=1")) {
@@ -355,7 +355,7 @@ class SimulationTest {
   }
 
   @Test
-  void stepsRunPhaseByPhaseAreTheSteps() {
+  void phasesMakeSameStepsAsWholeSteps() {
     List<String> whole = new ArrayList<>();
     List<String> inPhases = new ArrayList<>();
     simulation(leaving(StepOrder.CAMSIM), widest(), recorder(whole)).run(3);
@@ -374,7 +374,7 @@ class SimulationTest {
   }
 
   @Test
-  void rejectsAStepWithinAStep() {
+  void rejectsStepWithinStep() {
     Simulation simulation = simulation(leaving(StepOrder.CAMSIM), widest());
     simulation.phases().runUntil(StepPhase.OBSERVE);
     assertThrows(IllegalStateException.class, simulation::step);
@@ -384,7 +384,7 @@ class SimulationTest {
   }
 
   @Test
-  void aRunWithoutStepsOrTargetsIsZero() {
+  void coverageIsZeroWithoutStepsOrTargets() {
     RunCoverage none = new RunCoverage();
     simulation(new TestScenario().camera(0, 0), widest(), none).run(0);
     assertEquals(0, none.meanKMin());
@@ -397,7 +397,7 @@ class SimulationTest {
   }
 
   @Test
-  void confidenceIsTheModelsOwnClampedAndZeroOutsideTheFieldOfView() {
+  void confidenceIsClampedAndZeroOutsideView() {
     TestScenario scenario =
         new TestScenario()
             .zooms(2, 5)
@@ -418,7 +418,7 @@ class SimulationTest {
   }
 
   @Test
-  void bearingModelsAreAskedWithTheAngle() {
+  void passesAngleToBearingModels() {
     TestScenario scenario =
         new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 90, 5)).target(1, 2);
     Simulation simulation =
@@ -443,14 +443,14 @@ class SimulationTest {
   }
 
   @Test
-  void aSimulationGoesOnFromAStep() {
+  void continuesAtGivenStep() {
     TestPolicy policy = widest();
     simulation(leaving(StepOrder.CAMSIM), policy).continuingAt(7).run(1);
     assertEquals(List.of("begin", "decide 7 0", "learn 7 1"), policy.log);
   }
 
   @Test
-  void camerasWorkTogetherBeforeTheyDecideAndWhenTheyHaveSeen() {
+  void cooperatesBeforeDecidingAndAfterObserving() {
     TestPolicy policy = widest();
     Cooperation cooperation =
         new Cooperation() {

@@ -52,7 +52,7 @@ class ViewsTest {
   }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
-  void everySightDetectsWhatThePipelineDoesOneByOne(@ForAll long seed) {
+  void detectsAsPipelineDoesOneByOne(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection(random), seed);
@@ -114,7 +114,7 @@ class ViewsTest {
   }
 
   @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
-  void aGridAndThreadsSeeTheSame(@ForAll long seed) {
+  void gridSeesTheSame(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     Visibility visibility = Visibility.of(detection(random), seed);
@@ -137,7 +137,7 @@ class ViewsTest {
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-  void aViewThatDominatesDetectsAllThatTheOtherDoes(@ForAll long seed) {
+  void dominatingViewDetectsAllOfTheOther(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     TestNetwork network = new TestNetwork(world, Visibility.of(detection(random), seed));
@@ -156,7 +156,7 @@ class ViewsTest {
   }
 
   @Test
-  void aTargetIsInThePictureWhereItsBearingSays() {
+  void seesTargetAtItsBearing() {
     OpticsSpec optics = lens(List.of(60.0), List.of(-30.0, 0.0, 30.0));
     World world =
         new TestScenario()

@@ -33,7 +33,7 @@ class CamSimDetectionsTest {
     }
 
     @Test
-    void theWidestZoomDetectsNothingAtThresholdZero() {
+    void detectsNothingAtWidestZoomAndThresholdZero() {
       Detection detection = new Detection(model(), 0);
       assertEquals(0, detection.distances(1, zoom(8, 8)).intervals());
       assertEquals(1, detection.distances(1, zoom(6, 8)).intervals());
@@ -59,7 +59,7 @@ class CamSimDetectionsTest {
     }
 
     @Test
-    void closerThanANanometreIsCertain() {
+    void isCertainWithinANanometre() {
       assertEquals(1, model().confidence(1, 0, 0, zoom(5, 5)));
       assertEquals(1, model().confidence(1, Math.nextDown(1e-9), 0, zoom(5, 5)));
       assertEquals(2.85e9, model().confidence(1, 1e-9, 0, zoom(5, 5)), 1);
@@ -91,7 +91,7 @@ class CamSimDetectionsTest {
     }
 
     @Test
-    void anAngleThatIsNoNumberOrNotBelowTheHalfAngleIsInvisible() {
+    void isZeroOutsideHalfAngleOrForNaN() {
       ZoomLevel narrow = new ZoomLevel(5, 5, 5, Double.NaN, 1);
       assertEquals(0, model().confidence(1, 2, Double.NaN, narrow));
       assertEquals(0, model().confidence(1, 2, 0.5, narrow));
@@ -100,7 +100,7 @@ class CamSimDetectionsTest {
     }
 
     @Test
-    void anythingAboveZeroIsVisible() {
+    void defaultThresholdIsTheSmallestNumber() {
       assertEquals(Double.MIN_VALUE, model().defaultThreshold());
     }
   }
@@ -114,7 +114,7 @@ class CamSimDetectionsTest {
   }
 
   @Test
-  void allAreRegisteredUnderTheirOwnName() {
+  void registersAllModelsUnderTheirNames() {
     Registry<DetectionModel> registry = CamSimDetections.register(new Registry<>("detection"));
     assertEquals(List.of("camsim-standard", "camsim-range", "camsim-visibility"), registry.names());
     registry.names().forEach(name -> assertEquals(name, registry.create(name).name()));
@@ -122,7 +122,7 @@ class CamSimDetectionsTest {
 
   @ParameterizedTest
   @CsvSource({"-0.5, 0", "0, 0", "0.25, 0.25", "1, 1", "7, 1", "NaN, 0", "Infinity, 1"})
-  void reportedConfidencesAreClamped(double value, double clamped) {
+  void clampsReportedConfidences(double value, double clamped) {
     assertEquals(clamped, DetectionModel.clamp(value));
   }
 
