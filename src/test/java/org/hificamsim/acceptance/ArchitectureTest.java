@@ -62,7 +62,7 @@ class ArchitectureTest {
   }
 
   @ArchTest
-  static final ArchRule coreNeedsTheJdkAlone =
+  static final ArchRule coreDependsOnlyOnTheJdk =
       classes()
           .that()
           .resideInAPackage("org.hificamsim.core..")
@@ -70,9 +70,9 @@ class ArchitectureTest {
           .onlyDependOnClassesThat()
           .resideInAnyPackage("org.hificamsim.core..", "java..", "javax.xml..", "org.xml.sax..");
 
-  /** What is inside the agent's jar stays as light as it is. */
+  /** These modules go into the jar of the agent, which must stay small. */
   @ArchTest
-  static final ArchRule theBridgeNeedsNothingHeavy =
+  static final ArchRule bridgeDependsOnlyOnLightLibraries =
       classes()
           .that()
           .resideInAnyPackage(
@@ -93,9 +93,9 @@ class ArchitectureTest {
               "java..",
               "javax.xml.stream..");
 
-  /** CamSim's class loader sees these, whatever its Java. */
+  /** The class loader of CamSim sees these classes, on any version of Java. */
   @ArchTest
-  static final ArchRule theAgentNeedsTheJdkAlone =
+  static final ArchRule agentDependsOnlyOnTheJdk =
       classes()
           .that()
           .resideInAPackage("org.hificamsim.bridge.agent..")
@@ -104,16 +104,16 @@ class ArchitectureTest {
           .resideInAnyPackage("org.hificamsim.bridge.agent..", "java..");
 
   @ArchTest
-  static final ArchRule stablePackagesExposeNothingThatMayChange =
+  static final ArchRule stablePackagesExposeOnlyStableTypes =
       classes().that(ARE_STABLE).and().arePublic().should(exposeOnlyStableTypes());
 
   @ArchTest
-  static final ArchRule packagesAreFreeOfCycles =
+  static final ArchRule packagesHaveNoCycles =
       slices().matching("org.hificamsim.(**)").should().beFreeOfCycles();
 
-  /** Learning policies and baselines decide from what cameras know, but for one that says it. */
+  /** Policies and baselines decide from what cameras know, except for one declared bound. */
   @ArchTest
-  static final ArchRule upperBoundsAloneAskTheOracle =
+  static final ArchRule onlyBoundsUseTheOracle =
       noClasses()
           .that()
           .resideInAPackage("org.hificamsim.agents..")
@@ -126,7 +126,7 @@ class ArchitectureTest {
           .areAssignableTo(OracleView.class);
 
   @ArchTest
-  static final ArchRule nothingDrawsFromAnAmbientRandomSource =
+  static final ArchRule nothingUsesAmbientRandomness =
       noClasses()
           .should()
           .callMethod(Math.class, "random")

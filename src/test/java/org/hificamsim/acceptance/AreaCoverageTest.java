@@ -24,7 +24,7 @@ class AreaCoverageTest {
     "cluster-scripted, 14, 0.66",
     "cluster-scripted-origin, 14, 0.66",
   })
-  void areaCoverageEqualsThatOfTheThesis(String name, int cameras, double published) {
+  void areaCoverageEqualsPublishedValue(String name, int cameras, double published) {
     Scenario scenario = ScenarioReader.read(Cli.scenario(name), movement -> true, warning -> {});
     assertEquals(cameras, scenario.cameras().size());
     assertEquals(published, sampled(scenario), 0.0075);

@@ -81,12 +81,12 @@ class BenchmarkEntryTest {
     assertTrue(cli.out().contains("cooperative, 2 tasks, agrees"), cli.out());
   }
 
-  /** What is done to a copy of an entry, and a part of the line that refuses it. */
+  /** A change to a copy of an entry, and part of the expected error. */
   private record Broken(String reason, Consumer<Path> how) {}
 
   @TestFactory
-  Stream<DynamicTest> whatWasBrokenIsRefused() {
-    Map<String, Broken> all =
+  Stream<DynamicTest> rejectsBrokenEntries() {
+    Map<String, Broken> changes =
         Map.ofEntries(
             Map.entry(
                 "action outside", new Broken("has view 999, expected 0 to", csv(row(7, "999")))),
@@ -155,7 +155,7 @@ class BenchmarkEntryTest {
                     "benchmark run",
                     path ->
                         write(path.resolve("entry.json"), "{".getBytes(StandardCharsets.UTF_8)))));
-    return all.entrySet().stream()
+    return changes.entrySet().stream()
         .map(change -> DynamicTest.dynamicTest(change.getKey(), () -> refuses(change.getValue())));
   }
 
@@ -173,7 +173,7 @@ class BenchmarkEntryTest {
         2, Cli.run("benchmark", "leaderboard", copy, "--out", folder.resolve("no")).exit());
   }
 
-  /** A change of the table, whose hash is changed with it. */
+  /** A change of the table together with its hash. */
   private static Consumer<Path> csv(UnaryOperator<String> change) {
     return path -> {
       rewrite(path, change);

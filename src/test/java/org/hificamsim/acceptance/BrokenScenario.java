@@ -7,18 +7,18 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 
 /**
- * A scenario file with one fault, and what must be said about it.
+ * A scenario file with one fault, and the expected error.
  *
- * @param name what is wrong, for people
+ * @param name a description of the fault
  * @param line of the fault, from 1
  * @param column of the fault, from 1
- * @param message all that follows the place
+ * @param message the error message after the place
  */
 record BrokenScenario(String name, byte[] content, int line, int column, String message) {
-  /** Stands right before the place that the error line must name; taken out of the file. */
+  /** Marks the place that the error must name; removed from the file. */
   private static final char MARK = '@';
 
-  /** A scenario in which everything is right. */
+  /** A valid scenario. */
   static final String SOUND =
       """
 <?xml version="1.0" encoding="UTF-8"?>
@@ -64,12 +64,12 @@ record BrokenScenario(String name, byte[] content, int line, int column, String 
 </root>
 """;
 
-  /** A file of this text, with a mark before the place of the fault. */
+  /** Returns a file of this text, which has a mark before the place of the fault. */
   static BrokenScenario text(String name, String marked, String message) {
     return text(name, marked, StandardCharsets.UTF_8, message);
   }
 
-  /** A file of this text in another encoding. */
+  /** Returns a file of this text in another encoding. */
   static BrokenScenario text(String name, String marked, Charset charset, String message) {
     int at = marked.indexOf(MARK);
     assertTrue(at >= 0 && at == marked.lastIndexOf(MARK), name + ": one mark");
@@ -80,17 +80,17 @@ record BrokenScenario(String name, byte[] content, int line, int column, String 
     return new BrokenScenario(name, text.getBytes(charset), line, column, message);
   }
 
-  /** The sound scenario with something replaced; the replacement holds the mark. */
+  /** Returns the valid scenario with a part replaced; the replacement contains the mark. */
   static BrokenScenario change(String name, String from, String to, String message) {
     return text(name, SOUND.replace(only(from), to), message);
   }
 
-  /** The sound scenario up to and without this, where the error must be. */
+  /** Returns the valid scenario, cut off before this part, where the error must be. */
   static BrokenScenario cut(String name, String before, String message) {
     return text(name, SOUND.substring(0, SOUND.indexOf(only(before))) + MARK, message);
   }
 
-  /** The sound scenario without one attribute of the tag that starts so. */
+  /** Returns the valid scenario without an attribute of the tag with this beginning. */
   static BrokenScenario without(String tag, String attribute, String expected) {
     String whole = tag(tag);
     String less = whole.replaceFirst("\\s" + attribute + "=\"[^\"]*\"", "");
@@ -102,7 +102,9 @@ record BrokenScenario(String name, byte[] content, int line, int column, String 
         "<%s> has no %s, expected %s".formatted(name(tag), attribute, expected));
   }
 
-  /** The sound scenario with another value for one attribute of the tag that starts so. */
+  /**
+   * Returns the valid scenario with another value of an attribute of the tag with this beginning.
+   */
   static BrokenScenario value(String tag, String attribute, String value, String expected) {
     String whole = tag(tag);
     String changed =

@@ -22,8 +22,8 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Bad input, end to end: exit code 2, one line that names file, line, column, value and what was
- * expected, and nothing written.
+ * Bad input, end to end: exit code 2, one line that names file, line, column, value and the
+ * expectation, and no output.
  */
 class BrokenScenarioTest {
   private static final String SECRET = "canary-7f3a91";
@@ -32,7 +32,7 @@ class BrokenScenarioTest {
   @TempDir Path folder;
 
   @Test
-  void theScenarioThatTheyAreMadeFromIsSound() throws IOException {
+  void originalScenarioIsValid() throws IOException {
     Path file = Files.writeString(folder.resolve("sound.xml"), BrokenScenario.SOUND);
     assertEquals(0, Cli.run("validate", file).exit());
     Cli run = Cli.run("run", file, "--steps", 20, "--out", folder.resolve("out"));
@@ -40,13 +40,13 @@ class BrokenScenarioTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> eachIsRefusedInOneLineAtItsPlace() throws IOException {
+  Stream<DynamicTest> rejectsEachInOneLineWithItsPlace() throws IOException {
     return all().stream()
         .map(broken -> DynamicTest.dynamicTest(broken.name(), () -> check(broken)));
   }
 
   @Test
-  void thereAreAtLeastSixtyAndAllDiffer() throws IOException {
+  void hasAtLeastSixtyDifferentScenarios() throws IOException {
     Set<String> contents = new HashSet<>();
     for (BrokenScenario broken : all()) {
       assertTrue(
@@ -56,18 +56,18 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void aMissingFileIsRefused() {
+  void rejectsMissingFile() {
     Path file = folder.resolve("no.xml");
     assertRefused(file, file + ":1:1: no such file, expected a file");
   }
 
   @Test
-  void aFolderIsRefused() {
+  void rejectsFolder() {
     assertRefused(folder, folder + ":1:1: is a folder, expected a file");
   }
 
   @Test
-  void aHundredMegabytesOfNestingAreRefusedFastAndWithLittleMemory() throws IOException {
+  void rejectsHundredMegabytesQuicklyWithLittleMemory() throws IOException {
     Path file = nested(100 * MEGABYTE);
     long bytes =
         assertTimeoutPreemptively(
@@ -82,7 +82,7 @@ class BrokenScenarioTest {
   }
 
   @Test
-  void nestingBelowTheSizeLimitIsRefusedFastAndWithLittleMemory() throws IOException {
+  void rejectsDeepNestingQuicklyWithLittleMemory() throws IOException {
     Path file = nested(60 * MEGABYTE);
     String message = ":1:97: <a> is nested too deep, expected at most 32 levels";
     long bytes =
@@ -117,7 +117,7 @@ class BrokenScenarioTest {
     assertPlain(validate.err());
   }
 
-  /** Warnings, then the one error; no stack trace, and nothing of the canary. */
+  /** Checks for warnings and one error, without stack traces or content of the canary. */
   private static void assertPlain(String err) {
     List<String> lines = err.lines().toList();
     for (String line : lines.subList(0, lines.size() - 1)) {

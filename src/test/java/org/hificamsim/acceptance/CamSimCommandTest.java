@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** {@code camsim}: CamSim's command line, its files, and what is ours on top. */
+/** Tests {@code camsim}: the command line and files of CamSim, and our additions. */
 class CamSimCommandTest {
   private static final Path SCENARIO = Cli.scenario("tutorial-camsim");
   private static final String HEADER =
@@ -39,7 +39,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void writesCamSimsTableAndASummaryBesideIt() throws IOException {
+  void writesCamSimTableAndSummary() throws IOException {
     Cli run = camsim("-t 30 -s 4 --no-gui", SCENARIO);
     assertEquals(0, run.exit(), run.err());
     List<String> rows = lines("o.csv");
@@ -53,7 +53,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void writesWhoFollowsATrackAsAnObjectThatComesAndGoes() throws IOException {
+  void exportsTracksAsEventsForCamSim() throws IOException {
     Files.writeString(
         folder.resolve("one.tracks"), "tracks 1\ninterval 1\ntarget 7 size 1\n2 3 4\n5 5\n");
     Path tracked = folder.resolve("one.xml");
@@ -83,7 +83,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void leavesNothingButItsFiles() throws IOException {
+  void leavesOnlyItsFiles() throws IOException {
     camsim("-t 5", SCENARIO);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
@@ -93,14 +93,14 @@ class CamSimCommandTest {
   }
 
   @Test
-  void saysNothingOfANetworkThatIsNotSimulatedWhereRunDoes() {
+  void onlyRunWarnsThatNetworkIsNotSimulated() {
     assertFalse(camsim("-t 5", SCENARIO).err().contains("not simulated"));
     Cli run = Cli.run("run", SCENARIO, "--steps", 5, "--out", folder);
     assertTrue(run.err().contains("not simulated"), run.err());
   }
 
   @Test
-  void theSummaryFileAndTheParametersCountAsTheirHelpSays() throws IOException {
+  void usesSummaryFileAndParameters() throws IOException {
     Path parameters = folder.resolve("p.properties");
     Files.writeString(parameters, "epsilon = 0.9\nINTERVAL=3\nHistEnabled=false\n");
     String options = "-a active -b EpsilonGreedy -t 200 -f " + folder.resolve("sums.csv");
@@ -113,7 +113,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void ourTablesLeaveCamSimsAsTheyAre() throws IOException {
+  void coverageTablesDoNotChangeCamSimTable() throws IOException {
     camsim("-t 40 -a active -c 0", SCENARIO);
     List<String> plain = lines("o.csv");
     Path coverage = folder.resolve("coverage");
@@ -125,7 +125,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void theDetectionModelReachesBidsAndUtility() throws IOException {
+  void detectionModelChangesResults() throws IOException {
     camsim("-t 50 -a active -c 0", SCENARIO);
     List<String> plain = lines("o.csv");
     Cli run = camsim("-t 50 -a active -c 0 --detection hifi:orb-lin", SCENARIO);
@@ -134,7 +134,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void aFileOfTheCoverageStudyRunsWithItsRangesOrWithAPolicyOverItsZooms() throws IOException {
+  void runsCoverageScenarioWithOrWithoutPolicy() throws IOException {
     Path lattice = Cli.scenario("lattice-random");
     assertEquals(0, camsim("-t 20 -a active -c 0", lattice).exit());
     List<String> plain = lines("o.csv");
@@ -147,7 +147,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void theSameCommandWritesTheSameBytes() throws IOException {
+  void sameCommandWritesSameBytes() throws IOException {
     String options = "-t 100 -a HistActive -c 1 -e 5 -s 3";
     camsim(options, SCENARIO);
     List<String> first = lines("o.csv");
@@ -178,7 +178,7 @@ class CamSimCommandTest {
         "--threshold 2 | threshold is 2.0",
         "-f /no/such/folder/s.csv | summary file",
       })
-  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected)
+  void rejectsWrongUsageInOneLineAndWritesNothing(String options, String expected)
       throws IOException {
     Cli run = camsim(options, SCENARIO);
     assertEquals(2, run.exit(), run.err());
@@ -201,8 +201,7 @@ class CamSimCommandTest {
         "-f DIR/in.xml | what the command reads and -f are one file",
         "--for-camsim DIR/in.xml | what the command reads and --for-camsim are one file",
       })
-  void twoOutputsAndTheScenarioAreSeparateFiles(String options, String expected)
-      throws IOException {
+  void rejectsSameFileForTwoPurposes(String options, String expected) throws IOException {
     Path scenario = Files.copy(SCENARIO, folder.resolve("in.xml"));
     Cli run = camsim("-t 5 " + options.replace("DIR", folder + ""), scenario);
     assertEquals(2, run.exit(), run.err());
@@ -214,7 +213,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void aLinkDoesNotMakeTwoFilesOfOne() throws IOException {
+  void rejectsLinkToScenarioAsOutput() throws IOException {
     Path scenario = Files.copy(SCENARIO, folder.resolve("in.xml"));
     Path link = Files.createSymbolicLink(folder.resolve("link.csv"), scenario);
     Cli run = camsim("-t 5 -f " + link, scenario);
@@ -233,8 +232,7 @@ class CamSimCommandTest {
         "comm='4' customcom='Whisper' | 1:161: <camera> customcom is 'Whisper', expected one of",
         "comm='4' | 1:81: <camera> has no customcom, expected one of Broadcast",
       })
-  void whatTheNetworkDoesNotKnowIsToldWithItsPlaceHereAndByValidate(String camera, String expected)
-      throws IOException {
+  void errorsOfNetworkNamesHaveTheirPlace(String camera, String expected) throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("odd.xml"),
@@ -251,23 +249,23 @@ class CamSimCommandTest {
   }
 
   @Test
-  void anEventsMoveNeedsItsWaypointsWhereItCounts() throws IOException {
-    eventsMove("Waypoints", "no waypoints, expected at least two");
+  void rejectsEventWithMovementWithoutWaypoints() throws IOException {
+    assertMovementOfEventRejected("Waypoints", "no waypoints, expected at least two");
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"Tracks", "epics.movement.Tracks"})
-  void theMovementOfATrackIsKnownByBothItsNames(String movement) {
+  void acceptsShortAndLongNameOfTracks(String movement) {
     Cli run = camsim("-t 5 -m " + movement, Cli.scenario("passage"));
     assertEquals(0, run.exit(), run.err());
   }
 
   @Test
-  void anEventsMoveNeedsItsTrackWhereItCounts() throws IOException {
-    eventsMove("Tracks", "no track, expected one of <tracks>");
+  void rejectsEventWithMovementWithoutTrack() throws IOException {
+    assertMovementOfEventRejected("Tracks", "no track, expected one of <tracks>");
   }
 
-  private void eventsMove(String movement, String missing) throws IOException {
+  private void assertMovementOfEventRejected(String movement, String missing) throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("odd.xml"),
@@ -285,7 +283,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void aParameterFileWithAnUnknownKeyIsRefused() throws IOException {
+  void rejectsUnknownKeyInParameterFile() throws IOException {
     Path parameters = Files.writeString(folder.resolve("p.properties"), "Speed=1\n");
     Cli run = camsim("-p " + parameters, SCENARIO);
     assertEquals(2, run.exit());
@@ -293,7 +291,7 @@ class CamSimCommandTest {
   }
 
   @Test
-  void refusesNoScenarioAndTwo() {
+  void requiresExactlyOneScenario() {
     assertEquals(2, Cli.run("camsim").exit());
     assertEquals(2, Cli.run("camsim", SCENARIO, SCENARIO).exit());
     assertEquals(0, Cli.run("camsim", "-h").exit());

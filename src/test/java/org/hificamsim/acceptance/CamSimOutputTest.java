@@ -14,7 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 
-/** What CamSim wrote comes out of {@code camsim}, to the byte (docs/evidence.md). */
+/** {@code camsim} writes the same bytes as CamSim (docs/evidence.md). */
 class CamSimOutputTest {
   private static final String OURS = "own-camsim/";
 
@@ -22,13 +22,13 @@ class CamSimOutputTest {
 
   @ParameterizedTest
   @CsvFileSource(resources = "/reference/own-camsim/index.csv", useHeadersInDisplayName = true)
-  void ourScenariosGiveWhatCamSimWrote(String scenario, String options, String output)
+  void ownScenariosEqualOutputOfCamSim(String scenario, String options, String output)
       throws IOException {
     assertOutput(OURS + output, options, OURS + scenario);
   }
 
   @Test
-  void everyScenarioOfOursIsInTheIndex() throws IOException {
+  void indexListsAllOwnScenarios() throws IOException {
     List<String> listed = new ArrayList<>();
     for (String[] row : Reference.rows(OURS + "index.csv")) {
       listed.add(row[0]);
@@ -40,7 +40,7 @@ class CamSimOutputTest {
   }
 
   @Test
-  void camSimsScenariosGiveWhatCamSimWrote() throws IOException {
+  void scenariosOfCamSimEqualItsOutput() throws IOException {
     int compared = 0;
     for (String[] row : Reference.rows("camsim/outputs/index.csv")) {
       if (row[0].startsWith("SASO-scenario") || row[0].startsWith("custom-")) {
@@ -52,10 +52,10 @@ class CamSimOutputTest {
   }
 
   @Test
-  void allOfCamSimsScenariosAreValidAndRunAThousandStepsWithoutAnyOption() throws IOException {
-    List<Path> all = Reference.scenarios("camsim/scenarios");
-    assertEquals(49, all.size());
-    for (Path file : all) {
+  void scenariosOfCamSimAreValidAndRun() throws IOException {
+    List<Path> scenarios = Reference.scenarios("camsim/scenarios");
+    assertEquals(49, scenarios.size());
+    for (Path file : scenarios) {
       Cli.assertValidAndRuns(file, folder);
       assertEquals(1001, lines("-t 1000", file).size());
     }

@@ -22,8 +22,8 @@ import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
 
 /**
- * Runs by chance, checked from their files by a second program that shares no code with the first:
- * its own reader, geometry, model and rule.
+ * Checks the files of runs by chance with an independent implementation of reader, geometry, model
+ * and rule.
  */
 class ChanceCheckerTest {
   private static final int STEPS = 10_000;
@@ -44,10 +44,10 @@ class ChanceCheckerTest {
   private final Map<String, Element> cameras = new HashMap<>();
   private final Map<Double, Double> sizes = new HashMap<>();
 
-  /** How often cameras detect targets is within 3.3 standard deviations of what is expected. */
+  /** The number of detections is within 3.3 standard deviations of its expectation. */
   @ParameterizedTest
   @CsvSource({"car-park, 11", "corridor, 3", "warehouse, 7"})
-  void anotherProgramExpectsWhatIsDrawn(String name, int targets) throws Exception {
+  void detectionsMatchIndependentExpectation(String name, int targets) throws Exception {
     Path out = folder.resolve(name);
     Cli run =
         Cli.run(
@@ -87,12 +87,12 @@ class ChanceCheckerTest {
     assertEquals(expected, drawn, 3.3 * Math.sqrt(variance), name);
   }
 
-  /** The rows of a table by step. */
+  /** Returns the rows of a table by step. */
   private static Map<String, List<String[]>> rows(Path table) throws Exception {
     Map<String, List<String[]>> rows = new HashMap<>();
     for (String line : Files.readAllLines(table).subList(1, Files.readAllLines(table).size())) {
       String[] cells = line.split(",");
-      rows.computeIfAbsent(cells[1], any -> new ArrayList<>()).add(cells);
+      rows.computeIfAbsent(cells[1], step -> new ArrayList<>()).add(cells);
     }
     return rows;
   }
@@ -106,7 +106,8 @@ class ChanceCheckerTest {
               .toArray(double[][]::new));
     }
     all("camera").forEach(camera -> cameras.put(camera.getAttribute("name"), camera));
-    for (Element target : all("*").stream().filter(one -> one.hasAttribute("width")).toList()) {
+    for (Element target :
+        all("*").stream().filter(element -> element.hasAttribute("width")).toList()) {
       double area = number(target, "width") * number(target, "height");
       sizes.put(number(target, target.hasAttribute("name") ? "name" : "features"), Math.sqrt(area));
     }
@@ -121,7 +122,7 @@ class ChanceCheckerTest {
     return Double.parseDouble(element.getAttribute(attribute));
   }
 
-  /** Of run, step, camera, level, radius, detected, pan, angle, moving; and target, x and y. */
+  /** Columns: run, step, camera, level, radius, detected, pan, angle, moving; and target, x, y. */
   private double chance(String[] row, String[] target) {
     Element camera = cameras.get(row[2]);
     double dx = Double.parseDouble(target[3]) - number(camera, "x");

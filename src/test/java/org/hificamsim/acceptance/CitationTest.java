@@ -14,12 +14,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** {@code CITATION.cff} agrees with the changelog, and the paper with its references. */
+/** {@code CITATION.cff} agrees with the changelog, and the paper with its bibliography. */
 class CitationTest {
   private static final Path CHANGELOG = Cli.ROOT.resolve("CHANGELOG.md");
 
   @Test
-  void namesTheLastReleaseAndItsDate() throws IOException {
+  void namesLastReleaseAndItsDate() throws IOException {
     String released = found("CHANGELOG.md", "(?m)^## ([0-9.]+), ");
     assertEquals(released, found("CITATION.cff", "(?m)^version: (\\S+)$"));
     String date = found("CHANGELOG.md", "(?m)^## " + Pattern.quote(released) + ", (\\S+)$");
@@ -27,7 +27,7 @@ class CitationTest {
   }
 
   @Test
-  void theBuildIsTheLastReleaseOrOnTheWayToTheNext() throws IOException {
+  void buildVersionFollowsLastRelease() throws IOException {
     String built = found("build.gradle", "version = '([^']+)'");
     String released = found("CHANGELOG.md", "(?m)^## ([0-9.]+), ");
     assertEquals(Files.readString(CHANGELOG).contains("## Unreleased"), !built.equals(released));
@@ -35,7 +35,7 @@ class CitationTest {
   }
 
   @Test
-  void hasWhatTheFormatDemands() throws IOException {
+  void hasRequiredKeys() throws IOException {
     String cff = Files.readString(Cli.ROOT.resolve("CITATION.cff"));
     for (String key : List.of("cff-version: 1.2.0", "message: ", "title: ", "authors:")) {
       assertTrue(cff.lines().anyMatch(line -> line.startsWith(key)), key);
@@ -43,7 +43,7 @@ class CitationTest {
   }
 
   @Test
-  void thePaperCitesWhatItsBibliographyHasAndAllOfIt() throws IOException {
+  void paperCitesWholeBibliography() throws IOException {
     String paper = Files.readString(Cli.ROOT.resolve("paper/paper.md"));
     String bibliography = Files.readString(Cli.ROOT.resolve("paper/paper.bib"));
     assertEquals(keys("(?m)^@\\w+\\{(\\w+),", bibliography), keys("(?:[\\[ ]|^)@(\\w+)", paper));

@@ -152,12 +152,12 @@ class CompareStatisticsTest {
       }
     }
     Map<String, String> first = pairs.get(0);
-    Map<String, Double> one = metric(out, "proportion_of_optimal", first.get("policy"));
-    Map<String, Double> other = metric(out, "proportion_of_optimal", first.get("other"));
+    Map<String, Double> values = metric(out, "proportion_of_optimal", first.get("policy"));
+    Map<String, Double> otherValues = metric(out, "proportion_of_optimal", first.get("other"));
     double mean =
-        one.entrySet().stream()
+        values.entrySet().stream()
             .filter(run -> run.getKey().startsWith("lattice-random,camsim-range,"))
-            .mapToDouble(run -> run.getValue() - other.get(run.getKey()))
+            .mapToDouble(run -> run.getValue() - otherValues.get(run.getKey()))
             .average()
             .orElseThrow();
     assertEquals("lattice-random", first.get("scenario"));
@@ -213,9 +213,9 @@ class CompareStatisticsTest {
     return row.get("policy").equals("sarsa") && row.get("detection").equals("hifi:orb-lin");
   }
 
-  private static boolean sameCase(Map<String, String> one, Map<String, String> other) {
+  private static boolean sameCase(Map<String, String> first, Map<String, String> second) {
     return Stream.of("scenario", "detection", "policy")
-        .allMatch(name -> one.get(name).equals(other.get(name)));
+        .allMatch(name -> first.get(name).equals(second.get(name)));
   }
 
   /** A figure of a policy's runs, by scenario, detection and seed. */

@@ -104,7 +104,7 @@ class EmbeddingGuideTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> everyPomTellsLicenceDescriptionAndDependencies() {
+  Stream<DynamicTest> everyPomHasLicenceDescriptionAndDependencies() {
     Map<String, List<String>> libraries =
         Map.of(
             "camsim-core", List.of(),

@@ -9,8 +9,8 @@ import java.util.Locale;
 import java.util.Random;
 
 /**
- * Breaks right files of a kind and looks at how that is answered. As a program, {@code Fuzz MUTANTS
- * [SEED [KIND...]]}, it does so for all kinds and prints a row for each.
+ * Breaks valid files of a kind and checks the answers. As a program, {@code Fuzz MUTANTS [SEED
+ * [KIND...]]}, it does so for all kinds and prints a row for each.
  */
 final class Fuzz {
   private static final int SHOWN = 10;
@@ -51,7 +51,7 @@ final class Fuzz {
         .getProcessCpuTime();
   }
 
-  /** What was answered wrongly, in a line or more each. */
+  /** Returns the wrong answers, in one or more lines each. */
   List<String> wrong() {
     return wrong;
   }

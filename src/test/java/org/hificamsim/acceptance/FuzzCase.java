@@ -16,7 +16,7 @@ import java.util.Locale;
 import java.util.Random;
 import java.util.regex.Pattern;
 
-/** A right file and how it is broken. */
+/** A valid file and the changes that break it. */
 record FuzzCase(FuzzKind kind, Path seed, List<FuzzEdit> edits) {
   private static final Duration LONGEST = Duration.ofSeconds(60); // on a busy machine
   private static final Path FOUND = Cli.ROOT.resolve("build/fuzz");
@@ -24,7 +24,7 @@ record FuzzCase(FuzzKind kind, Path seed, List<FuzzEdit> edits) {
   private static final int LONGEST_LINE = 1000;
   private static final int MOST_EDITS = 4;
 
-  /** Breaks one of the right files of a kind, in one to four places. */
+  /** Breaks one of the valid files of a kind in one to four places. */
   static FuzzCase of(FuzzKind kind, Random random) {
     List<Path> corpus = kind.corpus();
     Path seed = corpus.get(random.nextInt(corpus.size()));
@@ -37,7 +37,7 @@ record FuzzCase(FuzzKind kind, Path seed, List<FuzzEdit> edits) {
   }
 
   /**
-   * Fails unless the content is taken, or refused as it should be; a content that fails is kept.
+   * Fails unless the content is accepted, or properly rejected; keeps content that fails.
    *
    * @return the exit code
    */
@@ -50,13 +50,13 @@ record FuzzCase(FuzzKind kind, Path seed, List<FuzzEdit> edits) {
     }
   }
 
-  /** Taken (0), or refused (2) in error lines that say where and what was expected. */
+  /** Checks that content is accepted (0), or rejected (2) with its place and the expectation. */
   static int check(FuzzKind kind, String name, byte[] content) {
     Cli read = assertTimeoutPreemptively(LONGEST, () -> kind.read(name, content));
     assertTrue(read.exit() == 0 || read.exit() == 2, read.exit() + ": " + read.err());
     assertFalse(read.err().contains("Exception") || read.err().contains("\tat "), read.err());
     List<String> errors = read.err().lines().filter(line -> line.startsWith("error: ")).toList();
-    assertTrue(read.exit() == 0 || !errors.isEmpty(), "refused without a word");
+    assertTrue(read.exit() == 0 || !errors.isEmpty(), "rejected without an error line");
     errors.forEach(line -> checkLine(kind, line));
     return read.exit();
   }

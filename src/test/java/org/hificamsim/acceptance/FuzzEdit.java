@@ -7,11 +7,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A change to a text that once was right.
+ * A change to a valid text.
  *
- * @param at where, as a share of the text, in [0, 1)
- * @param length how much, of 1 to 40 characters
- * @param piece what is put in, for the kinds that put something in
+ * @param at the place, as a share of the text, in [0, 1)
+ * @param length the number of changed characters, from 1 to 40
+ * @param piece the text that insertions and replacements use
  */
 record FuzzEdit(Kind kind, double at, int length, String piece) {
   private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?");
@@ -88,7 +88,7 @@ record FuzzEdit(Kind kind, double at, int length, String piece) {
     CUT
   }
 
-  /** Any change. */
+  /** Returns a random change. */
   static FuzzEdit of(Random random) {
     Kind[] kinds = Kind.values();
     String piece = PIECES.get(random.nextInt(PIECES.size()));
@@ -99,12 +99,12 @@ record FuzzEdit(Kind kind, double at, int length, String piece) {
         new String(piece.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1));
   }
 
-  /** A change of one bit in the same place. */
+  /** Returns a change of one bit at the same place. */
   FuzzEdit flip() {
     return new FuzzEdit(Kind.FLIP, at, length, piece);
   }
 
-  /** The changed text. */
+  /** Returns the changed text. */
   String apply(String text) {
     int from = (int) (at * text.length());
     int to = Math.min(text.length(), from + length);
@@ -122,8 +122,8 @@ record FuzzEdit(Kind kind, double at, int length, String piece) {
     };
   }
 
-  private String replaced(Pattern what, String text, int from) {
-    Matcher found = what.matcher(text);
+  private String replaced(Pattern pattern, String text, int from) {
+    Matcher found = pattern.matcher(text);
     return found.find(from)
         ? text.substring(0, found.start()) + piece + text.substring(found.end())
         : text;

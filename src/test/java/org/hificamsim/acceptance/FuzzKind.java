@@ -29,7 +29,7 @@ import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 
-/** A kind of input that users have, with right files to break, and what becomes of a broken one. */
+/** A kind of user input: has valid files to break, and reads a broken one. */
 enum FuzzKind {
   SCENARIO {
     @Override
@@ -65,7 +65,7 @@ enum FuzzKind {
       return simulate(Files.writeString(file.resolveSibling("s.xml"), TRACKED), "geometric");
     }
   },
-  /** In each format, whose name is in the file's. */
+  /** Recordings in all formats; the name of a file contains its format. */
   RECORDING {
     @Override
     Cli read(Path file) throws IOException {
@@ -91,7 +91,7 @@ enum FuzzKind {
       return run(words.toArray());
     }
   },
-  /** The runs of a comparison that was killed, whose only shard goes on: it draws nothing. */
+  /** The journal of a killed comparison with one shard, which is resumed without pictures. */
   JOURNAL {
     @Override
     List<Path> made() throws IOException {
@@ -203,22 +203,22 @@ enum FuzzKind {
 
   private List<Path> seeds;
 
-  /** What becomes of a file of this kind. */
+  /** Reads a file of this kind as a user would. */
   abstract Cli read(Path file) throws IOException;
 
-  /** Right files that commands make. */
+  /** Returns valid files that commands produce. */
   List<Path> made() throws IOException {
     return List.of();
   }
 
-  /** What becomes of a file with this name and content, in a folder of its own. */
+  /** Reads a file with this name and content from a new folder. */
   final Cli read(String name, byte[] content) throws IOException {
     delete(IN);
     delete(OUT);
     return read(Files.write(Files.createDirectories(IN).resolve(name), content));
   }
 
-  /** Right files, and each that was once answered wrongly. */
+  /** Returns valid files, and files that once caused a wrong answer. */
   final List<Path> corpus() {
     try {
       if (seeds == null) {
@@ -237,17 +237,17 @@ enum FuzzKind {
     return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PHOTO, ONNX).contains(this);
   }
 
-  /** Whether its files are no text: all but a change of bits makes most of them another thing. */
+  /** Whether its files are binary: most changes other than flipped bits make them unreadable. */
   final boolean isBinary() {
     return Set.of(PHOTO, ONNX).contains(this);
   }
 
-  /** Whether the command line answers, which shortens its lines. */
+  /** Whether the answer comes from the command line, which limits the length of lines. */
   final boolean isCommand() {
     return this != MEASUREMENTS && this != DATASET;
   }
 
-  /** Runs a command, which must leave all as it is that it reads. */
+  /** Runs a command, which must not change its inputs. */
   private static Cli run(Object... words) throws IOException {
     Map<Path, String> before = hashes();
     Cli cli = Cli.run(words);
@@ -314,7 +314,7 @@ enum FuzzKind {
     return run(words.toArray());
   }
 
-  /** The only shard of a comparison, with the comparison beside it. */
+  /** Returns the only shard of a comparison, next to the whole comparison. */
   private static Path part() throws IOException {
     Path part = SEEDS.resolve("part");
     if (!Files.exists(part)) {
@@ -345,14 +345,14 @@ enum FuzzKind {
         : Cli.lab(SEEDS, "--objects 1 --distances 1,2 --focal-lengths 0.05,0.085 --scale 0.05");
   }
 
-  /** A copy of a folder in which a file has the place of that with its name. */
+  /** Copies a folder, and replaces the file that has the same name as the given one. */
   private static Path among(Path file, Path folder) throws IOException {
     Path copy = IN.resolve("folder");
-    for (Path one : files(folder)) {
-      Path to = copy.resolve(folder.relativize(one));
+    for (Path original : files(folder)) {
+      Path to = copy.resolve(folder.relativize(original));
       Files.createDirectories(to.getParent());
-      boolean broken = one.getFileName().equals(file.getFileName());
-      Files.copy(broken ? file : one, to, StandardCopyOption.REPLACE_EXISTING);
+      boolean broken = original.getFileName().equals(file.getFileName());
+      Files.copy(broken ? file : original, to, StandardCopyOption.REPLACE_EXISTING);
     }
     return copy;
   }

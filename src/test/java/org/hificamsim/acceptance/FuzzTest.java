@@ -12,10 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Whatever is done to a right file or command, it is taken or refused in error lines that say where
- * and what was expected: no exception, no stack trace, and what was read is as it was. These cases
- * are the same each time, beside the corpus; {@code gradle fuzz} tries as many new ones as one
- * likes ({@link Fuzz}).
+ * Broken files and commands are accepted, or rejected in error lines with the place and
+ * expectation: no exception, no stack trace, and unchanged inputs. The cases are the same each
+ * time, in addition to the corpus; {@code gradle fuzz} tries any number of new ones ({@link Fuzz}).
  */
 class FuzzTest {
   @ParameterizedTest
@@ -33,14 +32,14 @@ class FuzzTest {
     "PHOTO, 5",
     "COMMAND, 30"
   })
-  void brokenOnesAreTakenOrRefused(FuzzKind kind, int mutants) {
+  void acceptsOrRejectsMutants(FuzzKind kind, int mutants) {
     Fuzz fuzz = new Fuzz(kind, mutants, 1);
     fuzz.run();
     assertEquals(List.of(), fuzz.wrong(), fuzz::toString);
   }
 
   @TestFactory
-  Stream<DynamicTest> everyFileOfTheCorpus() {
+  Stream<DynamicTest> acceptsOrRejectsCorpus() {
     return Arrays.stream(FuzzKind.values())
         .filter(kind -> kind != FuzzKind.ONNX) // not on this class path
         .flatMap(

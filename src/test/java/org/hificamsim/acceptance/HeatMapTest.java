@@ -121,8 +121,8 @@ class HeatMapTest {
     open();
     choose("mean-k");
     String[] row = table().get(12 * 60 + 22); // of the cell of half a metre from (11, 6) on
-    String told = (String) browser.run(FieldScripts.TOOLTIP, 11.3, 6.3);
-    assertTrue(told.startsWith(rounded(row[6]) + " cameras in the mean, none in "), told);
+    String tooltip = (String) browser.run(FieldScripts.TOOLTIP, 11.3, 6.3);
+    assertTrue(tooltip.startsWith(rounded(row[6]) + " cameras in the mean, none in "), tooltip);
     assertEquals(
         "in an obstacle",
         browser
@@ -152,7 +152,8 @@ class HeatMapTest {
     String[] row =
         Files.readAllLines(run.resolve("targets.csv")).stream()
             .map(line -> line.split(","))
-            .filter(one -> one[0].equals("0") && one[1].equals("60") && one[2].equals("0.9"))
+            .filter(
+                cells -> cells[0].equals("0") && cells[1].equals("60") && cells[2].equals("0.9"))
             .findFirst()
             .orElseThrow();
     double x = Double.parseDouble(row[3]);
@@ -192,7 +193,7 @@ class HeatMapTest {
   @Test
   void pageShowsCoverageOfZones() throws IOException {
     open();
-    List<Zone> zones = ScenarioReader.read(scenario, any -> true, warning -> {}).zones();
+    List<Zone> zones = ScenarioReader.read(scenario, name -> true, warning -> {}).zones();
     for (Zone zone : zones.subList(0, 2)) { // a line is as wide as a cell there
       List<String[]> cells =
           table().stream()
@@ -228,8 +229,8 @@ class HeatMapTest {
       assertEquals(false, browser.run("return Boolean(hificamsim.players[0].field.heat.heat)"));
       choose("mean-k");
       browser.until("return Boolean(hificamsim.players[0].field.heat.shown)");
-      String told = browser.text(".heat-key");
-      assertTrue(told.matches("(?s).*\\d steps? from \\d+ on: .*"), told);
+      String legend = browser.text(".heat-key");
+      assertTrue(legend.matches("(?s).*\\d steps? from \\d+ on: .*"), legend);
       browser.until(
           "return hificamsim.players[0].field.heat.heat.steps > arguments[0]"
               .replace("arguments[0]", "3"));

@@ -194,8 +194,8 @@ class ImportCommandTest {
     Locale before = Locale.getDefault();
     try {
       Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
-      String told = imported().out();
-      assertEquals(expected, Files.readString(out.resolve("people.tracks")) + told);
+      String printed = imported().out();
+      assertEquals(expected, Files.readString(out.resolve("people.tracks")) + printed);
     } finally {
       Locale.setDefault(before);
     }

@@ -128,7 +128,7 @@ class OwnPolicyTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> keepsTheContractOfPolicies() throws Exception {
+  Stream<DynamicTest> satisfiesContractOfPolicies() throws Exception {
     URLClassLoader loader = new URLClassLoader(new URL[] {lookout.jar().toUri().toURL()});
     return new ZoomPolicyContract(() -> lookout(loader), false)
         .tests()

@@ -20,9 +20,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * {@code profile check} on a recording of our own making: a level camera two metres above the
- * ground that looks along y, with a focal length of 800 pixels, and people of 1.75 x 0.5 m, whose
- * boxes are known to be 4 % smaller than they should be.
+ * Tests {@code profile check} on a synthetic recording: a level camera two metres above the ground
+ * that looks along y, with a focal length of 800 pixels, and people of 1.75 x 0.5 m whose boxes are
+ * 4 % too small.
  */
 class ProfileCheckTest {
   private static final double SMALLER = 1 / 1.04;
@@ -33,7 +33,7 @@ class ProfileCheckTest {
   private Path matrix;
 
   @BeforeEach
-  void make() throws IOException {
+  void writeRecording() throws IOException {
     boxes = Files.writeString(folder.resolve("gt.txt"), rows(true));
     xml =
         Files.writeString(
@@ -57,7 +57,7 @@ class ProfileCheckTest {
 """);
   }
 
-  /** A row for each of 60 people, who stand straight ahead and beside. */
+  /** Returns rows for 60 people, who stand ahead of the camera and to its sides. */
   private static String rows(boolean world) {
     List<String> rows = new ArrayList<>();
     for (int i = 0; i < 60; i++) {
@@ -82,7 +82,7 @@ class ProfileCheckTest {
     return String.join("\n", rows) + "\n";
   }
 
-  /** How much wider the picture is, on average, of who stands beside and faces the camera. */
+  /** Returns the mean factor by which people to the side who face the camera look wider. */
   private static double wider() {
     double sum = 0;
     for (int i = 0; i < 60; i++) {
@@ -107,7 +107,7 @@ class ProfileCheckTest {
   }
 
   @Test
-  void theKnownErrorIsFoundWithTheCalibrationInXml() throws IOException {
+  void findsKnownErrorWithXmlCalibration() throws IOException {
     Cli cli = check("--calibration", xml);
     assertEquals(0, cli.exit(), cli.err());
     assertTrue(cli.out().startsWith("60 boxes"), cli.out());
@@ -125,7 +125,7 @@ class ProfileCheckTest {
   }
 
   @Test
-  void aMatrixOfTheSameCameraGivesTheSameTable() throws IOException {
+  void matrixOfSameCameraGivesSameTable() throws IOException {
     check("--calibration", xml);
     byte[] tsai = Files.readAllBytes(folder.resolve("out/reality.csv"));
     Cli cli = check("--calibration", matrix, "--image", "1600x1200");
@@ -134,7 +134,7 @@ class ProfileCheckTest {
   }
 
   @Test
-  void withoutPositionsTheFeetOfTheBoxesAreTaken() throws IOException {
+  void usesFeetOfBoxesWithoutPositions() throws IOException {
     Files.writeString(boxes, rows(false));
     Cli cli = check("--calibration", xml);
     assertEquals(0, cli.exit(), cli.err());
@@ -143,7 +143,7 @@ class ProfileCheckTest {
   }
 
   @Test
-  void whatIsNotToCountOrIsCutOffIsLeftOutAndReported() throws IOException {
+  void omitsAndReportsUncountedAndCutOffBoxes() throws IOException {
     Files.writeString(
         boxes,
         rows(true)
@@ -172,7 +172,7 @@ class ProfileCheckTest {
         "--calibration OTHER | there is no <Intrinsic>, expected a calibration as the PETS",
         "--calibration WRONG | wrong.xml:3:",
       })
-  void whatIsWrongIsReportedInOneLine(String words, String expected) throws IOException {
+  void rejectsWrongUsageInOneLine(String words, String expected) throws IOException {
     Path other = folder.resolve("other.xml");
     Files.writeString(other, "<Camera><Geometry dpx='1' dpy='1'/></Camera>");
     Path wrong = folder.resolve("wrong.xml");
@@ -197,7 +197,7 @@ class ProfileCheckTest {
   }
 
   @Test
-  void boxesAboveTheHorizonHaveNoPlaceAndNothingIsLeft() throws IOException {
+  void rejectsRecordingWithAllBoxesAboveHorizon() throws IOException {
     Files.writeString(boxes, "1,1,700,100,50,180,1,-1,-1,-1\n");
     check("--calibration", xml)
         .assertRefused("1 without a place on the ground", folder.resolve("out"));
@@ -205,7 +205,7 @@ class ProfileCheckTest {
 
   private String[] row(String rung, String quantity) throws IOException {
     return table("reality.csv").stream()
-        .filter(one -> one[0].equals(rung) && one[1].equals(quantity))
+        .filter(cells -> cells[0].equals(rung) && cells[1].equals(quantity))
         .findFirst()
         .orElseThrow();
   }

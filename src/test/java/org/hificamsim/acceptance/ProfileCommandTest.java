@@ -15,12 +15,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** From an empty folder to a run, by the commands alone. */
+/** Tests {@code profile}: from an empty folder to a run with a fitted model. */
 class ProfileCommandTest {
   @TempDir Path folder;
 
   @Test
-  void aSmallLabBecomesModelsThatRun() throws IOException {
+  void labPhotosBecomeModelsThatRun() throws IOException {
     Path lab =
         Cli.lab(
             folder, "--scale 0.08 --objects 3 --focal-lengths 0.010,0.035,0.085 --distances 1,2,5");
@@ -50,9 +50,9 @@ class ProfileCommandTest {
     }
   }
 
-  /** Twelve photos whose confidence goes up and down with their number. */
+  /** Twelve photos with alternating confidence. */
   @Test
-  void noiseIsRefusedByNameAndNothingIsWritten() throws IOException {
+  void rejectsNoiseAndWritesNoModels() throws IOException {
     Cli fitted = fit((row, pip) -> row % 2 == 0 ? 0.1 : 0.3);
     assertEquals(2, fitted.exit(), fitted.err());
     assertTrue(
@@ -64,7 +64,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void oneObjectBeforeOneLensIsFittedAndOtherSizesAreWarnedOf() throws IOException {
+  void fitsSingleObjectAndWarnsOfOtherSizes() throws IOException {
     assertDone(fit((row, pip) -> 0.9 * pip / (pip + 0.01)));
     Cli run =
         assertDone(
@@ -92,7 +92,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void refitStandsBesideTheShippedModelOfItsName() throws IOException {
+  void comparesRefitWithShippedModelOfSameName() throws IOException {
     assertDone(fit((row, pip) -> 0.9 * pip / (pip + 0.01)));
     Path file = folder.resolve("models/orb-pinhole.json");
     Path out = folder.resolve("compared");
@@ -122,7 +122,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void thresholdsFromNegativesAreThoseOfTheModels() throws IOException {
+  void modelsTakeThresholdsFromNegatives() throws IOException {
     Files.writeString(
         folder.resolve("thresholds.csv"),
         "detector,threshold,false_alarms,recall\norb,0.123,0,1\n");
@@ -152,7 +152,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void confidencesOfAnyDetectorBecomeModelsWithoutAPhoto() throws IOException {
+  void fitsConfidencesOfAnyDetectorWithoutPhotos() throws IOException {
     Path file = confidences("yolo");
     Cli fit = assertDone(fitted(file));
     Path model = folder.resolve("models/yolo-pinhole.json");
@@ -170,9 +170,9 @@ class ProfileCommandTest {
             folder.resolve("out")));
   }
 
-  /** The name of the detector is that of the table. */
+  /** The detector takes its name from the table. */
   @Test
-  void columnsOfTheTableAreAlignedWhateverTheNames() throws IOException {
+  void alignsColumnsForLongNames() throws IOException {
     Cli fit = assertDone(fitted(confidences("a-detector-with-a-long-name")));
     List<String> lines = fit.out().lines().limit(6).toList();
     int end = lines.get(0).indexOf(" RMSE") + 5;
@@ -180,7 +180,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void modelsThatDependOnConditionsAreRefused() throws IOException {
+  void rejectsModelsWithCovariates() throws IOException {
     assertDone(fitted(confidences("yolo")));
     Path model = folder.resolve("models/yolo-pinhole.json");
     String lit = Files.readString(model).replace("\"units\"", "\"covariates\": {},\n  \"units\"");
@@ -191,7 +191,7 @@ class ProfileCommandTest {
     assertTrue(run.err().contains("covariates is an object, expected none"), run.err());
   }
 
-  /** Confidences of a detector that are a curve of the share of the image. */
+  /** Writes confidences that are a function of the share of the image. */
   private Path confidences(String detector) throws IOException {
     Files.writeString(
         folder.resolve("camera.json"),
@@ -225,7 +225,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void picturesOfMatchesLeaveTheMeasurementsAlone() throws IOException {
+  void drawingMatchesKeepsMeasurements() throws IOException {
     Path lab = Cli.lab(folder, "--scale 0.05 --objects 1 --focal-lengths 0.05 --distances 1,2");
     Path table = lab.resolve("measurements.csv");
     String image = "images/matchbox-50mm-01.0m.jpg";
@@ -239,7 +239,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void everyProblemOfADataSetIsReported() throws IOException {
+  void reportsEveryProblemOfDataSet() throws IOException {
     Files.writeString(
         folder.resolve("camera.json"),
         "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 60, \"height\": 40}");
@@ -279,7 +279,7 @@ class ProfileCommandTest {
         "profile fit DIR --restarts 0 | --restarts is 0",
         "profile fit DIR --g spline | g 'spline' is unknown, expected one of line, logistic",
       })
-  void wrongUsageIsReportedInOneLine(String command, String words) {
+  void rejectsWrongUsageInOneLine(String command, String words) {
     Cli run = Cli.run((Object[]) command.strip().replace("DIR", folder.toString()).split(" "));
     assertEquals(2, run.exit(), run.err());
     assertEquals(1, run.err().lines().count(), run.err());
@@ -299,7 +299,7 @@ class ProfileCommandTest {
         "surf-svr-rbf",
         "surf-sr"
       })
-  void allNineCombinationsOfTable61Run(String model) {
+  void runsEveryModelOfTable61(String model) {
     Cli run =
         Cli.run(
             "run",

@@ -43,7 +43,7 @@ public final class Reference {
     new ObjectMapper().writeValue(Path.of(args[0]).toFile(), parts());
   }
 
-  /** Every part in Markdown, by its name. */
+  /** Returns every part in Markdown, by name. */
   static Map<String, String> parts() {
     Map<String, String> parts = new TreeMap<>();
     tables().forEach((file, table) -> parts.put("columns of " + file, columns(table)));
@@ -79,8 +79,8 @@ public final class Reference {
     }
   }
 
-  private static Table<?> wider(Table<?> one, Table<?> other) {
-    return one.columns().size() < other.columns().size() ? other : one;
+  private static Table<?> wider(Table<?> first, Table<?> second) {
+    return first.columns().size() < second.columns().size() ? second : first;
   }
 
   private static String columns(Table<?> table) {
@@ -128,7 +128,7 @@ public final class Reference {
 
   /** Those that come with the program; users' own are described by their classes' names. */
   private static <T> Stream<Registry.Entry<T>> own(Registry<T> registry) {
-    return registry.entries().stream().filter(one -> one.summary().contains(" "));
+    return registry.entries().stream().filter(entry -> entry.summary().contains(" "));
   }
 
   private static String policies() {
@@ -139,10 +139,10 @@ public final class Reference {
         "meaning",
         own(policies)
             .flatMap(
-                one ->
+                policy ->
                     Stream.concat(
-                        Stream.of(List.of(code(one.name()), "", one.summary())),
-                        policies.options(one.name()).stream().map(Reference::option))));
+                        Stream.of(List.of(code(policy.name()), "", policy.summary())),
+                        policies.options(policy.name()).stream().map(Reference::option))));
   }
 
   private static List<String> option(Options.Declared option) {
@@ -155,11 +155,12 @@ public final class Reference {
         "model",
         "threshold",
         "what it is",
-        own(models).map(one -> detection(one.name(), one.summary(), models.create(one.name()))));
+        own(models)
+            .map(model -> detection(model.name(), model.summary(), models.create(model.name()))));
   }
 
   private static List<String> detection(String name, String summary, DetectionModel model) {
-    String equation = model instanceof HiFiDetection one ? "; g(p) = " + one.g().equation() : "";
+    String equation = model instanceof HiFiDetection hifi ? "; g(p) = " + hifi.g().equation() : "";
     String threshold = String.format(Locale.ROOT, "%.4g", model.defaultThreshold());
     return List.of(code(name), threshold, summary + equation);
   }

@@ -12,12 +12,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Every declaration that users look up stands on one page of the documentation. */
+/** Every declaration that users look up is on one page of the documentation. */
 class ReferenceTest {
   private static final Pattern MARK = Pattern.compile("(?m)^<!-- reference: (.+) -->$");
 
   @Test
-  void everyPartStandsOnOnePage() throws IOException {
+  void everyPartIsOnOnePage() throws IOException {
     try (Stream<Path> pages = Files.list(Cli.ROOT.resolve("docs"))) {
       List<String> marked =
           pages
@@ -30,7 +30,7 @@ class ReferenceTest {
   }
 
   @Test
-  void everyPartSaysSomething() {
+  void everyPartHasContent() {
     for (Map.Entry<String, String> part : Reference.parts().entrySet()) {
       assertFalse(part.getValue().lines().count() < 3, part.toString());
     }

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.xml.sax.SAXException;
 
-/** The schema {@code scenarios/camsim.xsd}: takes every real file, and refuses broken ones. */
+/** The schema {@code scenarios/camsim.xsd}: accepts every real file and rejects broken ones. */
 class ScenarioSchemaTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
 
@@ -72,18 +72,18 @@ class ScenarioSchemaTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> takesOurScenarios() throws IOException {
+  Stream<DynamicTest> acceptsOwnScenarios() throws IOException {
     return takesAll(
         ROOT.resolve("scenarios"), Reference.file("own-camsim"), Reference.file("own-coverage"));
   }
 
   @TestFactory
-  Stream<DynamicTest> takesPublishedScenarios() throws IOException {
+  Stream<DynamicTest> acceptsPublishedScenarios() throws IOException {
     return takesAll(Reference.file("camsim/scenarios"), Reference.file("coverage-study"));
   }
 
   @Test
-  void takesTheSoundSnippet() {
+  void acceptsValidSnippet() {
     assertDoesNotThrow(() -> validate(new StreamSource(new StringReader(SOUND))));
   }
 
@@ -140,7 +140,7 @@ class ScenarioSchemaTest {
         "<objects>                  | <objects><person/>",
         "<root>                     | <root><simulation/>",
       })
-  void refuses(String part, String broken) {
+  void rejectsBrokenSnippets(String part, String broken) {
     String text = SOUND.replace(part, broken == null ? "" : broken);
     assertTrue(!text.equals(SOUND), "the snippet has no such part");
     assertThrows(

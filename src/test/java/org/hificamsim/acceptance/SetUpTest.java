@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What {@code ./hificamsim} and {@code ./test} say on a machine that lacks something. */
+/** Tests the output of {@code ./hificamsim} and {@code ./test} if programs are missing. */
 class SetUpTest {
   private static final String MISSING = "hificamsim: missing: openjdk-17-jdk-headless gradle";
   private static final String LIBRARIES =
@@ -21,9 +21,9 @@ class SetUpTest {
 
   @TempDir Path folder;
 
-  /** An apt-get that writes down how it is called, and a sudo that needs no password. */
+  /** Creates an apt-get that logs its calls, and a sudo without password. */
   @BeforeEach
-  void pretend() throws IOException {
+  void createFakePrograms() throws IOException {
     program(
         "apt-get",
         "echo \"$*\" >>calls",
@@ -33,53 +33,53 @@ class SetUpTest {
   }
 
   @Test
-  void saysWhatIsInstalledAndHowMuchThatFetchesBeforeItDoes() throws Exception {
-    Said said = source("install_missing");
-    assertEquals(0, said.exit(), said.text());
+  void announcesPackagesAndDownloadSize() throws Exception {
+    Output output = source("install_missing");
+    assertEquals(0, output.exit(), output.text());
     assertEquals(
         List.of(MISSING + "; asking apt-get for it", "hificamsim: installing it, 85.5 MB to fetch"),
-        said.lines());
+        output.lines());
     assertEquals(1, calls().stream().filter(call -> call.contains("--yes openjdk-17")).count());
   }
 
   @Test
-  void tellsWhatAptGetSaidIfItFailed() throws Exception {
+  void printsOutputOfFailedAptGet() throws Exception {
     Files.createFile(folder.resolve("broken"));
-    Said said = source("install_missing");
-    assertEquals(1, said.exit());
+    Output output = source("install_missing");
+    assertEquals(1, output.exit());
     assertEquals(
         "hificamsim: could not install openjdk-17-jdk-headless gradle",
-        said.lines().get(said.lines().size() - 1));
-    assertEquals("Need to get 85.5 MB of archives.", said.lines().get(2));
+        output.lines().get(output.lines().size() - 1));
+    assertEquals("Need to get 85.5 MB of archives.", output.lines().get(2));
   }
 
   @Test
-  void withoutInstallingOneLineSaysWhatIsMissing() throws Exception {
-    Said said = source("installing=no; install_missing");
-    assertEquals(1, said.exit());
+  void listsMissingPackagesInOneLine() throws Exception {
+    Output output = source("installing=no; install_missing");
+    assertEquals(1, output.exit());
     assertEquals(
         List.of(MISSING + "; as root: apt-get install openjdk-17-jdk-headless gradle"),
-        said.lines());
+        output.lines());
     assertFalse(Files.exists(folder.resolve("calls")));
   }
 
   @Test
-  void withoutABrowserTheTestsGoOn() throws Exception {
-    Said said = source("installing=no; PATH=$PWD; install_browser");
-    assertEquals(0, said.exit());
+  void continuesWithoutBrowser() throws Exception {
+    Output output = source("installing=no; PATH=$PWD; install_browser");
+    assertEquals(0, output.exit());
     assertEquals(
         List.of(
             "hificamsim: missing: chromium and chromedriver, so pages are not tested;"
                 + " as root: apt-get install chromium chromium-driver"),
-        said.lines());
+        output.lines());
   }
 
   @Test
-  void saysHowMuchGradleFetchesBeforeItDoes() throws Exception {
+  void announcesDownloadSizeOfGradle() throws Exception {
     assertEquals(List.of("hificamsim: fetching " + LIBRARIES), source("tell_libraries").lines());
-    Said refused = source("installing=no; tell_libraries");
-    assertEquals(1, refused.exit());
-    assertEquals(List.of("hificamsim: missing: " + LIBRARIES), refused.lines());
+    Output rejected = source("installing=no; tell_libraries");
+    assertEquals(1, rejected.exit());
+    assertEquals(List.of("hificamsim: missing: " + LIBRARIES), rejected.lines());
     Path cache = folder.resolve("gradle/caches/modules-2/files-2.1");
     Files.createDirectories(cache.resolve("com.google.errorprone"));
     Files.createDirectories(cache.resolve("org.openpnp"));
@@ -87,42 +87,42 @@ class SetUpTest {
   }
 
   @Test
-  void whatIsFetchedForOneOptionIsSaidBefore() throws Exception {
-    saysBefore(
+  void announcesDownloadForOption() throws Exception {
+    assertAnnounced(
         "onnx",
         "com.microsoft.onnxruntime",
         "ONNX Runtime from Maven Central (93 MB), for --policy onnx:FILE");
-    saysBefore(
+    assertAnnounced(
         "parquet",
         "org.apache.parquet",
         "Parquet from Maven Central (11 MB), for --format parquet");
-    saysBefore(
+    assertAnnounced(
         "ortools",
         "com.google.ortools",
         "OR-Tools from Maven Central (33 MB), for place --method exact");
   }
 
-  private void saysBefore(String module, String group, String wanted) throws Exception {
+  private void assertAnnounced(String module, String group, String wanted) throws Exception {
     Path script = Cli.ROOT.resolve("tools/parts.sh").toRealPath();
     String words = "build_if_stale() { echo $2; }; libraries=lib; . " + script + "; part " + module;
     String built = ":" + module + ":libraries";
     assertEquals(List.of("hificamsim: fetching " + wanted, built), source(words).lines());
-    Said refused = source("installing=no; " + words);
-    assertEquals(1, refused.exit());
-    assertEquals(List.of("hificamsim: missing: " + wanted), refused.lines());
+    Output rejected = source("installing=no; " + words);
+    assertEquals(1, rejected.exit());
+    assertEquals(List.of("hificamsim: missing: " + wanted), rejected.lines());
     Files.createDirectories(folder.resolve("gradle/caches/modules-2/files-2.1/" + group));
     assertEquals(List.of(built), source(words).lines());
   }
 
-  /** What was said, on either output. */
-  private record Said(int exit, String text) {
+  /** The exit code and the text on both outputs. */
+  private record Output(int exit, String text) {
     List<String> lines() {
       return text.lines().toList();
     }
   }
 
   /** Runs words of {@code tools/setup.sh} as if there were no JDK, Gradle or OpenCV. */
-  private Said source(String words) throws Exception {
+  private Output source(String words) throws Exception {
     Path script = Cli.ROOT.resolve("tools/setup.sh").toRealPath();
     String missing = "gradle=/none; build_home() { return 1; }; debian_opencv=/none;";
     ProcessBuilder shell =
@@ -134,7 +134,7 @@ class SetUpTest {
     Process process = shell.start();
     process.getOutputStream().close();
     String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    return new Said(process.waitFor(), text);
+    return new Output(process.waitFor(), text);
   }
 
   private List<String> calls() throws IOException {

@@ -165,14 +165,14 @@ class TradeoffCommandTest {
     List<Map<String, Double>> areas = files.stream().map(file -> areas(out, file)).toList();
     String best =
         STRATEGIES.stream()
-            .max(Comparator.comparing(one -> areas.get(0).get(one) + areas.get(1).get(one)))
+            .max(Comparator.comparing(name -> areas.get(0).get(name) + areas.get(1).get(name)))
             .orElseThrow();
     double lead =
         areas.stream()
             .mapToDouble(
                 own ->
                     STRATEGIES.stream()
-                            .filter(one -> !one.equals(best))
+                            .filter(name -> !name.equals(best))
                             .mapToDouble(own::get)
                             .max()
                             .orElseThrow()

@@ -3,7 +3,7 @@ package org.example.user;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 
-/** Detects what is nearer than a metre. */
+/** Detects targets nearer than a metre. */
 public final class UserDetection implements DetectionModel {
   @Override
   public String name() {

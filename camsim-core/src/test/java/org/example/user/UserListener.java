@@ -4,7 +4,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 
-/** Adds up k_min. */
+/** Sums k_min over the steps. */
 public final class UserListener implements StepListener {
   private int sum;
 

@@ -4,7 +4,7 @@ import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.RandomStreams;
 import org.hificamsim.core.world.Targets;
 
-/** Half a metre to the right, a step. */
+/** Moves half a metre to the right per step. */
 public final class UserMovement implements Movement {
   @Override
   public String name() {

@@ -5,7 +5,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
-/** All cameras at one level. */
+/** Keeps all cameras at one level. */
 public final class UserPolicy implements ZoomPolicy {
   private int level;
 

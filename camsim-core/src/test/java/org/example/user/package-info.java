@@ -1,2 +1,2 @@
-/** What a user's own jar holds: the least that each extension point asks for. */
+/** A minimal implementation of each extension point, as in the jar of a user. */
 package org.example.user;

@@ -4,14 +4,14 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.function.LongSupplier;
 
-/** How much memory the calling thread allocates. Work on other threads does not count. */
+/** Measures how much memory the calling thread allocates; work on other threads does not count. */
 public final class AllocatedBytes {
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private static final int ROUNDS = 10;
 
   private AllocatedBytes() {}
 
-  /** The bytes that one call of the work takes. */
+  /** Returns the bytes that one call of the work allocates. */
   public static long by(Runnable work) {
     long before = THREADS.getCurrentThreadAllocatedBytes();
     work.run();
@@ -19,11 +19,11 @@ public final class AllocatedBytes {
   }
 
   /**
-   * The fewest bytes of some rounds: what the work allocates in each. One round alone has once
-   * counted 240 bytes of a policy that only copies an array, presumably the JVM's own; the price is
-   * that work which allocates more rarely than once a round goes unnoticed.
+   * Returns the fewest bytes of several rounds. A single round may count bytes that the JVM itself
+   * allocates (once 240 bytes for a policy that only copies an array). Allocations rarer than one
+   * per round go unnoticed.
    *
-   * @param round works, and returns the bytes that count
+   * @param round does the work and returns its bytes
    */
   public static long fewest(LongSupplier round) {
     long fewest = Long.MAX_VALUE;

@@ -7,10 +7,10 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 
 /**
- * A command line of CamSim's whose results were recorded.
+ * A command line of CamSim with recorded results.
  *
- * @param scenario the file's name in the {@link Reference}
- * @param options what stands before the file
+ * @param scenario the name of the file in the {@link Reference}
+ * @param options the words before the file
  */
 public record CamSimCommand(String scenario, List<String> options) {
   public static CamSimCommand of(String scenario, String options) {
@@ -25,18 +25,18 @@ public record CamSimCommand(String scenario, List<String> options) {
     return number("-s").orElse(0);
   }
 
-  /** What follows this option, if it is there. */
+  /** Returns the word after an option, if the option is given. */
   public Optional<String> option(String name) {
     int place = options.indexOf(name);
     return place < 0 ? Optional.empty() : Optional.of(options.get(place + 1));
   }
 
-  /** Likewise, a whole number. */
+  /** Returns the whole number after an option, if the option is given. */
   public Optional<Integer> number(String name) {
     return option(name).map(Integer::valueOf);
   }
 
-  /** Its scenario, under the movement that it asks for. */
+  /** Reads the scenario, with the movement that the options name. */
   public Scenario read() {
     Scenario read =
         ScenarioReader.read(Reference.file(scenario), anyMovement -> true, new ArrayList<>()::add);

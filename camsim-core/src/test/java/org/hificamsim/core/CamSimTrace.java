@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A run of CamSim's that was recorded step by step.
+ * A run of CamSim, recorded step by step.
  *
- * @param name what its files' names begin with
+ * @param name the common beginning of the names of its files
  */
 public record CamSimTrace(String name, CamSimCommand command) {
   private static final String FOLDER = "camsim/traces/";
@@ -25,7 +25,7 @@ public record CamSimTrace(String name, CamSimCommand command) {
       | -a passive -c 1 -s 2 -t 500 -m Brownian
       """;
 
-  /** All of them; the calling test is skipped where their files are missing. */
+  /** Returns all traces; skips the calling test if their files are missing. */
   public static Stream<CamSimTrace> all() {
     Reference.file(FOLDER);
     return ALL.lines().map(CamSimTrace::of);
@@ -36,7 +36,7 @@ public record CamSimTrace(String name, CamSimCommand command) {
     return new CamSimTrace(cells[0], CamSimCommand.of("camsim/scenarios/" + cells[1], cells[2]));
   }
 
-  /** The rows of {@code positions}, {@code confidences} or {@code owners}. */
+  /** Returns the rows of {@code positions}, {@code confidences} or {@code owners}. */
   public List<String[]> rows(String what) {
     return Reference.rows(FOLDER + name + "." + what + ".csv");
   }

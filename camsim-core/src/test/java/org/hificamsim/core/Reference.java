@@ -11,8 +11,9 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What others' simulators recorded, and published tables (docs/evidence.md): ours to copy in the
- * tests' resources, the rest in a folder beside the project, and tests that need it skip without.
+ * Records of other simulators, and published tables (docs/evidence.md). Those with a licence to
+ * copy are resources of the tests; the rest is in a folder next to the project, and tests that need
+ * it are skipped without it.
  */
 public final class Reference {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
@@ -21,7 +22,9 @@ public final class Reference {
 
   private Reference() {}
 
-  /** A file or folder; the calling test is skipped where it is one that lies beside the project. */
+  /**
+   * Returns a file or folder; skips the calling test if its folder next to the project is missing.
+   */
   public static Path file(String name) {
     Path ours = OURS.resolve(name);
     return Files.exists(ours) ? ours : beside(name);
@@ -38,7 +41,7 @@ public final class Reference {
     return file;
   }
 
-  /** All scenario files below a folder, in the order of their names. */
+  /** Returns all scenario files below a folder, sorted by name. */
   public static List<Path> scenarios(String folder) {
     try (Stream<Path> files = Files.walk(file(folder))) {
       return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
@@ -47,7 +50,7 @@ public final class Reference {
     }
   }
 
-  /** The rows of a CSV, without its header. */
+  /** Returns the rows of a CSV file without its header. */
   public static List<String[]> rows(String name) {
     try (Stream<String> lines = Files.lines(file(name))) {
       return lines.skip(1).map(line -> line.split(",")).toList();

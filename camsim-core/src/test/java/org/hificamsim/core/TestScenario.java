@@ -16,7 +16,7 @@ import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 
-/** Scenarios made in code: a field of 20 m x 20 m about the origin, unless told otherwise. */
+/** Scenarios made in code: by default with a field of 20 m x 20 m around the origin. */
 public final class TestScenario {
   private final List<CameraSpec> cameras = new ArrayList<>();
   private final List<TargetSpec> targets = new ArrayList<>();
@@ -28,7 +28,7 @@ public final class TestScenario {
     return this;
   }
 
-  /** Sets anything but cameras, targets and events; a field goes first. */
+  /** Sets any property but cameras, targets and events; call {@link #field} first if at all. */
   public <T> TestScenario with(Property<Scenario, T> property, T value) {
     rest = rest.with(property, value);
     return this;
@@ -71,12 +71,12 @@ public final class TestScenario {
     return this;
   }
 
-  public TestScenario events(ScenarioEvent... all) {
-    events.addAll(List.of(all));
+  public TestScenario events(ScenarioEvent... added) {
+    events.addAll(List.of(added));
     return this;
   }
 
-  /** Steps of another length, seconds. */
+  /** Sets the length of a step, in seconds. */
   public TestScenario stepTime(double seconds) {
     return with(Scenario.STEP_TIME, seconds);
   }
@@ -91,7 +91,7 @@ public final class TestScenario {
     return new World(scenario(), Movements.registry(), seed);
   }
 
-  /** The world that is not drawn at random. */
+  /** Returns the world of seed 0. */
   public World world() {
     return world(0);
   }
@@ -126,7 +126,7 @@ public final class TestScenario {
   }
 
   /**
-   * A target on a path, which starts on its first corner.
+   * Returns a target that starts on the first corner of its path.
    *
    * @param corners x, y, x, y, ...
    */

@@ -56,7 +56,7 @@ public final class DetectionModelContract {
         dynamicTest("goesByItsName", () -> assertEquals(name, maker.get().name())),
         dynamicTest("givesANumberForEveryLegalInput", this::givesANumber),
         dynamicTest("givesTheSameTwice", this::givesTheSameTwice),
-        dynamicTest("looksAtTheBearingOnlyIfItSaysSo", this::isHonestAboutBearing),
+        dynamicTest("ignoresBearingUnlessDeclared", this::isHonestAboutBearing),
         dynamicTest("hasAUsableDefaultThreshold", this::hasUsableThreshold),
         dynamicTest("detectsWithinTheRadiusAlone", this::detectsWithinTheRadius));
   }

@@ -69,7 +69,7 @@ class ChannelTest {
     return new Channel(ChannelModel.parse(model), line, seed);
   }
 
-  /** What becomes of one message a step, from camera 0 to 1. */
+  /** The delays of messages from camera 0 to 1, one per step. */
   private static int[] delays(String model) {
     Line line = new Line(2);
     Channel channel = channel(model, line, 7);
@@ -86,7 +86,7 @@ class ChannelTest {
     return IntStream.of(delays).filter(delay -> delay == Channel.LOST).count() / (double) STEPS;
   }
 
-  /** Four standard errors of a share of independent draws. */
+  /** Returns four standard errors of a share of independent draws. */
   private static double margin(double share) {
     return 4 * Math.sqrt(share * (1 - share) / STEPS);
   }
@@ -107,7 +107,7 @@ class ChannelTest {
     assertEquals(0.09, both / (STEPS - 1.0), margin(0.09));
   }
 
-  /** The mean of n geometric lengths of mean L has the standard error L / sqrt(n), about. */
+  /** The mean of n geometric lengths with mean L has a standard error of about L / sqrt(n). */
   @ParameterizedTest
   @CsvSource({"0.2, 5", "0.1, 20", "0.5, 2", "0.6, 1.6"})
   void burstsHaveGivenLengthAndKeepMeanLoss(double loss, double burst) {
@@ -151,8 +151,8 @@ class ChannelTest {
   void uniformDelaysAreEquallyFrequent() {
     int[] delays = delays("delay=1..4");
     for (int steps = 1; steps <= 4; steps++) {
-      int wanted = steps;
-      double share = IntStream.of(delays).filter(d -> d == wanted).count() / (double) STEPS;
+      int expectedDelay = steps;
+      double share = IntStream.of(delays).filter(d -> d == expectedDelay).count() / (double) STEPS;
       assertEquals(0.25, share, margin(0.25));
     }
   }
@@ -231,7 +231,7 @@ class ChannelTest {
     assertEquals(0, delay(line, channel, 0, 0, 1)); // 8 bits of this step's 10
     assertEquals(1, delay(line, channel, 0, 0, 1)); // 16
     assertEquals(2, delay(line, channel, 0, 0, 1)); // 24
-    assertFalse(channel.send(0, 8)); // 32 are more than 10 now and 20 that wait
+    assertFalse(channel.send(0, 8)); // 32 exceed 10 now and 20 waiting
     assertEquals(1, channel.dropped());
     assertEquals(2, delay(line, channel, 1, 0, 1)); // 14 wait, 8 more
     assertEquals(0, delay(line, channel, 9, 0, 1));

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class DetectedDistancesTest {
-  /** Waves give anything from nothing and everything to rings within rings. */
+  /** Cosine models detect nothing, everything, or any number of rings. */
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
   void agreesWithTheModel(
       @ForAll @DoubleRange(min = 0.01, max = 50) double radius,
@@ -140,13 +140,13 @@ class DetectedDistancesTest {
 
   @Test
   void includesSetsOfContainedDistances() {
-    DetectedDistances all = distances(model(d -> 1), 8, 0.5);
+    DetectedDistances everything = distances(model(d -> 1), 8, 0.5);
     DetectedDistances near = distances(model(d -> 1 - d / 10), 8, 0.5);
     DetectedDistances far = distances(model(d -> d / 10), 8, 0.2);
     DetectedDistances rings = distances(model(d -> Math.cos(d * Math.PI / 2)), 8, 0);
-    for (DetectedDistances set : new DetectedDistances[] {all, near, far, rings}) {
+    for (DetectedDistances set : new DetectedDistances[] {everything, near, far, rings}) {
       assertTrue(set.includes(set));
-      assertTrue(all.includes(set));
+      assertTrue(everything.includes(set));
       assertTrue(set.includes(DetectedDistances.NONE));
       assertFalse(DetectedDistances.NONE.includes(set));
     }
@@ -159,12 +159,12 @@ class DetectedDistancesTest {
 
   @Property(tries = 200)
   void lowerThresholdIncludesHigherOne(
-      @ForAll @DoubleRange(min = -1, max = 1) double one,
+      @ForAll @DoubleRange(min = -1, max = 1) double first,
       @ForAll @DoubleRange(min = -1, max = 1) double other) {
     DetectionModel model = model(d -> Math.cos(3 * d));
     assertTrue(
-        distances(model, 5, Math.min(one, other))
-            .includes(distances(model, 5, Math.max(one, other))));
+        distances(model, 5, Math.min(first, other))
+            .includes(distances(model, 5, Math.max(first, other))));
   }
 
   @Test
@@ -192,7 +192,7 @@ class DetectedDistancesTest {
     return new ZoomLevel(radius, radius, radius, Double.NaN, 2 * Math.PI);
   }
 
-  private static DetectionModel model(DoubleUnaryOperator ofDistance) {
+  private static DetectionModel model(DoubleUnaryOperator confidenceAtDistance) {
     return new DetectionModel() {
       @Override
       public String name() {
@@ -201,7 +201,7 @@ class DetectedDistancesTest {
 
       @Override
       public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-        return ofDistance.applyAsDouble(distance);
+        return confidenceAtDistance.applyAsDouble(distance);
       }
     };
   }

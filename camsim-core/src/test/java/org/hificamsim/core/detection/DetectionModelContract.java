@@ -8,9 +8,11 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** What every detection model must do, a user's own too: a test class implements it. */
+/**
+ * Tests that every detection model must pass; a test class of a model implements this interface.
+ */
 public interface DetectionModelContract {
-  /** A new instance of the model. */
+  /** Returns a new instance of the model. */
   DetectionModel model();
 
   @Test

@@ -81,7 +81,9 @@ class DetectionRuleTest {
         DetectionRule.parse("chance:alpha=" + alpha), "x", new Falling(Optional.of(scatter)));
   }
 
-  /** P = Phi((v - tau) / 0.1) with tau = 0.2 + 2.3263 * 0.1; of the target: (P - 0.01) / 0.99. */
+  /**
+   * P = Phi((v - tau) / 0.1) with tau = 0.2 + 2.3263 * 0.1; without false alarms (P - 0.01) / 0.99.
+   */
   @Test
   void chanceExcludesFalseAlarms() {
     Detection detection = byChance("0.01", new Scatter(0.2, 0.1));
@@ -132,7 +134,7 @@ class DetectionRuleTest {
     assertFalse(detection.detects(0.3, 0.3, 1));
   }
 
-  /** A jump at 3 m, where no cubic is close. */
+  /** Jumps at 3 m, where no cubic approximates it. */
   private record Jump(Optional<Scatter> scatter) implements DetectionModel {
     @Override
     public String name() {

@@ -10,7 +10,7 @@ import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.junit.jupiter.api.Test;
 
-/** A model with its rule, and what models are asked with. */
+/** A model with its rule, and the defaults of models and zoom levels. */
 class DetectionTest {
   private static final ZoomLevel ZOOM = new ZoomLevel(8, 2, 8, Double.NaN, 2 * Math.PI);
 

@@ -46,15 +46,17 @@ class DistanceTableTest {
     assertEquals(0.5, table.value(9));
   }
 
-  private static DistanceTable table(DoubleUnaryOperator of) {
-    return DistanceTable.of(RADIUS, of);
+  private static DistanceTable table(DoubleUnaryOperator function) {
+    return DistanceTable.of(RADIUS, function);
   }
 
-  private static void assertClose(DoubleUnaryOperator of, DistanceTable table, double by) {
+  private static void assertClose(
+      DoubleUnaryOperator function, DistanceTable table, double tolerance) {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 10_000; i++) {
       double distance = random.nextDouble() * RADIUS;
-      assertEquals(of.applyAsDouble(distance), table.value(distance), by, distance + " m");
+      assertEquals(
+          function.applyAsDouble(distance), table.value(distance), tolerance, distance + " m");
     }
   }
 }

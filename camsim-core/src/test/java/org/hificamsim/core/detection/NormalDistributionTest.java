@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Against tables of the distribution, and against its own density. */
+/** Compares with tables of the distribution and with its density. */
 class NormalDistributionTest {
   @ParameterizedTest
   @CsvSource({

@@ -14,7 +14,7 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The step allocates nothing: after a warm-up, 20,000 steps take no memory. */
+/** After a warm-up, 20,000 steps allocate no memory. */
 class AllocationTest {
   private static final int STEPS = 20_000;
 
@@ -56,7 +56,7 @@ class AllocationTest {
 
   private static TestScenario scenario(String movement) {
     TestScenario scenario =
-        kind(movement) ? new TestScenario() : new TestScenario().zooms(2, 4, 6, 8);
+        needsCamSimDialect(movement) ? new TestScenario() : new TestScenario().zooms(2, 4, 6, 8);
     for (int i = 0; i < 4; i++) {
       scenario.camera(TestScenario.camera("c" + i, 2 * i - 4, i, 90 * i, i == 0 ? 360 : 120, 8));
       scenario.target(target(i, movement));
@@ -64,8 +64,10 @@ class AllocationTest {
     return scenario;
   }
 
-  /** In the coverage study's dialect CamSim's Waypoints means Scripted. */
-  private static boolean kind(String movement) {
+  /**
+   * Whether the scenario needs CamSim's dialect: with a zoom list, Waypoints would mean Scripted.
+   */
+  private static boolean needsCamSimDialect(String movement) {
     return movement.equals("Waypoints");
   }
 

@@ -15,7 +15,7 @@ import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** CamSim's recorded positions and confidences, step by step. */
+/** Compares positions and confidences with CamSim's records, step by step. */
 class CamSimTraceTest {
   private record Key(int step, String camera, String target) {}
 
@@ -42,7 +42,7 @@ class CamSimTraceTest {
     assertTrue(recorded.size() >= trace.command().steps(), recorded.size() + " positions compared");
   }
 
-  /** Where CamSim's bandit zooms, only the first steps' ranges are those of the file. */
+  /** If CamSim's bandit zooms, only the first steps have the ranges of the file. */
   @ParameterizedTest
   @MethodSource("org.hificamsim.core.CamSimTrace#all")
   void confidencesEqualRecordedOnesBeforeAnyZoom(CamSimTrace trace) {

@@ -16,7 +16,7 @@ import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The k_min that the coverage study's simulator has with all cameras at their widest. */
+/** Compares k_min with the simulator of the coverage study, with all cameras at their widest. */
 class CoverageStudyTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3, 4, 5})

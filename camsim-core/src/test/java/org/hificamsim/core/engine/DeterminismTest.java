@@ -18,7 +18,7 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.api.Test;
 
-/** Equal arguments give equal runs, in everything that can be observed. */
+/** Equal arguments give equal runs in all observable values. */
 class DeterminismTest {
   private static final int STEPS = 2000;
 
@@ -62,7 +62,7 @@ class DeterminismTest {
     assertNotEquals(run(1, 2), run(4, 2));
   }
 
-  /** A hash per step of all that was observed. */
+  /** Returns a hash of all observable values per step. */
   private static List<Integer> run(long worldSeed, long policySeed) {
     TestScenario scenario = new TestScenario().zooms(2, 4, 6, 8);
     for (int i = 0; i < 5; i++) {
@@ -87,23 +87,23 @@ class DeterminismTest {
   }
 
   private static int hash(OracleView network, StepCoverage coverage) {
-    List<Object> all = new ArrayList<>();
-    all.add(coverage.kMin());
-    all.add(coverage.meanK());
-    all.add(coverage.covered0());
-    all.add(coverage.covered1());
+    List<Object> observed = new ArrayList<>();
+    observed.add(coverage.kMin());
+    observed.add(coverage.meanK());
+    observed.add(coverage.covered0());
+    observed.add(coverage.covered1());
     for (int camera = 0; camera < network.cameras(); camera++) {
-      all.add(network.online(camera));
-      all.add(network.view(camera));
-      all.add(network.detected(camera));
+      observed.add(network.online(camera));
+      observed.add(network.view(camera));
+      observed.add(network.detected(camera));
     }
     for (int target = 0; target < network.targets(); target++) {
-      all.add(network.present(target));
-      all.add(network.targetX(target));
-      all.add(network.targetY(target));
-      all.add(network.coverage(target));
-      all.add(network.confidence(0, target));
+      observed.add(network.present(target));
+      observed.add(network.targetX(target));
+      observed.add(network.targetY(target));
+      observed.add(network.coverage(target));
+      observed.add(network.confidence(0, target));
     }
-    return all.hashCode();
+    return observed.hashCode();
   }
 }

@@ -26,13 +26,13 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** Checks that a grid changes the time that looking takes, and nothing else. */
+/** A grid only makes looking faster: observations equal those without a grid. */
 class GridTest {
   private static final int CAMERAS = 25;
   private static final int TARGETS = 40;
   private static final int STEPS = 12;
 
-  /** Detects in rings, so that the detected distances are many intervals. */
+  /** Detects in rings, so that the detected distances have many intervals. */
   private record Rings(double waves) implements DetectionModel {
     @Override
     public String name() {
@@ -123,7 +123,7 @@ class GridTest {
             .target(-5, 0)
             .target(0, -5);
     for (int beyond = 0; beyond < 20; beyond++) {
-      scenario.target(9, 9); // so that the grid may have 64 cells
+      scenario.target(9, 9); // allows a grid of 64 cells
     }
     World world = scenario.world();
     for (DetectionModel model :
@@ -144,12 +144,12 @@ class GridTest {
 
   @Test
   void onlyBigWorldsHaveAGrid() {
-    assertEquals(1, cells(strewn(20, 20, 100).world()));
-    assertTrue(cells(strewn(300, 200, 100).world()) > 100);
-    assertEquals(1, cells(strewn(300, 200, 5).world()));
+    assertEquals(1, cells(randomPlaces(20, 20, 100).world()));
+    assertTrue(cells(randomPlaces(300, 200, 100).world()) > 100);
+    assertEquals(1, cells(randomPlaces(300, 200, 5).world()));
   }
 
-  private static TestScenario strewn(int cameras, int targets, double field) {
+  private static TestScenario randomPlaces(int cameras, int targets, double field) {
     SplittableRandom random = new SplittableRandom(3);
     TestScenario scenario = new TestScenario().field(0, field, 0, field).zooms(2, 4);
     for (int camera = 0; camera < cameras; camera++) {
@@ -171,7 +171,9 @@ class GridTest {
     };
   }
 
-  /** Own ranges or a zoom list, sectors, targets on borders and outside, comings and goings. */
+  /**
+   * Ranges or a zoom list, sectors, targets on borders and outside, cameras and targets by event.
+   */
   private static TestScenario scenario(SplittableRandom random) {
     TestScenario scenario = new TestScenario();
     if (random.nextBoolean()) {

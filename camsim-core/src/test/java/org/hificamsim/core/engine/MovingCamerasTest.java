@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A camera of two levels at -40, 0 and 40 degrees, which turns by 20 degrees a step. */
+/** A camera with two levels at -40, 0 and 40 degrees that turns by 20 degrees per step. */
 class MovingCamerasTest {
   private static final int AHEAD = 3;
   private static final int RIGHT = 5;
@@ -37,7 +37,7 @@ class MovingCamerasTest {
     }
   }
 
-  /** The same, turned to an angle of its own. */
+  /** Looks to the right at a given pan angle. */
   private record Aiming(double pan) implements AimingZoomPolicy {
     @Override
     public String name() {

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the network of a step answers, whichever way its cameras look. */
+/** The answers of the network within a step, for any kind of sight. */
 class ObservedNetworkTest {
   private static final Obstacle HALF_LIGHT = new Obstacle.Wall(-9, 1, 9, 1, 0.5);
 
@@ -42,7 +42,7 @@ class ObservedNetworkTest {
     }
   }
 
-  /** Sees all at levels of more than 6 m, and nothing at others. */
+  /** Detects everything at levels of more than 6 m, and nothing at others. */
   private record Wide() implements DetectionModel {
     @Override
     public String name() {
@@ -55,7 +55,7 @@ class ObservedNetworkTest {
     }
   }
 
-  /** Sees nothing that is nearer than 2 m, nor farther than 4 m. */
+  /** Detects only between 2 m and 4 m. */
   private record Ring() implements DetectionModel {
     @Override
     public String name() {
@@ -68,7 +68,7 @@ class ObservedNetworkTest {
     }
   }
 
-  /** By a threshold, or by a chance that is certainty: the two look in different ways. */
+  /** Both rules detect the same with this model, but in different ways. */
   @ParameterizedTest
   @ValueSource(strings = {"threshold", "probability"})
   void detectsTargetsInReachAndAngle(String rule) {
@@ -140,7 +140,9 @@ class ObservedNetworkTest {
     assertEquals(4, network.reach(0, 0), 1e-8);
   }
 
-  /** The angle is bracketed first: the model says no at the bracket's lower end. */
+  /**
+   * The angle is bracketed first, and the model detects nothing at the lower end of the bracket.
+   */
   @Test
   void asksModelForExactAngleIfBracketIsUndecided() {
     World world = new TestScenario().camera(0, 0).target(1, 2).world();
@@ -184,7 +186,7 @@ class ObservedNetworkTest {
     assertEquals(List.of(1), found(network(world, certain("threshold"))));
   }
 
-  /** What the first camera sees. */
+  /** Returns the targets that the first camera sees. */
   private static List<Integer> found(TestNetwork network) {
     SeenPairs pairs = new SeenPairs();
     network.findSeen(pairs);
@@ -200,7 +202,7 @@ class ObservedNetworkTest {
     assertEquals(List.of(0, 1, 2), found(network(world, certain("threshold"))));
   }
 
-  /** Two words a view over what was there before, and the words behind them as they were. */
+  /** Writes two words per view over old contents, and leaves later words unchanged. */
   @ParameterizedTest
   @CsvSource({"threshold, 100", "threshold, 3", "probability, 100", "probability, 3"})
   void marksDetectionsOfEachView(String rule, double side) {
@@ -237,7 +239,7 @@ class ObservedNetworkTest {
     assertTrue(coverable[network.targets()], "behind the last");
   }
 
-  /** A camera of two levels, and 100 targets in rows that go beyond both. */
+  /** A camera with two levels, and rows of 100 targets that extend beyond both. */
   private static TestScenario crowd() {
     TestScenario scenario = new TestScenario().zooms(3, 6).camera(0, 0);
     for (int target = 0; target < 100; target++) {

@@ -39,9 +39,9 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 /**
- * Walks everything that a policy can reach from the view that it is given: the public methods of
- * all public types that the view can be cast to, and of what they return. {@code setAccessible} is
- * out of scope.
+ * Visits all objects that a policy can reach from its view: through the public methods of all
+ * public types that the view can be cast to, and of their results. {@code setAccessible} is out of
+ * scope.
  */
 class OracleWallTest {
   private static final List<Class<?>> ORACLES =
@@ -54,7 +54,7 @@ class OracleWallTest {
           Simulation.class,
           Sight.class);
 
-  /** Keeps the view that it is given. */
+  /** Keeps its views. */
   private static class Keeping implements ZoomPolicy {
     final Set<NetworkView> given = Collections.newSetFromMap(new IdentityHashMap<>());
 
@@ -79,7 +79,7 @@ class OracleWallTest {
     }
   }
 
-  /** The same as a bound. */
+  /** Keeps its views, as a bound. */
   private static final class KeepingBound extends Keeping implements OraclePolicy {
     @Override
     public void decide(OracleView network, int[] views) {
@@ -132,7 +132,9 @@ class OracleWallTest {
   }
 
   private static final class Walk {
-    /** Methods that copy return new objects without end: so many of each class are walked. */
+    /**
+     * The most objects walked per class, because methods that copy return new objects endlessly.
+     */
     private static final int INSTANCES = 20;
 
     final List<String> found = new ArrayList<>();
@@ -155,10 +157,10 @@ class OracleWallTest {
       ORACLES.stream()
           .filter(oracle -> oracle.isInstance(value))
           .forEach(oracle -> found.add(path + " is a " + oracle.getSimpleName()));
-      if (value instanceof Collection<?> all) {
-        all.forEach(item -> add(item, path + "[]"));
-      } else if (value instanceof Object[] all) {
-        Arrays.stream(all).forEach(item -> add(item, path + "[]"));
+      if (value instanceof Collection<?> items) {
+        items.forEach(item -> add(item, path + "[]"));
+      } else if (value instanceof Object[] items) {
+        Arrays.stream(items).forEach(item -> add(item, path + "[]"));
       } else if (value.getClass().getName().startsWith("org.hificamsim")) {
         open.add(value);
       }
@@ -186,7 +188,7 @@ class OracleWallTest {
       } catch (IllegalAccessException e) {
         throw new AssertionError(method + " is not public", e);
       } catch (InvocationTargetException e) {
-        calls++; // refused such arguments
+        calls++; // the method rejected the arguments
       }
     }
 
@@ -201,13 +203,13 @@ class OracleWallTest {
     }
 
     private static Set<Class<?>> publicTypes(Class<?> type) {
-      Set<Class<?>> all = new LinkedHashSet<>();
-      for (Class<?> each = type; each != null; each = each.getSuperclass()) {
-        all.add(each);
-        Stream.of(each.getInterfaces()).forEach(face -> all.addAll(publicTypes(face)));
+      Set<Class<?>> types = new LinkedHashSet<>();
+      for (Class<?> ancestor = type; ancestor != null; ancestor = ancestor.getSuperclass()) {
+        types.add(ancestor);
+        Stream.of(ancestor.getInterfaces()).forEach(parent -> types.addAll(publicTypes(parent)));
       }
-      all.removeIf(each -> !Modifier.isPublic(each.getModifiers()));
-      return all;
+      types.removeIf(found -> !Modifier.isPublic(found.getModifiers()));
+      return types;
     }
   }
 }

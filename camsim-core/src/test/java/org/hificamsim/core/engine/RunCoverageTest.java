@@ -41,7 +41,7 @@ class RunCoverageTest {
     assertEquals(Double.NaN, coverage.leastChance());
   }
 
-  /** Both cameras detect target 0, the first one target 1 too, each with a chance of a half. */
+  /** Both cameras detect target 0, and the first also target 1, each with a chance of 0.5. */
   private static final class Coins implements DetectionChances {
     @Override
     public int cameras() {
@@ -73,7 +73,7 @@ class RunCoverageTest {
     coverage.stepped(at(views), new StepCoverage());
   }
 
-  /** Cameras at these views, of which nothing else is asked. */
+  /** A network that only answers the number of cameras and their views. */
   private static OracleView at(int... views) {
     return (OracleView)
         Proxy.newProxyInstance(

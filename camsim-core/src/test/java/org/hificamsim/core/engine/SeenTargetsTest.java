@@ -18,7 +18,7 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a camera is told of the targets that it sees is what it gets by asking for each. */
+/** Pairs of cameras and seen targets equal the answers for each pair. */
 class SeenTargetsTest {
   private static final int CAMERAS = 6;
   private static final int TARGETS = 40;
@@ -35,17 +35,17 @@ class SeenTargetsTest {
     network.locate();
     SeenPairs pairs = new SeenPairs();
     network.findSeen(pairs);
-    int all = 0;
+    int total = 0;
     for (int camera = 0; camera < CAMERAS; camera++) {
-      Map<Integer, Seen> seen = byAsking(network, camera);
+      Map<Integer, Seen> seen = byPair(network, camera);
       assertFound(seen, network, camera, pairs);
-      all += seen.size();
+      total += seen.size();
     }
-    assertEquals(all, pairs.count());
-    assertTrue(all > 20 && all < CAMERAS * TARGETS / 2, all + " seen");
+    assertEquals(total, pairs.count());
+    assertTrue(total > 20 && total < CAMERAS * TARGETS / 2, total + " seen");
   }
 
-  /** The same targets, by where they are before the camera. */
+  /** Checks the targets of a camera and their places in front of it. */
   private static void assertFound(
       Map<Integer, Seen> seen, TestNetwork network, int camera, SeenPairs pairs) {
     Set<Integer> found = new TreeSet<>();
@@ -53,18 +53,18 @@ class SeenTargetsTest {
       if (pairs.camera(pair) == camera) {
         int target = pairs.target(pair);
         found.add(target);
-        Seen one = seen.get(target);
-        double confidence = network.seenConfidence(camera, target, one.distance);
+        Seen expected = seen.get(target);
+        double confidence = network.seenConfidence(camera, target, expected.distance);
         assertEquals(network.confidence(camera, target), confidence, 1e-8);
-        assertEquals(one.distance * Math.cos(one.bearing), pairs.ahead(pair), 1e-12);
-        assertEquals(one.distance * Math.sin(one.bearing), pairs.right(pair), 1e-12);
-        assertEquals(one.distance, pairs.distance(pair), 1e-12);
+        assertEquals(expected.distance * Math.cos(expected.bearing), pairs.ahead(pair), 1e-12);
+        assertEquals(expected.distance * Math.sin(expected.bearing), pairs.right(pair), 1e-12);
+        assertEquals(expected.distance, pairs.distance(pair), 1e-12);
       }
     }
     assertEquals(seen.keySet(), found);
   }
 
-  private static Map<Integer, Seen> byAsking(NetworkView network, int camera) {
+  private static Map<Integer, Seen> byPair(NetworkView network, int camera) {
     Map<Integer, Seen> seen = new TreeMap<>();
     for (int target = 0; target < TARGETS; target++) {
       if (network.sees(camera, target)) {

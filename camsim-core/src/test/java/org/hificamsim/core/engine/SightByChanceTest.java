@@ -25,9 +25,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Chances from a table, asked in full, by a grid or by threads: the same detections. */
+/** Detects by chance the same from a table, from the full model, and with a grid. */
 class SightByChanceTest {
-  /** Falls with distance, in waves where there are any. */
+  /** Falls with distance, with waves on top if there are any. */
   private record Waves(double waves, boolean dependsOnBearing) implements DetectionModel {
     @Override
     public String name() {
@@ -114,18 +114,18 @@ class SightByChanceTest {
   }
 
   private static List<String> chances(TestNetwork network, int camera) {
-    int[] who = new int[network.targets()];
+    int[] targets = new int[network.targets()];
     double[] chances = new double[network.targets()];
-    int count = network.chances(camera, who, chances);
-    List<String> all = new ArrayList<>();
+    int count = network.chances(camera, targets, chances);
+    List<String> pairs = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      all.add(who[i] + " " + chances[i]);
+      pairs.add(targets[i] + " " + chances[i]);
     }
-    all.sort(String::compareTo);
-    return all;
+    pairs.sort(String::compareTo);
+    return pairs;
   }
 
-  /** Two million looks of one camera at eight still targets, against the formula. */
+  /** Compares two million looks of one camera at eight still targets with the formula. */
   @ParameterizedTest
   @ValueSource(strings = {"chance", "chance:alpha=0.01,memory=5", "probability"})
   void frequenciesFollowTheFormula(String rule) {

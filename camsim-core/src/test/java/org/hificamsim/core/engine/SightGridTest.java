@@ -13,11 +13,11 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** Cells as wide as a camera detects far, from 4,000 pairs and 40 cells on. */
+/** A grid exists from 4,000 pairs and 40 cells on; its cells are as wide as the mean reach. */
 class SightGridTest {
   private static final int TARGETS = 50;
 
-  /** As far as a lens makes a target large enough. */
+  /** Detects targets that the lens shows large enough. */
   private record Lens() implements DetectionModel {
     @Override
     public String name() {
@@ -32,21 +32,21 @@ class SightGridTest {
 
   @Test
   void cellSideIsTheMeanReach() {
-    assertEquals(64, cells(strewn(80, 40, 40), new GeometricDetection()));
+    assertEquals(64, cells(cameras(80, 40, 40), new GeometricDetection()));
   }
 
   @Test
   void hasOneCellForFewPairs() {
-    assertEquals(1, cells(strewn(79, 40, 40), new GeometricDetection()));
+    assertEquals(1, cells(cameras(79, 40, 40), new GeometricDetection()));
   }
 
   @Test
   void hasOneCellForSmallField() {
-    assertEquals(40, cells(strewn(80, 40, 25), new GeometricDetection()));
-    assertEquals(1, cells(strewn(80, 35, 25), new GeometricDetection()));
+    assertEquals(40, cells(cameras(80, 40, 25), new GeometricDetection()));
+    assertEquals(1, cells(cameras(80, 35, 25), new GeometricDetection()));
   }
 
-  /** 7.6 m at 30 degrees and 3.8 m at 60: 5.4 m. */
+  /** The reach is 7.6 m at 30 degrees and 3.8 m at 60; the side is 5.4 m. */
   @Test
   void cellSideAveragesReachesOfLens() {
     OpticsSpec optics = new OpticsSpec("lens").with(OpticsSpec.ANGLES_OF_VIEW, List.of(30.0, 60.0));
@@ -63,7 +63,7 @@ class SightGridTest {
   }
 
   /** Every other camera detects up to 4 m, the others up to 6 m. */
-  private static TestScenario strewn(int cameras, double width, double height) {
+  private static TestScenario cameras(int cameras, double width, double height) {
     TestScenario scenario = new TestScenario().field(0, width, 0, height);
     for (int camera = 0; camera < cameras; camera++) {
       double range = camera % 2 == 0 ? 4 : 6;

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Asked once per view or asked in full, a model detects the same. */
+/** Tabulated distances detect the same as the full model. */
 class SightTest {
   private static final int CAMERAS = 4;
   private static final int TARGETS = 60;
@@ -45,7 +45,7 @@ class SightTest {
     }
   }
 
-  /** The same model, claiming to look at the bearing. */
+  /** The same model, declared to depend on the bearing. */
   private record InFull(DetectionModel model) implements DetectionModel {
     @Override
     public String name() {
@@ -83,7 +83,7 @@ class SightTest {
     assertLooksAsItDetects(world, new Sight(world, inFull(detection)));
   }
 
-  /** One camera is off, one is at another level, and one target stands on a border. */
+  /** One camera is offline, one is at another level, and one target is on a border. */
   @Test
   void lookOfAllCamerasEqualsSingleDetections() {
     TestScenario scenario = new TestScenario().zooms(2, 5);
@@ -123,7 +123,7 @@ class SightTest {
     assertTrue(at > 50 && detected[1] > 0 && detected[1] < detected[0], at + " seen");
   }
 
-  /** Three words of masks, in the middle of an array whose other words stay as they are. */
+  /** Writes three words per view, and leaves the other words of the array unchanged. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void marksTargetsBeyondTheFirstSixtyFour(boolean inFull) {
@@ -155,8 +155,8 @@ class SightTest {
   @Test
   void seesUpToTheExactBorder() {
     TestScenario scenario = new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 360, 5));
-    // The squares of the last two are 25 and one or two units in the last place; the root of the
-    // first of them is rounded to 5.
+    // The squared distances of the last two exceed 25 by one and two units in the last place; the
+    // root of the first of them is rounded to 5.
     double[][] places = {{0, 0}, {3, 4}, {0x1p-24, 5}, {0x1.8p-24, 5}};
     for (double[] place : places) {
       scenario.target(place[0], place[1]);
@@ -292,7 +292,7 @@ class SightTest {
     return randomWorld(random, 0.1, 0.66, 1.3);
   }
 
-  /** Sectors and circles, targets of these sizes, some right on cameras. */
+  /** Sectors and circles, and targets of these sizes, some of them exactly at cameras. */
   private static World randomWorld(SplittableRandom random, double... sizes) {
     TestScenario scenario = new TestScenario().zooms(1 + random.nextDouble(), 4, 7.5);
     for (int camera = 0; camera < CAMERAS; camera++) {

@@ -36,7 +36,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SimulationTest {
   private static final Detection ALL_IN_REACH = Detection.of(new GeometricDetection());
 
-  /** A policy made of what the test wants to know. */
+  /** Decides by a given function, and logs its calls with the detections per camera. */
   private static class TestPolicy implements ZoomPolicy {
     private final BiConsumer<NetworkView, int[]> decide;
     private final List<String> log = new ArrayList<>();
@@ -79,7 +79,7 @@ class SimulationTest {
     return new TestPolicy((network, views) -> new WidestPolicy().decide(network, views));
   }
 
-  /** A target that leaves the camera's reach with its third step. */
+  /** A scenario whose target leaves the reach of the camera with its third step. */
   private static TestScenario leaving(StepOrder order) {
     return new TestScenario().order(order).camera(0, 0).target(2.5, 0, 90, 1);
   }
@@ -295,9 +295,9 @@ class SimulationTest {
           int least = Arrays.stream(k).min().orElseThrow();
           assertEquals(least, coverage.kMin());
           sums[0] += least;
-          sums[1] += Arrays.stream(k).filter(one -> one == 0).count();
-          sums[2] += Arrays.stream(k).filter(one -> one == 1).count();
-          sums[3] += Arrays.stream(k).filter(one -> one >= 2).count();
+          sums[1] += Arrays.stream(k).filter(count -> count == 0).count();
+          sums[2] += Arrays.stream(k).filter(count -> count == 1).count();
+          sums[3] += Arrays.stream(k).filter(count -> count >= 2).count();
           sums[4] += Arrays.stream(k).sum();
           sums[5]++;
         };
@@ -317,10 +317,10 @@ class SimulationTest {
 
   @Test
   void scoresByObjectiveOfScenario() {
-    TestScenario two = new TestScenario().zooms(2, 4, 7).camera(0, 0).camera(5, 0);
-    IntStream.range(0, 70).forEach(i -> two.target(-9 + i * 0.25, 1, 90, 0.1));
+    TestScenario base = new TestScenario().zooms(2, 4, 7).camera(0, 0).camera(5, 0);
+    IntStream.range(0, 70).forEach(i -> base.target(-9 + i * 0.25, 1, 90, 0.1));
     for (String text : List.of("kmin", "covered:k=2", "lexicographic", "sum:cap=1")) {
-      Scenario scenario = two.scenario().with(Scenario.OBJECTIVE, Objective.parse(text));
+      Scenario scenario = base.scenario().with(Scenario.OBJECTIVE, Objective.parse(text));
       RunCoverage total = new RunCoverage();
       double[] sum = new double[1];
       StepListener bruteForce =

@@ -4,7 +4,7 @@ import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 
-/** The network of a world whose phases a test runs one by one. */
+/** A network whose phases a test runs one by one. */
 final class TestNetwork extends OracleNetwork {
   private final Sight sight;
   private final Observation observation;

@@ -30,9 +30,11 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** What cameras with optics see past obstacles: fast, by a grid and by threads as one by one. */
+/**
+ * Views of cameras with optics past obstacles equal a direct evaluation, with and without a grid.
+ */
 class ViewsTest {
-  /** Falls with distance and, where asked to, off the axis. */
+  /** Falls with distance and, optionally, off the axis. */
   private record Falling(boolean dependsOnBearing) implements DetectionModel {
     @Override
     public String name() {
@@ -77,7 +79,7 @@ class ViewsTest {
     }
   }
 
-  /** Straight from what the scenario says. */
+  /** Evaluates one pair directly from the scenario. */
   private static boolean oneByOne(
       World world, Visibility visibility, int step, int camera, int view, int target) {
     Pose pose = world.cameras().pose(camera);
@@ -100,11 +102,11 @@ class ViewsTest {
     double x = world.targets().x(target);
     double y = world.targets().y(target);
     for (int other = 0; other < world.targets().count(); other++) {
-      double itsX = world.targets().x(other);
-      double itsY = world.targets().y(other);
-      Obstacle disc = new Obstacle.Pillar(itsX, itsY, world.targets().width(other) / 2, 0);
+      double otherX = world.targets().x(other);
+      double otherY = world.targets().y(other);
+      Obstacle disc = new Obstacle.Pillar(otherX, otherY, world.targets().width(other) / 2, 0);
       if (other != target
-          && pose.squaredDistance(itsX, itsY) < pose.squaredDistance(x, y)
+          && pose.squaredDistance(otherX, otherY) < pose.squaredDistance(x, y)
           && disc.touches(pose.x(), pose.y(), x, y)
           && !disc.contains(pose.x(), pose.y())) {
         return true;
@@ -223,7 +225,7 @@ class ViewsTest {
         .world(seed);
   }
 
-  /** On a lattice, where lines of sight graze corners and run along walls. */
+  /** Returns a lattice coordinate, so that lines of sight graze corners and run along walls. */
   private static double place(SplittableRandom random) {
     return random.nextInt(-9, 10);
   }

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class CsvTableTest {
   @Test
-  void writesNumbersAsJavaDoesAndNaNAsAnEmptyCell() throws IOException {
+  void writesNumbersAsJavaDoesAndNaNAsEmptyCell() throws IOException {
     assertEquals(
         "a;b;c;d\r\n1;-0.0;;1.0E-5\r\n-9223372036854775808;Infinity;0.1;100.0\r\n",
         written(
@@ -31,7 +31,7 @@ class CsvTableTest {
   }
 
   @Test
-  void aRowMayBeOfAnyLengthAndAShortOneMayFollow() throws IOException {
+  void acceptsShortRowAfterLongRow() throws IOException {
     String row = "-9223372036854775808;".repeat(100);
     assertEquals(
         "a;b;c;d\r\n" + row + "1\r\n2\r\n",
@@ -48,7 +48,7 @@ class CsvTableTest {
   }
 
   @Test
-  void anyNumberHasTheTextThatJavaGivesIt() throws IOException {
+  void writesEveryDoubleAsJavaDoes() throws IOException {
     Random random = new Random(1);
     StringBuilder expected = new StringBuilder("a;b;c;d\r\n");
     String text =
@@ -65,7 +65,7 @@ class CsvTableTest {
   }
 
   @Test
-  void quotesWhatWouldEndACellOrARow() throws IOException {
+  void quotesSeparatorsQuotesAndLineEnds() throws IOException {
     assertEquals(
         "a;b;c;d\r\n\";\";\"\"\"\";\"\n\";\"c\rd\"\r\n\"1;2\";\"a \"\"b\"\"\";\"c\nd\";e,f\r\n",
         written(
@@ -84,7 +84,7 @@ class CsvTableTest {
   }
 
   @Test
-  void whoClosesTheTableClosesTheFile() throws IOException {
+  void closeClosesTheFile() throws IOException {
     boolean[] closed = {false};
     StringWriter file =
         new StringWriter() {
@@ -124,8 +124,7 @@ class CsvTableTest {
         "' | '",
         "'a | 'a"
       })
-  void aTextThatASpreadsheetWouldTakeForAFormulaIsMadeHarmlessAndReadAsItWas(
-      String text, String written) {
+  void escapesFormulasAndRestoresTheOriginal(String text, String written) {
     assertEquals(written, CsvTable.harmless(text));
     assertEquals(text, CsvTable.original(written));
   }

@@ -15,20 +15,20 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class FieldsTest {
   @Test
-  void blanksAndTabsInAnyNumberAreOneSeparator() {
+  void splitsAtRunsOfBlanksAndTabs() {
     assertEquals(List.of("1", "2", "3"), texts("  1 \t 2\t3  "));
     assertEquals(List.of(), texts(""));
     assertEquals(List.of(), texts(" \t "));
   }
 
   @Test
-  void aLineHasAnyNumberOfFields() {
+  void acceptsAnyNumberOfFields() {
     List<String> numbers = IntStream.range(0, 100).mapToObj(Integer::toString).toList();
     assertEquals(numbers, texts(String.join(" ", numbers)));
   }
 
   @Test
-  void aFieldIsToldWithItsPlaceAndAMissingOneAtTheEndOfTheLine() {
+  void errorsNamePlaceOfFieldOrEndOfLine() {
     Fields fields = fields("  12  x7");
     assertEquals(12, fields.number(0, "x"));
     assertFault("t:5:7: y is 'x7', expected a finite number", () -> fields.number(1, "y"));
@@ -45,26 +45,26 @@ class FieldsTest {
     "1e9, 1e9",
     "-1e9, -1e9"
   })
-  void numbersAreThoseOfAnyLanguage(String text, double number) {
+  void readsDecimalNumbers(String text, double number) {
     assertEquals(number, Fields.value(text));
     assertEquals(number, fields(text).coordinate(0, "x"));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"1f", "1d", "NaN", "Infinity", "0x1p3", "1e400", "", "1-2", "1,5"})
-  void whatIsNoNumberIsRefused(String text) {
+  void rejectsInvalidNumbers(String text) {
     assertThrows(InputException.class, () -> fields(text).number(0, "x"));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"1000000001", "-1000000001"})
-  void coordinatesAreBounded(String text) {
+  void rejectsCoordinatesOutOfRange(String text) {
     String expected = "t:5:1: x is '" + text + "', expected a number from -1e9 to 1e9";
     assertFault(expected, () -> fields(text).coordinate(0, "x"));
   }
 
   @Test
-  void aValueIsShownWholeUpToSixtyCharacters() {
+  void errorsShowAtMostSixtyCharacters() {
     String sixty = "x".repeat(60);
     assertFault("t:5:1: x is '" + sixty + "', expected e", () -> invalid(sixty));
     assertFault("t:5:1: x is '" + sixty + "...', expected e", () -> invalid(sixty + "x"));
@@ -83,7 +83,7 @@ class FieldsTest {
     return IntStream.range(0, fields.count()).mapToObj(fields::text).toList();
   }
 
-  /** The fields of a text that is line 5 of a file. */
+  /** Returns the fields of a text that is line 5 of a file. */
   private static Fields fields(String line) {
     TextLines lines = new TextLines("t", new StringReader(line + "\n"), 5);
     lines.next();

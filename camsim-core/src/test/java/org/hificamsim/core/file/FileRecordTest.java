@@ -13,7 +13,7 @@ import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** With the hashes and paths that it rests on. */
+/** Records of files, with the hashes and paths that they are made of. */
 class FileRecordTest {
   private static final String ABC =
       "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"; // FIPS 180-2, B.1
@@ -21,7 +21,7 @@ class FileRecordTest {
   @TempDir Path folder;
 
   @Test
-  void hashesOfBytesAndFilesAreThoseOfTheStandard() throws IOException {
+  void hashesEqualThoseOfTheStandard() throws IOException {
     byte[] abc = {'a', 'b', 'c'};
     assertEquals(ABC, Sha256.of(abc));
     assertEquals(ABC, Sha256.of(Files.write(folder.resolve("abc"), abc)));
@@ -29,7 +29,7 @@ class FileRecordTest {
   }
 
   @Test
-  void changedAreFilesThatAreThereAndNotAsTheyWereWritten() throws IOException {
+  void changedListsExistingFilesWithOtherContent() throws IOException {
     for (String name : List.of("same", "other", "gone")) {
       Files.writeString(folder.resolve(name), "abc");
     }
@@ -45,7 +45,7 @@ class FileRecordTest {
   }
 
   @Test
-  void twoOptionsMayNotNameOneFileBeItThereOrNot() throws IOException {
+  void rejectsSameFileForTwoOptions() throws IOException {
     Path below = Files.createDirectory(folder.resolve("below"));
     Path link = Files.createSymbolicLink(folder.resolve("link"), below);
     SeparateFiles files = new SeparateFiles();
@@ -60,13 +60,13 @@ class FileRecordTest {
   }
 
   @Test
-  void aFileInAFolderThatIsMissingIsMadeWithIt() throws IOException {
+  void createsMissingFolderOfFile() throws IOException {
     Path file = folder.resolve("new/place");
     OutputFile.inFolder("--out", file, false).write("ours");
     assertEquals("ours", Files.readString(file));
-    String told =
+    String message =
         assertThrows(InputException.class, () -> OutputFile.inFolder("--out", Path.of("/"), true))
             .getMessage();
-    assertTrue(told.startsWith("--out '/' is a folder"), told);
+    assertTrue(message.startsWith("--out '/' is a folder"), message);
   }
 }

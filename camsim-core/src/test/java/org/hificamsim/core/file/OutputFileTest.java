@@ -23,7 +23,7 @@ class OutputFileTest {
   @TempDir Path folder;
 
   @Test
-  void anEarlierFileStaysUntilTheCommitAndNothingElseRemains() throws IOException {
+  void replacesEarlierFileOnlyAtCommit() throws IOException {
     Path place = Files.writeString(folder.resolve("place"), "earlier");
     try (OutputFile file = new OutputFile(place)) {
       try (Writer out = file.open()) {
@@ -37,7 +37,7 @@ class OutputFileTest {
   }
 
   @Test
-  void closedWithoutACommitItIsGone() throws IOException {
+  void closeWithoutCommitDeletesTheDraft() throws IOException {
     try (OutputFile file = new OutputFile(folder.resolve("place"))) {
       file.open().close();
     }
@@ -45,7 +45,7 @@ class OutputFileTest {
   }
 
   @Test
-  void aLinkInItsPlaceIsReplacedAndItsTargetStays() throws IOException {
+  void replacesLinkAndKeepsItsTarget() throws IOException {
     Path target = Files.writeString(folder.resolve("target"), "mine");
     Path link = Files.createSymbolicLink(folder.resolve("link"), target);
     new OutputFile(link).write("ours");
@@ -54,7 +54,7 @@ class OutputFileTest {
   }
 
   @Test
-  void noFileOrLinkUnderTheNameOfADraftIsWrittenTo() throws IOException {
+  void neverWritesToExistingDraftOrLink() throws IOException {
     Path target = Files.writeString(folder.resolve("target"), "mine");
     Path link = Files.createSymbolicLink(folder.resolve("link"), target);
     for (Path planted : List.of(target, link)) {
@@ -64,7 +64,7 @@ class OutputFileTest {
   }
 
   @Test
-  void writersAtOnceLeaveTheWholeFileOfOne() throws IOException {
+  void concurrentWritersLeaveOneWholeFile() throws IOException {
     Path place = folder.resolve("place");
     List<String> texts = IntStream.range(0, 4).mapToObj(i -> (i + "\n").repeat(200_000)).toList();
     CompletableFuture.allOf(
@@ -77,7 +77,7 @@ class OutputFileTest {
   }
 
   @Test
-  void aPlaceThatCannotBeAFileIsToldWithItsOption() {
+  void errorOfImpossibleFileNamesTheOption() {
     for (Path path : Set.of(folder, folder.resolve("missing/file"))) {
       InputException e =
           assertThrows(InputException.class, () -> OutputFile.of("--out", path, true));
@@ -87,7 +87,7 @@ class OutputFileTest {
   }
 
   @Test
-  void aFileInAFolderThatExistsMayBeNamed() throws IOException {
+  void writesFileInExistingFolder() throws IOException {
     OutputFile.of("--out", folder.resolve("place"), false).write("ours");
     OutputFile.of("--out", folder.resolve("place"), true).write("later");
     assertEquals("later", Files.readString(folder.resolve("place")));
@@ -108,7 +108,7 @@ class OutputFileTest {
   }
 
   @Test
-  void aFileThatIsThereIsReplacedOnlyWhereThatIsAsked() throws IOException {
+  void replacesExistingFileOnlyIfForced() throws IOException {
     Path place = Files.writeString(folder.resolve("place"), "mine");
     Path link = Files.createSymbolicLink(folder.resolve("link"), folder.resolve("nowhere"));
     for (Path there : List.of(place, link)) {

@@ -28,7 +28,7 @@ class OutputFolderTest {
   private Path folder;
 
   @BeforeEach
-  void makeItWithAnEarlierFile() throws IOException {
+  void createFolderWithEarlierFile() throws IOException {
     folder = Files.createDirectory(above.resolve("folder"));
     earlier("a");
   }
@@ -43,7 +43,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void allFilesAppearAtTheCommitAndStaleOnesGo() throws IOException {
+  void commitShowsNewFilesAndRemovesStaleOnes() throws IOException {
     earlier("stale");
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");
@@ -56,7 +56,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void commitsWhatWasWrittenSinceTheLastOneAndNothingElse() throws IOException {
+  void commitsOnlyFilesWrittenSinceLastCommit() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "b.gz");
       output.commit(List.of());
@@ -73,7 +73,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void aFolderThatCannotBeMadeIsToldWithTheReason() throws IOException {
+  void errorOfImpossibleFolderHasTheReason() throws IOException {
     Path file = folder.resolve("a");
     assertMade("the folder for results has an empty name, expected one", Path.of(""));
     assertMade("folder '" + file + "' is a file, expected a folder", file);
@@ -84,21 +84,21 @@ class OutputFolderTest {
   }
 
   private static void assertMade(String refused, Path path) {
-    String told = assertThrows(InputException.class, () -> OutputFolder.made(path)).getMessage();
-    assertEquals(refused, told.substring(0, Math.min(refused.length(), told.length())));
-    assertTrue(told.matches(".*(expected .*|: [A-Za-z ]+)"), told);
-    assertFalse(told.contains("Exception"), "what the system says: " + told);
+    String message = assertThrows(InputException.class, () -> OutputFolder.made(path)).getMessage();
+    assertEquals(refused, message.substring(0, Math.min(refused.length(), message.length())));
+    assertTrue(message.matches(".*(expected .*|: [A-Za-z ]+)"), message);
+    assertFalse(message.contains("Exception"), "what the system says: " + message);
   }
 
   @Test
-  void whereTheSystemGivesNoReasonTheKindOfFaultIsOne() throws IOException {
+  void errorWithoutReasonNamesTheExceptionClass() throws IOException {
     Path link = Files.createSymbolicLink(above.resolve("link"), above.resolve("nowhere"));
-    String told = assertThrows(InputException.class, () -> OutputFolder.made(link)).getMessage();
-    assertEquals("folder '" + link + "' cannot be made: FileAlreadyExistsException", told);
+    String message = assertThrows(InputException.class, () -> OutputFolder.made(link)).getMessage();
+    assertEquals("folder '" + link + "' cannot be made: FileAlreadyExistsException", message);
   }
 
   @Test
-  void itIsOneFromTheFirstDraftOn() throws IOException {
+  void isRecognisedFromFirstDraftOn() throws IOException {
     Path other = above.resolve("other");
     assertFalse(OutputFolder.isOne(other));
     try (OutputFolder output = new OutputFolder(other)) {
@@ -111,7 +111,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void whatIsWrittenTwiceIsWhatWasWrittenLast() throws IOException {
+  void keepsTheLastOfTwoWrites() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       output.write("b", "first");
       output.write("b", "last");
@@ -121,7 +121,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void whatIsCommittedMayBeTheUsersBeforeTheNextCommit() throws IOException {
+  void keepsUserEditsOfCommittedFiles() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "b");
       output.commit(List.of());
@@ -133,7 +133,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void closedWithoutACommitItIsAsItWas() throws IOException {
+  void closeWithoutCommitChangesNothing() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");
     }
@@ -142,20 +142,20 @@ class OutputFolderTest {
   }
 
   @Test
-  void aFolderWithoutARecordMayBeOfAnEarlierVersion() throws IOException {
-    for (Path one : List.of(folder, Files.createDirectory(above.resolve("old")))) {
-      Files.writeString(one.resolve("steps.csv"), "mine");
-      try (OutputFolder output = new OutputFolder(one)) {
-        String told =
+  void errorExplainsFoldersOfEarlierVersions() throws IOException {
+    for (Path existing : List.of(folder, Files.createDirectory(above.resolve("old")))) {
+      Files.writeString(existing.resolve("steps.csv"), "mine");
+      try (OutputFolder output = new OutputFolder(existing)) {
+        String message =
             assertThrows(InputException.class, () -> output.claim(List.of("steps.csv")))
                 .getMessage();
-        assertEquals(one != folder, told.contains("versions before 0.2"), told);
+        assertEquals(existing != folder, message.contains("versions before 0.2"), message);
       }
     }
   }
 
   @Test
-  void whoHoldsItKeepsAllOthersOut() throws IOException {
+  void rejectsSecondUserOfFolder() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");
       InputException e = assertThrows(InputException.class, () -> new OutputFolder(folder));
@@ -167,7 +167,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void whatAKilledProcessLeftIsRemovedAndNothingOfOthers() throws IOException {
+  void removesOnlyDraftsOfKilledProcess() throws IOException {
     Files.writeString(folder.resolve(".holiday-video-2023.part"), "another's");
     Path drafts = Files.createDirectory(folder.resolve(".hificamsim"));
     Files.writeString(drafts.resolve("lock"), "");
@@ -183,7 +183,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void aLinkInPlaceOfItsDraftsIsNotFollowed() throws IOException {
+  void doesNotFollowLinkToDrafts() throws IOException {
     Path target = Files.createDirectory(above.resolve("target"));
     Files.writeString(target.resolve("a"), "mine");
     Files.createSymbolicLink(folder.resolve(".hificamsim"), target);
@@ -192,7 +192,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void aLinkInPlaceOfItsLockIsNotFollowed() throws IOException {
+  void doesNotFollowLinkToLock() throws IOException {
     Path drafts = Files.createDirectory(folder.resolve(".hificamsim"));
     Path target = above.resolve("target");
     Files.createSymbolicLink(drafts.resolve("lock"), target);
@@ -201,7 +201,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void whatNoCommandWroteIsNeitherReplacedNorRemoved() throws IOException {
+  void neitherReplacesNorRemovesForeignFiles() throws IOException {
     earlier("changed", "stale");
     Files.writeString(folder.resolve("changed"), "mine");
     Files.writeString(folder.resolve("stale"), "mine");
@@ -209,8 +209,8 @@ class OutputFolderTest {
     Files.createSymbolicLink(folder.resolve("link"), above.resolve("nowhere"));
     try (OutputFolder output = new OutputFolder(folder)) {
       for (String name : List.of("changed", "own", "link")) {
-        String told = assertThrows(InputException.class, () -> write(output, name)).getMessage();
-        assertTrue(told.startsWith("'" + folder.resolve(name) + "' would be replaced"), told);
+        String message = assertThrows(InputException.class, () -> write(output, name)).getMessage();
+        assertTrue(message.startsWith("'" + folder.resolve(name) + "' would be replaced"), message);
       }
       write(output, "late");
       Files.writeString(folder.resolve("late"), "mine");
@@ -223,7 +223,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void whatTheCommandReadsIsKeptEvenIfACommandWroteIt() throws IOException {
+  void keepsInputsEvenIfACommandWroteThem() throws IOException {
     Path link = Files.createSymbolicLink(above.resolve("link"), folder.resolve("a"));
     try (OutputFolder output = new OutputFolder(folder)) {
       output.keep(List.of(link));
@@ -235,7 +235,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void namesStayBelowTheFolder() throws IOException {
+  void rejectsNamesOutsideTheFolder() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       for (String name : List.of("../a", "/a", "b/../../a", "a\nb", "", "a/")) {
         assertThrows(InputException.class, () -> write(output, name), name);
@@ -246,18 +246,18 @@ class OutputFolderTest {
     assertEquals("later", Files.readString(folder.resolve("below/b")));
   }
 
-  /** What a killed process leaves is no exception: it does nothing more. */
+  /** Simulates a kill: nothing catches it, so that nothing is cleaned up. */
   private static final class Killed extends Error {
     private static final long serialVersionUID = 1;
   }
 
   @Test
-  void killedAtAnyStepTheFolderIsTheOldOneOrTheNewOne() throws IOException {
+  void killAtAnyStepLeavesOldOrNewFiles() throws IOException {
     Set<String> seen = new HashSet<>();
     boolean killed = true;
-    for (int acts = 0; killed; acts++) {
+    for (int steps = 0; killed; steps++) {
       earlier("a", "b", "stale");
-      killed = killedAfter(acts);
+      killed = killedAfter(steps);
       OutputFolder.settle(folder);
       String content = contents();
       assertTrue(
@@ -267,8 +267,8 @@ class OutputFolderTest {
     assertEquals(2, seen.size());
   }
 
-  private boolean killedAfter(int acts) throws IOException {
-    int[] left = {acts};
+  private boolean killedAfter(int steps) throws IOException {
+    int[] left = {steps};
     OutputFolder output = null;
     try {
       output =
@@ -293,7 +293,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void betweenTwoStepsTheDiskChangesOnce() throws IOException {
+  void commitChangesTheDiskOncePerStep() throws IOException {
     earlier("a", "b", "stale");
     List<Set<String>> steps = new ArrayList<>();
     List<Map<String, String>> disk = new ArrayList<>(List.of(Map.of()));
@@ -343,13 +343,13 @@ class OutputFolderTest {
   }
 
   @Test
-  void aCommitThatFailsOnceItIsDecidedIsEndedByTheNext() throws IOException {
-    int[] acts = {0};
+  void nextCommandCompletesFailedCommit() throws IOException {
+    int[] steps = {0};
     OutputFolder output =
         new OutputFolder(
             folder,
             () -> {
-              if (acts[0]++ == 2) {
+              if (steps[0]++ == 2) {
                 throw new IllegalStateException("the disk is full");
               }
             });
@@ -362,30 +362,31 @@ class OutputFolderTest {
   }
 
   private String contents() throws IOException {
-    StringBuilder all = new StringBuilder();
+    StringBuilder text = new StringBuilder();
     for (String name : names()) {
-      all.append(name + "=" + Files.readString(folder.resolve(name)) + " ");
+      text.append(name + "=" + Files.readString(folder.resolve(name)) + " ");
     }
-    return all.toString();
+    return text.toString();
   }
 
   @Test
-  void anUnfinishedCommitIsEndedByTheNextCommandAndTheOneAfterKilledThere() throws IOException {
+  void killedRecoveryIsCompletedByNextCommand() throws IOException {
     earlier("a", "b", "stale");
     assertTrue(killedAfter(3));
     assertTrue(Files.exists(folder.resolve(".hificamsim/commit")));
-    assertTrue(killedAfter(0)); // while it ends what the other has left
+    assertTrue(killedAfter(0)); // while it completes the earlier commit
     earlier("c");
     assertEquals("a=later b=later c=earlier ", contents());
   }
 
   @Test
-  void whatIsNotOursInItsDraftsIsRefusedInOneLine() throws IOException {
+  void rejectsForeignFilesAmongDraftsInOneLine() throws IOException {
     Path below = Files.createDirectories(folder.resolve(".hificamsim/steps.csv/below"));
-    String told = assertThrows(InputException.class, () -> new OutputFolder(folder)).getMessage();
-    assertTrue(told.matches("'.*' cannot be used \\(.*\\), expected .*"), told);
+    String message =
+        assertThrows(InputException.class, () -> new OutputFolder(folder)).getMessage();
+    assertTrue(message.matches("'.*' cannot be used \\(.*\\), expected .*"), message);
     assertTrue(Files.exists(below));
-    assertThrows(InputException.class, () -> new OutputFolder(folder)); // and no lock is left
+    assertThrows(InputException.class, () -> new OutputFolder(folder)); // no lock is left
   }
 
   private static void write(OutputFolder output, String name) throws IOException {

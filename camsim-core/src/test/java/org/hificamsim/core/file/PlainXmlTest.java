@@ -33,7 +33,7 @@ class PlainXmlTest {
   }
 
   @Test
-  void aPackedFileIsReadAsAPlainOne() throws IOException {
+  void readsCompressedFiles() throws IOException {
     String text = "<a><p id='one' x='1e9'/>\n<p id='' x='-1E9'/></a>";
     Path plain = Files.writeString(folder.resolve("a.xml"), text);
     Path packed = folder.resolve("a.xml.gz");
@@ -61,14 +61,14 @@ class PlainXmlTest {
         "\"\" | 1:1: not well-formed XML, or cut off, expected a whole file:"
             + " Premature end of file.",
       })
-  void whatIsWrongIsToldWithItsPlace(String text, String expected) throws IOException {
+  void errorsNameTheirPlace(String text, String expected) throws IOException {
     Path file = Files.writeString(folder.resolve("a.xml"), text.replace(';', '\n'));
     InputException e = assertThrows(InputException.class, () -> new Points().readFile(file));
     assertEquals(file + ":" + expected, e.getMessage());
   }
 
   @Test
-  void nothingButTheFileIsRead() throws IOException {
+  void readsNoExternalEntities() throws IOException {
     Path secret = Files.writeString(folder.resolve("secret"), "secret");
     Path file = folder.resolve("a.xml");
     for (String head :

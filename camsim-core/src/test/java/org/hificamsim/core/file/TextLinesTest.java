@@ -22,7 +22,7 @@ class TextLinesTest {
   @TempDir Path folder;
 
   @Test
-  void linesAreNumberedFromOneAndAMarkBeforeTheFirstIsPassedOver() throws IOException {
+  void numbersLinesFromOneAndSkipsByteOrderMark() throws IOException {
     Path file = Files.writeString(folder.resolve("a.csv"), "\ufeffx\r\n\ufeffy\n");
     try (TextLines lines = TextLines.open(file)) {
       assertTrue(lines.next());
@@ -35,7 +35,7 @@ class TextLinesTest {
   }
 
   @Test
-  void linesWithFieldsAreThoseThatAreNeitherEmptyNorComments() {
+  void skipsEmptyLinesAndComments() {
     TextLines lines = new TextLines("t", new StringReader("# a\n\n \t\n1 2\n  # b\n3\n"), 1);
     assertTrue(lines.nextFields());
     assertEquals("1 2", lines.text());
@@ -45,7 +45,7 @@ class TextLinesTest {
   }
 
   @Test
-  void aFieldBeginsAfterThoseBeforeItAndAMissingOneAtTheEnd() {
+  void placesFieldsAtTheirColumnOrLineEnd() {
     TextLines lines = new TextLines("t", new StringReader(" ab\tab  a b"), 3);
     assertTrue(lines.next());
     int[] columns = {2, 5, 9, 11, 12, 12};
@@ -55,22 +55,22 @@ class TextLinesTest {
   }
 
   @Test
-  void whatTheSystemSaysOfAFaultStandsInTheLine() {
-    Map<IOException, String> said =
+  void errorQuotesTheReasonOfTheSystem() {
+    Map<IOException, String> reasons =
         Map.of(
             new FileSystemException("a", null, "too many links"), "too many links",
             new FileSystemException("b"), "b",
             new IOException("no more"), "no more",
             new IOException(), "null");
-    said.forEach(
-        (fault, words) ->
+    reasons.forEach(
+        (fault, reason) ->
             assertEquals(
-                "t:2:1: cannot be read (" + words + "), expected a text file",
+                "t:2:1: cannot be read (" + reason + "), expected a text file",
                 TextLines.unreadable("t", 2, fault).getMessage()));
   }
 
   @Test
-  void aPackedFileIsUnpackedWhateverTheCaseOfItsName() throws IOException {
+  void unpacksFilesByEndingInAnyCase() throws IOException {
     Path file = folder.resolve("A.GZ");
     try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(file))) {
       out.write('x');
@@ -82,7 +82,7 @@ class TextLinesTest {
   }
 
   @Test
-  void whatIsNoFileIsToldWithItsName() throws IOException {
+  void errorsNameUnreadableFiles() throws IOException {
     Path missing = folder.resolve("missing");
     Path plain = Files.writeString(folder.resolve("plain.gz"), "no gzip");
     assertFault(missing + ":1:1: no such file, expected a file", missing);
@@ -91,7 +91,7 @@ class TextLinesTest {
   }
 
   @Test
-  void aLineOfAMillionCharactersIsTheLongest() {
+  void rejectsLinesAboveAMillionCharacters() {
     String longest = "x".repeat(TextLines.MAX_LINE);
     TextLines lines = new TextLines("t", new StringReader("ab\n" + longest + "\n" + longest), 7);
     for (int line = 7; line < 10; line++) {
@@ -107,7 +107,7 @@ class TextLinesTest {
   }
 
   @Test
-  void whoClosesTheLinesClosesTheFile() {
+  void closeClosesTheFile() {
     boolean[] closed = {false};
     Reader reader =
         new StringReader("x") {

@@ -17,12 +17,12 @@ class UnfinishedTest {
   @TempDir Path folder;
 
   @AfterEach
-  void theProcessGoesOn() {
+  void resetEnding() {
     Unfinished.ending = false;
   }
 
   @Test
-  void whenTheProcessEndsWhatIsNotCommittedGoesAndNothingIsBegun() throws IOException {
+  void endOfProcessRemovesUncommittedFilesAndStopsWriting() throws IOException {
     OutputFile whole = new OutputFile(folder.resolve("whole"));
     whole.stream().close();
     whole.commit();
@@ -39,7 +39,7 @@ class UnfinishedTest {
   }
 
   @Test
-  void whatIsDoneIsNotKeptInMind() throws IOException {
+  void forgetsFinishedFilesAndFolders() throws IOException {
     new OutputFile(folder.resolve("whole")).write("all of it");
     OutputFile committed = new OutputFile(folder.resolve("committed"));
     committed.stream().close();

@@ -11,34 +11,34 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Against all outcomes, one by one. */
+/** Compares expected coverage with a sum over all outcomes. */
 class ExpectedCoverageTest {
   private static final double ERROR = 1e-12;
 
-  /** Cameras by targets; a target of which all chances are negative is not present. */
-  private record Chances(double[][] of) implements DetectionChances {
+  /** Chances by camera and target; a target with negative chances is absent. */
+  private record Chances(double[][] values) implements DetectionChances {
     @Override
     public int cameras() {
-      return of.length;
+      return values.length;
     }
 
     @Override
     public int targets() {
-      return of[0].length;
+      return values[0].length;
     }
 
     @Override
     public boolean present(int target) {
-      return of[0][target] >= 0;
+      return values[0][target] >= 0;
     }
 
     @Override
     public int chances(int camera, int[] targets, double[] chances) {
       int count = 0;
       for (int target = 0; target < targets(); target++) {
-        if (of[camera][target] > 0) {
+        if (values[camera][target] > 0) {
           targets[count] = target;
-          chances[count++] = of[camera][target];
+          chances[count++] = values[camera][target];
         }
       }
       return count;
@@ -46,13 +46,13 @@ class ExpectedCoverageTest {
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-  void isTheMeanOverAllOutcomes(
+  void equalsMeanOverAllOutcomes(
       @ForAll @IntRange(min = 1, max = 4) int cameras,
       @ForAll @IntRange(min = 1, max = 3) int targets,
       @ForAll long seed) {
     Chances chances = random(cameras, targets, new SplittableRandom(seed));
     ExpectedCoverage expected = new ExpectedCoverage();
-    expected.measure(random(5, 7, new SplittableRandom(1))); // what was before is forgotten
+    expected.measure(random(5, 7, new SplittableRandom(1))); // earlier measurements are forgotten
     expected.measure(chances);
     double[] sums = new double[5];
     double[] means = new double[targets];
@@ -98,7 +98,7 @@ class ExpectedCoverageTest {
   }
 
   @Test
-  void certainDetectionsAreExpectedAsTheyAre() {
+  void equalsCoverageOfCertainDetections() {
     ExpectedCoverage expected = new ExpectedCoverage();
     expected.measure(new Chances(new double[][] {{1, 1, 0}, {1, 0, 0}, {1, 1, 1}}));
     assertEquals(1, expected.kMin());
@@ -110,9 +110,9 @@ class ExpectedCoverageTest {
 
   @ParameterizedTest
   @ValueSource(ints = {6, 7, 8, 20, 40})
-  void anyNumberOfCamerasMayCoverATarget(int cameras) {
+  void acceptsAnyNumberOfCameras(int cameras) {
     ExpectedCoverage expected = new ExpectedCoverage();
-    expected.measure(random(5, 7, new SplittableRandom(1))); // a smaller network before
+    expected.measure(random(5, 7, new SplittableRandom(1))); // an earlier, smaller network
     double[][] halves = new double[cameras][2];
     for (double[] half : halves) {
       half[0] = 0.5;
@@ -125,7 +125,7 @@ class ExpectedCoverageTest {
     assertEquals(1 - Math.pow(2, -cameras), expected.chanceOfOne(0), ERROR);
   }
 
-  /** Some chances are 0, some 1, and some targets are not there. */
+  /** Random chances, some of them 0 or 1; some targets are absent. */
   private static Chances random(int cameras, int targets, SplittableRandom random) {
     double[][] chances = new double[cameras][targets];
     for (int target = 0; target < targets; target++) {
@@ -142,7 +142,7 @@ class ExpectedCoverageTest {
     double weight = 1;
     for (int camera = 0; camera < chances.cameras(); camera++) {
       for (int target = 0; target < chances.targets(); target++) {
-        double chance = Math.max(0, chances.of[camera][target]);
+        double chance = Math.max(0, chances.values[camera][target]);
         boolean detected = (outcome >> (target * chances.cameras() + camera) & 1) != 0;
         weight *= detected ? chance : 1 - chance;
       }

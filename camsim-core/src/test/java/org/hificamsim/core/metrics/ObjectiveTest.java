@@ -20,17 +20,17 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ObjectiveTest {
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=12", "lexicographic", "sum:cap=3"})
-  void isReadAsItIsWritten(String text) {
+  void parsesItsOwnText(String text) {
     assertEquals(text, Objective.parse(text).text());
   }
 
   @Test
-  void helpListsThemAllWithTheirDefaults() {
-    String all =
+  void helpListsAllObjectivesWithDefaults() {
+    String choices =
         Objective.objectives().names().stream()
             .map(name -> Objective.parse(name).text())
             .collect(joining("|"));
-    assertEquals(all, Objective.CHOICES);
+    assertEquals(choices, Objective.CHOICES);
   }
 
   @Test
@@ -50,30 +50,30 @@ class ObjectiveTest {
         "kmin:k=2 | objective kmin: unknown option 'k=2', expected no options",
         "covered:cap=2 | objective covered: unknown option 'cap=2', expected one of k",
       })
-  void refusesWhatIsNoObjective(String text, String expected) {
+  void rejectsInvalidObjectives(String text, String expected) {
     InputException fault = assertThrows(InputException.class, () -> Objective.parse(text));
     assertTrue(fault.getMessage().contains(expected), fault.getMessage());
   }
 
   @Property
-  void scoresAreWhatTheirDefinitionsSay(
+  void scoresEqualTheirDefinitions(
       @ForAll @Size(max = 9) List<@IntRange(min = -1, max = 5) Integer> coverage,
       @ForAll @IntRange(min = 1, max = 4) int number) {
-    int[] k = coverage.stream().mapToInt(one -> one).toArray();
-    int[] present = Arrays.stream(k).filter(one -> one >= 0).toArray();
-    int all = Math.max(1, present.length);
-    double enough = Arrays.stream(present).filter(one -> one >= number).count();
-    int[] coverable = Arrays.stream(present).filter(one -> one != 2).toArray();
+    int[] k = coverage.stream().mapToInt(Integer::intValue).toArray();
+    int[] present = Arrays.stream(k).filter(count -> count >= 0).toArray();
+    int divisor = Math.max(1, present.length);
+    double enough = Arrays.stream(present).filter(count -> count >= number).count();
+    int[] coverable = Arrays.stream(present).filter(count -> count != 2).toArray();
     assertEquals(Arrays.stream(present).min().orElse(0), score("kmin", k));
-    assertEquals(enough / all, score("covered:k=" + number, k));
+    assertEquals(enough / divisor, score("covered:k=" + number, k));
     assertEquals(
-        Arrays.stream(present).map(one -> Math.min(one, number)).sum(),
+        Arrays.stream(present).map(count -> Math.min(count, number)).sum(),
         score("sum:cap=" + number, k));
     assertEquals(Arrays.stream(coverable).min().orElse(0), score("lexicographic", k));
   }
 
   @Test
-  void aPartOfTheTargetsIsScoredAsIfThereWereNoOthers() {
+  void scoresRangeOfTargetsIndependently() {
     int[] k = {0, 9, 3, 1, 2, 9, 0};
     assertEquals(1, Objective.parse("kmin").score(k, 2, 5));
     assertEquals(2 / 3.0, Objective.parse("covered:k=2").score(k, 2, 5));
@@ -82,17 +82,17 @@ class ObjectiveTest {
   }
 
   @Test
-  void withoutTargetsEveryScoreIsZero() {
+  void scoresZeroWithoutTargets() {
     for (String text : List.of("kmin", "covered", "lexicographic", "sum")) {
       assertEquals(0, score(text), text);
       assertEquals(0, score(text, -1, -1), text);
     }
   }
 
-  /** One k for each target, -1 for one that is not there; no view covers one with k = 2. */
+  /** The score for one k per target, -1 if absent; targets with k = 2 are not coverable. */
   private static double score(String objective, int... k) {
     StepCoverage coverage = new StepCoverage(Objective.parse(objective));
-    coverage.measure(targets(1, 1, 1, 1)); // of the step before
+    coverage.measure(targets(1, 1, 1, 1)); // an earlier step
     coverage.measureScore(targets(1, 1, 1, 1));
     coverage.measure(targets(k));
     coverage.measureScore(targets(k));

@@ -11,9 +11,9 @@ import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 
 class StepCoverageTest {
-  /** A coverage per target; -1 for a target that is not there. */
+  /** Takes a coverage per target; -1 for an absent target. */
   @Property
-  void equalsCountingByHand(
+  void equalsDirectCounts(
       @ForAll @Size(max = 12) List<@IntRange(min = -1, max = 4) Integer> coverage) {
     StepCoverage measured = measure(coverage.stream().mapToInt(k -> k).toArray());
     int[] present = coverage.stream().mapToInt(k -> k).filter(k -> k >= 0).toArray();
@@ -29,7 +29,7 @@ class StepCoverageTest {
   }
 
   @Test
-  void withoutTargetsEverythingIsZero() {
+  void isZeroWithoutTargets() {
     for (StepCoverage measured : List.of(measure(), measure(-1, -1), new StepCoverage())) {
       assertEquals(0, measured.targets());
       assertEquals(0, measured.kMin());
@@ -41,7 +41,7 @@ class StepCoverageTest {
   }
 
   @Test
-  void measuringAgainForgetsTheStepBefore() {
+  void measureForgetsLastStep() {
     StepCoverage coverage = measure(0, 1, 2, 3);
     coverage.measure(targets(4, 4));
     assertEquals(2, coverage.targets());

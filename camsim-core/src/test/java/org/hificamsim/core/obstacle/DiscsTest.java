@@ -7,9 +7,9 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class DiscsTest {
-  /** By doubles alone some of them would be on the other side. */
+  /** Plain double arithmetic puts some of these points on the wrong side. */
   @Test
-  void pointsAtTheBorderAreInsideWhereExactArithmeticSaysSo() {
+  void containsBorderPointsAsExactArithmeticDoes() {
     SplittableRandom random = new SplittableRandom(1);
     int wrong = 0;
     for (int trial = 0; trial < 20_000; trial++) {

@@ -2,7 +2,7 @@ package org.hificamsim.core.obstacle;
 
 import java.math.BigDecimal;
 
-/** Slow geometry in decimals of any length, by other formulas than the ones tested. */
+/** Slow exact geometry with decimals of any length, independent of the tested formulas. */
 final class Exact {
   private Exact() {}
 
@@ -30,20 +30,20 @@ final class Exact {
     return (value >= a || value >= b) && (value <= a || value <= b);
   }
 
-  /** The squared distance of a segment from a point is no more than the squared radius. */
+  /** Compares the squared distance of the segment from the centre with the squared radius. */
   private static boolean touches(Obstacle.Pillar pillar, Point a, Point b) {
-    BigDecimal dx = of(b.x()).subtract(of(a.x()));
-    BigDecimal dy = of(b.y()).subtract(of(a.y()));
-    BigDecimal fx = of(pillar.x()).subtract(of(a.x()));
-    BigDecimal fy = of(pillar.y()).subtract(of(a.y()));
+    BigDecimal dx = decimal(b.x()).subtract(decimal(a.x()));
+    BigDecimal dy = decimal(b.y()).subtract(decimal(a.y()));
+    BigDecimal fx = decimal(pillar.x()).subtract(decimal(a.x()));
+    BigDecimal fy = decimal(pillar.y()).subtract(decimal(a.y()));
     BigDecimal square = dx.multiply(dx).add(dy.multiply(dy));
     BigDecimal along = fx.multiply(dx).add(fy.multiply(dy)).max(BigDecimal.ZERO).min(square);
     boolean point = square.signum() == 0;
-    // The nearest point is a + along / square d; all is multiplied by the square.
+    // The nearest point is a + along / square d; all terms are multiplied by the square.
     BigDecimal scale = point ? BigDecimal.ONE : square;
     BigDecimal gapX = fx.multiply(scale).subtract(along.multiply(dx));
     BigDecimal gapY = fy.multiply(scale).subtract(along.multiply(dy));
-    BigDecimal reach = of(pillar.radius()).multiply(scale);
+    BigDecimal reach = decimal(pillar.radius()).multiply(scale);
     return gapX.pow(2).add(gapY.pow(2)).compareTo(reach.pow(2)) <= 0;
   }
 
@@ -59,10 +59,10 @@ final class Exact {
   }
 
   private static BigDecimal product(double a, double b) {
-    return of(a).multiply(of(b));
+    return decimal(a).multiply(decimal(b));
   }
 
-  private static BigDecimal of(double value) {
+  private static BigDecimal decimal(double value) {
     return new BigDecimal(value);
   }
 }

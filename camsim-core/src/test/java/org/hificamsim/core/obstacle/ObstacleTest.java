@@ -12,7 +12,7 @@ import org.junit.jupiter.api.function.Executable;
 
 class ObstacleTest {
   @Test
-  void aWallIsTouchedAtItsEndsAndAlongIt() {
+  void segmentTouchesWallAtEndsAndAlongIt() {
     Obstacle wall = new Obstacle.Wall(0, 0, 4, 2, 0);
     assertTrue(wall.touches(0, 2, 4, 0));
     assertTrue(wall.touches(4, 2, 9, 9), "begins at the end");
@@ -25,7 +25,7 @@ class ObstacleTest {
   }
 
   @Test
-  void aPolygonIsTouchedOnItsBorderAndInside() {
+  void segmentTouchesPolygonOnBorderAndInside() {
     Obstacle house = polygon(0, 0, 4, 0, 4, 4, 2, 2, 0, 4);
     assertTrue(house.touches(-1, 4, 1, 4), "by a corner");
     assertTrue(house.touches(1, 1, 1.5, 1), "inside as a whole");
@@ -40,7 +40,7 @@ class ObstacleTest {
   }
 
   @Test
-  void aPillarIsTouchedFromItsBorderOn() {
+  void segmentTouchesPillarOnBorderAndInside() {
     Obstacle pillar = new Obstacle.Pillar(3, 4, 5, 0);
     assertTrue(pillar.contains(0, 0), "on the border");
     assertFalse(pillar.contains(Math.nextDown(0.0) - 1e-300, 0), "just outside");
@@ -52,7 +52,7 @@ class ObstacleTest {
   }
 
   @Test
-  void shapesThatAreNoneAreRefusedWithWhatWasExpected() {
+  void rejectsInvalidShapesWithExpectation() {
     assertRefused(
         "both ends are (1.0, 2.0), expected two points", () -> new Obstacle.Wall(1, 2, 1, 2, 0));
     assertRefused(
@@ -79,14 +79,14 @@ class ObstacleTest {
   }
 
   @Test
-  void cornersAreCheckedToo() {
+  void rejectsInvalidCorners() {
     String expected = ", expected a number between -1e100 and 1e100";
     assertRefused("coordinate is NaN" + expected, () -> polygon(0, 0, Double.NaN, 0, 4, 4));
     assertRefused("coordinate is -2.0E100" + expected, () -> polygon(0, 0, 4, -2e100, 4, 4));
   }
 
   @Test
-  void theOutermostNumbersAreTaken() {
+  void acceptsLargestCoordinates() {
     assertTrue(new Obstacle.Wall(-1e100, 0, 1e100, 0, 1).touches(0, -1, 0, 1));
     assertTrue(new Obstacle.Pillar(0, 0, 1e100, 0).contains(1e99, 0));
     assertTrue(polygon(0, 0, 1, 0, 0, 1).contains(0.1, 0.1), "three corners");

@@ -33,7 +33,7 @@ class ObstaclesTest {
   }
 
   @Test
-  void anObstacleCountsOnceHoweverOftenItIsCrossed() {
+  void countsObstacleOncePerRay() {
     Obstacle comb =
         new Obstacle.Polygon(
             List.of(
@@ -63,7 +63,7 @@ class ObstaclesTest {
   }
 
   @Test
-  void areEqualWhereTheirObstaclesAre() {
+  void equalIfTheirObstaclesAreEqual() {
     Obstacles obstacles = new Obstacles(List.of(WALL, PILLAR));
     Obstacles same = new Obstacles(List.of(new Obstacle.Wall(0, 0, 0, 4, 0.5), PILLAR));
     assertEquals(obstacles, same);
@@ -73,20 +73,20 @@ class ObstaclesTest {
   }
 
   @Test
-  void noneLetsEverythingPass() {
+  void noneBlocksNothing() {
     assertTrue(Obstacles.NONE.isEmpty());
     assertEquals(1, Obstacles.NONE.transmittance(0, 0, 1, 1));
     assertTrue(Obstacles.NONE.clear(0, 0, 0, 0));
   }
 
   @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
-  void linesOfSightTouchWhatJtsSays(@ForAll long seed) {
+  void touchesAgreeWithJts(@ForAll long seed) {
     RandomPlace place = RandomPlace.forJts(seed);
     assertTouched(place, place.obstacles(6, false), ObstaclesTest::byJts);
   }
 
   @Property(tries = 600, edgeCases = EdgeCasesMode.NONE)
-  void linesOfSightTouchWhatExactArithmeticSays(@ForAll long seed) {
+  void touchesAgreeWithExactArithmetic(@ForAll long seed) {
     RandomPlace place = seed % 2 == 0 ? RandomPlace.ofAnySize(seed) : new RandomPlace(seed);
     List<Obstacle> exact =
         place.obstacles(10, false).all().stream()
@@ -112,7 +112,7 @@ class ObstaclesTest {
     }
   }
 
-  /** A pillar is none of JTS's geometries. */
+  /** JTS has no discs, so that pillars use exact arithmetic. */
   private static boolean byJts(Obstacle obstacle, Point from, Point to) {
     return obstacle instanceof Obstacle.Pillar
         ? Exact.touches(obstacle, from, to)

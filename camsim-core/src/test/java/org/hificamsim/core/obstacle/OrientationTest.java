@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 
 class OrientationTest {
   @Property(tries = 20_000, edgeCases = EdgeCasesMode.NONE)
-  void isThatOfExactArithmetic(@ForAll long seed) {
+  void agreesWithExactArithmetic(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     RandomPlace place = new RandomPlace(seed);
     double scale = Math.scalb(1.0, random.nextInt(-300, 300));
@@ -21,8 +21,8 @@ class OrientationTest {
     Point near = new Point(a.x() + along * (b.x() - a.x()), a.y() + along * (b.y() - a.y()));
     Point c = new Point(step(near.x(), random), step(near.y(), random));
     int exact = Exact.orientation(a, b, c);
-    assertEquals(exact, Integer.signum(of(a, b, c)), () -> a + " " + b + " " + c);
-    assertEquals(-exact, Integer.signum(of(b, a, c)), () -> b + " " + a + " " + c);
+    assertEquals(exact, Integer.signum(orientation(a, b, c)), () -> a + " " + b + " " + c);
+    assertEquals(-exact, Integer.signum(orientation(b, a, c)), () -> b + " " + a + " " + c);
   }
 
   private static Point scaled(Point point, double scale) {
@@ -33,17 +33,17 @@ class OrientationTest {
     return value + random.nextInt(-1, 2) * Math.ulp(value);
   }
 
-  private static int of(Point a, Point b, Point c) {
+  private static int orientation(Point a, Point b, Point c) {
     return Orientation.of(a.x(), a.y(), b.x(), b.y(), c.x(), c.y());
   }
 
   @Test
-  void aZeroIsAZeroWhateverItsSign() {
+  void ignoresSignOfZero() {
     assertEquals(0, Orientation.of(0.0, 1, -0.0, 2, 0.0, 3));
   }
 
   @Test
-  void pointsInLineOnALatticeAreDecidedWithoutAllocation() {
+  void decidesCollinearLatticePointsWithoutAllocation() {
     int[] sum = new int[1];
     Runnable work =
         () -> {

@@ -7,9 +7,9 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Random obstacles and points. Most are on a lattice, so that lines touch and run along others. */
+/** Random obstacles and points, mostly on a lattice, so that lines touch and run along others. */
 final class RandomPlace {
-  /** Beside 0; JTS loses smaller ones. */
+  /** The smallest offset from 0; JTS loses smaller ones. */
   private static final double TINY = 1e-30;
 
   private final SplittableRandom random;
@@ -17,8 +17,8 @@ final class RandomPlace {
   private final double scale;
 
   /**
-   * The coordinates are of integers, of any doubles, of tenths, or of tenths far from the origin,
-   * as on a map; by the seed.
+   * Chooses by the seed whether coordinates are integers, any doubles, tenths, or tenths far from
+   * the origin, as on a map.
    */
   RandomPlace(long seed) {
     this(seed, 4, 0);
@@ -30,14 +30,14 @@ final class RandomPlace {
     scale = Math.scalb(1.0, random.nextInt(-mostDoublings, mostDoublings + 1));
   }
 
-  /** Between 1e-90 and 1e90 metres. */
+  /** Creates a place of a size between 1e-90 and 1e90 metres. */
   static RandomPlace ofAnySize(long seed) {
     return new RandomPlace(seed, 4, 300);
   }
 
   /**
-   * Without tenths: JTS computes with 106 bits, which are too few to tell a point 1e-33 beside a
-   * line.
+   * Creates a place without tenths: JTS computes with 106 bits, too few to distinguish a point that
+   * is 1e-33 off a line.
    */
   static RandomPlace forJts(long seed) {
     return new RandomPlace(seed, 2, 0);
@@ -64,7 +64,7 @@ final class RandomPlace {
     return solid || random.nextInt(3) > 0 ? 0 : random.nextInt(1, 10) / 10.0;
   }
 
-  /** One of the given points now and then, so that obstacles share ends. */
+  /** Returns a new point, or sometimes an earlier one, so that obstacles share ends. */
   private Point point(List<Point> taken) {
     boolean again = !taken.isEmpty() && random.nextInt(4) == 0;
     Point point = again ? taken.get(random.nextInt(taken.size())) : point();
@@ -113,7 +113,7 @@ final class RandomPlace {
     }
   }
 
-  /** Anywhere, on a border, or in line with a standpoint and a corner. */
+  /** Returns a point anywhere, on a border, or in line with a standpoint and a corner. */
   Point target(Obstacles obstacles, Point standpoint) {
     Point point = point();
     if (obstacles.isEmpty() || random.nextInt(3) == 0) {

@@ -5,18 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.api.Test;
 
 /**
- * A region knows as much before it has to look at obstacles as it did: that alone makes it fast.
- * Who changes what it knows sees here what that comes to.
+ * Guards the speed of regions: they must answer as many questions without looking at obstacles as
+ * before. Whoever changes their precomputed data sees the effect here.
  */
 class SameRegionTest {
   private static final int PLACES = 200;
 
-  // What is met in all sectors of all places; how many sectors hide what is far away; square metres
-  // in which sectors touch nothing, where they touch anything, and up to where they hide all.
+  // Obstacles met in all sectors of all places; sectors that hide everything far away; sums of
+  // squared distances within which sectors are clear, and beyond which they hide everything.
   private static final String KNOWN = "9157 4636 23015 25223";
 
   @Test
-  void ofFixedPlaces() {
+  void fixedPlacesHaveRecordedCounts() {
     int[] counts = new int[2];
     double[] sums = new double[2];
     for (int seed = 0; seed < PLACES; seed++) {

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SectorTest {
   @ParameterizedTest
   @CsvSource({"-1, -0.0, 0", "0, -3, 1", "5, 0, 2", "2, 2, 2.5", "0, 1, 3", "-7, 7, 3.5"})
-  void itsMeasureRisesCounterclockwiseByOneInEachQuarter(double x, double y, double measure) {
+  void measureRisesByOnePerQuarterCounterclockwise(double x, double y, double measure) {
     double size = Math.abs(x) + Math.abs(y);
     double measured = Sector.measure(x, y);
     assertEquals(measure, measured, 1e-15);

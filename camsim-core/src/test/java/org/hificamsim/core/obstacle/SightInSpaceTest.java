@@ -11,15 +11,15 @@ import org.hificamsim.core.detection.Seen;
 import org.junit.jupiter.api.Test;
 
 /**
- * Sight in space against a ray caster of its own: triangles from camera to body, clipped by boxes,
- * cylinders and upright rectangles in three dimensions.
+ * Compares sight in space with an independent ray caster: triangles from camera to body, clipped by
+ * boxes, cylinders and upright rectangles in three dimensions.
  */
 class SightInSpaceTest {
   private static final double EDGE = 1e-9;
   private static final int SCENES = 500;
   private static final int PAIRS = 200;
 
-  /** What of a sight triangle a solid has, where it is larger (or smaller) by a margin. */
+  /** Whether a solid, enlarged (or reduced) by a margin, meets the triangle from eye to body. */
   private interface Solid {
     boolean meets(double[] eye, double[] foot, double[] head, double margin);
   }
@@ -31,7 +31,7 @@ class SightInSpaceTest {
   }
 
   @Test
-  void agreesWithARayCasterUpToTheEdge() {
+  void agreesWithRayCasterUpToTheEdge() {
     int hidden = 0;
     for (int scene = 0; scene < SCENES; scene++) {
       List<Obstacle> obstacles = new ArrayList<>();
@@ -58,13 +58,13 @@ class SightInSpaceTest {
     double high = seen.high(height);
     double[] foot = {x, y, low};
     double[] head = {x, y, high};
-    boolean surely = solids.stream().anyMatch(one -> one.meets(eye, foot, head, -EDGE));
-    boolean perhaps = solids.stream().anyMatch(one -> one.meets(eye, foot, head, EDGE));
+    boolean blocked = solids.stream().anyMatch(solid -> solid.meets(eye, foot, head, -EDGE));
+    boolean nearlyBlocked = solids.stream().anyMatch(solid -> solid.meets(eye, foot, head, EDGE));
     double light = obstacles.transmittance(eye[0], eye[1], eye[2], x, y, low, high);
     VisibleRegion region = VisibleRegion.of(obstacles, eye[0], eye[1]);
     assertEquals(light, region.transmittance(x, y, eye[2], low, high));
-    assertTrue(light == 1 || perhaps, "hidden by nothing");
-    assertFalse(light == 1 && surely, "seen through something");
+    assertTrue(light == 1 || nearlyBlocked, "hidden by nothing");
+    assertFalse(light == 1 && blocked, "seen through something");
     return light == 0;
   }
 
@@ -140,7 +140,7 @@ class SightInSpaceTest {
     };
   }
 
-  /** The upright plane through the first axis. */
+  /** Whether the triangle meets an upright rectangle along the first axis. */
   private static boolean plane(
       double[] eye,
       double[] foot,
@@ -159,7 +159,7 @@ class SightInSpaceTest {
     return Math.abs(along) <= length + margin && low <= top + margin && high >= base - margin;
   }
 
-  /** Cuts a triangle by the six sides of a box, one after the other. */
+  /** Clips a triangle by the sides of a box; returns whether anything is left. */
   private static boolean clipped(
       List<double[]> triangle, double[] half, double base, double top, double margin) {
     List<double[]> left = triangle;
@@ -194,7 +194,9 @@ class SightInSpaceTest {
     return left;
   }
 
-  /** Where the way is in the circle, a convex function of height has to fall to 0. */
+  /**
+   * Inside the circle, a convex function of the height must reach 0 for the triangle to meet it.
+   */
   private static boolean cylinder(
       double[] eye,
       double[] foot,
@@ -227,18 +229,18 @@ class SightInSpaceTest {
     return least <= 0;
   }
 
-  /** The shelf is 15 m away: its top is on the line to a head of 1.7 m at similar triangles. */
+  /** The shelf is 15 m away; similar triangles give the line from the camera to a head at 1.7 m. */
   @Test
-  void looksOverAShelfAsSimilarTrianglesSay() {
+  void seesOverShelfAsSimilarTrianglesDo() {
     assertTrue(isHeadSeen(1.8, 20), "3 - 1.3 * 15/20 = 2.025 is above 1.8");
     assertFalse(isHeadSeen(2.9, 20));
-    double limit = 15 * (3 - 1.7) / (3 - 2.9); // 195 m: from there on the line passes above 2.9 m
+    double limit = 15 * (3 - 1.7) / (3 - 2.9); // 195 m: farther lines pass above 2.9 m
     assertFalse(isHeadSeen(2.9, limit - 1e-6));
     assertTrue(isHeadSeen(2.9, limit + 1e-6));
     assertTrue(isHeadSeen(2.9, 14.9), "before the shelf");
-    double other = 15 * (3 - 1.7) / (3 - 1.8); // 16.25 m: nearer to the shelf it hides the head
-    assertFalse(isHeadSeen(1.8, other - 1e-6));
-    assertTrue(isHeadSeen(1.8, other + 1e-6));
+    double nearLimit = 15 * (3 - 1.7) / (3 - 1.8); // 16.25 m: nearer heads are hidden
+    assertFalse(isHeadSeen(1.8, nearLimit - 1e-6));
+    assertTrue(isHeadSeen(1.8, nearLimit + 1e-6));
   }
 
   private static boolean isHeadSeen(double shelf, double distance) {
@@ -253,7 +255,7 @@ class SightInSpaceTest {
     double[] y = {0, 0};
     double[] radius = {0.3, 0.3};
     double[] height = {1.9, 1.7};
-    double line = 3 - 1.3 * 5.3 / 10; // where the line to the head leaves the disc before it
+    double line = 3 - 1.3 * 5.3 / 10; // height where the line leaves the nearer disc
     assertTrue(line > 1.9 && !hides(x, y, radius, height, 1.7, 1.7));
     assertTrue(hides(x, y, radius, height, 0, 1.7), "not all of it is seen");
     height[0] = line + 1e-9;

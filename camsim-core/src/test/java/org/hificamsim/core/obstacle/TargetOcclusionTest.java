@@ -12,32 +12,32 @@ import org.junit.jupiter.api.Test;
 
 class TargetOcclusionTest {
   @Test
-  void aDiscBetweenHidesAndATangentDoesToo() {
+  void hidesBehindCrossedOrTouchedDisc() {
     assertTrue(hidden(10, 0, 5, 0, 1));
     assertTrue(hidden(10, 0, 5, 1, 1), "touched at its border");
     assertFalse(hidden(10, 0, 5, Math.nextUp(1.0), 1), "just beside");
   }
 
   @Test
-  void aDiscBehindOrBeforeTheCameraDoesNotHide() {
+  void discsBehindTargetOrCameraHideNothing() {
     assertFalse(hidden(10, 0, 12, 0, 1));
     assertFalse(hidden(10, 0, -5, 0, 1));
   }
 
   @Test
-  void theTargetDoesNotHideItself() {
+  void targetDoesNotHideItself() {
     assertFalse(TargetOcclusion.hidden(0, 0, 0, array(10), array(0), array(20), 1));
   }
 
   @Test
-  void aDiscThatContainsTheCameraHidesNothing() {
+  void discAroundCameraHidesNothing() {
     assertFalse(hidden(10, 0, 1, 0, 2));
     assertFalse(hidden(10, 0, 1, 0, 1), "on its border");
     assertTrue(hidden(10, 0, 1, 0, Math.nextDown(1.0)));
   }
 
   @Test
-  void ofTwoThatOverlapTheNearerHidesTheOther() {
+  void nearerOfOverlappingDiscsHidesTheOther() {
     assertTrue(hidden(10, 0, 9.5, 0, 1));
     assertFalse(hidden(9.5, 0, 10, 0, 1));
     assertFalse(hidden(10, 0, 10, 0, 1), "at the same place");
@@ -45,7 +45,7 @@ class TargetOcclusionTest {
   }
 
   @Test
-  void discsBeyondTheCountAndPointsHideNothing() {
+  void pointsAndUncountedDiscsHideNothing() {
     double[] x = {10, 5};
     double[] y = {0, 0};
     assertFalse(TargetOcclusion.hidden(0, 0, 0, x, y, array(1, 1), 1));
@@ -53,7 +53,7 @@ class TargetOcclusionTest {
   }
 
   @Property(tries = 5000, edgeCases = EdgeCasesMode.NONE)
-  void hidesWhatExactArithmeticSays(@ForAll long seed) {
+  void agreesWithExactArithmetic(@ForAll long seed) {
     RandomPlace place = new RandomPlace(seed);
     Point camera = place.point();
     Point target = place.point();
@@ -76,7 +76,7 @@ class TargetOcclusionTest {
   }
 
   @Test
-  void askingAllocatesNothing() {
+  void hiddenAllocatesNothing() {
     double[] x = {10, 5, 7, 3, 9};
     double[] y = {0, 0.3, -4, 2, 1};
     double[] radius = {1, 0.2, 3, 0.7, 0.1};

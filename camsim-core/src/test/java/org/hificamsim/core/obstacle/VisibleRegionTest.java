@@ -14,12 +14,12 @@ import org.junit.jupiter.api.Test;
 
 class VisibleRegionTest {
   @Property(tries = 5000, edgeCases = EdgeCasesMode.NONE)
-  void answersAsTheObstaclesDo(@ForAll long seed) {
+  void agreesWithObstacles(@ForAll long seed) {
     assertSame(new RandomPlace(seed), seed % 5 == 0 ? 40 : 6);
   }
 
   @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
-  void answersAsTheObstaclesDoInPlacesOfAnySize(@ForAll long seed) {
+  void agreesWithObstaclesAtAnyScale(@ForAll long seed) {
     assertSame(RandomPlace.ofAnySize(seed), 10);
   }
 
@@ -46,7 +46,7 @@ class VisibleRegionTest {
   }
 
   @Test
-  void seesAllWhereNothingStands() {
+  void seesEverythingWithoutObstacles() {
     VisibleRegion region = VisibleRegion.of(Obstacles.NONE, 1, 2);
     assertEquals(1, region.transmittance(1, 2));
     assertEquals(1, region.transmittance(-1e6, 1e6));
@@ -54,7 +54,7 @@ class VisibleRegionTest {
   }
 
   @Test
-  void seesNothingFromAStandpointOnASolidBorder() {
+  void seesNothingFromSolidBorder() {
     VisibleRegion region = VisibleRegion.of(wall(0, 0, 4, 0, 0), 1, 0);
     assertEquals(0, region.transmittance(1, 0));
     assertEquals(0, region.transmittance(1, 3));
@@ -62,7 +62,7 @@ class VisibleRegionTest {
   }
 
   @Test
-  void seesDimlyOutOfATranslucentPolygon() {
+  void seesDimlyOutOfTranslucentPolygon() {
     List<Point> square =
         List.of(new Point(0, 0), new Point(4, 0), new Point(4, 4), new Point(0, 4));
     Obstacles obstacles = new Obstacles(List.of(new Obstacle.Polygon(square, 0.5)));
@@ -72,7 +72,7 @@ class VisibleRegionTest {
   }
 
   @Test
-  void seesUpToAWallAndNotTheWallItself() {
+  void seesUpToButNotOntoWall() {
     VisibleRegion region = VisibleRegion.of(wall(5, -5, 5, 5, 0), 0, 0);
     assertEquals(1, region.transmittance(Math.nextDown(5.0), 1));
     assertEquals(0, region.transmittance(5, 1));
@@ -81,7 +81,7 @@ class VisibleRegionTest {
   }
 
   @Test
-  void askingAllocatesNothing() {
+  void transmittanceAllocatesNothing() {
     SplittableRandom random = new SplittableRandom(1);
     List<Obstacle> walls = new ArrayList<>();
     for (int i = 0; i < 40; i++) {

@@ -11,14 +11,14 @@ import org.junit.jupiter.api.Test;
 
 class ParallelTest {
   @Test
-  void resultsAreInTheOrderOfTheItems() {
+  void returnsResultsInOrderOfItems() {
     List<Integer> items = IntStream.range(0, 1000).boxed().toList();
     assertEquals(
         items.stream().map(item -> 2 * item).toList(), Parallel.map(items, 3, item -> 2 * item));
   }
 
   @Test
-  void afterAFailureNoFurtherItemBeginsAndThoseAtWorkAreWaitedFor() {
+  void failureStopsNewItemsAndAwaitsRunningOnes() {
     List<Integer> items = IntStream.range(0, 20_000).boxed().toList();
     AtomicInteger begun = new AtomicInteger();
     AtomicInteger ended = new AtomicInteger();

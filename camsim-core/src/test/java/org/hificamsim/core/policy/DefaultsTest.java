@@ -14,18 +14,18 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.junit.jupiter.api.Test;
 
-/** What views and policies do that leave out what they may. */
+/** Default methods of views and policies. */
 class DefaultsTest {
   private static final int TARGETS = 70;
   private static final int LAST = 4;
-  private static final int ON_ITS_WAY = 2;
-  private static final int NOBODYS = 40;
-  private static final int OFFLINES = 41;
-  private static final int LAST_ONES = 42;
+  private static final int MOVING = 2;
+  private static final int SEEN_BY_NOBODY = 40;
+  private static final int SEEN_BY_OFFLINE = 41;
+  private static final int SEEN_ONLY_BY_LAST = 42;
   private static final OracleView VIEW = view();
 
   @Test
-  void detectionsAreTheAnswersToSingleQuestions() {
+  void masksEqualSingleDetections() {
     long[] masks = new long[7];
     Arrays.fill(masks, -1);
     VIEW.detections(4, masks, 3);
@@ -44,27 +44,27 @@ class DefaultsTest {
   }
 
   @Test
-  void whatSomeViewOfSomeCameraOnlineDetectsCanBeCovered() {
+  void marksTargetsDetectedByAnyOnlineCamera() {
     boolean[] coverable = new boolean[TARGETS];
     Arrays.fill(coverable, 0, 40, true);
     VIEW.markCoverable(coverable);
     for (int target = 0; target < TARGETS; target++) {
-      boolean seen = VIEW.present(target) && target != NOBODYS && target != OFFLINES;
+      boolean seen = VIEW.present(target) && target != SEEN_BY_NOBODY && target != SEEN_BY_OFFLINE;
       assertEquals(seen, coverable[target], "target " + target);
     }
   }
 
   @Test
-  void whereTargetsAreIsToldOfThoseThatACameraSeesAlone() {
+  void reportsPlacesOfSeenTargetsOnly() {
     SeenPairs pairs = new SeenPairs();
     VIEW.findSeen(pairs);
-    int[] ofLast =
+    int[] pairsOfLast =
         IntStream.range(0, pairs.count()).filter(pair -> pairs.camera(pair) == LAST).toArray();
     List<Integer> seen =
         IntStream.range(0, TARGETS).filter(target -> VIEW.sees(LAST, target)).boxed().toList();
     assertEquals(TARGETS - 4, seen.size(), "but for the two that are absent and the two not seen");
-    assertEquals(seen, Arrays.stream(ofLast).mapToObj(pairs::target).toList());
-    for (int pair : ofLast) {
+    assertEquals(seen, Arrays.stream(pairsOfLast).mapToObj(pairs::target).toList());
+    for (int pair : pairsOfLast) {
       int target = pairs.target(pair);
       assertEquals(Math.hypot(3, target), VIEW.distance(LAST, target), 1e-12);
       assertEquals(Math.atan2(target, 3), VIEW.bearing(LAST, target), 1e-12);
@@ -72,25 +72,25 @@ class DefaultsTest {
       assertEquals(pairs.target(pair), pairs.right(pair), 1e-12);
       assertEquals(Math.hypot(3, pairs.target(pair)), pairs.distance(pair), 1e-12);
     }
-    assertEquals(Double.NaN, VIEW.distance(LAST, NOBODYS));
-    assertEquals(Double.NaN, VIEW.bearing(LAST, NOBODYS));
+    assertEquals(Double.NaN, VIEW.distance(LAST, SEEN_BY_NOBODY));
+    assertEquals(Double.NaN, VIEW.bearing(LAST, SEEN_BY_NOBODY));
     assertFalse(VIEW.sees(LAST, 66), "absent");
   }
 
   @Test
-  void aCameraThatIsOfflineOrOnItsWaySeesNothing() {
+  void offlineAndMovingCamerasSeeNothing() {
     assertTrue(VIEW.sees(1, 1), "through its narrowest view");
     assertFalse(VIEW.sees(1, 3));
-    for (int camera : new int[] {0, ON_ITS_WAY}) {
+    for (int camera : new int[] {0, MOVING}) {
       assertFalse(VIEW.sees(camera, 1));
       assertEquals(0, VIEW.chances(camera, new int[TARGETS], new double[TARGETS]));
     }
-    assertTrue(VIEW.moving(ON_ITS_WAY));
+    assertTrue(VIEW.moving(MOVING));
     assertFalse(VIEW.moving(1));
   }
 
   @Test
-  void withoutLuckAChanceIsOneOrZero() {
+  void chanceIsOneOrZeroByDefault() {
     int[] targets = new int[TARGETS];
     double[] chances = new double[TARGETS];
     int count = VIEW.chances(1, targets, chances);
@@ -104,7 +104,7 @@ class DefaultsTest {
   }
 
   @Test
-  void aCameraThatCannotTurnHasItsLevelsAloneAndReachesThoseBesideItsOwn() {
+  void fixedCameraReachesAdjacentLevels() {
     assertEquals(2, VIEW.zooms(LAST));
     assertEquals(0, VIEW.pan(LAST, 1));
     assertEquals(7.5, VIEW.reach(LAST, 1), "the radius of the view");
@@ -113,14 +113,14 @@ class DefaultsTest {
   }
 
   @Test
-  void whatIsNotSaidIsKMinAndAnUnknownSize() {
+  void defaultObjectiveIsKMinAndSizeIsUnknown() {
     assertEquals(Objective.kMin(), VIEW.objective());
     assertEquals(Double.NaN, VIEW.targetSize(0));
     assertEquals(0.25, VIEW.seenConfidence(1, 1, 3), "the same as of any target");
   }
 
   @Test
-  void onlyAPolicyThatAimsTakesNoTimeForAMove() {
+  void aimingPolicyJumpsByDefault() {
     AimingZoomPolicy aiming =
         (AimingZoomPolicy)
             Proxy.newProxyInstance(
@@ -131,7 +131,7 @@ class DefaultsTest {
   }
 
   @Test
-  void aPolicySendsNothingAndEstimatesNothing() {
+  void policySendsAndEstimatesNothingByDefault() {
     ZoomPolicy policy =
         new ZoomPolicy() {
           @Override
@@ -150,9 +150,9 @@ class DefaultsTest {
   }
 
   /**
-   * Five cameras of two levels, of which the first is offline. They stand at (1, 2) and look to +x;
-   * target t is 3 m ahead of them and t m to the right. Targets 30 and 66 are absent, level 1
-   * detects all but a few, level 0 some.
+   * Five cameras with two levels; the first is offline. They stand at (1, 2) and look to +x; target
+   * t is 3 m ahead of them and t m to the right. Targets 30 and 66 are absent. Level 1 detects all
+   * but a few targets, level 0 some.
    */
   private static OracleView view() {
     InvocationHandler answers =
@@ -162,9 +162,7 @@ class DefaultsTest {
               case "views" -> 2;
               case "view" -> (int) arguments[0] == LAST ? 1 : 0;
               case "seeing" ->
-                  (int) arguments[0] == ON_ITS_WAY
-                      ? -1
-                      : ((OracleView) proxy).view((int) arguments[0]);
+                  (int) arguments[0] == MOVING ? -1 : ((OracleView) proxy).view((int) arguments[0]);
               case "zoom" -> new ZoomLevel(7.5, 2.5, 7.5, Double.NaN, Math.PI);
               case "online" -> (int) arguments[0] > 0;
               case "cameraX" -> 1.0;
@@ -183,12 +181,12 @@ class DefaultsTest {
             OracleView.class.getClassLoader(), new Class<?>[] {OracleView.class}, answers);
   }
 
-  /** Cameras, views and targets that there are not would detect everything. */
+  /** Cameras and views beyond the last would detect targets that nobody sees. */
   private static boolean detects(int camera, int view, int target) {
     return switch (target) {
-      case NOBODYS -> camera > LAST || view > 1;
-      case OFFLINES -> camera == 0;
-      case LAST_ONES -> camera == LAST && view == 1;
+      case SEEN_BY_NOBODY -> camera > LAST || view > 1;
+      case SEEN_BY_OFFLINE -> camera == 0;
+      case SEEN_ONLY_BY_LAST -> camera == LAST && view == 1;
       default -> view == 1 || target % 3 != 0;
     };
   }

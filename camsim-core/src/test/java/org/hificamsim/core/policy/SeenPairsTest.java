@@ -22,9 +22,9 @@ class SeenPairsTest {
           .thenComparingDouble(Pair::squared)
           .thenComparingInt(Pair::target);
 
-  /** Coordinates are few, so that many targets are equally near. */
+  /** Few coordinates, so that many targets are equally near. */
   @RepeatedTest(30)
-  void theNearestOfEachCameraComeFirst(RepetitionInfo repetition) {
+  void sortsNearestTargetsOfEachCameraFirst(RepetitionInfo repetition) {
     SplittableRandom random = new SplittableRandom(repetition.getCurrentRepetition());
     SeenPairs pairs = new SeenPairs();
     for (int round = 0; round < 3; round++) {
@@ -32,35 +32,35 @@ class SeenPairsTest {
       pairs.clear();
       for (int camera = 0; camera < 9; camera++) {
         for (int i = random.nextInt(8); i > 0; i--) {
-          Pair one = new Pair(camera, i, random.nextInt(-3, 3), random.nextInt(3));
-          pairs.add(camera, i, one.ahead, one.right);
-          expected.add(one);
+          Pair expectedPair = new Pair(camera, i, random.nextInt(-3, 3), random.nextInt(3));
+          pairs.add(camera, i, expectedPair.ahead, expectedPair.right);
+          expected.add(expectedPair);
         }
       }
       expected.sort(NEAREST);
       pairs.sort(2);
-      assertEquals(nearest(expected, 2), nearest(all(pairs), 2));
+      assertEquals(nearest(expected, 2), nearest(copy(pairs), 2));
       pairs.sort(8);
-      assertEquals(expected, all(pairs));
+      assertEquals(expected, copy(pairs));
     }
   }
 
-  /** Each camera's first ones. */
+  /** Returns the first pairs of each camera. */
   private static List<Pair> nearest(List<Pair> pairs, int wanted) {
     int[] shown = new int[9];
     return pairs.stream().filter(pair -> shown[pair.camera]++ < wanted).toList();
   }
 
-  private static List<Pair> all(SeenPairs pairs) {
-    List<Pair> all = new ArrayList<>();
+  private static List<Pair> copy(SeenPairs pairs) {
+    List<Pair> copies = new ArrayList<>();
     for (int i = 0; i < pairs.count(); i++) {
-      all.add(new Pair(pairs.camera(i), pairs.target(i), pairs.ahead(i), pairs.right(i)));
+      copies.add(new Pair(pairs.camera(i), pairs.target(i), pairs.ahead(i), pairs.right(i)));
     }
-    return all;
+    return copies;
   }
 
   @Test
-  void scratchKeepsWhatWasWrittenWhenItGrows() {
+  void scratchKeepsValuesWhenItGrows() {
     SeenPairs pairs = new SeenPairs();
     pairs.scratch(3)[2] = 7;
     assertEquals(7, pairs.scratch(100)[2]);

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class OptionsTest {
   @Test
-  void whatIsNotGivenTakesItsDefault() {
+  void missingOptionsTakeDefaults() {
     Options options = Options.none("policy x");
     assertEquals(0.1, options.number("epsilon", 0.1, 0, 1, "exploration"));
     assertEquals(4, options.integer("k", 4, 1, 9, "neighbours"));
@@ -33,7 +33,7 @@ class OptionsTest {
   }
 
   @Test
-  void whatIsGivenIsRead() {
+  void readsGivenOptions() {
     Options options =
         Options.parse("policy x", "epsilon=0.5, k = 3 ,levels=0,2,4,unit=as-radians,name=a=b");
     assertEquals("a=b", options.text("name", "t", ""));
@@ -45,7 +45,7 @@ class OptionsTest {
   }
 
   @Test
-  void theMainTextMayBeGivenWithoutItsKey() {
+  void readsMainTextWithoutKey() {
     assertEquals("a,b.onnx", Options.parse("policy x", "a,b.onnx").mainText("file", "", ""));
     assertEquals("a=b.onnx", Options.parse("policy x", "file=a=b.onnx").mainText("file", "", ""));
     assertEquals("", Options.none("policy x").mainText("file", "", ""));
@@ -55,7 +55,7 @@ class OptionsTest {
   }
 
   @Test
-  void aListMayBeGivenWithoutItsKey() {
+  void readsListWithoutKey() {
     Options options = Options.parse("policy fixed", "0,1, 2");
     assertEquals(List.of(0, 1, 2), options.integers("levels", List.of(), 0, 9, ""));
     assertDoesNotThrow(options::rejectUnknown);
@@ -65,7 +65,7 @@ class OptionsTest {
   }
 
   @Test
-  void aListGivenBothWaysIsRefused() {
+  void rejectsListWithAndWithoutKey() {
     Options options = Options.parse("policy fixed", "0,1,levels=2");
     assertEquals(List.of(2), options.integers("levels", List.of(), 0, 9, ""));
     assertError(
@@ -73,7 +73,7 @@ class OptionsTest {
   }
 
   @Test
-  void bothEndsOfARangeAreInside() {
+  void acceptsBothEndsOfRange() {
     assertEquals(0, Options.parse("x", "a=0").number("a", 1, 0, 1, ""));
     assertEquals(1, Options.parse("x", "a=1").number("a", 0, 0, 1, ""));
     assertEquals(2, Options.parse("x", "a=2").integer("a", 3, 2, 3, ""));
@@ -82,7 +82,7 @@ class OptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"-0.001", "1.001", "NaN", "Infinity", "-Infinity", "1e999", "abc", ""})
-  void aNumberOutOfRangeIsRefused(String text) {
+  void rejectsNumberOutOfRange(String text) {
     assertError(
         "x: a is '" + text + "', expected a number from 0.0 to 1.0",
         () -> Options.parse("x", "a=" + text).number("a", 0.5, 0, 1, ""));
@@ -90,7 +90,7 @@ class OptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"Infinity", "NaN", "1e999"})
-  void aNumberIsFiniteEvenWithoutAnUpperEnd(String text) {
+  void rejectsInfiniteNumberWithoutUpperEnd(String text) {
     assertThrows(
         InputException.class,
         () -> Options.parse("x", "a=" + text).number("a", 1, 0, Double.POSITIVE_INFINITY, ""));
@@ -98,7 +98,7 @@ class OptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"1", "10", "2.5", "4294967298", "two", ""})
-  void aWholeNumberOutOfRangeIsRefused(String text) {
+  void rejectsWholeNumberOutOfRange(String text) {
     assertError(
         "x: a is '" + text + "', expected a whole number from 2 to 9",
         () -> Options.parse("x", "a=" + text).integer("a", 3, 2, 9, ""));
@@ -106,14 +106,14 @@ class OptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"0,,2", "0,1,", "0,x", "0,10"})
-  void aBadItemOfAListIsRefused(String text) {
+  void rejectsInvalidItemOfList(String text) {
     assertThrows(
         InputException.class,
         () -> Options.parse("x", text).integers("levels", List.of(), 0, 9, ""));
   }
 
   @Test
-  void anUnknownChoiceIsRefusedWithTheKnownOnes() {
+  void rejectsUnknownChoiceAndListsKnownOnes() {
     assertError(
         "x: unit is 'DEGREES', expected one of degrees, as-radians",
         () -> Options.parse("x", "unit=DEGREES").choice("unit", Headings.DEGREES, ""));
@@ -121,7 +121,7 @@ class OptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"a=1,a=2", "=1", "a=1, =2", "a=1,b=2,a=1"})
-  void eachKeyIsGivenOnceAndNotEmpty(String text) {
+  void rejectsRepeatedAndEmptyKeys(String text) {
     assertThrows(InputException.class, () -> Options.parse("x", text));
   }
 

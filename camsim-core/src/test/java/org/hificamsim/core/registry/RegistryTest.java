@@ -28,14 +28,14 @@ class RegistryTest {
     "hifi:orb:fast, fast 2",
     "hifi:orb:fast:n=7, fast 7",
   })
-  void theLongestNameThatMatchesIsMade(String spec, String made) {
+  void createsByLongestMatchingName(String spec, String made) {
     assertEquals(made, registry.create(spec));
     assertTrue(registry.knows(spec));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"", "hifi", "hifi:", "hifi:sift", "Plain", "plain2", ":plain", "plai"})
-  void anUnknownNameIsRefusedWithTheKnownOnes(String spec) {
+  void rejectsUnknownNameAndListsKnownOnes(String spec) {
     assertFalse(registry.knows(spec));
     InputException error = assertThrows(InputException.class, () -> registry.create(spec));
     assertEquals(
@@ -44,7 +44,7 @@ class RegistryTest {
   }
 
   @Test
-  void whereNothingIsRegisteredTheErrorSaysSo() {
+  void errorReportsEmptyRegistry() {
     Registry<String> empty = new Registry<>("thing");
     InputException error = assertThrows(InputException.class, () -> empty.create("plain"));
     assertEquals(
@@ -53,7 +53,7 @@ class RegistryTest {
   }
 
   @Test
-  void optionsThatNobodyReadsAreRefused() {
+  void rejectsUnreadOptions() {
     InputException none = assertThrows(InputException.class, () -> registry.create("plain:n=1"));
     assertEquals("thing plain: unknown option 'n=1', expected no options", none.getMessage());
     InputException other =
@@ -65,13 +65,13 @@ class RegistryTest {
   }
 
   @Test
-  void anOptionWithoutAValueIsToldApartFromOneThatThereIsNot() {
+  void distinguishesMissingValueFromUnknownOption() {
     InputException bare = assertThrows(InputException.class, () -> registry.create("hifi:orb:n"));
     assertEquals("thing hifi:orb: option 'n' has no value, expected n=VALUE", bare.getMessage());
   }
 
   @Test
-  void anAliasIsUnderstoodAndNotListed() {
+  void createsByAliasWithoutListingIt() {
     assertSame(registry, registry.alias("orb", "hifi:orb"));
     assertEquals("orb 5", registry.create("orb:n=5"));
     assertTrue(registry.knows("orb"));
@@ -82,7 +82,7 @@ class RegistryTest {
   }
 
   @Test
-  void aNameIsRegisteredOnce() {
+  void rejectsSecondRegistrationOfName() {
     InputException error =
         assertThrows(
             InputException.class, () -> registry.register("plain", "again", () -> "other"));
@@ -91,13 +91,13 @@ class RegistryTest {
   }
 
   @Test
-  void namesKeepTheOrderOfRegistration() {
+  void namesKeepOrderOfRegistration() {
     assertEquals(List.of("plain", "hifi:orb", "hifi:orb:fast"), registry.names());
     assertEquals("a colon", registry.entries().get(1).summary());
   }
 
   @Test
-  void theOptionsOfAnImplementationAreListedWithTheirDefaults() {
+  void listsOptionsWithDefaults() {
     assertEquals(List.of(new Options.Declared("n", "1", "")), registry.options("hifi:orb"));
     assertEquals(List.of(), registry.options("plain"));
   }

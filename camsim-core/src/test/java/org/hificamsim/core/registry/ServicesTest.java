@@ -19,7 +19,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.Test;
 
-/** A dummy implementation of each extension point, declared as a service, is all that it takes. */
+/** A minimal implementation of each extension point works once it is declared as a service. */
 class ServicesTest {
   private final Registry<DetectionModel> detections =
       new Registry<DetectionModel>("detection")
@@ -32,7 +32,7 @@ class ServicesTest {
           .registerServices(StepListener.class, StepListener::name, (listener, options) -> {});
 
   @Test
-  void oneOfEachKindRunsASimulation() {
+  void servicesOfEachKindRunInSimulation() {
     UserListener listener = (UserListener) listeners.create("UserListener");
     Simulation simulation =
         new Simulation(
@@ -52,13 +52,13 @@ class ServicesTest {
   }
 
   @Test
-  void eachCreationIsANewInstance() {
+  void createsNewInstanceEachTime() {
     assertInstanceOf(UserDetection.class, detections.create("user:near"));
     assertNotSame(policies.create("user-level"), policies.create("user-level"));
   }
 
   @Test
-  void optionsAreCheckedAndListedLikeThoseOfBuiltInOnes() {
+  void checksAndListsOptionsLikeBuiltInParts() {
     assertEquals(
         List.of(new Options.Declared("level", "0", "the level")), policies.options("user-level"));
     InputException range =
@@ -71,12 +71,12 @@ class ServicesTest {
   }
 
   @Test
-  void theClassIsTheSummary() {
+  void summaryIsTheClassName() {
     assertEquals(UserPolicy.class.getName(), policies.entries().get(0).summary());
   }
 
   @Test
-  void aJarCannotShadowABuiltIn() {
+  void rejectsServiceWithBuiltInName() {
     Registry<ZoomPolicy> taken =
         new Registry<ZoomPolicy>("policy").register("user-level", "", UserPolicy::new);
     InputException error =

@@ -8,42 +8,45 @@ import org.hificamsim.core.scenario.declaration.Element;
 import org.hificamsim.core.scenario.declaration.Property;
 
 /**
- * What an element's documentation says of one or more of its attributes.
+ * The documentation of one or more attributes of an element.
  *
- * @param attributes those that it is about
- * @param meaning what they say: Markdown
- * @param otherwise what holds without them; empty where their default says it
+ * @param attributes the documented attributes
+ * @param meaning their meaning, in Markdown
+ * @param otherwise what applies without them; empty if their default value says so
  */
 record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String otherwise) {
-  /** What an element is. */
+  /** Returns the first line of an element's documentation: what the element is. */
   static String summary(Element<?> element) {
     return element.doc().lines().findFirst().orElse("");
   }
 
-  /** All of an element, in the order of its documentation, those without effect too. */
+  /** Returns all attributes of an element in documented order, including those without effect. */
   static List<AttributeDoc> all(Element<?> element) {
     List<Property<?, ?>> left = new ArrayList<>(element.attributes());
     left.addAll(element.ignored());
-    List<AttributeDoc> all = new ArrayList<>();
+    List<AttributeDoc> docs = new ArrayList<>();
     for (String line : element.doc().lines().skip(1).toList()) {
       List<String> names = List.of(line.substring(0, line.indexOf(':')).split(", "));
-      List<Property<?, ?>> its = left.stream().filter(one -> names.contains(one.name())).toList();
-      left.removeAll(its);
-      String[] said = line.substring(line.indexOf(':') + 1).strip().split(" \\| ");
-      if (!its.isEmpty()) {
-        all.add(new AttributeDoc(its, said[0], said.length > 1 ? said[1] : ""));
+      List<Property<?, ?>> described =
+          left.stream().filter(attribute -> names.contains(attribute.name())).toList();
+      left.removeAll(described);
+      String[] parts = line.substring(line.indexOf(':') + 1).strip().split(" \\| ");
+      if (!described.isEmpty()) {
+        docs.add(new AttributeDoc(described, parts[0], parts.length > 1 ? parts[1] : ""));
       }
     }
     if (!left.isEmpty()) {
       throw new IllegalStateException(
           "<" + element.name() + "> does not say what these are: " + left);
     }
-    return all;
+    return docs;
   }
 
-  /** The attributes' names. */
+  /** Returns the names of the attributes, in Markdown. */
   String named() {
-    return attributes.stream().map(one -> "`" + one.name() + "`").collect(Collectors.joining(", "));
+    return attributes.stream()
+        .map(attribute -> "`" + attribute.name() + "`")
+        .collect(Collectors.joining(", "));
   }
 
   boolean hasEffect() {
@@ -54,7 +57,7 @@ record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String othe
     return attributes.get(0).isRequired();
   }
 
-  /** What holds without them. */
+  /** Returns what applies without the attributes. */
   String standard() {
     if (isRequired()) {
       return "required";

@@ -15,13 +15,13 @@ class NetworkPartsTest {
   @TempDir Path folder;
 
   @Test
-  void aScenarioThatAsksForNoNetworkHasNone() throws IOException {
+  void isEmptyWithoutNetworkSettings() throws IOException {
     assertEquals(List.of(), parts("", ""));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"ai_algorithm='A'", "comm='2'", "customcom='C'", "limit='3'"})
-  void anAttributeOfOneCameraIsOne(String attribute) throws IOException {
+  void listsAttributeOfOneCamera(String attribute) throws IOException {
     String name = attribute.substring(0, attribute.indexOf('='));
     assertEquals(List.of(name), parts(attribute, ""));
     String event = "<event timestep='3' participant='camera' event='add' name='b' x='0' y='0'";
@@ -31,7 +31,7 @@ class NetworkPartsTest {
   }
 
   @Test
-  void allAreListedInTheirOrder() throws IOException {
+  void listsAllPartsInOrder() throws IOException {
     assertEquals(
         List.of("ai_algorithm", "bandit", "visiongraph", "grc events"),
         parts(

@@ -14,17 +14,17 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Every scenario file of the reference data loads and survives writing and reading. */
+/** Every scenario file of the reference data loads, and is equal after writing and reading. */
 class ReferenceScenarioTest {
   @TempDir Path folder;
 
   @TestFactory
-  Stream<DynamicTest> everyFileOfOursIsEqualAfterWritingIt() {
+  Stream<DynamicTest> ownScenariosSurviveWritingAndReading() {
     return roundTrips(30, "own-camsim", "own-coverage");
   }
 
   @TestFactory
-  Stream<DynamicTest> everyPublishedFileIsEqualAfterWritingIt() {
+  Stream<DynamicTest> publishedScenariosSurviveWritingAndReading() {
     return roundTrips(49 + 11, "camsim/scenarios", "coverage-study");
   }
 

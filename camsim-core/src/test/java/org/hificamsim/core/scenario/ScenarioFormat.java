@@ -13,8 +13,8 @@ import org.hificamsim.core.scenario.spec.ObstacleElements;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 
 /**
- * What people and editors read about scenario files, from what the reader declares: the schema, and
- * the tables of the documentation. {@code gradle scenarioFormat} writes the schema.
+ * Generates the schema of scenario files, and the tables of the documentation, from the
+ * declarations of the reader. {@code gradle scenarioFormat} writes the schema.
  */
 public final class ScenarioFormat {
   private ScenarioFormat() {}
@@ -28,20 +28,25 @@ public final class ScenarioFormat {
     return project.resolve("scenarios/camsim.xsd");
   }
 
-  /** A table in Markdown: of an element's attributes, of all obstacles', or of the events. */
-  public static String table(String of) {
-    return of.equals("events") ? events() : attributes(elements(of));
+  /**
+   * Returns a table in Markdown: the attributes of an element or of all obstacles, or the events.
+   */
+  public static String table(String name) {
+    return name.equals("events") ? events() : attributes(elements(name));
   }
 
-  /** The element of this name, or all that it holds any number of. */
+  /** Returns the element of this name, or all kinds of obstacles for their holder. */
   private static List<Element<?>> elements(String name) {
     if (name.equals(Scenario.OBSTACLES_HOLDER.name())) {
       return List.copyOf(ObstacleElements.ALL);
     }
-    return Scenario.elements().stream().filter(one -> one.name().equals(name)).limit(1).toList();
+    return Scenario.elements().stream()
+        .filter(element -> element.name().equals(name))
+        .limit(1)
+        .toList();
   }
 
-  /** The attributes of some elements; of a single one, without its name. */
+  /** Returns the attributes of elements; the column of names is omitted for a single element. */
   private static String attributes(List<Element<?>> elements) {
     List<List<String>> lines = new ArrayList<>();
     lines.add(List.of("element", "attribute", "value", "default"));
@@ -69,7 +74,7 @@ public final class ScenarioFormat {
     return markdown(lines);
   }
 
-  /** What the tables of cameras and objects say is not said again. */
+  /** Lists attributes without the meanings that the tables of cameras and objects already give. */
   private static String attributes(Element<?> body) {
     List<AttributeDoc> effective =
         AttributeDoc.all(body).stream().filter(AttributeDoc::hasEffect).toList();

@@ -9,12 +9,12 @@ import java.nio.file.Path;
 import org.hificamsim.core.scenario.declaration.Element;
 import org.junit.jupiter.api.Test;
 
-/** The schema is that of the declarations. */
+/** The schema file agrees with the declarations. */
 class ScenarioFormatTest {
   private static final Path PROJECT = Path.of(System.getProperty("hificamsim.root"));
 
   @Test
-  void theSchemaSaysWhatTheReaderDeclares() throws IOException {
+  void schemaFileIsUpToDate() throws IOException {
     assertEquals(
         ScenarioSchema.text(),
         Files.readString(ScenarioFormat.schema(PROJECT)),
@@ -22,7 +22,7 @@ class ScenarioFormatTest {
   }
 
   @Test
-  void everyElementSaysWhatItIs() {
+  void everyElementHasSummary() {
     for (Element<?> element : Scenario.elements()) {
       assertTrue(AttributeDoc.summary(element).endsWith("."), element.name());
     }

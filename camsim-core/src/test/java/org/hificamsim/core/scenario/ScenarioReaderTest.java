@@ -41,7 +41,7 @@ class ScenarioReaderTest {
   private final List<String> warnings = new ArrayList<>();
 
   @Test
-  void everyElementAndAttributeIsRead() {
+  void readsEveryElementAndAttribute() {
     Scenario scenario = read(everything());
     assertEquals("test", scenario.name());
     assertEquals(new Field(-15.5, 15, -10, 10.25), scenario.field());
@@ -154,7 +154,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void whatIsLeftOutTakesItsDefault() {
+  void missingAttributesTakeDefaults() {
     Scenario scenario = read(scenario("", CAMERA, OBJECT));
     assertEquals(StepOrder.CAMSIM, scenario.order());
     assertEquals(Headings.DEGREES, scenario.headings());
@@ -179,7 +179,7 @@ class ScenarioReaderTest {
     "order='coverage', '', COVERAGE, false",
     "order='camsim', <zoom>1 2</zoom>, CAMSIM, true",
   })
-  void aZoomListTellsTheCoverageDialect(
+  void zoomListMeansCoverageDialect(
       String attributes, String zoom, StepOrder order, boolean coverage) {
     Scenario scenario = read(scenario(attributes, zoom + CAMERA, OBJECT));
     assertEquals(order, scenario.order());
@@ -187,7 +187,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void elementsAreFoundByNameAtAnyDepth() {
+  void findsElementsAtAnyDepth() {
     Scenario scenario =
         read(
             "<root><group><simulation min_x='-9' max_x='9' min_y='-9' max_y='9'/></group>"
@@ -201,7 +201,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void aTargetOrCameraMayComeByEventAlone() {
+  void acceptsCamerasAndTargetsOnlyFromEvents() {
     Scenario scenario =
         read(
             scenario(
@@ -215,7 +215,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void zoomsMayBeBrokenByCommentsAndLines() {
+  void readsZoomsAcrossCommentsAndLines() {
     Scenario scenario =
         read(
             scenario(
@@ -242,7 +242,7 @@ class ScenarioReaderTest {
     "speed='2',     speed='-1e300', a number from -1e9 to 1e9 (m a step)",
     "range='6',     range='1e200',  'a number from 0 to 1e9 (m), or -1 to leave it'",
   })
-  void lengthsAndSpeedsAreBounded(String part, String beyond, String expected) {
+  void rejectsLengthsAndSpeedsOutOfRange(String part, String beyond, String expected) {
     String text =
         scenario(
             "mount_height='3'",
@@ -271,7 +271,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void aBillionMetresAreStillRead() {
+  void acceptsABillionMetres() {
     Scenario scenario =
         read(
             scenario("", CAMERA.replaceFirst("range='[^']*'", "range='1e9'"), OBJECT)
@@ -281,7 +281,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void oddThingsAreWarningsWithTheirPlace() {
+  void warningsNameTheirPlace() {
     read(
         """
 <root version="2">
@@ -326,7 +326,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void whatHappensToACameraThatFailedForSomeStepsHangsOnTheQuirk() {
+  void warningMentionsQuirkAfterTemporaryFailure() {
     String event = "\n<event timestep='%d' participant='camera' event='%s' name='a' %s/>";
     read(
         scenario(
@@ -347,7 +347,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void eventsForCamerasThatAreNotOnlineThenAreWarnings() {
+  void warnsOfEventsForOfflineCameras() {
     String event = "\n<event timestep='%d' participant='camera' event='%s' name='a' %s/>";
     read(
         scenario(
@@ -367,7 +367,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void theLastOfRepeatedGraphNodesCounts() {
+  void lastOfRepeatedGraphNodesCounts() {
     Scenario scenario =
         read(
             scenario(
@@ -383,13 +383,13 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void aVisionGraphWithoutNodesIsNone() {
+  void ignoresVisionGraphWithoutNodes() {
     Scenario scenario = read(scenario("", CAMERA, OBJECT + "<visiongraph static='true'/>"));
     assertEquals(Optional.empty(), scenario.visionGraph());
   }
 
   @Test
-  void aSchemaReferenceIsNothingOdd() {
+  void acceptsSchemaReferenceWithoutWarning() {
     read(
         scenario("", CAMERA, OBJECT)
             .replace(
@@ -400,7 +400,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void namesWithAPrefixBelongToOthers() {
+  void ignoresPrefixedNamesWithWarnings() {
     Scenario scenario =
         read(
             scenario("", CAMERA.replace("<camera", "<camera b:x='7'"), OBJECT + "<b:camera/>")
@@ -420,7 +420,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void movementsAreAskedForByTheirShortName() {
+  void looksUpMovementsByShortName() {
     List<String> asked = new ArrayList<>();
     Path file =
         file(
@@ -436,7 +436,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void aMovementNobodyKnowsIsRefusedEvenByDefault() {
+  void rejectsUnknownDefaultMovement() {
     Path file = file(scenario("", CAMERA, OBJECT));
     InputException error =
         assertThrows(
@@ -445,7 +445,7 @@ class ScenarioReaderTest {
   }
 
   @Test
-  void theNameIsTheFilesWithoutItsLastEnding() throws IOException {
+  void scenarioNameIsFileNameWithoutLastExtension() throws IOException {
     for (String name : List.of("a.b.xml", ".hidden", "plain")) {
       Path file = folder.resolve(name);
       Files.writeString(file, scenario("", CAMERA, OBJECT));

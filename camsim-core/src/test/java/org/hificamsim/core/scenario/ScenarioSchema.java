@@ -53,7 +53,7 @@ final class ScenarioSchema {
 
   private ScenarioSchema() {}
 
-  /** The whole file. */
+  /** Returns the text of the schema file. */
   static String text() {
     ScenarioSchema schema = new ScenarioSchema();
     Scenario.elements().forEach(schema::element);
@@ -81,7 +81,7 @@ final class ScenarioSchema {
     close(kind);
   }
 
-  /** What may stand in an element; DTDs know neither all, in any order, nor numbers. */
+  /** Writes the content model of an element; unlike a DTD it allows any order and counts. */
   private void particle(String content, String occurs) {
     Matcher group = GROUP.matcher(content);
     if (group.matches()) {
@@ -111,33 +111,33 @@ final class ScenarioSchema {
   private void attributes(Element<?> element) {
     AttributeDoc.all(element).forEach(row -> attributes(row, row.isRequired()));
     if (element == EventHead.ELEMENT) {
-      ofEvents();
+      eventAttributes();
     }
   }
 
-  /** An attribute of one kind of event may be one of another kind with another type. */
-  private void ofEvents() {
+  /** Merges attributes of one name, because kinds of events may give them different types. */
+  private void eventAttributes() {
     Map<String, List<Property<?, ?>>> byName = new LinkedHashMap<>();
     Map<String, String> meanings = new LinkedHashMap<>();
     for (EventKind<?, ?> kind : ScenarioEvent.kinds()) {
       for (AttributeDoc row : AttributeDoc.all(kind.body())) {
         for (Property<?, ?> attribute : row.attributes()) {
-          byName.computeIfAbsent(attribute.name(), any -> new ArrayList<>()).add(attribute);
+          byName.computeIfAbsent(attribute.name(), name -> new ArrayList<>()).add(attribute);
           meanings.merge(
               attribute.name(),
               kind.participant() + " " + kind.happening() + ": " + row.meaning(),
-              (one, other) -> one + ". " + other);
+              (first, second) -> first + ". " + second);
         }
       }
     }
     byName.forEach(
-        (name, all) ->
+        (name, attributes) ->
             attribute(
                 name,
                 false,
                 meanings.get(name),
-                all.stream()
-                    .map(one -> one.type().schema())
+                attributes.stream()
+                    .map(attribute -> attribute.type().schema())
                     .distinct()
                     .collect(Collectors.joining(" | "))));
   }
@@ -157,11 +157,11 @@ final class ScenarioSchema {
   }
 
   private void type(String schema) {
-    List<String> any = Stream.of(schema.split(" \\| ")).distinct().toList();
-    if (any.size() == 1) {
+    List<String> alternatives = Stream.of(schema.split(" \\| ")).distinct().toList();
+    if (alternatives.size() == 1) {
       restriction(schema);
     } else {
-      in("union", () -> any.forEach(one -> in("simpleType", () -> restriction(one))));
+      in("union", () -> alternatives.forEach(item -> in("simpleType", () -> restriction(item))));
     }
   }
 

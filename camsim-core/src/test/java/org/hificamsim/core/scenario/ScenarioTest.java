@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.junit.jupiter.api.Test;
 
-/** A scenario changed in one thing is the same in all others. */
+/** Changing one property of a scenario keeps all others. */
 class ScenarioTest {
   private static final CameraSpec LATER = TestScenario.camera("later", 1, 2, 30, 90, 5);
 
@@ -27,7 +27,7 @@ class ScenarioTest {
           .scenario();
 
   @Test
-  void aChangedCameraLeavesTheOneThatItWasMadeOf() {
+  void changeOfCameraLeavesOriginalUnchanged() {
     CameraSpec added = LATER.with(CameraSpec.NAME, "added").with(CameraSpec.X, 3);
     assertEquals("later", LATER.name());
     assertEquals(TestScenario.camera("added", 3, LATER.y(), LATER.heading(), 90, 5), added);
@@ -35,7 +35,7 @@ class ScenarioTest {
   }
 
   @Test
-  void aListThatIsHandedOverMayChangeAfterwards() {
+  void copiesGivenLists() {
     List<CameraSpec> cameras = new ArrayList<>(List.of(LATER));
     Scenario changed = scenario.with(Scenario.CAMERAS, cameras);
     cameras.clear();
@@ -44,7 +44,7 @@ class ScenarioTest {
   }
 
   @Test
-  void camerasThatComeLaterAreChangedToo() {
+  void withCamerasChangesLaterCamerasToo() {
     Scenario changed =
         scenario.withCameras(camera -> camera.with(CameraSpec.NAME, camera.name() + "!"));
     assertEquals("c0!", changed.cameras().get(0).name());
@@ -55,15 +55,15 @@ class ScenarioTest {
             events.get(1),
             events.get(2)),
         changed.events());
-    assertEquals(scenario, changed.withCameras(ScenarioTest::undone));
+    assertEquals(scenario, changed.withCameras(ScenarioTest::withoutMark));
   }
 
-  private static CameraSpec undone(CameraSpec camera) {
+  private static CameraSpec withoutMark(CameraSpec camera) {
     return camera.with(CameraSpec.NAME, camera.name().replace("!", ""));
   }
 
   @Test
-  void targetsThatComeLaterAreChangedToo() {
+  void withTargetsChangesLaterTargetsToo() {
     Scenario changed = scenario.withTargets(target -> target.with(TargetSpec.SPEED, 7));
     assertEquals(7, changed.targets().get(0).speed());
     ScenarioEvent.AddTarget later = (ScenarioEvent.AddTarget) changed.events().get(1);
@@ -73,7 +73,7 @@ class ScenarioTest {
   }
 
   @Test
-  void heightAndRadiiAreThoseGiven() {
+  void keepsGivenHeightAndRadii() {
     Scenario high = scenario.with(Scenario.NAME, "high").with(Scenario.MOUNT_HEIGHT, 3);
     assertEquals("high", high.name());
     assertEquals(OptionalDouble.of(3), high.mountHeight());
@@ -83,7 +83,7 @@ class ScenarioTest {
   }
 
   @Test
-  void headingsAreDegreesUnlessTheyAreReadAsRadians() {
+  void convertsHeadingsOnlyFromDegrees() {
     assertEquals(Math.PI / 2, Headings.DEGREES.radians(90));
     assertEquals(90, Headings.AS_RADIANS.radians(90));
   }

@@ -21,7 +21,7 @@ class ScenarioWriterTest {
   @TempDir Path folder;
 
   @Test
-  void aScenarioWithEverythingInItIsReadBackEqual() throws IOException {
+  void writesEveryElementSoThatItReadsBackEqual() throws IOException {
     Scenario scenario = read(ScenarioReaderTest.everything());
     String written = ScenarioWriter.write(scenario);
     assertEquals(scenario, read(written));
@@ -29,7 +29,7 @@ class ScenarioWriterTest {
   }
 
   @Test
-  void aScenarioMadeInCodeIsReadBackEqual() throws IOException {
+  void scenarioMadeInCodeReadsBackEqual() throws IOException {
     Scenario scenario =
         new TestScenario()
             .camera(TestScenario.camera("tab\there\r\n<&>\"'", 0.1 + 0.2, -1e-300, 1e22, 360, 5))
@@ -40,7 +40,7 @@ class ScenarioWriterTest {
   }
 
   @Test
-  void aRuleOfDetectionIsReadBackWithItsOptions() throws IOException {
+  void detectionRuleReadsBackWithOptions() throws IOException {
     for (String rule : List.of("chance:alpha=0.01,memory=5,phantoms=on", "probability")) {
       Scenario scenario =
           new TestScenario()
@@ -53,7 +53,7 @@ class ScenarioWriterTest {
   }
 
   @Test
-  void aRuleOfDetectionThatIsNoneIsToldWithItsPlace() {
+  void errorOfInvalidDetectionRuleNamesPlace() {
     String file = ScenarioWriter.write(new TestScenario().camera(0, 0).target(0, 0).scenario());
     String unknown = file.replace("order=", "detect=\"luck\" order=");
     InputException fault = assertThrows(InputException.class, () -> read(unknown));
@@ -70,7 +70,7 @@ class ScenarioWriterTest {
   }
 
   @Test
-  void anObjectiveIsReadBackAndTheDefaultIsNotWritten() throws IOException {
+  void writesObjectiveUnlessItIsTheDefault() throws IOException {
     Scenario scenario = new TestScenario().camera(0, 0).target(0, 0).scenario();
     assertFalse(ScenarioWriter.write(scenario).contains("objective"));
     for (String text : List.of("covered:k=2", "lexicographic", "sum:cap=4", "kmin")) {
@@ -80,7 +80,7 @@ class ScenarioWriterTest {
   }
 
   @Test
-  void anObjectiveThatIsNoneIsToldWithItsPlace() {
+  void errorOfInvalidObjectiveNamesPlace() {
     String file = ScenarioWriter.write(new TestScenario().camera(0, 0).target(0, 0).scenario());
     String unknown = file.replace("order=", "objective=\"most\" order=");
     InputException fault = assertThrows(InputException.class, () -> read(unknown));
@@ -89,7 +89,7 @@ class ScenarioWriterTest {
   }
 
   @Test
-  void isIndentedAndDeclared() {
+  void writesDeclarationAndIndentation() {
     String written = ScenarioWriter.write(new TestScenario().camera(0, 0).target(0, 0).scenario());
     assertTrue(written.startsWith("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root>\n  <simul"));
     assertTrue(written.endsWith("\n</root>\n"), written);

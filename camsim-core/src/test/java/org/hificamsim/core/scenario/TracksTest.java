@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The element {@code tracks} and the file that it names. */
+/** The element {@code tracks} and its file. */
 class TracksTest {
   private static final String TRACKS =
       """
@@ -46,7 +46,7 @@ class TracksTest {
   private final List<String> warnings = new ArrayList<>();
 
   @Test
-  void targetsComeAndGoByEvents() {
+  void tracksBecomeEventsThatAddAndRemoveTargets() {
     Scenario scenario = read("tracks file='people.tracks'", TRACKS);
     assertEquals(
         List.of(
@@ -56,18 +56,18 @@ class TracksTest {
             "remove 7.0 3",
             "add 1.0 20",
             "remove 1.0 21"),
-        scenario.events().stream().map(TracksTest::told).toList());
+        scenario.events().stream().map(TracksTest::describe).toList());
     assertEquals(List.of(), warnings);
   }
 
-  private static String told(ScenarioEvent event) {
+  private static String describe(ScenarioEvent event) {
     return event instanceof ScenarioEvent.AddTarget add
         ? "add " + add.target().features() + " " + add.step()
         : "remove " + ((ScenarioEvent.RemoveTarget) event).features() + " " + event.step();
   }
 
   @Test
-  void samplesWithoutATimeKeepTheInterval() {
+  void samplesWithoutTimeFollowTheInterval() {
     Track track = added(read("tracks file='people.tracks'", TRACKS), 0).track().get();
     assertEquals(List.of(0.0, 0.5, 5.0), List.of(track.time(0), track.time(1), track.time(2)));
     assertEquals(-1.5, track.x(1));
@@ -75,7 +75,7 @@ class TracksTest {
   }
 
   @Test
-  void aTargetHasItsSizeAndMeanSpeed() {
+  void targetHasSizeAndMeanSpeed() {
     Scenario scenario = read("tracks file='people.tracks'", TRACKS);
     assertEquals(Optional.of(new Extent(0.5, 2)), added(scenario, 0).extent());
     assertEquals(0.25, added(scenario, 2).size());
@@ -88,9 +88,9 @@ class TracksTest {
   }
 
   @Test
-  void whatIsWrittenReadsBackEqualWithoutTheFile() throws IOException {
+  void readsBackEqualWithoutTracksFile() throws IOException {
     Scenario scenario =
-        read("tracks file='people.tracks'", TRACKS).withTargets(one -> one.withSize(3));
+        read("tracks file='people.tracks'", TRACKS).withTargets(target -> target.withSize(3));
     Files.delete(folder.resolve("people.tracks"));
     Path written = folder.resolve("test.xml");
     Files.writeString(written, ScenarioWriter.write(scenario));
@@ -99,17 +99,17 @@ class TracksTest {
   }
 
   @Test
-  void underAnotherMovementTheyAreTargetsLikeOthers() throws IOException {
+  void otherMovementKeepsEvents() throws IOException {
     Scenario scenario = read("tracks file='people.tracks'", TRACKS).withMovement("Brownian");
     Path written = folder.resolve("test.xml");
     Files.writeString(written, ScenarioWriter.write(scenario));
     assertEquals(
-        scenario.events().stream().map(TracksTest::told).toList(),
-        read(written).events().stream().map(TracksTest::told).toList());
+        scenario.events().stream().map(TracksTest::describe).toList(),
+        read(written).events().stream().map(TracksTest::describe).toList());
   }
 
   @Test
-  void tracksThatNoStepMeetsOrThatLeaveTheFieldAreWarnedOf() {
+  void warnsOfTracksWithoutStepOrOutsideField() {
     read(
         "tracks file='people.tracks'",
         "tracks 1\ninterval 1\ntarget 1 size 1\n0.2 1 1\n" + "target 2 size 1\n0 99 0\n");
@@ -136,7 +136,7 @@ class TracksTest {
         "tracks 1;interval 1;target 1 size 1;0 1 2;3|people.tracks:5:2: the line has no y",
         "tracks 1;interval 1;target 1 size 1;0 1 2;target 1 size 1;0 1 1|people.tracks:6:1: time is"
       })
-  void brokenTracksAreRefusedWithTheirPlace(String content, String message) {
+  void rejectsInvalidTracksWithPlace(String content, String message) {
     InputException error =
         assertThrows(
             InputException.class,
@@ -145,7 +145,7 @@ class TracksTest {
   }
 
   @Test
-  void brokenTracksInTheScenarioItselfAreRefusedWithTheirPlace() {
+  void rejectsInvalidInlineTracksWithPlace() {
     InputException error =
         assertThrows(
             InputException.class,
@@ -154,14 +154,14 @@ class TracksTest {
   }
 
   @Test
-  void aFileThatIsNotThereIsRefused() {
+  void rejectsMissingFile() {
     InputException error =
         assertThrows(InputException.class, () -> read("tracks file='none.tracks'", TRACKS));
     assertTrue(error.getMessage().endsWith("no such file, expected a file"), error::getMessage);
   }
 
   @Test
-  void aTargetThatIsThereAlreadyIsRefused() {
+  void rejectsTargetThatIsAlreadyPresent() {
     InputException error =
         assertThrows(
             InputException.class,
@@ -176,7 +176,7 @@ class TracksTest {
   }
 
   @Test
-  void anEventMayTakeATrackedTargetAwayEarlier() {
+  void acceptsEarlierRemovalOfTrackedTarget() {
     read(
         "event timestep='3' participant='object' event='error' name='1'/><tracks"
             + " file='people.tracks'",

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Optics, obstacles, the time of a step, the floorplan, and how wide and high a target is. */
+/** Optics, obstacles, the duration of a step, the floor plan, and the extent of targets. */
 class WorldElementsTest {
   private static final String OBJECT =
       "<objects><object features='1' x='1' y='2' heading='30' speed='4'/></objects>";
@@ -42,7 +42,7 @@ class WorldElementsTest {
   private final List<String> warnings = new ArrayList<>();
 
   @Test
-  void opticsAreRead() {
+  void readsOptics() {
     OpticsSpec optics = optics(PTZ);
     assertEquals(
         new OpticsSpec("ptz")
@@ -57,7 +57,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void opticsThatSayLittleAreALensThatTurnsAtOnce() {
+  void opticsDefaultToLensThatTurnsAtOnce() {
     OpticsSpec optics = optics("<optics name='ptz' hfov='60'/>");
     assertEquals(OpticsLaw.PINHOLE, optics.law());
     assertEquals(Optional.empty(), optics.pixels());
@@ -68,7 +68,7 @@ class WorldElementsTest {
 
   /** Eq 3.1: 2 atan(w / (2 z)). */
   @Test
-  void focalLengthsAndASensorGiveAnglesOfView() {
+  void computesAnglesOfViewFromFocalLengths() {
     OpticsSpec optics =
         optics("<optics name='ptz' focal_length='0.018 0.085' sensor_width='0.0223'/>");
     assertEquals(2, optics.anglesOfView().size());
@@ -77,14 +77,14 @@ class WorldElementsTest {
   }
 
   @Test
-  void aCameraWithALensNeedsNoAngleAndNoRange() {
+  void cameraWithLensNeedsNoAngleOrRange() {
     CameraSpec camera = read("<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT).cameras().get(0);
     assertEquals(58, camera.viewingAngle());
     assertEquals(0, camera.range());
   }
 
   @Test
-  void obstaclesAreRead() {
+  void readsObstacles() {
     Scenario scenario =
         read(
             "<obstacles><wall x1='1' y1='2' x2='3' y2='4' transmittance='0.1'/>"
@@ -103,7 +103,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void theSimulationSaysTheRest() {
+  void readsAttributesOfSimulation() {
     Scenario scenario =
         read(
             "step='0.5' occlusion='targets' floorplan='plan.png' floorplan_min_x='-20'",
@@ -115,7 +115,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void aTargetThatIsWideAndHighHasTheSizeOfASquareAsLarge() {
+  void sizeIsTheRootOfWidthTimesHeight() {
     Scenario scenario =
         read(
             "<cameras>"
@@ -130,7 +130,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void whatIsWrittenReadsBackEqual() throws IOException {
+  void writtenScenarioReadsBackEqual() throws IOException {
     String world =
         "<obstacles><wall x1='1' y1='3' x2='3' y2='4' transmittance='0.1'/>"
             + "<polygon points='5,5 7,5 6,7'/><pillar x='-3' y='-4' radius='0.5'/></obstacles>"
@@ -182,7 +182,7 @@ class WorldElementsTest {
         "law='constant-area' hfov='5' reach='9' tilt='0 10'|expected none with law",
         "hfov='5' tilt='80 100'|<camera> has no tilt, expected with each tilt of its optics"
       })
-  void opticsThatMakeNoSenseAreRefused(String attributes, String message) {
+  void rejectsInvalidOptics(String attributes, String message) {
     assertRefused(
         "<cameras><optics name='ptz' " + attributes + "/>" + CAMERA + "</cameras>" + OBJECT,
         message);
@@ -208,14 +208,14 @@ class WorldElementsTest {
         "<wall x1='1' y1='5' x2='1' y2='6' height='0'/>|<wall> height is '0', expected a number"
             + " above 0"
       })
-  void obstaclesThatMakeNoSenseAreRefused(String obstacle, String message) {
+  void rejectsInvalidObstacles(String obstacle, String message) {
     assertRefused(
         "<obstacles>" + obstacle + "</obstacles><cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT,
         message);
   }
 
   @Test
-  void heightsAreRead() throws IOException {
+  void readsHeights() throws IOException {
     String world =
         "<obstacles><wall x1='1' y1='3' x2='3' y2='4' height='1.8'/>"
             + "<pillar x='1' y='2' radius='0.5' base='3.5'/></obstacles><cameras>"
@@ -241,7 +241,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void theMountHeightIsTheHeightOfCamerasThatSayNone() {
+  void camerasWithoutHeightTakeMountHeight() {
     String camera = "<cameras>" + PTZ + CAMERA.replace("optics", "tilt='9' optics") + "</cameras>";
     Scenario scenario = read("mount_height='4'", camera + OBJECT);
     assertEquals(4, scenario.z(scenario.cameras().get(0)));
@@ -255,7 +255,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void aTiltWithoutALensIsRefused() {
+  void rejectsTiltWithoutLens() {
     assertRefused(
         "<cameras><camera name='a' x='1' y='2' heading='3' tilt='5' range='4'"
             + " viewing_angle='9'/></cameras>"
@@ -264,7 +264,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void aCameraAboveAShelfStandsFree() {
+  void acceptsCameraAboveShelf() {
     String above = CAMERA.replace("optics", "z='3' optics");
     String shelf = "<obstacles><pillar x='1' y='2' radius='0.5' height='2'/></obstacles>";
     String object = OBJECT.replace("x='1'", "x='4'");
@@ -280,7 +280,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void aCameraThatNamesNoOpticsOfTheFileIsRefused() {
+  void rejectsUnknownOpticsOfCamera() {
     assertRefused(
         "<cameras>" + PTZ + CAMERA.replace("'ptz'", "'lens'") + "</cameras>" + OBJECT,
         "<camera> optics is 'lens', expected one of ptz");
@@ -289,22 +289,21 @@ class WorldElementsTest {
   }
 
   @Test
-  void aCameraThatAnEventPutsIntoAPillarIsRefused() {
+  void rejectsEventThatMovesCameraIntoPillar() {
     assertRefused(
-        besideAPillar(change(3, "5", "5")), "<event> x is '5', expected a place off all obstacles");
+        withPillar(change(3, "5", "5")), "<event> x is '5', expected a place off all obstacles");
   }
 
   @Test
-  void aCameraThatEventsMoveOneWayAfterTheOtherIsFollowedInTime() {
-    assertEquals(
-        2, read(besideAPillar(change(4, "1", "5") + change(3, "5", "-1"))).events().size());
+  void checksMovesOfCameraInOrderOfTime() {
+    assertEquals(2, read(withPillar(change(4, "1", "5") + change(3, "5", "-1"))).events().size());
     assertRefused(
-        besideAPillar(change(4, "-1", "5") + change(3, "5", "-1")),
+        withPillar(change(4, "-1", "5") + change(3, "5", "-1")),
         "<event> x is '-1', expected a place off all obstacles; (5.0, 5.0) is in or on a solid");
   }
 
-  /** A pillar at (5, 5), a camera at (1, 2), and events. */
-  private static String besideAPillar(String events) {
+  /** A world with a pillar at (5, 5), a camera at (1, 2), and events. */
+  private static String withPillar(String events) {
     return "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
         + PTZ
         + CAMERA
@@ -322,7 +321,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void bordersWithoutAFloorplanAreRefused() {
+  void rejectsBordersWithoutFloorplan() {
     InputException error =
         assertThrows(
             InputException.class,
@@ -331,14 +330,14 @@ class WorldElementsTest {
   }
 
   @Test
-  void opticsOfOneNameAreRefused() {
+  void rejectsOpticsWithSameName() {
     assertRefused(
         "<cameras>" + PTZ + PTZ + CAMERA + "</cameras>" + OBJECT,
         "expected a name that no other optics have");
   }
 
   @Test
-  void aSizeBesideWidthAndHeightIsRefused() {
+  void rejectsSizeTogetherWithWidthAndHeight() {
     assertRefused(
         "<cameras>"
             + PTZ
@@ -352,7 +351,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void whoFollowsAScriptIsJudgedByItsWaypointsAlone() {
+  void checksOnlyWaypointsOfScriptedTargets() {
     read(
         "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
             + PTZ
@@ -364,7 +363,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void aWayThroughAWallIsAWarning() {
+  void warnsOfPathThroughWall() {
     read(
         "<obstacles><wall x1='5' y1='-1' x2='5' y2='9'/></obstacles><cameras>"
             + PTZ
@@ -380,7 +379,7 @@ class WorldElementsTest {
   }
 
   @Test
-  void everyFaultIsToldAndNoneThatFollows() {
+  void reportsEachIndependentFault() {
     List<String> faults = new ArrayList<>();
     Path file =
         file(

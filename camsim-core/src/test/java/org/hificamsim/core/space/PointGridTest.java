@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class PointGridTest {
   @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
-  void everyPointWithinReachIsInTheCellsAround(@ForAll long seed) {
+  void surroundingCellsHoldEveryPointWithinReach(@ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     double side = random.nextDouble(0.1, 8);
     PointGrid grid = PointGrid.over(-10, -10, 20, random.nextInt(1, 40), side, 100);
@@ -30,7 +30,7 @@ class PointGridTest {
       double atX = coordinate(random, side);
       double atY = coordinate(random, side);
       double reach = random.nextInt(4) == 0 ? side : random.nextDouble(15);
-      boolean[] met = met(grid, atX, atY, reach);
+      boolean[] met = pointsAround(grid, atX, atY, reach);
       for (int point = 0; point < 100; point++) {
         boolean near = Math.abs(x[point] - atX) <= reach && Math.abs(y[point] - atY) <= reach;
         assertTrue(met[point] || !near, "point " + x[point] + ", " + y[point]);
@@ -65,7 +65,7 @@ class PointGridTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {1, 0.5, 4})
-  void aCellHoldsItsLeftAndLowerBorderAndTheOutermostOnesAllBeyond(double side) {
+  void cellsHoldTheirLeftAndLowerBorders(double side) {
     PointGrid grid = PointGrid.over(10, 20, 4 * side, 3 * side, side, 40);
     assertEquals(12, grid.cells());
     double[] columns = {-1e9, -0.1, 0, 0.999, 1, 2.5, 3, 3.999, 4, 1e9};
@@ -79,7 +79,7 @@ class PointGridTest {
   }
 
   @Test
-  void theCellsOfARowLieSideBySideAndRowsFollowEachOther() {
+  void storesCellsRowByRow() {
     PointGrid grid = PointGrid.over(0, 0, 3, 2, 1, 12);
     for (int round = 0; round < 2; round++) {
       grid.clear();
@@ -102,7 +102,7 @@ class PointGridTest {
   }
 
   @Test
-  void aGridOfOneCellKeepsTheOrder() {
+  void singleCellKeepsOrder() {
     PointGrid grid = PointGrid.single(3);
     grid.clear();
     grid.add(2, 5, 5);
@@ -116,21 +116,21 @@ class PointGridTest {
   }
 
   @Test
-  void cellsStayFewHoweverSmallTheirSideOrLargeTheArea() {
+  void limitsNumberOfCells() {
     assertTrue(PointGrid.over(0, 0, 1e300, 1, 0, 10).cells() <= 44);
     assertTrue(PointGrid.over(0, 0, 1e-300, 1e300, 1e-9, 10).cells() <= 44);
     assertTrue(PointGrid.over(0, 0, 1000, 1000, 0.001, 100_000).cells() <= 400_004);
     assertEquals(1, PointGrid.over(0, 0, 10, 10, 1e9, 10).cells());
   }
 
-  /** Often right on the border between cells. */
+  /** Returns a coordinate that is often exactly on the border between cells. */
   private static double coordinate(SplittableRandom random, double side) {
     return random.nextInt(3) == 0
         ? -10 + side * random.nextInt(-2, 25)
         : random.nextDouble(-14, 14);
   }
 
-  private static boolean[] met(PointGrid grid, double x, double y, double reach) {
+  private static boolean[] pointsAround(PointGrid grid, double x, double y, double reach) {
     boolean[] met = new boolean[100];
     int right = grid.column(x + reach);
     for (int row = grid.row(y - reach); row <= grid.row(y + reach); row++) {

@@ -25,7 +25,7 @@ class FootprintTest {
   }
 
   @Test
-  void beginsAndEndsWhereTheEdgesOfThePictureMeetTheGround() {
+  void spansGroundBetweenPictureEdges() {
     Footprint ground = Footprint.of(level(3, 30, 60, 40), 0, 0);
     assertEquals(3 / Math.tan(Math.toRadians(50)), ground.near(), 1e-12);
     assertEquals(3 / Math.tan(Math.toRadians(10)), ground.far(), 1e-12);
@@ -37,22 +37,22 @@ class FootprintTest {
   }
 
   @Test
-  void hasNoEndAboveTheHorizonAndNoBeginningStraightDown() {
+  void isOpenTowardsHorizonAndBelowTheCamera() {
     assertEquals(Double.POSITIVE_INFINITY, Footprint.of(level(3, 10, 60, 40), 0, 0).far());
     Footprint down = Footprint.of(level(3, 90, 60, 40), 0, 0);
     assertTrue(down.contains(0, 0) && down.contains(-1, 0) && !down.contains(-1.2, 0));
   }
 
   @Test
-  void isEmptyWhereTheCameraLooksOverTheTarget() {
+  void isEmptyIfCameraLooksOverTarget() {
     assertTrue(Footprint.of(level(3, -30, 60, 40), 0, 1.7).isEmpty(100));
     assertTrue(Footprint.of(level(3, 0, 60, 2), 0, 1.7).isEmpty(50));
     assertFalse(Footprint.of(level(3, 0, 60, 20), 0, 1.7).isEmpty(50));
   }
 
-  /** A rotation matrix and a division, by hand. */
+  /** Projects with a rotation matrix and a division. */
   @Test
-  void holdsWhatAFullProjectionHasInThePicture() {
+  void agreesWithFullProjection() {
     Random random = new Random(1);
     int inside = 0;
     for (int i = 0; i < 100_000; i++) {

@@ -33,7 +33,7 @@ class LuckTest {
     assertTrue(chiSquare(counts, 1e6 / BINS) < LIMIT, "chi-square " + chiSquare(counts, 1e4));
   }
 
-  /** Neighbours in step, camera, target and seed tell nothing of each other. */
+  /** Draws of neighbouring steps, cameras, targets and seeds are independent. */
   @ParameterizedTest
   @CsvSource({"1, 0, 0, 0", "0, 1, 0, 0", "0, 0, 1, 0", "0, 0, 0, 1", "1, 1, 0, 0", "0, 1, -1, 0"})
   void neighboursAreIndependent(int step, int camera, int target, int seed) {
@@ -42,14 +42,14 @@ class LuckTest {
       int a = i % 100;
       int b = i / 100 % 100;
       int c = 1 + i / 10_000;
-      double one = new Luck(7, 1).draw(a, b, c);
-      double other = new Luck(7 + seed, 1).draw(a + step, b + camera, c + target);
-      counts[((int) (one * 10)) * 10 + (int) (other * 10)]++;
+      double first = new Luck(7, 1).draw(a, b, c);
+      double second = new Luck(7 + seed, 1).draw(a + step, b + camera, c + target);
+      counts[((int) (first * 10)) * 10 + (int) (second * 10)]++;
     }
     assertTrue(chiSquare(counts, 1e4) < LIMIT, "chi-square " + chiSquare(counts, 1e4));
   }
 
-  /** By the formulas in Python's whole numbers: recorded runs are of these numbers. */
+  /** Computed independently with Python's integers; recorded runs depend on these numbers. */
   @ParameterizedTest
   @CsvSource({
     "0, 1, 0, 0, 0, 0.33805245419550545",
@@ -57,13 +57,12 @@ class LuckTest {
     "42, 1, 3, 1, -1, 0.3610201173645198",
     "-1, 10, 7, 5, 9, 0.5601630368902141",
   })
-  void isTheSameInEveryVersion(
-      long seed, int memory, long step, int camera, int target, double drawn) {
+  void equalsRecordedDraws(long seed, int memory, long step, int camera, int target, double drawn) {
     assertEquals(drawn, new Luck(seed, memory).draw(step, camera, target));
   }
 
   @Test
-  void isTheSameWheneverItIsAskedFor() {
+  void dependsOnlyOnSeedStepCameraAndTarget() {
     Luck luck = new Luck(42, 1);
     double first = luck.draw(3, 1, 2);
     luck.draw(9, 9, 9);
@@ -76,7 +75,7 @@ class LuckTest {
 
   @ParameterizedTest
   @ValueSource(ints = {2, 7, 100})
-  void aMemoryKeepsItForAsManySteps(int memory) {
+  void memoryKeepsDrawForGivenSteps(int memory) {
     Luck luck = new Luck(5, memory);
     int steps = 1000 * memory;
     int changes = 0;
@@ -92,7 +91,7 @@ class LuckTest {
   }
 
   @Test
-  void pairsWithAMemoryDrawAgainAtDifferentSteps() {
+  void pairsRedrawAtDifferentSteps() {
     Luck luck = new Luck(5, 50);
     int[] changes = new int[50];
     for (int target = 0; target < 5000; target++) {

@@ -8,14 +8,14 @@ import java.util.Random;
 import org.hificamsim.core.detection.VerticalView;
 import org.junit.jupiter.api.Test;
 
-/** Sizes in the picture against a full projection: a rotation matrix, and all of a box's points. */
+/** Compares sizes in the picture with a full projection of many points of an upright rectangle. */
 class UprightPictureTest {
   private static final double WIDTH = 0.5;
   private static final double HEIGHT = 1.75;
   private static final int CAMERAS = 2_000;
 
   @Test
-  void predictsBoxesOfCamerasThatHangAndTiltAndTheFlatWorldDoesNot() {
+  void predictsBoxesOfTiltedCamerasUnlikeFlatWorld() {
     Random random = new Random(3);
     double[] flat = new double[CAMERAS];
     for (int i = 0; i < CAMERAS; i++) {
@@ -25,8 +25,8 @@ class UprightPictureTest {
       double ahead = 0;
       double right = 0;
       double[] full = {Double.NaN};
-      while (!(full[0]
-          > 0)) { // until all of it is before the camera, and in a picture of 90 degrees
+      // Draw until the whole rectangle is in a picture of 90 degrees.
+      while (!(full[0] > 0)) {
         ahead = 1 + 30 * random.nextDouble();
         right = 10 * random.nextDouble() - 5;
         full = projected(z, tilt, ahead, right);
@@ -40,7 +40,7 @@ class UprightPictureTest {
     assertTrue(flat[CAMERAS / 2] > 0.1, () -> "flat errs by " + flat[CAMERAS / 2]);
   }
 
-  /** Width and height of what is in the picture of an upright rectangle that is made of points. */
+  /** Returns the width and height of an upright rectangle in the picture; NaN if it is cut off. */
   private static double[] projected(double z, double tilt, double ahead, double right) {
     double[][] turn = {
       {1, 0, 0},

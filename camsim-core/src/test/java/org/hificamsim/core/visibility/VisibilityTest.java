@@ -25,11 +25,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 class VisibilityTest {
   private static final double BORDER = 1e-7;
   private static final Pose ORIGIN = Pose.of(0, 0, 0);
-  private static final Visibility OURS = Visibility.of(Detection.of(new GeometricDetection()));
-  private static final Visibility CAMSIMS =
+  private static final Visibility STANDARD = Visibility.of(Detection.of(new GeometricDetection()));
+  private static final Visibility CAMSIM =
       Visibility.asInCamSim(Detection.of(new GeometricDetection()), 0);
 
-  /** A model whose value is the distance, less 1. */
+  /** A model whose value is the distance minus 1. */
   private record Far(boolean dependsOnBearing) implements DetectionModel {
     @Override
     public String name() {
@@ -42,7 +42,7 @@ class VisibilityTest {
     }
   }
 
-  /** A model whose value falls from 1 on the camera to 0 at 4 m. */
+  /** A model whose value falls from 1 at the camera to 0 at 4 m. */
   private record Near(boolean dependsOnBearing) implements DetectionModel {
     @Override
     public String name() {
@@ -79,7 +79,7 @@ class VisibilityTest {
   }
 
   @Test
-  void camSimsCameraThatSeesAllRoundDoesNotSeeWhatIsExactlyBehindOrOnIt() {
+  void allRoundCamSimCameraMissesTargetsExactlyBehindOrAtIt() {
     Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0);
     ZoomLevel allRound = new ZoomLevel(4, 4, 4, Double.NaN, 2 * Math.PI);
     assertEquals(0, confidence(visibility, ORIGIN, allRound, 0, -3, 1, 0));
@@ -89,7 +89,7 @@ class VisibilityTest {
   }
 
   @Property
-  void camSimsCameraThatSeesAllRoundIsAsSureAsAtTheTrueAngle(
+  void allRoundCamSimConfidenceUsesTrueAngle(
       @ForAll @DoubleRange(min = -10, max = 10) double x,
       @ForAll @DoubleRange(min = -10, max = 10) double y,
       @ForAll @DoubleRange(min = -720, max = 720) double heading) {
@@ -97,11 +97,11 @@ class VisibilityTest {
     Visibility visibility = Visibility.asInCamSim(Detection.of(model), 0);
     Pose camera = Pose.of(1, 2, Math.toRadians(heading));
     ZoomLevel zoom = zoom(360, 30);
-    double sure = model.confidence(1, camera.distance(x, y), camera.offAxis(x, y), zoom);
-    assertEquals(sure, confidence(visibility, camera, zoom, x, y, 1, 0));
+    double expected = model.confidence(1, camera.distance(x, y), camera.offAxis(x, y), zoom);
+    assertEquals(expected, confidence(visibility, camera, zoom, x, y, 1, 0));
   }
 
-  /** The same question asked of bearings instead of a scalar product. */
+  /** Compares the scalar product with a computation by bearings. */
   @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
   void agreesWithBearings(
       @ForAll @DoubleRange(min = -10, max = 10) double x,
@@ -119,7 +119,7 @@ class VisibilityTest {
     Pose camera = Pose.of(cameraX, cameraY, Math.toRadians(heading));
     ZoomLevel zoom = zoom(angle, range);
     boolean within = off < angle / 2;
-    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+    for (Visibility visibility : new Visibility[] {STANDARD, CAMSIM}) {
       assertEquals(within, isInAngle(visibility, camera, zoom, x, y));
       assertEquals(within && distance < range, sees(visibility, camera, zoom, x, y));
     }
@@ -136,13 +136,13 @@ class VisibilityTest {
     double x = 3 * Math.sin(Math.toRadians(bearing));
     double y = 3 * Math.cos(Math.toRadians(bearing));
     Pose camera = Pose.of(0, 0, Math.toRadians(heading));
-    assertTrue(sees(OURS, camera, zoom(360, 5), x, y));
-    assertTrue(sees(CAMSIMS, camera, zoom(360, 5), x, y));
+    assertTrue(sees(STANDARD, camera, zoom(360, 5), x, y));
+    assertTrue(sees(CAMSIM, camera, zoom(360, 5), x, y));
   }
 
   @Test
-  void theRadiusItselfIsInside() {
-    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+  void includesTheRadius() {
+    for (Visibility visibility : new Visibility[] {STANDARD, CAMSIM}) {
       assertTrue(sees(visibility, ORIGIN, zoom(360, 5), 3, 4));
       assertTrue(sees(visibility, ORIGIN, zoom(360, 5), 0, 5));
       assertFalse(sees(visibility, ORIGIN, zoom(360, 5), 0, Math.nextUp(5.0)));
@@ -151,36 +151,36 @@ class VisibilityTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {1, 90, 180, 270, 359.9})
-  void aTargetOnTheCameraIsInsideASectorButNotInCamSim(double angle) {
+  void seesTargetAtCameraUnlikeCamSim(double angle) {
     Pose camera = Pose.of(2, 3, Math.toRadians(45));
-    assertTrue(sees(OURS, camera, zoom(angle, 5), 2, 3));
-    assertFalse(sees(CAMSIMS, camera, zoom(angle, 5), 2, 3));
+    assertTrue(sees(STANDARD, camera, zoom(angle, 5), 2, 3));
+    assertFalse(sees(CAMSIM, camera, zoom(angle, 5), 2, 3));
     assertTrue(Double.isNaN(camera.offAxis(2, 3)));
     assertEquals(0, camera.squaredDistance(2, 3));
   }
 
   @Test
-  void aTargetOnACameraThatSeesAllRoundIsInside() {
-    assertTrue(sees(OURS, ORIGIN, zoom(360, 5), 0, 0));
-    assertTrue(sees(CAMSIMS, ORIGIN, zoom(360, 5), 0, 0));
+  void allRoundSeesTargetAtCamera() {
+    assertTrue(sees(STANDARD, ORIGIN, zoom(360, 5), 0, 0));
+    assertTrue(sees(CAMSIM, ORIGIN, zoom(360, 5), 0, 0));
   }
 
   @Test
-  void theBorderOfASectorIsInsideButNotInCamSim() {
-    assertTrue(sees(OURS, ORIGIN, zoom(270, 5), 1, -1));
-    assertFalse(sees(CAMSIMS, ORIGIN, zoom(270, 5), 1, -1));
+  void includesSectorBorderUnlikeCamSim() {
+    assertTrue(sees(STANDARD, ORIGIN, zoom(270, 5), 1, -1));
+    assertFalse(sees(CAMSIM, ORIGIN, zoom(270, 5), 1, -1));
   }
 
   @Test
-  void aReachOfNothingHoldsTheCamerasOwnPositionAlone() {
-    assertTrue(sees(OURS, ORIGIN, zoom(360, 0), 0, 0));
-    assertFalse(sees(OURS, ORIGIN, zoom(360, 0), 0, 1e-9));
+  void reachOfZeroIncludesOnlyTheCamera() {
+    assertTrue(sees(STANDARD, ORIGIN, zoom(360, 0), 0, 0));
+    assertFalse(sees(STANDARD, ORIGIN, zoom(360, 0), 0, 1e-9));
   }
 
   @Test
-  void anglesAboveAHalfTurnLeaveOutAWedgeBehind() {
+  void wideAnglesExcludeWedgeBehind() {
     ZoomLevel zoom = zoom(300, 5);
-    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+    for (Visibility visibility : new Visibility[] {STANDARD, CAMSIM}) {
       assertTrue(sees(visibility, ORIGIN, zoom, 0, 1));
       assertTrue(sees(visibility, ORIGIN, zoom, 1, 0));
       assertTrue(sees(visibility, ORIGIN, zoom, 1, -1));
@@ -190,14 +190,14 @@ class VisibilityTest {
   }
 
   @Test
-  void aTargetNowhereIsNotSeen() {
-    assertFalse(sees(OURS, ORIGIN, zoom(360, 5), Double.NaN, 0));
-    assertFalse(sees(CAMSIMS, ORIGIN, zoom(360, 5), 0, Double.NaN));
+  void neverSeesTargetAtNaN() {
+    assertFalse(sees(STANDARD, ORIGIN, zoom(360, 5), Double.NaN, 0));
+    assertFalse(sees(CAMSIM, ORIGIN, zoom(360, 5), 0, Double.NaN));
   }
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void aValueBelowTheThresholdCountsAsNothingAndOneAboveAHundredPercentAsThat(boolean byBearing) {
+  void confidenceIsZeroBelowThresholdAndAtMostOne(boolean byBearing) {
     Visibility visibility = Visibility.of(new Detection(new Far(byBearing), 0.5));
     assertEquals(0, confidence(visibility, ORIGIN, zoom(360, 5), 0, 1.25, 1, 0));
     assertEquals(0.25, value(visibility, ORIGIN, zoom(360, 5), 0, 1.25, 1));
@@ -207,14 +207,14 @@ class VisibilityTest {
   }
 
   @Test
-  void inCamSimAConfidenceOfNothingDetectsNothing() {
-    Detection all = new Detection(new Far(false), 0);
-    assertEquals(0, Visibility.of(all).detection().threshold());
-    assertEquals(Double.MIN_VALUE, Visibility.asInCamSim(all, 0).detection().threshold());
+  void camSimNeverDetectsZeroConfidence() {
+    Detection detection = new Detection(new Far(false), 0);
+    assertEquals(0, Visibility.of(detection).detection().threshold());
+    assertEquals(Double.MIN_VALUE, Visibility.asInCamSim(detection, 0).detection().threshold());
   }
 
   @Test
-  void camSimsOwnVisibilityMayExceedOne() {
+  void camSimVisibilityMayExceedOne() {
     Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0);
     double close = 1 / (0.25 + (0.5 - 0.25) / 0.5);
     assertEquals(close, confidence(visibility, ORIGIN, zoom(360, 0.5), 0, 0.25, 1, 0));
@@ -222,10 +222,10 @@ class VisibilityTest {
   }
 
   @Test
-  void aWiderLevelDominatesUnlessItsAngleIsNarrowerOrTheModelLooksAtTheBearing() {
-    assertTrue(includes(OURS, zoom(90, 5), zoom(90, 4)));
-    assertFalse(includes(OURS, zoom(90, 4), zoom(90, 5)));
-    assertFalse(includes(OURS, zoom(80, 5), zoom(90, 4)));
+  void includesShorterReachUnlessModelDependsOnBearing() {
+    assertTrue(includes(STANDARD, zoom(90, 5), zoom(90, 4)));
+    assertFalse(includes(STANDARD, zoom(90, 4), zoom(90, 5)));
+    assertFalse(includes(STANDARD, zoom(80, 5), zoom(90, 4)));
     Visibility byBearing = Visibility.of(Detection.of(new Far(true)));
     assertTrue(includes(byBearing, zoom(90, 5), zoom(90, 5)));
     assertFalse(includes(byBearing, zoom(90, 5), zoom(90, 4)));
@@ -233,7 +233,7 @@ class VisibilityTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void whatStandsBetweenTakesItsShareOfTheValueByAThreshold(boolean byBearing) {
+  void obstaclesReduceValueUnderThreshold(boolean byBearing) {
     Visibility visibility = Visibility.of(new Detection(new Near(byBearing), 0.5));
     ZoomLevel zoom = zoom(90, 5);
     assertEquals(0.6, confidence(visibility, ORIGIN, zoom, 0, 1, 1, 0, 0.8), 1e-15);
@@ -246,7 +246,7 @@ class VisibilityTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void whatStandsBetweenTakesItsShareOfTheChanceAndLeavesTheValue(boolean byBearing) {
+  void obstaclesReduceChanceButNotValue(boolean byBearing) {
     Detection detection =
         Detection.by(DetectionRule.parse("probability"), "near", new Near(byBearing));
     Visibility visibility = Visibility.of(detection, 7);
@@ -261,7 +261,7 @@ class VisibilityTest {
   }
 
   @Test
-  void theReachEndsWhereTheThresholdIsLastReached() {
+  void reachEndsAtLastDistanceAboveThreshold() {
     Visibility near = Visibility.of(new Detection(new Near(false), 0.5));
     assertEquals(2, near.at(zoom(360, 5), 1).reach(), 1e-6);
     assertTrue(near.at(zoom(360, 5), 1).reach() > 2, "rounded up");
@@ -275,7 +275,7 @@ class VisibilityTest {
 
   /** Points on a lattice are often on a border. */
   @Test
-  void camSimsAngleIsDecidedAsByItsArcCosine() {
+  void camSimAngleAgreesWithArcCosine() {
     Random random = new Random(5);
     int inside = 0;
     for (int i = 0; i < 100_000; i++) {
@@ -285,38 +285,38 @@ class VisibilityTest {
       double x = lattice ? random.nextInt(-4, 9) : random.nextDouble() * 13 - 4;
       double y = lattice ? random.nextInt(-4, 9) : random.nextDouble() * 13 - 4;
       boolean isInside = camera.offAxis(x, y) < zoom.viewingAngle() / 2;
-      assertEquals(isInside, isInAngle(CAMSIMS, camera, zoom, x, y));
+      assertEquals(isInside, isInAngle(CAMSIM, camera, zoom, x, y));
       inside += isInside ? 1 : 0;
     }
     assertTrue(inside > 30_000 && inside < 70_000, inside + " inside");
   }
 
   @Test
-  void theAngleIsThatOfTheSector() {
+  void angleCheckEqualsSector() {
     ZoomLevel zoom = zoom(90, 5);
-    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+    for (Visibility visibility : new Visibility[] {STANDARD, CAMSIM}) {
       assertTrue(isInAngle(visibility, ORIGIN, zoom, 0.9, 1));
       assertFalse(isInAngle(visibility, ORIGIN, zoom, 1.1, 1));
     }
-    assertTrue(isInAngle(OURS, ORIGIN, zoom, 0, 0), "the camera's own position");
-    assertFalse(isInAngle(CAMSIMS, ORIGIN, zoom, 0, 0));
+    assertTrue(isInAngle(STANDARD, ORIGIN, zoom, 0, 0), "the camera's own position");
+    assertFalse(isInAngle(CAMSIM, ORIGIN, zoom, 0, 0));
   }
 
   @Test
-  void inViewTheModelIsAskedAtTheBearingWhereItLooksAtIt() {
+  void passesBearingToModel() {
     Visibility visibility = Visibility.of(new Detection(new Bearing(), 0.1));
     assertEquals(Math.PI / 4, value(visibility, ORIGIN, zoom(360, 5), 1, 1, 1), 1e-12);
     assertEquals(0, value(visibility, ORIGIN, zoom(360, 5), 0, 0, 1), "no bearing at all");
   }
 
   @Test
-  void phantomsAreAsFrequentAsFalseAlarms() {
+  void phantomsComeAtRateOfFalseAlarms() {
     String text = "chance:alpha=0.3";
     assertEquals(0, phantoms(text));
     assertEquals(3000, phantoms(text + ",phantoms=on"), 200);
   }
 
-  /** In 100 steps of 100 cameras. */
+  /** Counts phantoms in 100 steps of 100 cameras. */
   private static int phantoms(String rule) {
     Detection detection = Detection.by(DetectionRule.parse(rule), "near", new Near(false));
     Visibility visibility = Visibility.of(detection, 3);

@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** One camera of two levels at -40, 0 and 40 degrees, which take no time. */
+/** One camera with two levels at -40, 0 and 40 degrees; moves take no time by default. */
 class CamerasTest {
   private static final int LEFT = 1;
   private static final int AHEAD = 3;
@@ -38,7 +38,7 @@ class CamerasTest {
   }
 
   @Test
-  void whatItLooksAtChangesWithItsViewAlone() {
+  void revisionChangesOnlyWithTheView() {
     int revision = cameras.viewRevision();
     cameras.turnTo(0, AHEAD);
     assertEquals(revision, cameras.viewRevision(), "the view that it had");
@@ -62,7 +62,7 @@ class CamerasTest {
   }
 
   @Test
-  void aimingAgainIsAnotherLook() {
+  void aimingAgainChangesRevision() {
     cameras.aim(0, AHEAD, 0.25);
     int revision = cameras.viewRevision();
     cameras.aim(0, AHEAD, 0.5);
@@ -71,7 +71,7 @@ class CamerasTest {
   }
 
   @Test
-  void opticsOfOneTiltAreOffTheCamerasOwn() {
+  void tiltsOfOpticsAddToTiltOfCamera() {
     for (List<Double> offs : List.of(List.of(0.0), List.of(20.0), List.of(-30.0, 20.0))) {
       OpticsSpec optics =
           new OpticsSpec("lens")
@@ -93,7 +93,7 @@ class CamerasTest {
   }
 
   @Test
-  void itSeesNothingOnItsWayAndAsFarAsItsViewOnceItIsThere() {
+  void rangeIsZeroWhileMoving() {
     Cameras slow = cameras(Optional.of(20.0));
     assertEquals(7, slow.range(0), 1e-9);
     int revision = slow.viewRevision();

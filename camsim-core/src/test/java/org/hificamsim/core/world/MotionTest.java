@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.spec.Moving;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
-/** Moves that take time: three pan angles, -60, 0 and 60 degrees, each with levels 0 to 2. */
+/** Moves of a camera with pan angles of -60, 0 and 60 degrees, each with levels 0 to 2. */
 class MotionTest {
   private static final int AHEAD = 5;
   private static final int LEFT = 2;
@@ -19,7 +19,7 @@ class MotionTest {
   private static final int RIGHT_NARROW = 6;
 
   @Test
-  void aCameraStartsAheadAtItsWidest() {
+  void startsAheadAtWidestView() {
     Cameras cameras = cameras(Optional.empty(), 0, Moving.BLIND, 1);
     assertEquals(9, cameras.views(0));
     assertEquals(3, cameras.zooms(0));
@@ -31,14 +31,14 @@ class MotionTest {
   }
 
   @Test
-  void whatTakesNoTimeIsSeenThroughAtOnce() {
+  void instantMoveIsVisibleAtOnce() {
     Cameras cameras = cameras(Optional.empty(), 0, Moving.BLIND, 1);
     turn(cameras, RIGHT_NARROW);
     assertEquals(RIGHT_NARROW, cameras.seeing(0));
   }
 
   @Test
-  void aMoveThatEndsWithinTheStepIsSeenThroughInIt() {
+  void moveWithinStepIsVisibleInThatStep() {
     Cameras cameras = cameras(Optional.of(30.0), 0, Moving.BLIND, 2);
     assertTrue(cameras.reaches(0, RIGHT));
     turn(cameras, RIGHT);
@@ -46,7 +46,7 @@ class MotionTest {
   }
 
   @Test
-  void aLongerMoveGoesOnAndIsBlindUntilItEnds() {
+  void longMoveIsBlindUntilItEnds() {
     Cameras cameras = cameras(Optional.of(20.0), 0, Moving.BLIND, 1);
     assertFalse(cameras.reaches(0, RIGHT));
     turn(cameras, RIGHT);
@@ -59,7 +59,7 @@ class MotionTest {
   }
 
   @Test
-  void aCameraThatSeesOnItsWaySeesTheNearestView() {
+  void seesNearestViewWhileMoving() {
     Cameras cameras = cameras(Optional.of(25.0), 0, Moving.SEES, 1);
     turn(cameras, RIGHT);
     assertEquals(AHEAD, cameras.seeing(0), "at 25 degrees");
@@ -71,7 +71,7 @@ class MotionTest {
   }
 
   @Test
-  void aZoomThatTakesTimePassesItsLevels() {
+  void slowZoomPassesLevels() {
     Cameras cameras = cameras(Optional.of(1000.0), 4, Moving.SEES, 1);
     turn(cameras, RIGHT_NARROW);
     assertEquals(7, cameras.seeing(0), "level 1.5 is nearer to 1 than to 0, and not nearer to 2");
@@ -80,7 +80,7 @@ class MotionTest {
   }
 
   @Test
-  void aMoveTurnsBackFromWhereItIs() {
+  void reversesMoveFromCurrentAngle() {
     Cameras cameras = cameras(Optional.of(20.0), 0, Moving.BLIND, 1);
     turn(cameras, RIGHT);
     turn(cameras, LEFT);
@@ -90,7 +90,7 @@ class MotionTest {
   }
 
   @Test
-  void fiveFifthsOfASecondAreAWhole() {
+  void sumsFractionsOfSecondsExactly() {
     Cameras cameras = cameras(Optional.of(60.0), 0, Moving.BLIND, 0.2);
     for (int step = 0; step < 4; step++) {
       turn(cameras, RIGHT);
@@ -101,7 +101,7 @@ class MotionTest {
   }
 
   @Test
-  void aBoundJumps() {
+  void jumpArrivesAtOnce() {
     Cameras cameras = cameras(Optional.of(1.0), 100, Moving.BLIND, 1);
     cameras.jumpTo(0, RIGHT_NARROW);
     cameras.advance();
@@ -109,7 +109,7 @@ class MotionTest {
   }
 
   @Test
-  void whereNothingTakesTimeTheNextViewsAreInReach() {
+  void reachesAdjacentViewsIfMovesAreInstant() {
     Cameras cameras = cameras(Optional.empty(), 0, Moving.BLIND, 1);
     assertTrue(cameras.reaches(0, RIGHT));
     assertTrue(cameras.reaches(0, 1), "one level and one angle");

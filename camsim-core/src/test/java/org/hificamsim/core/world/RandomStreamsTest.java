@@ -8,9 +8,9 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 class RandomStreamsTest {
-  /** The known answers of CamSim's generator, java.util.Random: they guard the platform. */
+  /** Guards the platform: CamSim's generator is java.util.Random. */
   @Test
-  void theGeneratorGivesTheKnownAnswers() {
+  void generatorGivesRecordedNumbers() {
     Random doubles = new Random(0);
     assertEquals(0.730967787376657, doubles.nextDouble());
     assertEquals(0.24053641567148587, doubles.nextDouble());
@@ -28,7 +28,7 @@ class RandomStreamsTest {
   }
 
   @Test
-  void streamsAreSeparateButGiveEqualSequences() {
+  void separateStreamsGiveEqualSequences() {
     RandomStreams streams = new RandomStreams(42);
     assertNotSame(streams.turn(), streams.move());
     for (int i = 0; i < 1000; i++) {

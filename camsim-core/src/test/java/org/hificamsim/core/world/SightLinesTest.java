@@ -15,7 +15,7 @@ class SightLinesTest {
   private static final Obstacle WALL = new Obstacle.Wall(-1, 3, 1, 3, 0);
 
   @Test
-  void nothingIsInBetweenInAnOpenField() {
+  void openFieldHidesNothing() {
     SightLines lines = world(Occlusion.NONE).sightLines();
     assertTrue(lines.open());
     assertFalse(lines.partial());
@@ -23,7 +23,7 @@ class SightLinesTest {
   }
 
   @Test
-  void obstaclesHideOrDim() {
+  void obstaclesHideOrDimTargets() {
     SightLines solid = world(Occlusion.NONE, WALL).sightLines();
     assertFalse(solid.open());
     assertFalse(solid.partial());
@@ -39,9 +39,9 @@ class SightLinesTest {
     assertEquals(0.25, dim.transmittance(0, 1));
   }
 
-  /** Of a width of a metre: where it is at 2 m it hides what is 5 m away up to 1.25 m aside. */
+  /** Targets are 0.66 m wide; one at 2 m hides the one behind it at 5 m. */
   @Test
-  void targetsHideTargetsWhereTheScenarioSaysSo() {
+  void targetsHideTargetsIfOcclusionIsOn() {
     SightLines lines = world(Occlusion.TARGETS).sightLines();
     assertFalse(lines.open());
     assertEquals(1, lines.transmittance(0, 0), "the nearer one is seen");
@@ -50,7 +50,7 @@ class SightLinesTest {
   }
 
   @Test
-  void aCameraThatMovesSeesFromWhereItIs() {
+  void movedCameraSeesFromNewPlace() {
     World world = world(Occlusion.NONE, WALL);
     for (double[] place : new double[][] {{9, 0}, {0, 0}, {0, 4}, {0, 0}}) {
       world.moveCamera(0, place[0], place[1]);

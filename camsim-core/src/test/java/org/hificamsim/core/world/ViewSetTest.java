@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
-/** The views that optics make. */
+/** The views of optics. */
 class ViewSetTest {
   private static OpticsSpec optics(OpticsLaw law, Optional<Double> reach) {
     return optics(law, reach, List.of(10.0, 40.0));
@@ -32,7 +32,7 @@ class ViewSetTest {
   }
 
   @Test
-  void allLevelsOfAPanAngleComeBeforeThoseOfTheNext() {
+  void ordersViewsByPanAngleThenLevel() {
     ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, Optional.empty()), 9, 3);
     assertEquals(6, views.count());
     for (int view = 0; view < 6; view++) {
@@ -47,7 +47,7 @@ class ViewSetTest {
   }
 
   @Test
-  void aLensWithoutAReachHasTheCamerasOwn() {
+  void lensWithoutReachTakesReachOfCamera() {
     Stream.of(OpticsLaw.PINHOLE, OpticsLaw.CONSTANT_AREA)
         .forEach(
             law ->
@@ -57,7 +57,7 @@ class ViewSetTest {
   }
 
   @Test
-  void aSectorOfConstantAreaReachesFartherTheNarrowerItIs() {
+  void narrowerSectorOfConstantAreaReachesFarther() {
     ViewSet views = ViewSet.ofLens(optics(OpticsLaw.CONSTANT_AREA, Optional.of(8.0)), 0, 0);
     assertEquals(List.of(8.0, 4.0), radii(views));
     assertEquals(4, views.zoom(0).narrowestRadius());
@@ -67,7 +67,7 @@ class ViewSetTest {
   }
 
   @Test
-  void theNextViewsAreOneLevelAndOnePanAngleAway() {
+  void adjacentViewsDifferByOneLevelAndPanAngle() {
     List<Double> angles = List.of(10.0, 20.0, 40.0);
     ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, Optional.empty(), angles), 9, 3);
     assertTrue(views.isNextTo(4, 4) && views.isNextTo(0, 4) && views.isNextTo(7, 5));

@@ -30,7 +30,7 @@ class WorldTest {
   private static final double EXACT = 0;
 
   @Test
-  void startsWithTheCamerasAndTargetsOfTheFileAlone() {
+  void startsWithoutCamerasAndTargetsOfEvents() {
     World world =
         new TestScenario()
             .camera(1, 2)
@@ -54,7 +54,7 @@ class WorldTest {
   }
 
   @Test
-  void anotherWorldBeginsAgainAndIsOnItsOwn() {
+  void anotherWorldStartsAfreshAndIsIndependent() {
     World world = new TestScenario().zooms(2, 5).camera(1, 2).target(3, 4).world();
     world.moveCamera(0, 8, 9);
     world.cameras().aim(0, 1, Math.PI / 2);
@@ -69,7 +69,7 @@ class WorldTest {
   }
 
   @Test
-  void aCameraTurnsWhereItStandsAndIsNoticed() {
+  void turnCameraChangesOnlyItsHeadingAndTheRevision() {
     World world = new TestScenario().camera(1, 2).camera(3, 4).world();
     int before = world.cameras().revision();
     world.turnCamera(1, Math.PI / 3);
@@ -81,7 +81,7 @@ class WorldTest {
   }
 
   @Test
-  void aScenarioWithACameraMoreHasItAfterThoseOfTheStartAndBeforeThoseOfEvents() {
+  void ordersCamerasOfTheStartBeforeThoseOfEvents() {
     Scenario scenario =
         new TestScenario()
             .camera(1, 2)
@@ -130,7 +130,7 @@ class WorldTest {
   }
 
   @Test
-  void ofTwoEventsInOneStepTheLaterInTheDocumentWins() {
+  void laterEventOfSameStepWins() {
     World world =
         new TestScenario()
             .camera(0, 0)
@@ -143,7 +143,7 @@ class WorldTest {
   }
 
   @Test
-  void aRemovedTargetNoLongerMovesNorDraws() {
+  void removedTargetNeitherMovesNorDraws() {
     World world =
         new TestScenario()
             .target(0, 0, 90, 1)
@@ -181,9 +181,9 @@ class WorldTest {
     assertEquals("", present(world), "nothing left to remove, nothing happens");
   }
 
-  /** No file has two at a time, but who builds a scenario may. */
+  /** Files cannot have such targets at the same time, but scenarios made in code can. */
   @Test
-  void ofTwoWithTheSameFeaturesTheFirstIsRemovedFirst() {
+  void removesFirstOfTargetsWithSameFeatures() {
     World world =
         new TestScenario()
             .target(TestScenario.target(4.5, 0, 0, 0, 0))
@@ -197,7 +197,7 @@ class WorldTest {
   }
 
   @Test
-  void aChangeSetsTheCameraAndMinusOneLeavesAValue() {
+  void changeEventKeepsValuesOfMinusOne() {
     World world =
         new TestScenario()
             .camera(TestScenario.camera("a", 1, 2, 90, 120, 7))
@@ -225,7 +225,7 @@ class WorldTest {
 
   @ParameterizedTest
   @CsvSource({"0, true", "-1, false", "1, false", "50, false"})
-  void anErrorSwitchesACameraOffForEverUnlessItsDurationIsZero(int duration, boolean online) {
+  void errorOfDurationZeroKeepsCameraOnline(int duration, boolean online) {
     World world = new TestScenario().camera(0, 0).events(new FailCamera(2, "c0", duration)).world();
     world.fireEvents(1);
     assertTrue(world.cameras().online(0));
@@ -236,7 +236,7 @@ class WorldTest {
   }
 
   @Test
-  void eventsForUnknownOrOfflineCamerasAreIgnored() {
+  void ignoresEventsForUnknownOrOfflineCameras() {
     World world =
         new TestScenario()
             .camera(0, 0)
@@ -255,7 +255,7 @@ class WorldTest {
 
   @ParameterizedTest
   @CsvSource({"0, 0", "3.3, 3.3", "19.9, 19.9", "20, 16", "30, 16"})
-  void aRangeOfTwentyOrMoreIsClampedWhenACameraIsMade(double given, double radius) {
+  void clampsRangesOfTwentyOrMore(double given, double radius) {
     World world =
         new TestScenario()
             .camera(TestScenario.camera("a", 0, 0, 0, 90, given))
@@ -267,7 +267,7 @@ class WorldTest {
   }
 
   @Test
-  void aChangedRangeIsNotClamped() {
+  void doesNotClampChangedRange() {
     World world =
         new TestScenario()
             .camera(0, 0)
@@ -278,7 +278,7 @@ class WorldTest {
   }
 
   @Test
-  void theZoomListOverridesTheRange() {
+  void zoomListOverridesRange() {
     World world =
         new TestScenario()
             .zooms(2, 3.5, 25)
@@ -301,7 +301,7 @@ class WorldTest {
   }
 
   @Test
-  void theRevisionChangesWithTheCamerasAndWithNothingElse() {
+  void revisionChangesOnlyWithTheCameras() {
     World world =
         new TestScenario()
             .camera(0, 0)
@@ -328,7 +328,7 @@ class WorldTest {
   }
 
   @Test
-  void headingsAreReadAsTheScenarioSays() {
+  void readsHeadingsInUnitOfScenario() {
     TestScenario scenario = new TestScenario().target(0, 0, 2, 1);
     World asRadians =
         new World(
@@ -341,7 +341,7 @@ class WorldTest {
 
   @ParameterizedTest
   @CsvSource({"NoSuchBrownian, DirectedBrownian", "straight, Straight"})
-  void anUnknownMovementIsRefusedWithTheNearestKnownOnes(String name, String known) {
+  void rejectsUnknownMovementAndListsNearestNames(String name, String known) {
     TestScenario scenario =
         new TestScenario().target(TestScenario.target(1, 0, 0, 0, 0).with(TargetSpec.MOVE, name));
     InputException error = assertThrows(InputException.class, scenario::world);
@@ -351,7 +351,7 @@ class WorldTest {
   }
 
   @Test
-  void targetsUnderTheSameMovementDoNotShareItsState() {
+  void targetsOfSameMovementShareNoState() {
     World world =
         new TestScenario()
             .target(TestScenario.walker(1, "Scripted", 1, 0, 0, 1, 0, 1, 5))
@@ -373,7 +373,7 @@ class WorldTest {
   }
 
   @Test
-  void aWorldThatBeginsAgainIsAsANewOne() {
+  void restartedWorldEqualsNewOne() {
     TestScenario scenario =
         new TestScenario()
             .camera(1, 2)
@@ -400,7 +400,7 @@ class WorldTest {
   }
 
   @Test
-  void anObserverIsToldOfEachEvent() {
+  void notifiesObserverOfEachEvent() {
     World world =
         new TestScenario()
             .camera(1, 2)
@@ -411,35 +411,36 @@ class WorldTest {
                 new AddTarget(3, TestScenario.target(7, 5, 6, 0, 0)),
                 new RemoveTarget(4, 0))
             .world();
-    List<String> told = new ArrayList<>();
+    List<String> notifications = new ArrayList<>();
     world.observe(
         new WorldObserver() {
           @Override
           public void cameraAdded(int camera) {
-            told.add("camera " + camera);
+            notifications.add("camera " + camera);
           }
 
           @Override
           public void cameraFailed(int camera, int duration) {
-            told.add("camera " + camera + " off for " + duration);
+            notifications.add("camera " + camera + " off for " + duration);
           }
 
           @Override
           public void targetAppeared(int target) {
-            told.add("target " + target);
+            notifications.add("target " + target);
           }
 
           @Override
           public void targetVanished(int target) {
-            told.add("no target " + target);
+            notifications.add("no target " + target);
           }
         });
     world.fireEvents(9);
-    assertEquals(List.of("camera 1", "camera 0 off for 3", "target 1", "no target 0"), told);
+    assertEquals(
+        List.of("camera 1", "camera 0 off for 3", "target 1", "no target 0"), notifications);
   }
 
   @Test
-  void aCameraIsSwitchedAndRefittedOutsideEvents() {
+  void switchesCameraAndChangesItsRange() {
     World world = new TestScenario().camera(1, 2).target(3, 4).world();
     world.switchCamera(0, false);
     assertFalse(world.cameras().online(0));
@@ -451,7 +452,7 @@ class WorldTest {
   }
 
   @Test
-  void aScenariosZoomLevelsAreThoseOfItsCamerasEachOnce() {
+  void listsZoomLevelsOfCamerasOnce() {
     Scenario scenario = new TestScenario().zooms(2, 5).camera(1, 2).camera(3, 4).scenario();
     assertEquals(
         List.of(2.0, 5.0), World.zoomLevels(scenario).stream().map(zoom -> zoom.radius()).toList());
@@ -459,7 +460,7 @@ class WorldTest {
   }
 
   @Test
-  void aWorldKnowsHowTheScenarioDescribesWhoIsInIt() {
+  void returnsSpecsOfCamerasAndTargets() {
     World world =
         new TestScenario()
             .camera(1, 2)
@@ -473,7 +474,7 @@ class WorldTest {
   }
 
   @Test
-  void aMovementIsRegisteredUnderItsName() {
+  void registersMovementsUnderTheirNames() {
     for (String name : Movements.registry().names()) {
       assertEquals(name, Movements.registry().create(name).name());
     }

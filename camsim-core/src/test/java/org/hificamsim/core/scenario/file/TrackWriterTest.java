@@ -10,17 +10,17 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class TrackWriterTest {
   @Test
-  void samplesThatKeepTheIntervalHaveNoTime() throws IOException {
+  void omitsTimesThatFollowTheInterval() throws IOException {
     StringBuilder text = new StringBuilder();
     TrackWriter out = new TrackWriter(text, 0.5, 0.125);
     out.target(7, 0.25);
     out.sample(2, 1, -1);
-    out.sample(2.625, 1.5, 0); // as late as it may be
-    out.sample(2.875, 2, 1); // as early
-    out.sample(3.75, 2, 2); // too late: begun again
+    out.sample(2.625, 1.5, 0); // the latest within the tolerance
+    out.sample(2.875, 2, 1); // the earliest within the tolerance
+    out.sample(3.75, 2, 2); // too late: needs its time
     out.sample(4.25, 2, 3);
     out.target(8, new Extent(0.5, 2));
-    out.sample(4.75, 9, 9); // the interval after the other target's
+    out.sample(4.75, 9, 9); // times start again for each target
     assertEquals(
         """
         tracks 1
@@ -49,7 +49,7 @@ class TrackWriterTest {
     "-1e7, -1.0E7",
     "NaN, NaN"
   })
-  void numbersAreAsShortAsTheyCanBe(double value, String text) {
+  void writesShortestNumbers(double value, String text) {
     assertEquals(text, TrackWriter.plain(value));
   }
 }

@@ -18,12 +18,12 @@ class FieldTest {
     "0, 1.99, false",
     "0, 8.01, false"
   })
-  void itsBorderBelongsToIt(double x, double y, boolean inside) {
+  void containsItsBorder(double x, double y, boolean inside) {
     assertEquals(inside, FIELD.contains(x, y));
   }
 
   @Test
-  void hasAWidthAndAHeight() {
+  void hasWidthAndHeight() {
     assertEquals(5, FIELD.width());
     assertEquals(6, FIELD.height());
   }

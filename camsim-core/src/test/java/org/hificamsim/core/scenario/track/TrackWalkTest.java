@@ -9,12 +9,12 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Steps along tracks, worked out on the way or beforehand. */
+/** Places at each step of a track, computed on the way or beforehand. */
 class TrackWalkTest {
   private static final double STEP = 0.5; // s
 
   @Test
-  void aTargetGoesStraightFromSampleToSample() {
+  void goesStraightFromSampleToSample() {
     TrackWalk walk = new TrackWalk();
     walk.begin(new Track(new double[] {1, 10, -10, 2, 14, -4, 4, 6, -4}, STEP), 0);
     double[][] expected = {
@@ -29,22 +29,22 @@ class TrackWalkTest {
   }
 
   @Test
-  void whatWasWorkedOutBeforehandIsTheSame() {
+  void precomputedPlacesEqualComputedOnes() {
     SplittableRandom random = new SplittableRandom(1);
     for (int trial = 0; trial < 300; trial++) {
       List<double[]> samples =
           Stream.generate(() -> samples(random)).limit(1 + random.nextInt(5)).toList();
-      List<Track> kept = samples.stream().map(one -> new Track(one, STEP)).toList();
-      StepPlaces.keep(kept);
-      for (int i = 0; i < kept.size(); i++) {
-        assertNotNull(kept.get(i).places());
-        assertSameWay(new Track(samples.get(i), STEP), kept.get(i), random.nextInt(30));
+      List<Track> precomputed = samples.stream().map(values -> new Track(values, STEP)).toList();
+      StepPlaces.keep(precomputed);
+      for (int i = 0; i < precomputed.size(); i++) {
+        assertNotNull(precomputed.get(i).places());
+        assertSameWay(new Track(samples.get(i), STEP), precomputed.get(i), random.nextInt(30));
       }
     }
   }
 
   @Test
-  void tooManyPlacesAreWorkedOutOnTheWay() {
+  void doesNotPrecomputeTooManyPlaces() {
     double end = (StepPlaces.MAX_PLACES - 1) * STEP;
     Track most = new Track(new double[] {0, 0, 0, end, 8, 4}, STEP);
     Track tooLong = new Track(new double[] {0, 0, 0, end + STEP, 8, 4}, STEP);
@@ -66,14 +66,14 @@ class TrackWalkTest {
     return samples;
   }
 
-  private static void assertSameWay(Track onTheWay, Track kept, long first) {
+  private static void assertSameWay(Track onTheWay, Track precomputed, long first) {
     TrackWalk expected = new TrackWalk();
     TrackWalk walk = new TrackWalk();
     expected.begin(onTheWay, first);
-    walk.begin(kept, first);
-    for (long step = first; step <= kept.lastStep() + 10; step++) {
-      assertEquals(expected.x(), walk.x(), () -> "x of " + kept);
-      assertEquals(expected.y(), walk.y(), () -> "y of " + kept);
+    walk.begin(precomputed, first);
+    for (long step = first; step <= precomputed.lastStep() + 10; step++) {
+      assertEquals(expected.x(), walk.x(), () -> "x of " + precomputed);
+      assertEquals(expected.y(), walk.y(), () -> "y of " + precomputed);
       expected.next();
       walk.next();
     }

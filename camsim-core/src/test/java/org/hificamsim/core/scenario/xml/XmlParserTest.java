@@ -22,12 +22,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where elements and attributes stand, and what is no XML at all. */
+/** Places of elements and attributes, and errors of invalid XML. */
 class XmlParserTest {
   @TempDir Path folder;
 
   @Test
-  void anElementStandsWhereItsTagBegins() throws IOException {
+  void placeOfElementIsItsOpeningTag() throws IOException {
     XmlElement root = parse("<root>\n  <a/><b></b>\n\t<c\n  x='1'\n/></root>");
     assertPlace(1, 1, root.place());
     assertPlace(2, 3, root.all("a").get(0).place());
@@ -36,7 +36,7 @@ class XmlParserTest {
   }
 
   @Test
-  void attributesOfATagOverSeveralLinesAreFound() throws IOException {
+  void findsAttributesOnSeveralLines() throws IOException {
     XmlElement a =
         parse("<root>\n <a\n   one='1'\n   two = '2' three\n=\n'3'\n/></root>").all("a").get(0);
     assertPlace(3, 4, a.place("one"));
@@ -46,7 +46,7 @@ class XmlParserTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"\n", "\r\n", "\r"})
-  void everyLineEndCountsOnce(String end) throws IOException {
+  void countsEveryKindOfLineEndOnce(String end) throws IOException {
     XmlElement a =
         parse("<root>#<!-- c#c -->#<a#  x='1'# y='2'/></root>".replace("#", end)).all("a").get(0);
     assertPlace(4, 1, a.place());
@@ -57,7 +57,7 @@ class XmlParserTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        // a name that ends, begins or is held in another's
+        // a name that is the end, start or part of another
         "<a max_x='1' @x='2'/>",
         "<a x_max='1' @x='2'/>",
         "<a xx='1' @x='2'/>",
@@ -68,10 +68,10 @@ class XmlParserTest {
         "<a n='>' @x='2'/>",
         "<a n='/>' @x='2'/>",
         "<a n='x'\t@x='2'/>",
-        // spaces about the equals sign
+        // spaces around the equals sign
         "<a  @x  =  '2'/>",
       })
-  void anAttributeIsFoundAmongLookalikes(String marked) throws IOException {
+  void findsAttributeAmongLookalikes(String marked) throws IOException {
     String text = "<r>" + marked + "</r>";
     XmlElement a = parse(text.replace("@", "")).all("a").get(0);
     assertEquals("2", a.attributes().get("x"));
@@ -79,19 +79,19 @@ class XmlParserTest {
   }
 
   @Test
-  void anAttributeFarFromItsEqualsSignIsFound() throws IOException {
+  void findsAttributeFarFromItsEqualsSign() throws IOException {
     XmlElement a = parse("<r><a x" + " ".repeat(500) + "='2'/></r>").all("a").get(0);
     assertPlace(1, 7, a.place("x"));
   }
 
   @Test
-  void anAttributeThatIsNotThereStandsAtItsElement() throws IOException {
+  void placeOfMissingAttributeIsItsElement() throws IOException {
     assertPlace(2, 2, parse("<r>\n <a y='1'/></r>").all("a").get(0).place("x"));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"UTF-8", "UTF-16LE", "UTF-16BE"})
-  void filesMayStartWithAByteOrderMark(String encoding) throws IOException {
+  void acceptsByteOrderMark(String encoding) throws IOException {
     XmlElement root = parse("\uFEFF<r>\n <a x='ä'/></r>", Charset.forName(encoding));
     assertPlace(1, 1, root.place());
     assertPlace(2, 5, root.all("a").get(0).place("x"));
@@ -100,7 +100,7 @@ class XmlParserTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"UTF-8", "UTF-16", "ISO-8859-1", "windows-1252"})
-  void theDeclaredEncodingCounts(String encoding) throws IOException {
+  void usesDeclaredEncoding(String encoding) throws IOException {
     String text = "<?xml version='1.0' encoding='" + encoding + "'?>\n<r ä='é'>é<a x='ü'/></r>";
     XmlElement root = parse(text, Charset.forName(encoding));
     assertPlace(2, 1, root.place());
@@ -110,7 +110,7 @@ class XmlParserTest {
   }
 
   @Test
-  void placesAreRightHoweverLongTheFile() throws IOException {
+  void placesAreRightInLongFiles() throws IOException {
     SplittableRandom random = new SplittableRandom(1);
     StringBuilder text = new StringBuilder("<root>");
     for (int i = 0; i < 5000; i++) {
@@ -128,7 +128,7 @@ class XmlParserTest {
   }
 
   @Test
-  void faultsAreToldInEnglishOnOneLineAndNowhereElse() throws IOException {
+  void reportsErrorsInEnglishAndPrintsNothing() throws IOException {
     Locale before = Locale.getDefault();
     PrintStream err = System.err;
     ByteArrayOutputStream printed = new ByteArrayOutputStream();
@@ -150,7 +150,7 @@ class XmlParserTest {
   }
 
   @Test
-  void aDocumentTypeIsRefusedWhereItBegins() throws IOException {
+  void rejectsDocumentTypeWithPlace() throws IOException {
     for (String encoding : new String[] {"UTF-8", "UTF-16"}) {
       String text =
           "<?xml version='1.0' encoding='%s'?>\n <!DOCTYPE r [<!ENTITY e '1'>]>\n<r>&e;</r>";
@@ -161,14 +161,14 @@ class XmlParserTest {
   }
 
   @Test
-  void whatIsCutOffIsToldByTheElementThatIsOpen() throws IOException {
+  void errorOfCutOffFileNamesOpenElement() throws IOException {
     assertEquals(
         "1:7: the file ends inside <b>, expected </b>",
         fault("<a><b>".getBytes(StandardCharsets.UTF_8)));
   }
 
   @Test
-  void depthIsBounded() throws IOException {
+  void rejectsTooDeepNesting() throws IOException {
     parse("<a>".repeat(XmlParser.MAX_DEPTH) + "</a>".repeat(XmlParser.MAX_DEPTH));
     int most = XmlParser.MAX_DEPTH;
     assertEquals(
@@ -177,7 +177,7 @@ class XmlParserTest {
   }
 
   @Test
-  void theNumberOfElementsAndAttributesIsBounded() {
+  void rejectsTooManyElementsAndAttributes() {
     byte[] text = ("<r>" + "<a/>".repeat(XmlParser.MAX_PARTS)).getBytes(StandardCharsets.UTF_8);
     assertTimeoutPreemptively(
         Duration.ofSeconds(60),
@@ -189,7 +189,7 @@ class XmlParserTest {
   }
 
   @Test
-  void tellingThePlacesOfManyOddThingsTakesLittleTime() throws IOException {
+  void findsManyPlacesQuickly() throws IOException {
     XmlElement root = parse("<r>" + "\n<a/>".repeat(200_000) + "</r>");
     assertTimeoutPreemptively(
         Duration.ofSeconds(60),
@@ -197,7 +197,7 @@ class XmlParserTest {
   }
 
   @Test
-  void aMissingFileAndAFolderAreRefused() {
+  void rejectsMissingFileAndFolder() {
     InputException missing =
         assertThrows(InputException.class, () -> parsed(folder.resolve("no.xml")));
     assertTrue(missing.getMessage().endsWith("no.xml:1:1: no such file, expected a file"));
@@ -221,7 +221,7 @@ class XmlParserTest {
     return XmlParser.parse(file, warning -> {});
   }
 
-  /** The error's line without the file's name. */
+  /** Returns the error message without the name of the file. */
   private String fault(byte[] bytes) throws IOException {
     Path file = Files.write(folder.resolve("test.xml"), bytes);
     String message = assertThrows(InputException.class, () -> parsed(file)).getMessage();

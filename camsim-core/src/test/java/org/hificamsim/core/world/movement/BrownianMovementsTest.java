@@ -8,12 +8,12 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** The random movements against the gaussians of a generator with the same seed. */
+/** Compares random movements with the gaussians of a generator with the same seed. */
 class BrownianMovementsTest {
   private static final long SEED = 7;
 
   @Test
-  void brownianStepsAreGaussianXFirstAndTargetByTarget() {
+  void brownianDrawsGaussiansByTargetWithXFirst() {
     TargetSpec first =
         TestScenario.target(1, 1, 2, 0, 99)
             .with(TargetSpec.MOVE, "epics.movement.Brownian")
@@ -43,7 +43,7 @@ class BrownianMovementsTest {
   }
 
   @Test
-  void brownianOutsideTheFieldIsPutBackAndTurned() {
+  void brownianTurnsBackAtBorderOfField() {
     TargetSpec far =
         TestScenario.target(1, 1, 2, 0, 0)
             .with(TargetSpec.MOVE, "Brownian")
@@ -58,7 +58,7 @@ class BrownianMovementsTest {
   }
 
   @Test
-  void directedBrownianChangesSpeedByATenthThenHeadingByAHalf() {
+  void directedBrownianChangesSpeedThenHeading() {
     TargetSpec target =
         TestScenario.target(1, 1, 2, 30, 0.5)
             .with(TargetSpec.MOVE, "DirectedBrownian")

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 class RandomWaypointMovementTest {
   @Test
-  void itWalksAtItsSpeedAllOverTheField() {
+  void walksAtItsSpeedAllOverTheField() {
     World world = world(List.of(), 3);
     Targets targets = world.targets();
     int quadrants = 0;
@@ -31,7 +31,7 @@ class RandomWaypointMovementTest {
   }
 
   @Test
-  void itNeverWalksThroughAWallAndGetsAroundIt() {
+  void walksAroundWalls() {
     List<Obstacle> walls = List.of(new Obstacle.Wall(0, -8, 0, 8, 0));
     Obstacles obstacles = new Obstacles(walls);
     World world = world(walls, 5);
@@ -47,7 +47,7 @@ class RandomWaypointMovementTest {
   }
 
   @Test
-  void oneThatIsWalledInStaysInside() {
+  void staysInsideClosedWalls() {
     List<Obstacle> cell =
         List.of(
             new Obstacle.Wall(2, 2, 4, 2, 0),
@@ -63,7 +63,7 @@ class RandomWaypointMovementTest {
   }
 
   @Test
-  void aStraightWalkerTurnsAtAWall() {
+  void straightMovementTurnsAtWall() {
     World world =
         new TestScenario()
             .camera(0, 0)

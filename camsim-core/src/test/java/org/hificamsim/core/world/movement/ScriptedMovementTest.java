@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class ScriptedMovementTest {
   @Test
-  void startsOnTheFirstWaypointWhateverItsOwnPosition() {
+  void startsOnFirstWaypoint() {
     TargetSpec walker =
         TestScenario.walker(1, "Scripted", 1, 3, 4, 5, 6)
             .with(TargetSpec.X, -7)
@@ -21,7 +21,7 @@ class ScriptedMovementTest {
   }
 
   @Test
-  void landsExactlyOnEachCornerAndGoesRound() {
+  void landsOnEachCornerAndRepeats() {
     World world = walk(3, 0, 0.1, 0.2, 5.7, 0.2, 5.7, 3.3);
     double[][] firstRound = {{0.1 + 3, 0.2}, {5.7, 0.2}, {5.7, 3.2}, {5.7, 3.3}};
     for (double[] corner : firstRound) {
@@ -40,7 +40,7 @@ class ScriptedMovementTest {
   }
 
   @Test
-  void aWaypointAsFarAsTheSpeedIsReached() {
+  void reachesWaypointAtExactlyItsSpeed() {
     World world = walk(2, 1, 0, 0, 2, 0, 2, 1);
     assertEquals(2, world.targets().x(0));
     world.moveTargets();
@@ -48,7 +48,7 @@ class ScriptedMovementTest {
   }
 
   @Test
-  void justBeyondTheSpeedItIsNot() {
+  void stopsAtWaypointJustBeyondItsSpeed() {
     double far = Math.nextUp(2.0);
     World world = walk(2, 1, 0, 0, far, 0, far, 1);
     world.moveTargets();
@@ -57,7 +57,7 @@ class ScriptedMovementTest {
   }
 
   @Test
-  void aWaypointGivenTwiceIsAStepOfRest() {
+  void restsOneStepAtRepeatedWaypoint() {
     World world = walk(2, 1, 0, 0, 2, 0, 2, 0, 4, 0);
     world.moveTargets();
     assertEquals(2, world.targets().x(0));
@@ -66,7 +66,7 @@ class ScriptedMovementTest {
   }
 
   @Test
-  void ofASpeedBelowZeroTheSizeCounts() {
+  void ignoresSignOfSpeed() {
     World world = walk(-2, 1, 0, 0, 3, 0);
     assertEquals(2, world.targets().x(0));
     world.moveTargets();
@@ -74,7 +74,7 @@ class ScriptedMovementTest {
   }
 
   @Test
-  void inTheCoverageDialectWaypointsMeansScripted() {
+  void coverageDialectMapsWaypointsToScripted() {
     World world =
         new TestScenario()
             .zooms(1, 2)

@@ -32,7 +32,7 @@ class StraightMovementTest {
   }
 
   @Test
-  void theBorderItselfIsInside() {
+  void borderIsInside() {
     World world = new TestScenario().target(9, 0, 90, 1).target(0, -9, 180, 1).world();
     world.moveTargets();
     assertEquals(10, world.targets().x(0));
@@ -42,7 +42,7 @@ class StraightMovementTest {
   }
 
   @Test
-  void beyondTheBorderItStaysAndTurnsByThePublishedFormula() {
+  void turnsAtBorderByPublishedFormula() {
     World world = new TestScenario().target(9.5, 0, 90, 1).world(0);
     Targets targets = world.targets();
     world.moveTargets();
@@ -57,7 +57,7 @@ class StraightMovementTest {
   }
 
   @Test
-  void theMoveIsUndoneArithmetically() {
+  void undoesMoveBySubtraction() {
     World world = new TestScenario().field(-1, 1, -1, 1).target(0.1, 0, 90, 1.7).world();
     world.moveTargets();
     assertEquals((0.1 + 1.7) - 1.7, world.targets().x(0));
@@ -65,7 +65,7 @@ class StraightMovementTest {
   }
 
   @Test
-  void startingOutsideItStaysThereAndDrawsATurnEachStep() {
+  void staysOutsideAndTurnsEachStep() {
     World world = new TestScenario().target(20, 0, 0, 1).target(9.5, 0, 90, 1).world(0);
     Targets targets = world.targets();
     world.moveTargets();

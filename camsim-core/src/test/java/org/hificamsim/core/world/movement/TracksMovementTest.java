@@ -40,7 +40,7 @@ class TracksMovementTest {
 
   @ParameterizedTest
   @EnumSource(StepOrder.class)
-  void isSeenWhereItWasAtTheTimeOfTheStepInEitherOrder(StepOrder order) throws IOException {
+  void isAtPlaceOfTrackInEitherStepOrder(StepOrder order) throws IOException {
     List<String> seen = seen(scenario(1, WALK).with(Scenario.ORDER, order), 11);
     assertEquals(
         List.of(
@@ -59,13 +59,13 @@ class TracksMovementTest {
   }
 
   @Test
-  void stepsOfAnotherLengthMeetTheSameTrack() throws IOException {
+  void stepTimeDoesNotChangeTrack() throws IOException {
     List<String> seen = seen(scenario(1.5, WALK).with(Scenario.ORDER, StepOrder.COVERAGE), 7);
     assertEquals(List.of("-", "-", "2.0,4.0", "4.0,6.0", "4.0,0.0", "-", "-1.0,-1.0"), seen);
   }
 
   @Test
-  void anAbsentTargetDoesNotCount() throws IOException {
+  void absentTargetsDoNotCount() throws IOException {
     List<Integer> counted = new ArrayList<>();
     Scenario scenario = scenario(1, WALK + "target 2 size 1\n0 1 1\n" + "1 1\n".repeat(4));
     run(world(scenario), 11, (network, coverage) -> counted.add(coverage.targets()));
@@ -73,7 +73,7 @@ class TracksMovementTest {
   }
 
   @Test
-  void hasTheHeadingOfItsFirstWayAndItsMeanSpeed() throws IOException {
+  void hasFirstHeadingAndMeanSpeed() throws IOException {
     World world = world(scenario(1, WALK));
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -85,7 +85,7 @@ class TracksMovementTest {
   }
 
   @Test
-  void stepsInWhichTargetsComeAndGoAllocateNothing() throws IOException {
+  void stepsThatAddAndRemoveTargetsAllocateNothing() throws IOException {
     StringBuilder text = new StringBuilder("tracks 1\ninterval 1\n");
     for (int i = 0; i < 400; i++) {
       text.append("target " + i + " size 1\n" + i + " 0 0\n0 1\n0 2\n");
@@ -98,7 +98,7 @@ class TracksMovementTest {
   }
 
   @Test
-  void withoutATrackItSaysWhatIsMissing() {
+  void rejectsTargetWithoutTrack() {
     TargetSpec lost = TestScenario.target(3, 0, 0, 0, 0).withMovement("Tracks");
     TestScenario scenario = new TestScenario().camera(0, 0).target(lost);
     InputException error = assertThrows(InputException.class, scenario::world);
@@ -107,10 +107,10 @@ class TracksMovementTest {
         error.getMessage());
   }
 
-  /** Whether places are worked out beforehand, or, being too many, on the way. */
+  /** Places are precomputed or, if there are too many, computed on the way. */
   @ParameterizedTest
   @ValueSource(strings = {"", "target 999 size 1\n0 0 0\n9000000 1 1\n"})
-  void isOnTheStraightLineBetweenTwoSamplesToTheBit(String tooLongForMemory) throws IOException {
+  void interpolatesSamplesExactly(String tooLongForMemory) throws IOException {
     for (StepOrder order : StepOrder.values()) {
       List<double[]> tracks = new ArrayList<>();
       String text = randomTracks(new SplittableRandom(5), tracks) + tooLongForMemory;
@@ -125,7 +125,7 @@ class TracksMovementTest {
     }
   }
 
-  /** Fifty tracks of targets 0 to 49; what is written is added to the list, time, x and y. */
+  /** Writes tracks of targets 0 to 49, and adds their samples (time, x, y) to the list. */
   private static String randomTracks(SplittableRandom random, List<double[]> tracks) {
     StringBuilder text = new StringBuilder("tracks 1\ninterval 1\n");
     for (int target = 0; target < 50; target++) {
@@ -170,7 +170,7 @@ class TracksMovementTest {
   }
 
   @Test
-  void goesThroughWallsAsItWasRecorded() throws IOException {
+  void walksThroughWallsAsRecorded() throws IOException {
     String wall = "<wall x1='-9' y1='3' x2='9' y2='3'/>";
     assertEquals("4.0,8.0", seen(scenario(1, WALK, wall), 5).get(4));
   }

@@ -19,7 +19,7 @@ class WaypointsMovementTest {
   }
 
   @Test
-  void theClosedPathHoldsTheLegFromTheLastWaypointToTheFirst() {
+  void returnsFromLastWaypointToFirst() {
     World world = walker(1, 0, 0, 4, 0, 4, 4);
     for (int i = 0; i < 9; i++) {
       world.moveTargets();
@@ -30,7 +30,7 @@ class WaypointsMovementTest {
   }
 
   @Test
-  void alwaysTakesAFullStepAlsoPastTheWaypoint() {
+  void overshootsWaypointsWithFullSteps() {
     World world = walker(3, 0, 0, 5, 0);
     assertPath(world, 3, 6, 3, 6, 3, 6);
   }
@@ -56,7 +56,7 @@ class WaypointsMovementTest {
   }
 
   @Test
-  void theHeadingIsTakenAsCamSimTakesIt() {
+  void computesHeadingAsCamSimDoes() {
     World world = walker(0.5, 1, 2, -3, 7);
     world.moveTargets();
     double heading = Math.atan2(1, 0) - Math.atan2(7 - 2, -3 - 1);
@@ -66,7 +66,7 @@ class WaypointsMovementTest {
   }
 
   @Test
-  void isStuckWhereTheNextStepWouldLeaveTheField() {
+  void staysInPlaceIfNextStepLeavesField() {
     World world = walker(3, 0, 0, 9, 0);
     assertPath(world, 3, 6, 9, 6);
     World stuck = walker(3, 8, 0, 9.5, 0);
@@ -75,7 +75,7 @@ class WaypointsMovementTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0.1, 0.7, 1.3})
-  void everyStepIsAsLongAsTheSpeed(double speed) {
+  void everyStepHasLengthOfSpeed(double speed) {
     World world = walker(speed, -8, -8, 8, -8, 8, 8, -8, 8);
     double x = world.targets().x(0);
     double y = world.targets().y(0);
@@ -89,7 +89,7 @@ class WaypointsMovementTest {
 
   @ParameterizedTest
   @CsvSource({"'', 2, 3", "Waypoints, 7, 8", "Straight, 7, 8"})
-  void startsOnTheFirstWaypointWhereNoNameIsGiven(String movement, double x, double y) {
+  void startsOnFirstWaypointIfMovementIsUnnamed(String movement, double x, double y) {
     TargetSpec walker =
         TestScenario.walker(1, movement, 1, 2, 3, 4, 5).with(TargetSpec.X, 7).with(TargetSpec.Y, 8);
     World world = new TestScenario().target(walker).world();
