@@ -4,16 +4,16 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Arrays;
 
 /**
- * What a model was fitted on, beyond which nobody has measured whether it holds.
+ * The range of the data that a model was fitted on; outside it the model is untested.
  *
  * @param size q, metres
  * @param distance d, metres
  * @param focalLength z, metres
- * @param objects how many different ones
- * @param betweenObjects standard deviation of what one object's confidences have in common, about
- *     g; 0 where that is not known
- * @param withinObjects standard deviation of one object's confidences about what they have in
- *     common; 0 where that is not known
+ * @param objects the number of different objects
+ * @param betweenObjects the standard deviation, over the objects, of an object's mean residual
+ *     about g; 0 if unknown
+ * @param withinObjects the standard deviation of an object's residuals about their mean; 0 if
+ *     unknown
  */
 public record FittedOn(
     @JsonProperty("q") Span size,
@@ -23,20 +23,20 @@ public record FittedOn(
     double betweenObjects,
     double withinObjects) {
   /**
-   * From the least to the greatest value that was there; of lengths, metres.
+   * The range from the smallest to the largest value in the data; lengths are in metres.
    *
    * @param most {@code least} or more
    */
   public record Span(double least, double most) {
     private static final double ROUNDING = 1e-9;
 
-    /** Whether a value lies inside, but for rounding. */
+    /** Whether the span contains a value, with a tolerance for rounding. */
     public boolean contains(double value) {
       return value >= least - ROUNDING * Math.abs(least)
           && value <= most + ROUNDING * Math.abs(most);
     }
 
-    /** The span of some values. */
+    /** Returns the span of one or more values. */
     public static Span of(double[] values) {
       return new Span(
           Arrays.stream(values).min().orElseThrow(), Arrays.stream(values).max().orElseThrow());

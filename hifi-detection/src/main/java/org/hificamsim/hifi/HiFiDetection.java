@@ -9,16 +9,16 @@ import org.hificamsim.hifi.optics.Optics;
 
 /**
  * The high-fidelity detection model: confidence {@code g(f(q, d, z))} (thesis 3.4, Table 6.1), with
- * any feature abstraction f and any detector model g. It looks at size, distance and zoom, and not
- * at the bearing.
+ * any feature abstraction f and any detector model g. It depends on size, distance and zoom, not on
+ * the bearing.
  *
  * @param name the name on the command line and in result files
  * @param f predicts the share of the image that the target fills
  * @param g turns that share into a confidence
- * @param optics gives the zoom level's focal length
+ * @param optics determine the focal length of a zoom level
  * @param defaultThreshold the confidence from which a target counts as detected
- * @param residuals how measured confidences scatter about g, where it is known
- * @param fitted what the numbers were fitted on, where it is known
+ * @param residuals how measured confidences scatter about g, if known
+ * @param fitted the data that the numbers were fitted on, if known
  * @param provenance where the numbers come from
  */
 public record HiFiDetection(
@@ -31,9 +31,10 @@ public record HiFiDetection(
     Optional<FittedOn> fitted,
     Provenance provenance)
     implements OpticalDetection {
-  /** The same under another name. */
-  public HiFiDetection named(String other) {
-    return new HiFiDetection(other, f, g, optics, defaultThreshold, residuals, fitted, provenance);
+  /** Returns this model under another name. */
+  public HiFiDetection named(String newName) {
+    return new HiFiDetection(
+        newName, f, g, optics, defaultThreshold, residuals, fitted, provenance);
   }
 
   @Override
@@ -41,9 +42,9 @@ public record HiFiDetection(
     return g.confidence(f.pip(size, distance, optics.focalLength(zoom)));
   }
 
-  /** The fit's own scatter, about the confidence where no target is in the image. */
+  /** Returns the scatter of the fit, which starts from the confidence at a PIP of 0. */
   @Override
   public Optional<Scatter> scatter() {
-    return residuals.map(one -> one.about(g));
+    return residuals.map(known -> known.about(g));
   }
 }

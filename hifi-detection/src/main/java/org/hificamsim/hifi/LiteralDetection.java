@@ -10,8 +10,8 @@ import org.hificamsim.hifi.optics.Optics;
  * consistent reading.
  *
  * @param name the name on the command line and in result files
- * @param sum the printed weights, whose sum is the confidence itself
- * @param optics gives the zoom level's focal length
+ * @param sum the printed weights, whose weighted sum is the confidence
+ * @param optics determine the focal length of a zoom level
  * @param defaultThreshold the confidence from which a target counts as detected
  */
 public record LiteralDetection(

@@ -3,8 +3,8 @@ package org.hificamsim.hifi;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.hifi.optics.Optics;
 
-/** A detection model that looks through a lens: a zoom level has a focal length for it. */
+/** A detection model with optics, which give each zoom level a focal length. */
 public interface OpticalDetection extends DetectionModel {
-  /** The camera's sensor and lens. */
+  /** Returns the camera's sensor and lens. */
   Optics optics();
 }

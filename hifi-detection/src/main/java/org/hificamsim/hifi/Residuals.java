@@ -5,26 +5,26 @@ import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.hifi.detector.DetectorModel;
 
 /**
- * How far measured confidences lie from a detector model g. Their standard deviation is {@code
- * least} where the target fills nothing of the image, and grows by {@code growth} for each unit
- * that g gains; by 0 where one number is all that is known.
+ * How far measured confidences scatter about a detector model g. Their standard deviation is {@code
+ * least} at a PIP of 0 and grows by {@code growth} per unit by which g rises; {@code growth} is 0
+ * if only one number is known.
  *
  * @param rmse root mean squared error over all photos, above 0
- * @param least above 0
- * @param growth 0 or more
+ * @param least the standard deviation at a PIP of 0, above 0
+ * @param growth the growth of the standard deviation per unit of confidence, 0 or more
  */
 public record Residuals(@JsonIgnore double rmse, double least, double growth) {
-  /** The same everywhere. */
+  /** Returns residuals with the same standard deviation at every PIP. */
   public static Residuals of(double rmse) {
     return new Residuals(rmse, rmse, 0);
   }
 
-  /** Whether they scatter more where g is larger. */
+  /** Whether the residuals scatter more where g is larger. */
   public boolean grow() {
     return growth > 0;
   }
 
-  /** Their scatter about this g. */
+  /** Returns the scatter about {@code g}. */
   public Scatter about(DetectorModel g) {
     return new Scatter(g.confidence(0), rmse, least, growth);
   }

@@ -16,8 +16,8 @@ import org.junit.jupiter.api.DynamicContainer;
 import org.junit.jupiter.api.DynamicTest;
 
 /**
- * What every {@link DetectionModel} must keep, as tests: give it a maker of the model from a
- * {@code @TestFactory}.
+ * Tests that every {@link DetectionModel} must pass. Call it from a {@code @TestFactory} with a
+ * supplier of the model.
  */
 public final class DetectionModelContract {
   private static final double[] SIZES = {1e-3, 0.1, 0.66, 5};
@@ -45,7 +45,7 @@ public final class DetectionModelContract {
     }
   }
 
-  /** The contract's tests for the model of this name. */
+  /** Returns the tests of the contract for the model of this name. */
   public static DynamicContainer of(String name, Supplier<? extends DetectionModel> maker) {
     DetectionModelContract contract = new DetectionModelContract(maker);
     return DynamicContainer.dynamicContainer(name, contract.tests(name));

@@ -17,34 +17,34 @@ class HiFiDetectionTest {
   private static final ZoomLevel MIDDLE = new ZoomLevel(5, 2.5, 7.5, Double.NaN, Math.PI);
 
   @Test
-  void appliesTheLineToTheAbstractionsPip() {
+  void appliesTheLineToThePredictedPip() {
     HiFiDetection model = model((q, d, z) -> q * 0.1 + d * 0.01 + z, new DetectorLine(0.5, 0.1));
     // The middle level has half the longest focal length: 0.0425 m.
     assertEquals(0.5 * (0.05 + 0.03 + 0.0425) + 0.1, model.confidence(0.5, 3, 0, MIDDLE), 1e-15);
   }
 
   @Test
-  void leavesTheLinesValueUnclamped() {
+  void doesNotClampConfidence() {
     assertEquals(
         1.25, model((q, d, z) -> 1, new DetectorLine(1, 0.25)).confidence(1, 1, 0, MIDDLE));
     assertEquals(-1, model((q, d, z) -> 0, new DetectorLine(1, -1)).confidence(1, 1, 0, MIDDLE));
   }
 
   @Test
-  void underAnotherNameItIsTheSame() {
+  void renamingKeepsTheModel() {
     HiFiDetection model = model((q, d, z) -> q, new DetectorLine(1, 0));
     assertEquals("other", model.named("other").name());
     assertEquals(model, model.named("other").named("test"));
   }
 
   @Test
-  void valueThatIsNoNumberIsNeverDetected() {
+  void neverDetectsNan() {
     HiFiDetection model = model((q, d, z) -> Double.NaN, new DetectorLine(1, 0));
     assertFalse(model.confidence(1, 1, 0, MIDDLE) >= -1e9);
   }
 
   @Test
-  void literalModelGrowsWithDistanceAndLeavesTheRangeOfConfidences() {
+  void literalConfidenceGrowsWithDistanceBeyondOne() {
     LiteralDetection literal =
         new LiteralDetection(
             "hifi-literal", new LinearAbstraction(-10.74, -1.14, 0.11, 1.43), LAB, 0.0441);

@@ -12,14 +12,14 @@ import org.hificamsim.hifi.OpticalDetection;
 import org.hificamsim.hifi.model.PublishedModels;
 import org.hificamsim.hifi.optics.Optics;
 
-/** The models that count pixels, by name. */
+/** Registers the detection models that are based on pixel density. */
 public final class DensityDetections {
-  /** The width of a picture where the scenario does not say: full high definition. */
+  /** The width of a picture if the scenario does not give one: full high definition. */
   private static final int DEFAULT_PIXELS = 1920;
 
   private DensityDetections() {}
 
-  /** Adds them to a registry. */
+  /** Adds the models to a registry. */
   public static void register(Registry<DetectionModel> registry) {
     registry
         .register("dori-2014", "pixels per metre of EN 62676-4:2014", DensityDetections::dori)
@@ -33,14 +33,17 @@ public final class DensityDetections {
             DensityDetections::acquisition);
   }
 
-  /** All levels of the standard that a detection is of, the least first; none of other models. */
+  /**
+   * Returns the detections for all levels of a detection's standard, the least demanding first;
+   * empty if the model follows no standard.
+   */
   public static List<String> levels(String detection) {
     String standard = detection.replaceFirst("[:@].*", "");
     Enum<?>[] levels =
         standard.equals("dori-2014")
             ? Dori.values()
             : standard.equals("oodpcvs-2025") ? Oodpcvs.values() : new Dori[0];
-    return Arrays.stream(levels).map(one -> standard + ":level=" + Spelling.of(one)).toList();
+    return Arrays.stream(levels).map(level -> standard + ":level=" + Spelling.of(level)).toList();
   }
 
   /** The tasks of EN 62676-4:2014, Annex B. */
@@ -60,7 +63,7 @@ public final class DensityDetections {
   private static DetectionModel dori(Options options) {
     String meaning = "detect 25, observe 62.5, recognise 125, identify 250 pixels per metre";
     Dori level = options.choice("level", Dori.DETECT, meaning);
-    String name = named("dori-2014", "level", level, Dori.DETECT);
+    String name = qualified("dori-2014", "level", level, Dori.DETECT);
     return new Standard(name, level.pixelsPerMetre, optics());
   }
 
@@ -86,11 +89,13 @@ public final class DensityDetections {
         "overview 20, outline 40, discern 80, perceive 125, characterise 250, validate 500,"
             + " scrutinise 1500";
     Oodpcvs level = options.choice("level", Oodpcvs.OVERVIEW, meaning);
-    String name = named("oodpcvs-2025", "level", level, Oodpcvs.OVERVIEW);
+    String name = qualified("oodpcvs-2025", "level", level, Oodpcvs.OVERVIEW);
     return new Standard(name, level.pixelsPerMetre, optics());
   }
 
-  /** Johnson's criteria as the NVESD model has them: cycles on target for an even chance, N50. */
+  /**
+   * Johnson's criteria in the NVESD model: the cycles on target for a probability of one half, N50.
+   */
   private enum AcquisitionTask {
     DETECT(1.0),
     ORIENT(1.4),
@@ -107,31 +112,32 @@ public final class DensityDetections {
   private static DetectionModel acquisition(Options options) {
     String meaning = "cycles: detect 1.0, orient 1.4, recognise 4.0, identify 6.4";
     AcquisitionTask task = options.choice("task", AcquisitionTask.DETECT, meaning);
-    String name = named("ttpf", "task", task, AcquisitionTask.DETECT);
+    String name = qualified("ttpf", "task", task, AcquisitionTask.DETECT);
     return new Acquisition(name, task.cycles, optics());
   }
 
-  /** The default goes without saying. */
-  private static String named(String name, String key, Enum<?> chosen, Enum<?> standard) {
+  /** Returns the name of a model; the default choice is left out. */
+  private static String qualified(String name, String key, Enum<?> chosen, Enum<?> standard) {
     return chosen == standard ? name : name + ":" + key + "=" + Spelling.of(chosen);
   }
 
-  /** For scenarios that name no lens. */
+  /** Returns the optics for scenarios that name no lens. */
   private static Optics optics() {
     return PublishedModels.published().optics();
   }
 
   /**
-   * What a standard demands for a task: a target is detected where its place has this many pixels
-   * per metre, whatever its size. The value is the share of the demanded density that is there, at
-   * most 1, which is the threshold.
+   * Detects a target if the picture has the pixels per metre that a standard demands at its place,
+   * whatever its size. The confidence is the share of the demanded density, at most 1; the
+   * threshold is 1.
    *
-   * @param demanded pixels per metre, above 0
+   * @param demandedDensity pixels per metre, above 0
    */
-  private record Standard(String name, double demanded, Optics optics) implements OpticalDetection {
+  private record Standard(String name, double demandedDensity, Optics optics)
+      implements OpticalDetection {
     @Override
     public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-      return Math.min(1, density(zoom, optics, distance) / demanded);
+      return Math.min(1, density(zoom, optics, distance) / demandedDensity);
     }
 
     @Override
@@ -141,16 +147,17 @@ public final class DensityDetections {
 
     @Override
     public Seen seen() {
-      return demanded >= Dori.RECOGNISE.pixelsPerMetre ? Seen.HEAD : Seen.WHOLE;
+      return demandedDensity >= Dori.RECOGNISE.pixelsPerMetre ? Seen.HEAD : Seen.WHOLE;
     }
   }
 
   /**
-   * The target transfer probability function of night vision models: with N cycles on a target, two
-   * pixels each, and r = N / N50, it is acquired with probability {@code r^E / (1 + r^E)}, where E
-   * = 2.7 + 0.7 r. Its successor is the TTP metric (Optical Engineering 43(11), 2004).
+   * The target transfer probability function of night vision models: with N cycles (two pixels
+   * each) on a target and r = N / N50, the target is acquired with probability {@code r^E / (1 +
+   * r^E)}, where E = 2.7 + 0.7 r. Its successor is the TTP metric (Optical Engineering 43(11),
+   * 2004).
    *
-   * @param halfCycles N50, cycles on target for an even chance, above 0
+   * @param halfCycles N50, the cycles on target for a probability of one half, above 0
    */
   private record Acquisition(String name, double halfCycles, Optics optics)
       implements OpticalDetection {
@@ -165,15 +172,15 @@ public final class DensityDetections {
     }
   }
 
-  /** As 1 / (1 + r^-E), which stays a number for any ratio r of 0 or more. */
+  /** Computes 1 / (1 + r^-E), which is a number for any ratio r of 0 or more. */
   static double probability(double ratio) {
     return 1 / (1 + Math.pow(ratio, -(2.7 + 0.7 * ratio)));
   }
 
   /**
-   * Pixels per metre across, W / (2 d tan(theta / 2)); infinite at distance 0.
+   * Returns the horizontal pixels per metre, W / (2 d tan(theta / 2)); infinite at distance 0.
    *
-   * @param optics give the angle of view where the scenario names no lens
+   * @param optics determine the angle of view if the scenario names no lens
    * @param distance metres
    */
   private static double density(ZoomLevel zoom, Optics optics, double distance) {

@@ -6,8 +6,8 @@ import org.hificamsim.core.Texts;
  * A detector model g: the line {@code confidence = slope * PIP + intercept} that was fitted to one
  * detector's confidences, on measured PIP (Eqs 5.2-5.4) or on an abstraction's PIP (Table 6.1).
  *
- * @param slope confidence gained from an empty to a full image
- * @param intercept confidence where the target fills nothing of the image
+ * @param slope the increase in confidence from a PIP of 0 to a PIP of 1
+ * @param intercept the confidence at a PIP of 0
  */
 public record DetectorLine(double slope, double intercept) implements DetectorModel {
   @Override
@@ -15,7 +15,7 @@ public record DetectorLine(double slope, double intercept) implements DetectorMo
     return slope * pip + intercept;
   }
 
-  /** The PIP at which the line takes this confidence; not finite for a level line. */
+  /** Returns the PIP at which the line has this confidence; not finite if the slope is 0. */
   public double pip(double confidence) {
     return (confidence - intercept) / slope;
   }

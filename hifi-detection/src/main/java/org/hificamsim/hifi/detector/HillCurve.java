@@ -3,12 +3,12 @@ package org.hificamsim.hifi.detector;
 import org.hificamsim.core.Texts;
 
 /**
- * Hill's curve {@code floor + rise * PIP^n / (half^n + PIP^n)}: with an exponent n above 1 a target
- * has to be large enough before anything is gained.
+ * The Hill curve {@code floor + rise * PIP^n / (half^n + PIP^n)}. With an exponent n above 1 the
+ * confidence rises only once a target is large enough.
  *
- * @param floor confidence where the target fills nothing of the image
- * @param rise what is gained in the end, above 0
- * @param half PIP at which half of that is gained, above 0
+ * @param floor the confidence at a PIP of 0
+ * @param rise how far the confidence rises above the floor in the limit, above 0
+ * @param half the PIP at which half of the rise is reached, above 0
  * @param exponent n, above 0
  */
 public record HillCurve(double floor, double rise, double half, double exponent)

@@ -4,8 +4,8 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.Arrays;
 
 /**
- * A curve through knots, straight in between and level before the first and after the last: what
- * isotonic regression finds, which supposes nothing but that confidence does not fall.
+ * A curve that is linear between knots and constant before the first and after the last. It is the
+ * result of isotonic regression, which assumes only that confidence does not fall.
  */
 public final class IsotonicCurve implements DetectorModel {
   @JsonProperty private final double[][] knots;
@@ -13,9 +13,9 @@ public final class IsotonicCurve implements DetectorModel {
   private final double[] confidences;
 
   /**
-   * @param knots PIP and confidence of each, one knot or more; PIP rises from each to the next, and
-   *     confidence does not fall
-   * @throws IllegalArgumentException naming the knot where that is not so
+   * @param knots one or more rows of PIP and confidence; from row to row PIP rises and confidence
+   *     does not fall
+   * @throws IllegalArgumentException naming the first knot that breaks this rule
    */
   public IsotonicCurve(double[][] knots) {
     this.knots = Arrays.stream(knots).map(double[]::clone).toArray(double[][]::new);

@@ -5,9 +5,9 @@ import org.hificamsim.core.Texts;
 /**
  * The curve {@code floor + rise * (1 - exp(-PIP / scale))}, steepest at the start.
  *
- * @param floor confidence where the target fills nothing of the image
- * @param rise what is gained in the end, above 0
- * @param scale PIP at which 63% of that is gained, above 0
+ * @param floor the confidence at a PIP of 0
+ * @param rise how far the confidence rises above the floor in the limit, above 0
+ * @param scale the PIP at which 63% of the rise is reached, above 0
  */
 public record SaturatingExponential(double floor, double rise, double scale)
     implements DetectorModel {

@@ -18,13 +18,13 @@ public final class Expression {
   /**
    * Reads a formula.
    *
-   * @throws IllegalArgumentException telling what was expected at which character, in one line
+   * @throws IllegalArgumentException with what was expected at which character, in one line
    */
   public static Expression parse(String text) {
     return new Expression(text, new ExpressionParser(text).parse());
   }
 
-  /** The value, in IEEE arithmetic: NaN for 0/0. All three variables are in metres. */
+  /** Returns the value in IEEE arithmetic (NaN for 0/0). All three variables are in metres. */
   public double at(double size, double distance, double focalLength) {
     return root.at(size, distance, focalLength);
   }
@@ -39,7 +39,7 @@ public final class Expression {
     return text.hashCode();
   }
 
-  /** The formula as it was written. */
+  /** Returns the text that was parsed. */
   @Override
   @JsonValue
   public String toString() {

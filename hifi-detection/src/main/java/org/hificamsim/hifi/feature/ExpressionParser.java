@@ -5,16 +5,16 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.hifi.feature.Expression.Term;
 
-/** A recursive-descent reader of {@link Expression}s, with a bound on length and depth. */
+/** Parses {@link Expression}s by recursive descent, with limits on length and depth. */
 final class ExpressionParser {
-  /** As far as a number goes, a broken one too. */
+  /** Matches a number, also a malformed one, so that errors show all of it. */
   private static final Pattern NUMBER = Pattern.compile("[0-9]*(\\.[0-9]*)?([eE][-+]?[0-9]*)?");
 
   private static final int MAX_LENGTH = 4_000;
-  private static final int DEEPEST = 200;
+  private static final int MAX_DEPTH = 200;
 
   private final String text;
-  private int next;
+  private int position;
   private int depth;
 
   ExpressionParser(String text) {
@@ -27,8 +27,8 @@ final class ExpressionParser {
           "expected at most " + MAX_LENGTH + " characters, not " + text.length());
     }
     Term term = sum();
-    if (next < text.length()) {
-      throw fault("an operator or the end");
+    if (position < text.length()) {
+      throw error("an operator or the end");
     }
     return term;
   }
@@ -41,11 +41,11 @@ final class ExpressionParser {
     return chain("*/", this::signed);
   }
 
-  /** Parts with these operators in between, from the left. */
+  /** Parses parts that are joined by these operators, from left to right. */
   private Term chain(String operators, Supplier<Term> part) {
     Term left = part.get();
-    while (next < text.length() && operators.indexOf(text.charAt(next)) >= 0) {
-      char operator = text.charAt(next);
+    while (position < text.length() && operators.indexOf(text.charAt(position)) >= 0) {
+      char operator = text.charAt(position);
       accept(operator);
       left = operation(left, operator, part.get());
     }
@@ -62,8 +62,8 @@ final class ExpressionParser {
   }
 
   private Term signed() {
-    if (++depth > DEEPEST) {
-      throw fault("at most " + DEEPEST + " nested parts");
+    if (++depth > MAX_DEPTH) {
+      throw error("at most " + MAX_DEPTH + " nested parts");
     }
     Term term;
     if (accept('-')) {
@@ -80,7 +80,7 @@ final class ExpressionParser {
     if (accept('(')) {
       Term inner = sum();
       if (!accept(')')) {
-        throw fault("')'");
+        throw error("')'");
       }
       return inner;
     }
@@ -97,39 +97,39 @@ final class ExpressionParser {
   }
 
   private Term number() {
-    Matcher number = NUMBER.matcher(text).region(next, text.length());
+    Matcher number = NUMBER.matcher(text).region(position, text.length());
     try {
       double value = number.lookingAt() ? Double.parseDouble(number.group()) : Double.NaN;
       if (Double.isFinite(value)) {
-        next = number.end();
+        position = number.end();
         skipSpace();
         return (q, d, z) -> value;
       }
     } catch (NumberFormatException e) {
       // reported below
     }
-    throw fault("a finite number, z, q, d, '-' or '('");
+    throw error("a finite number, z, q, d, '-' or '('");
   }
 
   private boolean accept(char wanted) {
     skipSpace();
-    if (next == text.length() || text.charAt(next) != wanted) {
+    if (position == text.length() || text.charAt(position) != wanted) {
       return false;
     }
-    next++;
+    position++;
     skipSpace();
     return true;
   }
 
   private void skipSpace() {
-    while (next < text.length() && text.charAt(next) == ' ') {
-      next++;
+    while (position < text.length() && text.charAt(position) == ' ') {
+      position++;
     }
   }
 
-  private IllegalArgumentException fault(String expected) {
-    String found = next < text.length() ? "'" + text.charAt(next) + "'" : "the end";
+  private IllegalArgumentException error(String expected) {
+    String found = position < text.length() ? "'" + text.charAt(position) + "'" : "the end";
     return new IllegalArgumentException(
-        "expected " + expected + " at character " + (next + 1) + ", not " + found);
+        "expected " + expected + " at character " + (position + 1) + ", not " + found);
   }
 }

@@ -4,12 +4,12 @@ package org.hificamsim.hifi.feature;
  * A feature abstraction that predicts {@code -log10(PIP)}, the response of the regressions in
  * thesis 4.3.
  *
- * <p>An implementer writes {@link #negativeLogPip}; the back-transform comes free.
+ * <p>Implement {@link #negativeLogPip}; {@link #pip} transforms it back.
  */
 public interface LogPipAbstraction extends FeatureAbstraction {
   /**
-   * The predicted {@code -log10(PIP)}, unbounded; below 0 it stands for a patch larger than the
-   * image.
+   * Returns the predicted {@code -log10(PIP)}, unbounded. A value below 0 means a patch larger than
+   * the image.
    *
    * @param size target size q, metres, above 0
    * @param distance camera-target distance d, metres, 0 or more
@@ -17,7 +17,7 @@ public interface LogPipAbstraction extends FeatureAbstraction {
    */
   double negativeLogPip(double size, double distance, double focalLength);
 
-  /** {@code min(1, 10^(-f))}, computed alike on every machine. */
+  /** {@code min(1, 10^(-f))}, with the same result on every machine. */
   @Override
   default double pip(double size, double distance, double focalLength) {
     return Math.min(1, StrictMath.pow(10, -negativeLogPip(size, distance, focalLength)));

@@ -1,8 +1,8 @@
 package org.hificamsim.hifi.feature;
 
 /**
- * The pinhole camera {@code PIP = (z q / d)^2 / sensor area}, clipped at 1: a square target facing
- * the camera, with nothing fitted.
+ * The pinhole camera {@code PIP = (z q / d)^2 / sensor area}, clipped at 1, for a square target
+ * that faces the camera. Nothing is fitted.
  *
  * @param sensorWidth width of the image sensor, metres, above 0
  * @param sensorHeight height of the image sensor, metres, above 0

@@ -1,8 +1,8 @@
 package org.hificamsim.hifi.feature;
 
 /**
- * The power law {@code PIP = c * z^a * q^b * d^-e}, clipped at 1: what a least-squares line through
- * the logarithms of all variables gives. The pinhole camera is the case {@code a = b = e = 2}.
+ * The power law {@code PIP = c * z^a * q^b * d^-e}, clipped at 1. A least-squares line through the
+ * logarithms of all variables gives it. The pinhole camera is the case {@code a = b = e = 2}.
  *
  * @param c the factor, above 0
  * @param a exponent of the focal length (metres)

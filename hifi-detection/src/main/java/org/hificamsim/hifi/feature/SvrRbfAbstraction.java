@@ -7,7 +7,7 @@ import java.util.Arrays;
 /**
  * Epsilon support vector regression with a radial basis function kernel (Eq 4.10, thesis 4.5.3):
  * {@code -log10(PIP) = intercept + sum of weight * exp(-gamma * |x - s|^2)} over the support
- * vectors s, with each variable scaled by its range first.
+ * vectors s. Each variable is first scaled by its range.
  */
 @JsonPropertyOrder({"gamma", "intercept", "ranges", "support"})
 public final class SvrRbfAbstraction implements LogPipAbstraction {
@@ -18,13 +18,13 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
   private final double[] scaled;
 
   /**
-   * What maps a variable to [0, 1] over the training data.
+   * The range of a variable in the training data, by which it is scaled to [0, 1].
    *
-   * @param least becomes 0, metres
-   * @param most becomes 1, metres; above {@code least}
+   * @param least the value that is scaled to 0, metres
+   * @param most the value that is scaled to 1, metres; above {@code least}
    */
   public record Range(double least, double most) {
-    /** The scaled value; outside [0, 1] beyond the training data. */
+    /** Returns the scaled value, which is outside [0, 1] beyond the training data. */
     public double scale(double value) {
       return (value - least) / (most - least);
     }
@@ -67,12 +67,12 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
     return sum;
   }
 
-  /** Width of the kernel. */
+  /** Returns the width of the kernel, per scaled unit squared. */
   public double gamma() {
     return gamma;
   }
 
-  /** A copy of the support vectors: q, d, z in metres and the weight of each. */
+  /** Returns a copy of the support vectors, one row each: q, d, z in metres, then the weight. */
   public double[][] support() {
     return Arrays.stream(support).map(double[]::clone).toArray(double[][]::new);
   }

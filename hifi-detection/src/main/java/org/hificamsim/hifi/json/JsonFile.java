@@ -15,19 +15,19 @@ import org.hificamsim.core.Place;
 import org.hificamsim.data.JsonStream;
 
 /**
- * A JSON text read once, front to back, into values that know their place. Twice-given properties,
- * text after the end and deep nesting are refused; NaN and the infinities are read as numbers, for
- * {@link JsonObject} to refuse by name.
+ * Reads a JSON text into values that know their line and column. Duplicate properties, text after
+ * the end and deep nesting are rejected. NaN and the infinities are read as numbers, so that {@link
+ * JsonObject} can reject them with the name of the property.
  */
 public final class JsonFile {
   /**
    * A value in a JSON file.
    *
-   * @param of a {@link JsonObject}, an array of values, a text or a number; of true, false and null
-   *     the token
-   * @param shown as an error line shows it
+   * @param content a {@link JsonObject}, an array of values, a text or a number; for true, false
+   *     and null the token
+   * @param shown the text that error messages show for the value
    */
-  record Value(Place place, Object of, String shown) {}
+  record Value(Place place, Object content, String shown) {}
 
   private final JsonStream json;
 
@@ -38,8 +38,8 @@ public final class JsonFile {
   /**
    * Reads a file's bytes as one object.
    *
-   * @param file the file's name in error lines
-   * @throws InputException with the place, when they are not one JSON object
+   * @param file the file's name in error messages
+   * @throws InputException with line and column, when the bytes are not one JSON object
    */
   public static JsonObject parse(String file, byte[] bytes) {
     try (JsonStream json = JsonStream.bounded(file, bytes)) {
@@ -53,16 +53,17 @@ public final class JsonFile {
   /**
    * Reads a file as one object.
    *
-   * @param expected what the file has to be, in error lines
-   * @param most bytes that it may have
-   * @throws InputException when it cannot be read, with the place when it is not one JSON object
+   * @param expected what the file has to be, for error messages
+   * @param maxBytes the largest size that is read
+   * @throws InputException when the file cannot be read, or, with line and column, when it is not
+   *     one JSON object
    */
-  public static JsonObject read(Path file, String expected, int most) {
+  public static JsonObject read(Path file, String expected, int maxBytes) {
     try (InputStream in = Files.newInputStream(file)) {
-      byte[] bytes = in.readNBytes(most + 1);
-      if (bytes.length > most) {
+      byte[] bytes = in.readNBytes(maxBytes + 1);
+      if (bytes.length > maxBytes) {
         throw new Place(file.toString(), 1, 1)
-            .error("the file is too big, expected at most " + most + " bytes");
+            .error("the file is too big, expected at most " + maxBytes + " bytes");
       }
       return parse(file.toString(), bytes);
     } catch (NoSuchFileException e) {
@@ -74,12 +75,12 @@ public final class JsonFile {
 
   private JsonObject whole() {
     Value value = value();
-    if (!(value.of() instanceof JsonObject object)) {
+    if (!(value.content() instanceof JsonObject object)) {
       throw value.place().error("the file holds " + value.shown() + ", expected an object in {}");
     }
     if (json.next() != null) {
-      Place more = json.place();
-      throw more.error(value().shown() + " after the end, expected nothing more");
+      Place extra = json.place();
+      throw extra.error(value().shown() + " after the end, expected nothing more");
     }
     return object;
   }
@@ -115,7 +116,7 @@ public final class JsonFile {
     return new Value(place, values.toArray(Value[]::new), "a list of " + values.size());
   }
 
-  /** The text, or its start where it is long. */
+  /** Returns the text, cut to 60 characters and an ellipsis if it is longer. */
   static String shortened(String text) {
     return text.length() <= 60 ? text : text.substring(0, 60) + "...";
   }

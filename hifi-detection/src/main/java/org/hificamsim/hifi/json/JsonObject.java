@@ -16,9 +16,9 @@ import org.hificamsim.hifi.json.JsonFile.Value;
 /**
  * An object of a JSON file, read property by property.
  *
- * <p>Each getter declares one property, its type and range; one that is missing, of another type or
- * out of range is an {@link InputException} with its place. {@link #whole} refuses what nobody
- * declared.
+ * <p>Each getter declares one property with its type and range. It throws an {@link InputException}
+ * with line and column if the property is missing, has another type or is out of range. {@link
+ * #whole} rejects properties that no getter has declared.
  */
 public final class JsonObject {
   record Property(Place place, Value value) {}
@@ -32,26 +32,27 @@ public final class JsonObject {
     this.properties = properties;
   }
 
-  /** Whether the property is there. */
+  /** Declares the property and returns whether the object has it. */
   public boolean has(String key) {
     declared.add(key);
     return properties.containsKey(key);
   }
 
-  /** A finite number in [{@code least}, {@code most}]. */
+  /** Returns a finite number in [{@code least}, {@code most}]. */
   public double number(String key, double least, double most) {
     String expected = "a number from " + least + " to " + most;
     return take(key, Double.class, value -> value >= least && value <= most, expected);
   }
 
-  /** A whole number that is one of {@code values}. */
+  /** Returns a whole number that is one of {@code values}. */
   public int exactly(String key, List<Integer> values) {
     String expected = String.join(" or ", values.stream().map(String::valueOf).toList());
-    Predicate<Double> known = value -> values.stream().anyMatch(one -> one.doubleValue() == value);
+    Predicate<Double> known =
+        value -> values.stream().anyMatch(allowed -> allowed.doubleValue() == value);
     return take(key, Double.class, known, expected).intValue();
   }
 
-  /** A whole number from 1 to {@code most}. */
+  /** Returns a whole number from 1 to {@code most}. */
   public int count(String key, int most) {
     double value = number(key, 1, most);
     if (value != Math.rint(value)) {
@@ -60,26 +61,26 @@ public final class JsonObject {
     return (int) value;
   }
 
-  /** A text. */
+  /** Returns a text. */
   public String text(String key) {
-    return take(key, String.class, any -> true, "a text");
+    return take(key, String.class, text -> true, "a text");
   }
 
-  /** A text that is one of {@code choices}. */
+  /** Returns a text that is one of {@code choices}. */
   public String text(String key, List<String> choices) {
     return take(key, String.class, choices::contains, "one of " + String.join(", ", choices));
   }
 
-  /** An object as a form reads it, which asks for each of its properties. */
-  public <T> T object(String key, Function<JsonObject, T> form) {
-    return take(key, JsonObject.class, any -> true, "an object").whole(form);
+  /** Returns what {@code reader} makes of an object, whose properties it must all declare. */
+  public <T> T object(String key, Function<JsonObject, T> reader) {
+    return take(key, JsonObject.class, object -> true, "an object").whole(reader);
   }
 
-  /** A list of objects. */
+  /** Returns a list of objects. */
   public List<JsonObject> objects(String key) {
     List<JsonObject> objects = new ArrayList<>();
-    for (Value item : take(key, Value[].class, any -> true, "a list of objects")) {
-      if (!(item.of() instanceof JsonObject object)) {
+    for (Value item : take(key, Value[].class, list -> true, "a list of objects")) {
+      if (!(item.content() instanceof JsonObject object)) {
         throw item.place().error(key + " holds " + item.shown() + ", expected objects alone");
       }
       objects.add(object);
@@ -88,30 +89,31 @@ public final class JsonObject {
   }
 
   /**
-   * A list of rows, each a list of {@code columns} finite numbers in [{@code least}, {@code most}].
+   * Returns a list of rows, each a list of {@code columns} finite numbers in [{@code least}, {@code
+   * most}].
    */
   public double[][] rows(String key, int columns, int mostRows, double least, double most) {
     String expected = "a list of 1 to " + mostRows + " rows";
-    Predicate<Value[]> few = rows -> rows.length > 0 && rows.length <= mostRows;
-    return Arrays.stream(take(key, Value[].class, few, expected))
+    Predicate<Value[]> withinLimit = rows -> rows.length > 0 && rows.length <= mostRows;
+    return Arrays.stream(take(key, Value[].class, withinLimit, expected))
         .map(row -> row(key, row, columns, least, most))
         .toArray(double[][]::new);
   }
 
-  /** A list of exactly {@code count} finite numbers in [{@code least}, {@code most}]. */
+  /** Returns a list of exactly {@code count} finite numbers in [{@code least}, {@code most}]. */
   public double[] numbers(String key, int count, double least, double most) {
     return row(key, value(key, "a list of " + count + " numbers"), count, least, most);
   }
 
   private static double[] row(String key, Value row, int columns, double least, double most) {
-    if (!(row.of() instanceof Value[] cells) || cells.length != columns) {
+    if (!(row.content() instanceof Value[] cells) || cells.length != columns) {
       throw row.place()
           .error(key + " holds " + row.shown() + ", expected lists of " + columns + " numbers");
     }
     double[] values = new double[columns];
     for (int i = 0; i < columns; i++) {
       Value cell = cells[i];
-      if (!(cell.of() instanceof Double number && number >= least && number <= most)) {
+      if (!(cell.content() instanceof Double number && number >= least && number <= most)) {
         throw cell.place()
             .error("%s holds %s, expected numbers from %s to %s", key, cell.shown(), least, most);
       }
@@ -120,7 +122,7 @@ public final class JsonObject {
     return values;
   }
 
-  /** Every property as a text, in the order of the file. */
+  /** Returns every property, which must be a text, in the order of the file. */
   public Map<String, String> texts() {
     Map<String, String> texts = new LinkedHashMap<>();
     properties.keySet().forEach(key -> texts.put(key, text(key)));
@@ -128,9 +130,9 @@ public final class JsonObject {
   }
 
   /**
-   * The fault of a property's value, at its place.
+   * Returns the error for a property's value, with its line and column.
    *
-   * @param expectation what was expected of it, starting with that word
+   * @param expectation what was expected, a phrase that starts with "expected"
    */
   public InputException error(String key, String expectation) {
     Value value = properties.get(key).value();
@@ -139,11 +141,13 @@ public final class JsonObject {
         .error(JsonFile.shortened(key) + " is " + value.shown() + ", " + expectation);
   }
 
-  /** What a form makes of this object; refuses properties that it did not ask for. */
-  public <T> T whole(Function<JsonObject, T> form) {
-    T whole = form.apply(this);
+  /**
+   * Returns what {@code reader} makes of this object; rejects properties that it did not declare.
+   */
+  public <T> T whole(Function<JsonObject, T> reader) {
+    T result = reader.apply(this);
     properties.forEach(this::checkDeclared);
-    return whole;
+    return result;
   }
 
   private void checkDeclared(String key, Property property) {
@@ -157,7 +161,7 @@ public final class JsonObject {
   }
 
   private <T> T take(String key, Class<T> type, Predicate<T> valid, String expected) {
-    Object value = value(key, expected).of();
+    Object value = value(key, expected).content();
     if (type.isInstance(value) && valid.test(type.cast(value))) {
       return type.cast(value);
     }

@@ -11,7 +11,9 @@ import org.hificamsim.hifi.detector.SaturatingExponential;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.model.PartFormats.Format;
 
-/** The types of detector model that JSON files may hold, with the range of each number. */
+/**
+ * Reads and writes the types of detector model in JSON files, and checks the range of each number.
+ */
 final class DetectorFormats {
   private static final double SMALLEST = 1e-12;
   private static final double LARGEST = 1e9;
@@ -26,20 +28,20 @@ final class DetectorFormats {
                   SaturatingExponential.class,
                   g ->
                       new SaturatingExponential(
-                          any(g, "floor"), above0(g, "rise"), above0(g, "scale"))),
+                          coefficient(g, "floor"), positive(g, "rise"), positive(g, "scale"))),
               new Format<>(
                   "hill",
                   HillCurve.class,
                   g ->
                       new HillCurve(
-                          any(g, "floor"),
-                          above0(g, "rise"),
-                          above0(g, "half"),
-                          above0(g, "exponent"))),
+                          coefficient(g, "floor"),
+                          positive(g, "rise"),
+                          positive(g, "half"),
+                          positive(g, "exponent"))),
               new Format<>(
                   "logistic",
                   LogisticCurve.class,
-                  g -> new LogisticCurve(above0(g, "half"), above0(g, "exponent"))),
+                  g -> new LogisticCurve(positive(g, "half"), positive(g, "exponent"))),
               new Format<>("isotonic", IsotonicCurve.class, DetectorFormats::isotonic)));
 
   private DetectorFormats() {}
@@ -48,22 +50,25 @@ final class DetectorFormats {
     return ALL.read(json);
   }
 
-  /** The properties of a model; in the oldest version, whose lines have no type, without it. */
+  /**
+   * Returns the properties of a model. The oldest version has only lines, which are written without
+   * their type.
+   */
   static ObjectNode json(DetectorModel g, int version) {
     ObjectNode json = ALL.json(g);
-    if (version == ModelFormat.LINES_ALONE) {
+    if (version == ModelFormat.LINES_ONLY) {
       json.remove("type");
     }
     return json;
   }
 
   static DetectorLine line(JsonObject json) {
-    return new DetectorLine(any(json, "slope"), any(json, "intercept"));
+    return new DetectorLine(coefficient(json, "slope"), coefficient(json, "intercept"));
   }
 
   private static IsotonicCurve isotonic(JsonObject json) {
     double[][] knots =
-        json.rows("knots", 2, MAX_KNOTS, -ModelFormat.STEEPEST, ModelFormat.STEEPEST);
+        json.rows("knots", 2, MAX_KNOTS, -ModelFormat.MAX_COEFFICIENT, ModelFormat.MAX_COEFFICIENT);
     try {
       return new IsotonicCurve(knots);
     } catch (IllegalArgumentException e) {
@@ -71,11 +76,11 @@ final class DetectorFormats {
     }
   }
 
-  private static double any(JsonObject json, String key) {
-    return json.number(key, -ModelFormat.STEEPEST, ModelFormat.STEEPEST);
+  private static double coefficient(JsonObject json, String key) {
+    return json.number(key, -ModelFormat.MAX_COEFFICIENT, ModelFormat.MAX_COEFFICIENT);
   }
 
-  private static double above0(JsonObject json, String key) {
+  private static double positive(JsonObject json, String key) {
     return json.number(key, SMALLEST, LARGEST);
   }
 }

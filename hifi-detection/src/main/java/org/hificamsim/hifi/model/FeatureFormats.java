@@ -13,7 +13,10 @@ import org.hificamsim.hifi.feature.SymbolicAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.model.PartFormats.Format;
 
-/** The types of feature abstraction that JSON files may hold, with the range of each number. */
+/**
+ * Reads and writes the types of feature abstraction in JSON files, and checks the range of each
+ * number.
+ */
 final class FeatureFormats {
   private static final double MAX_WEIGHT = 1e6;
   private static final double MAX_EXPONENT = 20;
@@ -67,7 +70,7 @@ final class FeatureFormats {
         json.number("sensorHeight", 1e-6, MAX_SENSOR));
   }
 
-  /** {@code support} is a list of {@code [q, d, z, weight]}. */
+  /** Reads an SVR; {@code support} is a list of {@code [q, d, z, weight]}. */
   private static SvrRbfAbstraction svrRbf(JsonObject json) {
     double gamma = json.number("gamma", 1e-9, MAX_WEIGHT);
     double intercept = weight(json, "intercept");

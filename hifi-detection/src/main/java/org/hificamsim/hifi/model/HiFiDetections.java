@@ -10,10 +10,10 @@ import org.hificamsim.hifi.LiteralDetection;
 import org.hificamsim.hifi.Provenance;
 
 /**
- * The names of the high-fidelity models: {@code hifi:<detector>-<f>} with the line that was fitted
- * on f's own predictions where Table 6.1 has one, {@code hifi:<detector>-<f>-gt} with the line
- * fitted on measured PIP (where that is the only line, both names are one model), and {@code
- * hifi-literal}.
+ * Registers the high-fidelity models: {@code hifi:<detector>-<f>} uses the line of Table 6.1 that
+ * was fitted on f's own predictions, {@code hifi:<detector>-<f>-gt} the line fitted on measured
+ * PIP. If Table 6.1 has no line for f, both names mean the second model. {@code hifi-literal} is Eq
+ * 6.1 as printed.
  */
 public final class HiFiDetections {
   private static final String LITERAL = "hifi-literal";

@@ -8,14 +8,14 @@ import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.HiFiDetection;
 
 /**
- * The names of the models that were fitted in the rendered laboratory by {@code profile}: {@code
- * lab:<detector>-<f>}. Each is a model file among this module's resources, read when it is asked
- * for and not before.
+ * Registers the models that {@code profile} fitted in the rendered laboratory: {@code
+ * lab:<detector>-<f>}. Each is a model file in this module's resources, which is read when the
+ * model is first used.
  */
 public final class LabDetections {
   private LabDetections() {}
 
-  /** Adds every model. */
+  /** Adds every model to a registry. */
   public static void register(Registry<DetectionModel> registry) {
     for (String detector : List.of("orb", "sift", "surf")) {
       register(registry, detector, "lin", "multiple linear regression");

@@ -14,36 +14,36 @@ import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.json.JsonFile;
 
 /**
- * Users' detection models in JSON files: what {@code profile fit} writes, what {@code --detection
- * FILE.json} reads, and what people edit by hand.
+ * Reads and writes users' detection models as JSON files, such as {@code profile fit} writes.
  *
- * <p>{@code optics}, {@code threshold}, {@code units} and {@code provenance} may be left out: the
- * lab's camera, the threshold that the catalogue derives from the line, metres, and nothing known.
+ * <p>{@code optics}, {@code threshold}, {@code units} and {@code provenance} may be left out. The
+ * defaults are the lab's camera, the threshold that the catalogue derives from the line, metres,
+ * and an unknown provenance.
  */
 public final class ModelFiles {
-  /** The largest file that is read. */
+  /** The size of the largest file that is read. */
   public static final int MAX_BYTES = 16 << 20;
 
   private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
-  private static final int ROWS_LEVEL = 3;
+  private static final int ROW_NESTING = 3;
   private static final ObjectWriter WRITER = ModelFormat.MAPPER.writer(printer());
 
   private ModelFiles() {}
 
   /**
-   * The model in a file.
+   * Reads the model in a file.
    *
-   * @throws InputException in one line with file, line and column, when it is no valid model
+   * @throws InputException in one line with file, line and column, when it is not a valid model
    */
   public static HiFiDetection read(Path file) {
     return JsonFile.read(file, "a model in JSON", MAX_BYTES).whole(ModelFormat::read);
   }
 
   /**
-   * Writes a model that {@link #read} will read as an equal one. Until the whole file is there, its
-   * name holds what it held before.
+   * Writes a model such that {@link #read} returns an equal one. An older file is replaced only
+   * when the new one is complete.
    *
-   * @throws IllegalArgumentException when the model has a number or name that no file may hold
+   * @throws IllegalArgumentException when a number or the name of the model is not allowed in files
    * @throws InputException when the file cannot be written
    */
   public static void write(HiFiDetection model, Path file) {
@@ -57,18 +57,18 @@ public final class ModelFiles {
   }
 
   /**
-   * The model in a file's content.
+   * Reads the model in a file's content.
    *
-   * @param file its name, for error lines
+   * @param file the file's name, for error messages
    */
   public static HiFiDetection parse(String file, byte[] bytes) {
     return JsonFile.parse(file, bytes).whole(ModelFormat::read);
   }
 
   /**
-   * The content of a file of a model, which {@link #parse} will read as an equal one.
+   * Returns the content of a model file, from which {@link #parse} reads an equal model.
    *
-   * @throws IllegalArgumentException when the model has a number or name that no file may hold
+   * @throws IllegalArgumentException when a number or the name of the model is not allowed in files
    */
   public static byte[] bytes(HiFiDetection model) {
     try {
@@ -83,7 +83,7 @@ public final class ModelFiles {
     throw new IllegalArgumentException("no file can hold this model: " + model);
   }
 
-  /** One property a line. */
+  /** Writes each property on its own line. */
   private static DefaultPrettyPrinter printer() {
     DefaultPrettyPrinter printer =
         new DefaultPrettyPrinter(
@@ -100,7 +100,7 @@ public final class ModelFiles {
 
     @Override
     public void writeIndentation(JsonGenerator json, int level) throws IOException {
-      if (level < ROWS_LEVEL || !json.getOutputContext().getParent().inArray()) {
+      if (level < ROW_NESTING || !json.getOutputContext().getParent().inArray()) {
         LINES.writeIndentation(json, level);
       }
     }

@@ -16,67 +16,68 @@ import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.optics.Optics;
 
-/**
- * The JSON form of a {@link HiFiDetection}: reads it, with the range of each number, and writes it.
- */
+/** Reads and writes a {@link HiFiDetection} as JSON, and checks the range of each number. */
 final class ModelFormat {
   static final ObjectMapper MAPPER = new ObjectMapper();
   static final List<String> LENGTHS = List.of("q", "d", "z");
-  static final double STEEPEST = 1000;
+  static final double MAX_COEFFICIENT = 1000;
 
   /** The version in which every g is a line. */
-  static final int LINES_ALONE = 1;
+  static final int LINES_ONLY = 1;
 
-  /** The first version in which residuals may grow. */
-  private static final int GROWING = 3;
+  /** The first version in which the scatter of residuals may grow with g. */
+  private static final int GROWING_SCATTER = 3;
 
   private static final String SCHEMA = "hificamsim-model";
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9:._-]{0,99}");
   private static final double MIN_RMSE = 1e-9;
-  private static final double LONGEST = 1e5;
+  private static final double MAX_LENGTH = 1e5;
   private static final int MAX_OBJECTS = 1_000_000;
 
   private ModelFormat() {}
 
   static HiFiDetection read(JsonObject json) {
-    int version = version(json, SCHEMA, LINES_ALONE, 2, GROWING);
+    int version = version(json, SCHEMA, LINES_ONLY, 2, GROWING_SCATTER);
     refuseCovariates(json);
     String name = name(json);
     FeatureAbstraction f = json.object("f", FeatureFormats::read);
-    Fitted g = json.object("g", one -> fitted(one, version));
+    Fitted g = json.object("g", detector -> fitted(detector, version));
     Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
     double threshold =
         json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.model());
     checkUnits(json);
-    Optional<FittedOn> on =
-        version > LINES_ALONE && json.has("fitted")
+    Optional<FittedOn> fittedOn =
+        version > LINES_ONLY && json.has("fitted")
             ? Optional.of(json.object("fitted", ModelFormat::fittedOn))
             : Optional.empty();
     return new HiFiDetection(
-        name, f, g.model(), optics, threshold, g.residuals(), on, provenance(json));
+        name, f, g.model(), optics, threshold, g.residuals(), fittedOn, provenance(json));
   }
 
   static ObjectNode json(HiFiDetection model) {
-    int version = oldest(model);
+    int version = oldestVersion(model);
     ObjectNode json = MAPPER.createObjectNode().put("schema", SCHEMA).put("version", version);
     json.put("name", model.name());
     json.set("f", FeatureFormats.json(model.f()));
     ObjectNode g = json.putObject("g").setAll(DetectorFormats.json(model.g(), version));
-    model.residuals().ifPresent(one -> write(one, g));
+    model.residuals().ifPresent(residuals -> write(residuals, g));
     json.putPOJO("optics", model.optics());
     json.put("threshold", model.defaultThreshold());
-    model.fitted().ifPresent(on -> json.putPOJO("fitted", on));
+    model.fitted().ifPresent(fittedOn -> json.putPOJO("fitted", fittedOn));
     ObjectNode units = json.putObject("units");
     LENGTHS.forEach(length -> units.put(length, "m"));
     return json.putPOJO("provenance", model.provenance().remarks());
   }
 
-  /** The oldest version that can hold the model: what needs no newer one keeps its bytes. */
-  private static int oldest(HiFiDetection model) {
+  /**
+   * Returns the oldest version that can hold the model, so that files of older models keep their
+   * bytes.
+   */
+  private static int oldestVersion(HiFiDetection model) {
     if (model.residuals().filter(Residuals::grow).isPresent()) {
-      return GROWING;
+      return GROWING_SCATTER;
     }
-    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ALONE : 2;
+    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ONLY : 2;
   }
 
   private static void write(Residuals residuals, ObjectNode g) {
@@ -86,7 +87,9 @@ final class ModelFormat {
     }
   }
 
-  /** Earlier versions of the simulator had models whose confidence depends on conditions. */
+  /**
+   * Rejects models of earlier versions of the simulator, whose confidence depends on conditions.
+   */
   private static void refuseCovariates(JsonObject json) {
     if (json.has("covariates")) {
       throw json.error("covariates", "expected none: such models are no longer supported");
@@ -98,29 +101,31 @@ final class ModelFormat {
     return json.exactly("version", List.of(versions));
   }
 
-  /** A detector model, and how the confidences scatter about it where that is known. */
+  /** A detector model, and how confidences scatter about it if that is known. */
   private record Fitted(DetectorModel model, Optional<Residuals> residuals) {}
 
   private static Fitted fitted(JsonObject json, int version) {
     DetectorModel model =
-        version == LINES_ALONE ? DetectorFormats.line(json) : DetectorFormats.read(json);
-    boolean grows = version >= GROWING && json.has("scatter");
-    return new Fitted(model, grows ? Optional.of(growing(json)) : residuals(json));
+        version == LINES_ONLY ? DetectorFormats.line(json) : DetectorFormats.read(json);
+    boolean grows = version >= GROWING_SCATTER && json.has("scatter");
+    return new Fitted(model, grows ? Optional.of(growingResiduals(json)) : residuals(json));
   }
 
   static Optional<Residuals> residuals(JsonObject json) {
     return json.has("rmse")
-        ? Optional.of(Residuals.of(json.number("rmse", MIN_RMSE, STEEPEST)))
+        ? Optional.of(Residuals.of(json.number("rmse", MIN_RMSE, MAX_COEFFICIENT)))
         : Optional.empty();
   }
 
-  private static Residuals growing(JsonObject json) {
-    double rmse = json.number("rmse", MIN_RMSE, STEEPEST);
+  private static Residuals growingResiduals(JsonObject json) {
+    double rmse = json.number("rmse", MIN_RMSE, MAX_COEFFICIENT);
     return json.object(
         "scatter",
-        one ->
+        scatter ->
             new Residuals(
-                rmse, one.number("least", MIN_RMSE, STEEPEST), one.number("growth", 0, STEEPEST)));
+                rmse,
+                scatter.number("least", MIN_RMSE, MAX_COEFFICIENT),
+                scatter.number("growth", 0, MAX_COEFFICIENT)));
   }
 
   static Optics optics(JsonObject json) {
@@ -133,7 +138,7 @@ final class ModelFormat {
   }
 
   static double threshold(JsonObject json) {
-    return json.number("threshold", -STEEPEST, STEEPEST);
+    return json.number("threshold", -MAX_COEFFICIENT, MAX_COEFFICIENT);
   }
 
   static Provenance provenance(JsonObject json) {
@@ -148,12 +153,12 @@ final class ModelFormat {
         json.object("d", ModelFormat::span),
         json.object("z", ModelFormat::span),
         json.count("objects", MAX_OBJECTS),
-        json.number("betweenObjects", 0, STEEPEST),
-        json.number("withinObjects", 0, STEEPEST));
+        json.number("betweenObjects", 0, MAX_COEFFICIENT),
+        json.number("withinObjects", 0, MAX_COEFFICIENT));
   }
 
   private static Span span(JsonObject json) {
-    Span span = new Span(json.number("least", 0, LONGEST), json.number("most", 0, LONGEST));
+    Span span = new Span(json.number("least", 0, MAX_LENGTH), json.number("most", 0, MAX_LENGTH));
     if (span.most() < span.least()) {
       throw json.error("most", "expected " + span.least() + " or more, the least");
     }
@@ -170,7 +175,9 @@ final class ModelFormat {
 
   private static void checkUnits(JsonObject json) {
     if (json.has("units")) {
-      json.object("units", u -> LENGTHS.stream().map(q -> u.text(q, List.of("m"))).toList());
+      json.object(
+          "units",
+          units -> LENGTHS.stream().map(length -> units.text(length, List.of("m"))).toList());
     }
   }
 }

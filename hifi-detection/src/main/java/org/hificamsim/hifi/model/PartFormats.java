@@ -11,26 +11,26 @@ import org.hificamsim.hifi.json.JsonObject;
 /**
  * The types of one part of a model, f or g, that JSON files may hold.
  *
- * @param formats in the order of error lines
+ * @param formats the known types, in the order in which error messages list them
  */
 record PartFormats<T>(List<Format<T>> formats) {
   /**
-   * How one type is spelt.
+   * The JSON format of one type.
    *
    * @param type the text of its property {@code type}
-   * @param of the class, whose properties Jackson writes
-   * @param reader makes one from these properties; those that it does not ask for are refused
+   * @param javaType the class, whose properties Jackson writes
+   * @param reader makes an instance from the properties and declares each of them
    */
-  record Format<T>(String type, Class<? extends T> of, Function<JsonObject, T> reader) {}
+  record Format<T>(String type, Class<? extends T> javaType, Function<JsonObject, T> reader) {}
 
   T read(JsonObject json) {
     String type = json.text("type", formats.stream().map(Format::type).toList());
-    return format(one -> one.type().equals(type)).orElseThrow().reader().apply(json);
+    return format(format -> format.type().equals(type)).orElseThrow().reader().apply(json);
   }
 
   ObjectNode json(T part) {
     Format<T> format =
-        format(one -> one.of().isInstance(part))
+        format(candidate -> candidate.javaType().isInstance(part))
             .orElseThrow(
                 () ->
                     new IllegalArgumentException(

@@ -18,8 +18,8 @@ import org.hificamsim.hifi.optics.Optics;
  * The published models as data, each with the equation or table that it comes from.
  *
  * @param optics the lab's camera (thesis 3.5)
- * @param reference which line the default thresholds start from
- * @param fitted the ranges of the data that all were fitted to (Table 4.1)
+ * @param reference the line and threshold from which all default thresholds are derived
+ * @param fitted the ranges of the data that all models were fitted to (Table 4.1)
  * @param literal the weights of Eq 6.1
  * @param features the feature abstractions f
  * @param lines the detector lines g
@@ -31,17 +31,16 @@ public record PublishedModels(
     LinearAbstraction literal,
     List<Feature> features,
     List<Line> lines) {
-  /** The {@code f} of a line that was fitted on measured PIP rather than on an f's predictions. */
+  /** The {@code f} of a line that was fitted on measured PIP, not on the predictions of an f. */
   public static final String GROUND_TRUTH = "ground-truth";
 
   private static final String RESOURCE = "catalogue.json";
 
-  /** A feature abstraction, its short name and what it is in words. */
+  /** A feature abstraction with its short name and its title. */
   public record Feature(String name, String title, FeatureAbstraction f, Provenance provenance) {}
 
   /**
-   * A detector line and the f, or {@link #GROUND_TRUTH}, whose PIP it was fitted on; and its
-   * scatter.
+   * A detector line, its scatter, and the f whose PIP it was fitted on (or {@link #GROUND_TRUTH}).
    */
   public record Line(
       String detector, String f, DetectorLine g, Optional<Residuals> residuals, String source) {}
@@ -49,24 +48,26 @@ public record PublishedModels(
   /** The line to which the default threshold was fitted, and that threshold. */
   public record Reference(String detector, String f, double threshold) {}
 
-  /** The catalogue that comes with this module, read once. */
+  /** Returns the catalogue of this module, which is read once. */
   public static PublishedModels published() {
     return Published.CATALOGUE;
   }
 
-  /** The line of a detector on the PIP of {@code f}, if one was fitted. */
+  /** Returns the line of a detector on the PIP of {@code f}, if one was fitted. */
   public Optional<Line> line(String detector, String f) {
-    return lines.stream().filter(l -> l.detector().equals(detector) && l.f().equals(f)).findFirst();
+    return lines.stream()
+        .filter(line -> line.detector().equals(detector) && line.f().equals(f))
+        .findFirst();
   }
 
-  /** The detectors, in the order of the catalogue. */
+  /** Returns the names of the detectors, in the order of the catalogue. */
   public List<String> detectors() {
     return lines.stream().map(Line::detector).distinct().toList();
   }
 
   /**
-   * The default threshold of a model with this g: the confidence at the PIP at which the reference
-   * line reaches its threshold, so that models differ by their f and g alone.
+   * Returns the default threshold of a model with this g: its confidence at the PIP at which the
+   * reference line reaches the reference threshold. So models differ only by their f and g.
    */
   public double threshold(DetectorModel g) {
     DetectorLine line = line(reference.detector(), reference.f()).orElseThrow().g();
@@ -82,7 +83,7 @@ public record PublishedModels(
     }
   }
 
-  /** The models of a catalogue in JSON. */
+  /** Reads a catalogue from JSON. */
   static PublishedModels read(JsonObject json) {
     ModelFormat.version(json, "hificamsim-catalogue", 1);
     return new PublishedModels(

@@ -35,7 +35,7 @@ class DensityDetectionsTest {
         .map(name -> DetectionModelContract.of(name, () -> registry.create(name)));
   }
 
-  /** W / (2 rho tan(theta / 2)), by hand. */
+  /** Distances are W / (2 rho tan(theta / 2)), computed by hand. */
   @ParameterizedTest
   @CsvSource({
     "dori-2014, 60, 1920, 66.51",
@@ -51,22 +51,22 @@ class DensityDetectionsTest {
     "oodpcvs-2025:level=validate, 90, 3840, 3.840",
     "oodpcvs-2025:level=scrutinise, 90, 3840, 1.280"
   })
-  void aStandardReachesAsFarAsItsDensity(String name, double angle, int pixels, double reach) {
+  void standardDetectsUpToItsPixelDensity(String name, double angle, int pixels, double reach) {
     Detection detection = Detection.of(registry.create(name));
     ZoomLevel zoom = lens(angle, pixels);
     assertEquals(reach, Math.sqrt(detection.distances(0.66, zoom).to(0)), reach / 2000);
     assertEquals(detection.distances(0.66, zoom), detection.distances(5, zoom), "of any size");
   }
 
-  /** The known values of the function. */
+  /** Checks published values of the function. */
   @ParameterizedTest
   @CsvSource({"0, 0", "1, 0.5", "1.452, 0.80", "2.041, 0.95"})
-  void acquisitionHasTheKnownProbabilities(double ratio, double probability) {
+  void acquisitionHasThePublishedProbabilities(double ratio, double probability) {
     assertEquals(probability, DensityDetections.probability(ratio), 5e-4);
   }
 
   @Test
-  void acquisitionCountsTwoPixelsACycle() {
+  void acquisitionCountsTwoPixelsPerCycle() {
     DetectionModel detect = registry.create("ttpf");
     DetectionModel identify = registry.create("ttpf:task=identify");
     ZoomLevel zoom = lens(90, 640);
@@ -77,7 +77,7 @@ class DensityDetectionsTest {
   }
 
   @Test
-  void whereNoLensIsNamedTheModelsOwnGivesTheAngle() {
+  void modelOpticsGiveTheAngleWithoutLens() {
     DetectionModel model = registry.create("dori-2014:level=identify");
     ZoomLevel narrow = new ZoomLevel(100, 2.5, 100, Double.NaN, 2 * Math.PI);
     ZoomLevel high = new ZoomLevel(100, 2.5, 100, 5, 2 * Math.PI);
@@ -88,7 +88,7 @@ class DensityDetectionsTest {
   }
 
   @Test
-  void aNameTellsTheLevel() {
+  void nameShowsTheLevelUnlessDefault() {
     assertEquals("dori-2014", registry.create("dori-2014:level=detect").name());
     assertEquals("dori-2014:level=observe", registry.create("dori-2014:level=observe").name());
     assertFalse(registry.create("ttpf").equals(registry.create("ttpf:task=orient")), "two models");
@@ -109,7 +109,7 @@ class DensityDetectionsTest {
     "ttpf:task=recognise, HEAD",
     "ttpf:task=identify, HEAD"
   })
-  void whoRecognisesAPersonHasToSeeTheHead(String name, Seen seen) {
+  void recognitionNeedsTheHead(String name, Seen seen) {
     assertEquals(seen, registry.create(name).seen());
   }
 

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class DetectorLineTest {
   @Test
-  void confidenceIsTheHeightOfTheLine() {
+  void confidenceIsTheValueOfTheLine() {
     DetectorLine line = new DetectorLine(0.6, 0.02);
     assertEquals(0.02, line.confidence(0));
     assertEquals(0.32, line.confidence(0.5), 1e-15);
@@ -22,7 +22,7 @@ class DetectorLineTest {
   }
 
   @Test
-  void levelLineHasNoPip() {
+  void horizontalLineHasNoPip() {
     assertFalse(Double.isFinite(new DetectorLine(0, 0.1).pip(0.2)));
   }
 }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Curves against numpy's figures, and what every shape must keep. */
+/** Compares curves with values from NumPy, and tests properties of every shape. */
 class DetectorModelTest {
   private static final double[] PIPS = {0, 0.001, 0.03, 0.5};
 
@@ -30,7 +30,7 @@ class DetectorModelTest {
    * np.interp(p,[0.001,0.02,0.1],[0.05,0.2,0.7])}.
    */
   @Test
-  void curvesAreWhatNumpyComputes() {
+  void curvesEqualThoseOfNumPy() {
     List<DetectorModel> shapes = shapes().toList();
     check(shapes.get(1), 0.02, 0.03188079601594685, 0.29071301834358415, 0.6199727600421425);
     check(shapes.get(2), 0.02, 0.02236237015715999, 0.2562576115943738, 0.6067239524648803);
@@ -40,7 +40,7 @@ class DetectorModelTest {
 
   @ParameterizedTest
   @MethodSource("shapes")
-  void neverFallsAndIsNumberWhereverPipIs(DetectorModel g) {
+  void confidenceIsANumberThatNeverFalls(DetectorModel g) {
     double before = g.confidence(0);
     for (double pip = 1e-12; pip <= 1; pip *= 1.01) {
       double here = g.confidence(pip);
@@ -51,7 +51,7 @@ class DetectorModelTest {
   }
 
   @Test
-  void knotsOutOfOrderAreRefused() {
+  void rejectsKnotsOutOfOrder() {
     for (double[][] knots :
         List.of(
             new double[][] {{0.1, 0.2}, {0.1, 0.3}},
@@ -64,7 +64,7 @@ class DetectorModelTest {
   }
 
   @Test
-  void equalKnotsAreEqualCurves() {
+  void curvesWithEqualKnotsAreEqual() {
     double[][] knots = {{0.1, 0.2}, {0.2, 0.3}};
     IsotonicCurve curve = new IsotonicCurve(knots);
     knots[0][0] = 0.15;

@@ -56,14 +56,14 @@ class ExpressionTest {
         "1,5     | at character 2, not ','",
         "NaN     | at character 1, not 'N'",
       })
-  void tellsWhatWasExpectedWhere(String text, String part) {
+  void reportsWhatWasExpectedAtWhichCharacter(String text, String part) {
     String message =
         assertThrows(IllegalArgumentException.class, () -> Expression.parse(text)).getMessage();
     assertTrue(message.startsWith("expected ") && message.contains(part), message);
   }
 
   @Test
-  void refusesWhatWouldOverflowTheStack() {
+  void rejectsDeeplyNestedFormula() {
     String brackets = "(".repeat(1500) + "z" + ")".repeat(1500);
     assertThrows(IllegalArgumentException.class, () -> Expression.parse(brackets));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse("-".repeat(3000) + "z"));
@@ -72,7 +72,7 @@ class ExpressionTest {
   }
 
   @Test
-  void takesFourThousandCharactersAndTwoHundredSigns() {
+  void acceptsFormulaOfTheLargestSizeAndDepth() {
     assertEquals(Z, Expression.parse(" ".repeat(3999) + "z").at(Q, D, Z));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse(" ".repeat(4000) + "z"));
     assertEquals(-Z, Expression.parse("-".repeat(199) + "z").at(Q, D, Z));
@@ -80,7 +80,7 @@ class ExpressionTest {
   }
 
   @Property
-  void everyNumberIsReadToItsLastBit(@ForAll long bits) {
+  void readsEveryNumberExactly(@ForAll long bits) {
     double number = Double.longBitsToDouble(bits);
     if (Double.isFinite(number)) {
       assertEquals(number, Expression.parse(Double.toString(number)).at(Q, D, Z));
@@ -88,7 +88,7 @@ class ExpressionTest {
   }
 
   @Test
-  void formulasAreEqualWhenTheirTextsAre() {
+  void formulasAreEqualIfTheirTextsAreEqual() {
     assertEquals(Expression.parse("z + q"), Expression.parse("z + q"));
     assertEquals(Expression.parse("z + q").hashCode(), Expression.parse("z + q").hashCode());
     assertNotEquals(Expression.parse("z + q"), Expression.parse("q + z"));

@@ -43,7 +43,7 @@ class GeometricAbstractionsTest {
   }
 
   @Property
-  void pipIsAShareThatFallsWithDistanceAndRisesWithSizeAndZoom(
+  void pipFallsWithDistanceAndRisesWithSizeAndZoom(
       @ForAll @Scale(9) @DoubleRange(min = 0.01, max = 3) double size,
       @ForAll @Scale(9) @DoubleRange(min = 0, max = 100) double distance,
       @ForAll @Scale(9) @DoubleRange(min = 0.001, max = 0.3) double focalLength) {

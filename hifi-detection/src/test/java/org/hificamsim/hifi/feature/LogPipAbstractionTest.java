@@ -27,12 +27,12 @@ class LogPipAbstractionTest {
   }
 
   @Test
-  void valueWithoutNumberStaysWithoutNumber() {
+  void nanStaysNan() {
     assertTrue(Double.isNaN(always(Double.NaN).pip(1, 1, 1)));
   }
 
   @Property
-  void pipLiesBetweenNothingAndTheWholeImage(@ForAll long bits) {
+  void pipLiesBetweenZeroAndOne(@ForAll long bits) {
     double response = Double.longBitsToDouble(bits);
     double pip = always(response).pip(1, 1, 1);
     assertTrue(Double.isNaN(response) || (pip >= 0 && pip <= 1), () -> "pip " + pip);

@@ -15,7 +15,7 @@ class SvrRbfAbstractionTest {
       with(new double[] {0.1, 0, 0.01, 2}, new double[] {0.5, 10, 0.09, -3});
 
   @Test
-  void equalsTheSumWorkedByHand() {
+  void equalsTheSumComputedByHand() {
     // Scaled to (0.5, 0.5, 0.5): both support vectors are at squared distance 0.75.
     assertEquals(1.5 - Math.exp(-0.25), f.negativeLogPip(0.3, 5, 0.05), 1e-15);
     // On the first one; the second is at squared distance 3.
@@ -36,14 +36,14 @@ class SvrRbfAbstractionTest {
   }
 
   @Test
-  void isEqualToOneOfTheSameNumbersAlone() {
+  void equalsOnlyTheSameNumbers() {
     assertEquals(f, with(f.support()));
     assertEquals(f.hashCode(), with(f.support()).hashCode());
     assertNotEquals(f, with(new double[] {0.1, 0, 0.01, 2}));
   }
 
   @Test
-  void isNotChangedThroughItsArrays() {
+  void changesToItsArraysHaveNoEffect() {
     f.support()[0][3] = 99;
     assertEquals(2, f.support()[0][3]);
   }

@@ -10,10 +10,10 @@ import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 
-/** The bounds of each kind of property, on either side. */
+/** Tests the bounds of each type of property, on both sides. */
 class JsonObjectTest {
   @Test
-  void numbersAreTakenUpToTheirBoundsAndNoFurther() {
+  void rejectsNumbersOutsideTheirBounds() {
     assertEquals(0.5, object("{\"x\": 0.5}").number("x", 0.5, 2));
     assertEquals(2, object("{\"x\": 2}").number("x", 0.5, 2));
     String bounds = "expected a number from 0.5 to 2.0";
@@ -22,7 +22,7 @@ class JsonObjectTest {
   }
 
   @Test
-  void rowsAreTakenUpToTheirNumberAndNoFurther() {
+  void rejectsTooManyRows() {
     String table = "{\"t\": [[0, 1], [1, 0]]}";
     assertArrayEquals(new double[][] {{0, 1}, {1, 0}}, object(table).rows("t", 2, 2, 0, 1));
     String expected = "t is a list of 2, expected a list of 1 to 1 rows";
@@ -31,7 +31,7 @@ class JsonObjectTest {
   }
 
   @Test
-  void cellsAreTakenUpToTheirBoundsAndNoFurther() {
+  void rejectsCellsOutsideTheirBounds() {
     assertArrayEquals(new double[] {-1, 3}, object("{\"b\": [-1, 3]}").numbers("b", 2, -1, 3));
     String expected = ", expected numbers from -1.0 to 3.0";
     assertFault("b holds 3.5" + expected, "{\"b\": [0, 3.5]}", o -> o.numbers("b", 2, -1, 3));
@@ -41,7 +41,7 @@ class JsonObjectTest {
   }
 
   @Test
-  void aListOfObjectsHoldsNothingElse() {
+  void rejectsOtherValuesInListOfObjects() {
     List<JsonObject> two = object("{\"o\": [{\"x\": 1}, {\"x\": 2}]}").objects("o");
     assertEquals(List.of(1.0, 2.0), two.stream().map(o -> o.number("x", 0, 9)).toList());
     assertFault("o is 5, expected a list of objects", "{\"o\": 5}", o -> o.objects("o"));
@@ -49,7 +49,7 @@ class JsonObjectTest {
   }
 
   @Test
-  void aTextIsShownWholeUpToSixtyCharacters() {
+  void showsTextsUpToSixtyCharacters() {
     String sixty = "x".repeat(60);
     assertFault("x is '" + sixty + "', ", "{\"x\": \"" + sixty + "\"}", o -> o.number("x", 0, 1));
     assertFault(

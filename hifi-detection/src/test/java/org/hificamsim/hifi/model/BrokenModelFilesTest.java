@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every fault of a model file is told in one line, with its place, its value and what is right. */
+/** Tests that errors in model files are reported in one line with place, value and expectation. */
 class BrokenModelFilesTest {
   private static final String MODEL =
       """
@@ -40,7 +40,7 @@ class BrokenModelFilesTest {
 
   @TempDir Path folder;
 
-  /** What is replaced, by what, and the place and the words that the error must hold. */
+  /** The replaced text, its replacement, and the place and words that the error must contain. */
   static Stream<Arguments> faults() {
     return Stream.of(
         arguments("\"hificamsim-model\"", "\"other\"", "2:13", "schema is 'other'"),
@@ -105,7 +105,7 @@ class BrokenModelFilesTest {
 
   @ParameterizedTest
   @MethodSource("faults")
-  void faultIsReportedInOneLineWithItsPlace(String right, String wrong, String place, String words)
+  void reportsErrorInOneLineWithItsPlace(String right, String wrong, String place, String words)
       throws IOException {
     assertTrue(MODEL.contains(right));
     String message = fault(MODEL.replace(right, wrong).getBytes(StandardCharsets.UTF_8));
@@ -114,14 +114,14 @@ class BrokenModelFilesTest {
   }
 
   @Test
-  void fileWithoutAnObjectIsRefused() throws IOException {
+  void rejectsFileWithoutAnObject() throws IOException {
     for (String text : new String[] {"", " \n ", "[]", "null", "17", "\"text\"", "{", "}", "nul"}) {
       fault(text.getBytes(StandardCharsets.UTF_8));
     }
   }
 
   @Test
-  void bytesThatAreNoTextAreRefused() throws IOException {
+  void rejectsBytesThatAreNotText() throws IOException {
     fault(new byte[] {0, 1, 2, 3});
     fault(MODEL.replace("a test", "\u00e9").getBytes(StandardCharsets.ISO_8859_1));
     fault(new byte[] {0, 0, (byte) 0xff, (byte) 0xfe, 1, 2, 3, 4});
@@ -130,7 +130,7 @@ class BrokenModelFilesTest {
   }
 
   @Test
-  void bytesAtRandomAreRefused() throws IOException {
+  void rejectsRandomBytes() throws IOException {
     Random random = new Random(1);
     byte[] bytes = new byte[64];
     for (int i = 0; i < 2000; i++) {
@@ -140,9 +140,9 @@ class BrokenModelFilesTest {
     }
   }
 
-  /** Each value of the model in turn is replaced by one of each other kind. */
+  /** Replaces each value of the model in turn by values of every other type. */
   @Test
-  void everyValueOfAnotherKindIsRefused() throws IOException {
+  void rejectsValuesOfWrongType() throws IOException {
     Matcher value = Pattern.compile("(?<=: )(\"[^\"]*\"|-?[0-9.]+)").matcher(MODEL);
     String[] others = {
       "[]", "[[1]]", "{\"x\": {}}", "false", "nul", "NaN", "1e400", "'a'", "\"\\q\""
@@ -160,13 +160,13 @@ class BrokenModelFilesTest {
   }
 
   @Test
-  void hugeFileIsRefusedBeforeItIsRead() throws IOException {
+  void rejectsHugeFileWithoutReadingIt() throws IOException {
     byte[] spaces = " ".repeat(ModelFiles.MAX_BYTES + 1).getBytes(StandardCharsets.UTF_8);
     assertTrue(fault(spaces).contains("too big, expected at most 16777216 bytes"));
   }
 
   @Test
-  void fileOfTheLargestSizeIsRead() throws IOException {
+  void readsFileOfTheLargestSize() throws IOException {
     byte[] text = MODEL.getBytes(StandardCharsets.UTF_8);
     byte[] largest = Arrays.copyOf(text, ModelFiles.MAX_BYTES);
     Arrays.fill(largest, text.length, largest.length, (byte) ' ');
@@ -174,7 +174,7 @@ class BrokenModelFilesTest {
   }
 
   @Test
-  void everyTruncationIsRefused() throws IOException {
+  void rejectsEveryTruncation() throws IOException {
     byte[] whole = MODEL.strip().getBytes(StandardCharsets.UTF_8);
     for (int length = 0; length < whole.length; length++) {
       fault(Arrays.copyOf(whole, length));

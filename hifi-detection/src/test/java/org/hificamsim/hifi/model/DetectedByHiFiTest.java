@@ -16,7 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * What the models detect at the reproduction's settings: radii 2.5 to 7.5 m and a size of 0.66 m.
+ * Tests what the models detect with the settings of the reproduction: radii of 2.5 to 7.5 m and a
+ * size of 0.66 m.
  */
 class DetectedByHiFiTest {
   private static final double[] RADII = {2.5, 3.75, 5, 6.25, 7.5};
@@ -24,7 +25,7 @@ class DetectedByHiFiTest {
 
   @ParameterizedTest
   @CsvSource({"2.5", "3.75", "5", "6.25", "7.5"})
-  void orbLinDetectsUpToWhereItsEquationsSay(double radius) {
+  void orbLinDetectsUpToTheDistanceOfItsEquations(double radius) {
     DetectedDistances detected = detected("hifi:orb-lin", radius);
     double pip = (0.0441 - 0.026) / 0.571;
     double reach = (-Math.log10(pip) + 18.82 * 0.085 * 2.5 / radius + 2.0 * SIZE - 2.47) / 0.2;
@@ -34,14 +35,14 @@ class DetectedByHiFiTest {
   }
 
   @Test
-  void orbLinReachesItsWholeFieldOfViewAtTheNarrowLevelsAlone() {
+  void orbLinCoversWholeViewOnlyAtNarrowLevels() {
     assertTrue(detected("hifi:orb-lin", 5).contains(25));
     assertFalse(detected("hifi:orb-lin", 6.25).contains(6.25 * 6.25));
     assertFalse(detected("hifi:orb-lin", 7.5).contains(7.5 * 7.5));
   }
 
   @Test
-  void literalReadingDetectsEverythingAtTheWidestLevel() {
+  void literalModelDetectsEverythingAtTheWidestLevel() {
     DetectedDistances detected = detected("hifi-literal", 7.5);
     assertEquals(1, detected.intervals());
     assertEquals(0, detected.from(0));
@@ -49,7 +50,7 @@ class DetectedByHiFiTest {
   }
 
   @Test
-  void detectorsAgreeOnTheReachOfOneAbstraction() {
+  void detectorsOfOneAbstractionReachEquallyFar() {
     for (double radius : RADII) {
       double reach = Math.sqrt(detected("hifi:orb-power", radius).to(0));
       assertEquals(reach, Math.sqrt(detected("hifi:sift-power", radius).to(0)), 1e-9);

@@ -35,7 +35,7 @@ class FeatureFormatsTest {
   @TempDir Path folder;
 
   @Test
-  void readsSupportVectorsAndWritesThemOneToALine() throws IOException {
+  void writesEachSupportVectorOnItsOwnLine() throws IOException {
     HiFiDetection model = ModelFiles.read(Files.writeString(folder.resolve("m.json"), MODEL));
     Range q = new Range(0.1, 0.66);
     double[][] support = {{0.1, 1, 0.01, -0.25}, {0.66, 10, 0.085, 1}};
@@ -61,7 +61,7 @@ class FeatureFormatsTest {
         "\"most\": 0.66 | \"most\": 0.1 | 6:44: most is 0.1, expected more than least, 0.1",
         "\"support\": [[ | \"supports\": [[ | 'support' is missing",
       })
-  void faultIsToldWithItsPlace(String right, String wrong, String words) throws IOException {
+  void reportsErrorWithLineAndColumn(String right, String wrong, String words) throws IOException {
     assertTrue(MODEL.contains(right));
     Path file = Files.writeString(folder.resolve("m.json"), MODEL.replace(right, wrong));
     String message = assertThrows(InputException.class, () -> ModelFiles.read(file)).getMessage();

@@ -5,7 +5,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 
-/** What the tests take from the catalogue. */
+/** Finds entries of the catalogue for tests. */
 final class Features {
   private Features() {}
 

@@ -32,7 +32,7 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void everyDetectorGoesWithEveryAbstraction() {
+  void everyDetectorIsCombinedWithEveryAbstraction() {
     assertEquals(DETECTORS.size() * (ABSTRACTIONS.size() + 2) + 1, registry.names().size());
     for (String detector : DETECTORS) {
       for (String f : ABSTRACTIONS) {
@@ -51,7 +51,7 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void noModelIsListedUnderTwoNames() {
+  void everyModelIsListedUnderOneName() {
     List<HiFiDetection> models =
         registry.names().stream()
             .map(registry::create)
@@ -67,7 +67,7 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void abstractionWithARowInTable61TakesItsLine() {
+  void abstractionInTable61UsesItsOwnLine() {
     for (String f : List.of("lin", "sr")) {
       assertEquals(
           PublishedModels.published().line("sift", f).orElseThrow().g(),
@@ -76,20 +76,20 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void abstractionWithoutARowTakesTheGroundTruthLine() {
+  void abstractionOutsideTable61UsesTheGroundTruthLine() {
     for (String f : List.of("svr-lin", "power", "pinhole")) {
       assertEquals(model("hifi:surf-" + f + "-gt").g(), model("hifi:surf-" + f).g());
     }
   }
 
   @Test
-  void thresholdOfTheReferenceModelIsThePublishedReproductions() {
+  void referenceModelHasThePublishedThreshold() {
     assertEquals(0.0441, model("hifi:orb-lin").defaultThreshold());
     assertEquals(0.0441, registry.create("hifi-literal").defaultThreshold());
   }
 
   @Test
-  void modelsDifferByTheirLineAndNotByAThresholdMeantForAnother() {
+  void everyModelHasTheThresholdOfItsOwnLine() {
     double pip = (0.0441 - 0.026) / 0.571;
     for (String name : registry.names()) {
       if (registry.create(name) instanceof HiFiDetection model) {
@@ -99,7 +99,7 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void untrainedModelIsRefusedWithTheNamesThatThereAre() {
+  void rejectsUnknownModelAndListsKnownOnes() {
     InputException refused =
         assertThrows(InputException.class, () -> registry.create("hifi:orb-svr-rbf"));
     assertTrue(refused.getMessage().contains("unknown detection 'hifi:orb-svr-rbf'"));
@@ -107,12 +107,12 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void modelsTakeNoOptions() {
+  void modelsRejectOptions() {
     assertThrows(InputException.class, () -> registry.create("hifi:orb-lin:slope=2"));
   }
 
   @Test
-  void everySummaryIsOneLineThatNamesItsSources() {
+  void everySummaryNamesItsSourcesInOneLine() {
     for (Registry.Entry<DetectionModel> entry : registry.entries()) {
       assertFalse(entry.summary().contains("\n"), entry.name());
       assertTrue(entry.summary().length() <= 100, entry.summary());

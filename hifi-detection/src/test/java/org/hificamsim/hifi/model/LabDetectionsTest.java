@@ -24,7 +24,7 @@ class LabDetectionsTest {
   }
 
   @Test
-  void everyCombinationOfTable61IsThere() {
+  void registersEveryCombinationOfTable61() {
     for (String detector : new String[] {"orb", "sift", "surf"}) {
       for (String f : new String[] {"lin", "svr-rbf", "sr"}) {
         assertTrue(registry.knows("lab:" + detector + "-" + f));
@@ -34,14 +34,14 @@ class LabDetectionsTest {
   }
 
   @Test
-  void supportVectorsComeWithTheModel() {
+  void svrModelHasItsSupportVectors() {
     SvrRbfAbstraction f = assertInstanceOf(SvrRbfAbstraction.class, model("lab:orb-svr-rbf").f());
     assertTrue(f.support().length > 100);
     assertEquals(f, model("lab:sift-svr-rbf").f());
   }
 
   @Test
-  void thresholdsAreWhatTheLinesGiveAtTheReferencesPip() {
+  void labThresholdsAreConfidencesAtTheReferencePip() {
     for (String name : registry.names()) {
       HiFiDetection model = model(name);
       assertEquals(

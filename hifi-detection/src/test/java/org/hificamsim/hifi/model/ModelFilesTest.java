@@ -41,7 +41,7 @@ class ModelFilesTest {
   @TempDir Path folder;
 
   @Test
-  void leavesOutWhatHasADefault() throws IOException {
+  void optionalPropertiesHaveDefaults() throws IOException {
     HiFiDetection model = ModelFiles.read(Files.writeString(folder.resolve("m.json"), SHORTEST));
     assertEquals("mine", model.name());
     assertEquals(new LinearAbstraction(-20, -2, 0.25, 2.5), model.f());
@@ -52,7 +52,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void everyPublishedModelSurvivesTheRoundTrip() throws IOException {
+  void publishedModelsSurviveWritingAndReading() throws IOException {
     int compared = 0;
     for (String name : Features.registered()) {
       if (Features.registry().create(name) instanceof HiFiDetection model) {
@@ -64,7 +64,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void writingWhatWasReadGivesTheSameBytes() throws IOException {
+  void rewritingAFileKeepsItsBytes() throws IOException {
     Path first = folder.resolve("first.json");
     Path second = folder.resolve("second.json");
     ModelFiles.write(ModelFiles.read(Files.writeString(folder.resolve("m.json"), SHORTEST)), first);
@@ -73,7 +73,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void numbersAndRemarksSurviveToTheLastBit() throws IOException {
+  void writesNumbersAndRemarksExactly() throws IOException {
     double third = 1.0 / 3;
     assertRoundTrip(
         new HiFiDetection(
@@ -89,7 +89,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void theScatterSurvivesWhereThereIsOne() throws IOException {
+  void scatterSurvivesWritingAndReading() throws IOException {
     HiFiDetection without = named("m", new LinearAbstraction(1, 2, 3, 4));
     assertRoundTrip(without);
     assertRoundTrip(
@@ -114,7 +114,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void fileHasOnePropertyOnEachLine() throws IOException {
+  void writesEachPropertyOnItsOwnLine() throws IOException {
     Path file = folder.resolve("m.json");
     ModelFiles.write(named("m", new LinearAbstraction(-20, -2, 0.25, 2.5)), file);
     List<String> lines = Files.readAllLines(file);
@@ -123,7 +123,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void writingReplacesAnOlderFileAndLeavesNothingElse() throws IOException {
+  void replacesOlderFileAndLeavesNoOthers() throws IOException {
     Path file = Files.writeString(folder.resolve("m.json"), "older");
     ModelFiles.write(named("m", new LinearAbstraction(1, 2, 3, 4)), file);
     assertEquals("m", ModelFiles.read(file).name());
@@ -131,7 +131,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void readerFindsAWholeModelAtAnyTimeWhileItIsRewritten() throws Exception {
+  void readersNeverSeeAPartlyWrittenFile() throws Exception {
     Path file = folder.resolve("m.json");
     HiFiDetection model = named("m", new LinearAbstraction(1, 2, 3, 4));
     ModelFiles.write(model, file);
@@ -153,7 +153,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void modelThatNoFileMayHoldLeavesTheOlderFile() throws IOException {
+  void rejectedModelLeavesTheOlderFile() throws IOException {
     Path file = Files.writeString(folder.resolve("m.json"), "older");
     LinearAbstraction fine = new LinearAbstraction(1, 2, 3, 4);
     for (HiFiDetection model :
@@ -170,7 +170,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void placeThatCannotBeReadOrWrittenIsReportedInOneLine() {
+  void reportsUnreadableAndUnwritableFilesInOneLine() {
     Path missing = folder.resolve("no/such.json");
     HiFiDetection model = named("m", new LinearAbstraction(1, 2, 3, 4));
     for (InputException e :

@@ -35,7 +35,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Model files of version 2: every shape of g, and what a model was fitted on. */
+/** Tests model files of version 2: every shape of g, and the data that a model was fitted on. */
 class NewerModelFilesTest {
   private static final FittedOn ON =
       new FittedOn(new Span(0.1, 0.66), new Span(1, 10), new Span(0.01, 0.085), 8, 0.02, 1.0 / 3);
@@ -73,7 +73,7 @@ class NewerModelFilesTest {
 
   @ParameterizedTest
   @MethodSource("shapes")
-  void everyShapeSurvivesTheRoundTrip(DetectorModel g) {
+  void everyShapeSurvivesWritingAndReading(DetectorModel g) {
     HiFiDetection model = model("mine", g, Optional.of(ON));
     byte[] bytes = ModelFiles.bytes(model);
     assertEquals(model, ModelFiles.parse("mine", bytes));
@@ -81,7 +81,7 @@ class NewerModelFilesTest {
   }
 
   @Test
-  void modelThatNeedsNothingNewIsWrittenAsBefore() {
+  void writesOldestVersionThatHoldsTheModel() {
     String old = text(model("mine", new DetectorLine(0.6, 0.02), Optional.empty()));
     assertTrue(old.contains("\"version\": 1"), old);
     assertFalse(old.contains("\"type\": \"line\""), old);
@@ -90,7 +90,7 @@ class NewerModelFilesTest {
 
   @ParameterizedTest
   @MethodSource("shapes")
-  void detectsUpToOneDistanceByThresholdAndByChance(DetectorModel g) {
+  void detectionFallsWithDistanceByThresholdAndChance(DetectorModel g) {
     HiFiDetection model = model("mine", g, Optional.empty());
     ZoomLevel zoom = new ZoomLevel(20, 10, 30, Double.NaN, 2 * Math.PI);
     double limit = 0.66 * model.optics().focalLength(zoom) / Math.sqrt(0.02 * 0.0224 * 0.015);
@@ -105,7 +105,7 @@ class NewerModelFilesTest {
   }
 
   @Test
-  void aScatterThatGrowsNeedsVersion3AndComesBack() {
+  void growingScatterSurvivesInVersion3() {
     HiFiDetection one = model("mine", new DetectorLine(0.6, 0.02), Optional.empty());
     HiFiDetection growing =
         new HiFiDetection(
@@ -131,14 +131,14 @@ class NewerModelFilesTest {
   }
 
   @Test
-  void defaultThresholdIsTheConfidenceAtTheReferencesShare() {
+  void defaultThresholdIsTheConfidenceAtTheReferencePip() {
     HiFiDetection model = ModelFiles.parse("m", MODEL.getBytes(StandardCharsets.UTF_8));
     assertEquals(model.g().confidence((0.0441 - 0.026) / 0.571), model.defaultThreshold(), 1e-12);
     assertEquals(0.05, model.fitted().orElseThrow().withinObjects());
   }
 
   @Test
-  void spanHoldsItsEndsDespiteRounding() {
+  void spanContainsItsEndsDespiteRounding() {
     Span span = Span.of(new double[] {0.3, 0.1});
     assertEquals(new Span(0.1, 0.3), span);
     assertTrue(span.contains(0.1 + 0.2) && span.contains(0.1));
@@ -146,14 +146,14 @@ class NewerModelFilesTest {
   }
 
   @Test
-  void oneLengthAloneIsASpanToo() {
+  void spanMayHaveOneLength() {
     String one = MODEL.replace("\"most\": 0.085", "\"most\": 0.01");
     HiFiDetection model = ModelFiles.parse("m", one.getBytes(StandardCharsets.UTF_8));
     assertEquals(new Span(0.01, 0.01), model.fitted().orElseThrow().focalLength());
   }
 
   @Test
-  void isWrittenOnePropertyALineAndOneRowALine() {
+  void writesEachPropertyAndRowOnItsOwnLine() {
     DetectorModel knots = new IsotonicCurve(new double[][] {{0.001, 0.05}, {0.02, 0.2}});
     assertEquals(
         """
@@ -219,7 +219,7 @@ class NewerModelFilesTest {
 
   @ParameterizedTest
   @MethodSource("faults")
-  void faultsAreToldWithPlaceAndValue(String right, String wrong, String message) {
+  void reportsErrorsWithPlaceAndValue(String right, String wrong, String message) {
     byte[] bytes = MODEL.replace(right, wrong).getBytes(StandardCharsets.UTF_8);
     InputException told =
         assertThrows(InputException.class, () -> ModelFiles.parse("m.json", bytes));

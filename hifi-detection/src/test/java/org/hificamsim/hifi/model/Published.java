@@ -7,21 +7,21 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The published tables. */
+/** Reads the published tables. */
 final class Published {
   private static final Path FOLDER =
       Path.of(System.getProperty("hificamsim.root"), "src/test/resources/reference/published");
 
   private Published() {}
 
-  /** The rows of a table, each by column name. */
+  /** Returns the rows of a table, each by column name. */
   static List<Map<String, String>> rows(String table) throws IOException {
     List<String> lines = Files.readAllLines(FOLDER.resolve(table));
     String[] header = lines.get(0).split(",", -1);
     return lines.stream().skip(1).map(line -> row(header, line.split(",", -1))).toList();
   }
 
-  /** The catalogue's spelling of a table's id. */
+  /** Returns the catalogue's spelling of an id of the tables. */
   static String name(String id) {
     return id.replace('_', '-');
   }

@@ -26,12 +26,12 @@ class PublishedModelsTest {
   private static final PublishedModels CATALOGUE = PublishedModels.published();
 
   @Test
-  void isReadOnce() {
+  void readsTheCatalogueOnce() {
     assertSame(CATALOGUE, PublishedModels.published());
   }
 
   @Test
-  void holdsTheLabsCamera() {
+  void holdsTheCameraOfTheLab() {
     assertEquals(new Optics(0.0224, 0.085), CATALOGUE.optics());
   }
 
@@ -46,13 +46,13 @@ class PublishedModelsTest {
     "lin, 0.66, 1, 0.085, -0.2497",
     "lin, 0.10, 10, 0.010, 4.0818",
   })
-  void regressionsGiveTheirEquationsValue(String f, double q, double d, double z, double value) {
+  void regressionsEqualTheirEquations(String f, double q, double d, double z, double value) {
     assertEquals(value, ((LogPipAbstraction) Features.named(f)).negativeLogPip(q, d, z), 1e-12);
   }
 
   @ParameterizedTest
   @CsvSource({"orb, 0.60, 0.02", "sift, 0.75, 0.10", "surf, 0.73, 0.05"})
-  void groundTruthLinesAreEquations52To54(String detector, double slope, double intercept) {
+  void groundTruthLinesEqualEquations52To54(String detector, double slope, double intercept) {
     assertEquals(
         new DetectorLine(slope, intercept),
         CATALOGUE.line(detector, PublishedModels.GROUND_TRUTH).orElseThrow().g());
@@ -66,7 +66,7 @@ class PublishedModelsTest {
   }
 
   @Test
-  void theFileIsReadWholeAndASlipInItIsToldWithItsPlace() throws IOException {
+  void reportsCatalogueErrorsWithLineAndColumn() throws IOException {
     String text = catalogue();
     assertEquals(CATALOGUE, read(text));
     InputException told =
@@ -107,7 +107,7 @@ class PublishedModelsTest {
   }
 
   @Test
-  void literalModelIsTheReferenceLineOnTheResponseRoundedAsPrinted() {
+  void literalModelIsTheReferenceLineOnTheResponse() {
     LinearAbstraction lin = (LinearAbstraction) Features.named("lin");
     DetectorLine orb = CATALOGUE.line("orb", "lin").orElseThrow().g();
     LinearAbstraction literal = CATALOGUE.literal();
@@ -124,14 +124,14 @@ class PublishedModelsTest {
   }
 
   @Test
-  void powerLawSaysThatItWasNotMeasured() {
+  void provenanceOfPowerLawSaysNotMeasured() {
     Map<String, String> remarks = Features.feature("power").provenance().remarks();
     assertTrue(remarks.get("source").contains("not measured"));
     assertEquals("profile fit", remarks.get("replaced by"));
   }
 
   @Test
-  void thresholdsAreEveryLinesConfidenceAtTheReferencesPip() {
+  void thresholdsAreConfidencesAtTheReferencePip() {
     double pip = (0.0441 - 0.026) / 0.571;
     assertEquals(0.0441, CATALOGUE.threshold(new DetectorLine(0.571, 0.026)));
     for (PublishedModels.Line line : CATALOGUE.lines()) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What Table 6.1's scatter makes of Table 6.1's lines. */
+/** Tests detection by chance with the lines and scatter of Table 6.1. */
 class PublishedScatterTest {
   private static final Registry<DetectionModel> MODELS = new Registry<>("detection");
 
@@ -28,7 +28,7 @@ class PublishedScatterTest {
     return Detection.by(DetectionRule.parse("chance:alpha=" + alpha), name, MODELS.create(name));
   }
 
-  /** The share of the image at which half of the targets are detected. */
+  /** Returns the PIP at which half of the targets are detected. */
   @ParameterizedTest
   @CsvSource({
     "orb-lin, .1555, .2130",
@@ -41,8 +41,7 @@ class PublishedScatterTest {
     "surf-svr-rbf, .1804, .2471",
     "surf-sr, .1220, .1671",
   })
-  void halfOfTheTargetsAreDetectedAtAShareOfTheImageThatDependsOnTheDetector(
-      String name, double atFivePercent, double atOnePercent) {
+  void pipOfEvenChanceDependsOnTheDetector(String name, double atFivePercent, double atOnePercent) {
     String line = "hifi:" + (name.endsWith("svr-rbf") ? name.replace("svr-rbf", "lin") : name);
     PublishedModels catalogue = PublishedModels.published();
     int dash = name.indexOf('-');
@@ -71,7 +70,7 @@ class PublishedScatterTest {
   }
 
   @Test
-  void theDetectorsOfOneAbstractionAreThreeAndNotOne() {
+  void detectorsOfOneAbstractionDetectDifferently() {
     ZoomLevel zoom = new ZoomLevel(3.75, 2.5, 7.5, Double.NaN, 2 * Math.PI);
     double orb = chance("hifi:orb-lin", zoom);
     double sift = chance("hifi:sift-lin", zoom);
@@ -87,7 +86,7 @@ class PublishedScatterTest {
   }
 
   @Test
-  void allModelsThatWereFittedHaveTheirScatter() {
+  void fittedModelsHaveScatter() {
     for (String name : MODELS.names()) {
       if (!name.equals("hifi-literal")) {
         assertTrue(MODELS.create(name).scatter().isPresent(), name);

@@ -30,7 +30,7 @@ class OpticsTest {
   }
 
   @Property
-  void zoomLevelOfKnownHeightTakesTheHeight(
+  void focalLengthFollowsFromAKnownHeight(
       @ForAll @Scale(9) @DoubleRange(min = 0.1, max = 20) double radius,
       @ForAll @Scale(9) @DoubleRange(min = 0.5, max = 50) double mountHeight) {
     double focalLength = LAB.focalLength(new ZoomLevel(radius, 0.1, 20, mountHeight, Math.PI));
@@ -38,14 +38,14 @@ class OpticsTest {
   }
 
   @Test
-  void zoomLevelOfUnknownHeightStartsFromTheLongestFocalLength() {
+  void narrowestLevelOfUnknownHeightHasLongestFocalLength() {
     assertEquals(0.085, LAB.focalLength(level(2.5)));
     assertEquals(0.0425, LAB.focalLength(level(5)), 1e-17);
     assertEquals(0.085 / 3, LAB.focalLength(level(7.5)), 1e-17);
   }
 
   @Test
-  void unknownHeightIsTheHeightAtWhichTheNarrowestLevelHasTheLongestFocalLength() {
+  void unknownHeightEqualsHeightOfLongestFocalLength() {
     double height = LAB.mountHeight(2.5, 0.085);
     assertEquals(2 * 2.5 * 0.085 / 0.0224, height, 1e-13);
     for (double radius : new double[] {2.5, 3.75, 5, 6.25, 7.5}) {
@@ -55,13 +55,13 @@ class OpticsTest {
   }
 
   @Test
-  void aLensGivesTheFocalLengthWithItsAngleOfViewOnThisSensor() {
+  void lensDeterminesFocalLengthByItsAngleOfView() {
     ZoomLevel lens = new ZoomLevel(30, 10, 30, 8, Math.PI / 2, LAB.angleOfView(0.035), 1920);
     assertEquals(0.035, LAB.focalLength(lens), 1e-17);
   }
 
   @Test
-  void radiusZeroTakesTheLongestFocalLength() {
+  void radiusZeroHasTheLongestFocalLength() {
     assertEquals(0.085, LAB.focalLength(new ZoomLevel(0, 0, 5, Double.NaN, Math.PI)));
     assertEquals(0.085, LAB.focalLength(new ZoomLevel(0, 0, 5, 8, Math.PI)));
   }
