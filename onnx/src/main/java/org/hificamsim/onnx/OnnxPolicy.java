@@ -13,8 +13,9 @@ import org.hificamsim.worlds.Masks;
 import org.hificamsim.worlds.PlayedPolicy;
 
 /**
- * A policy that was trained elsewhere: {@code onnx:FILE}. Each camera does what the network in the
- * file values most among what the camera may do; all cameras are asked in one call.
+ * A policy that was trained elsewhere, {@code onnx:FILE}. Each camera takes the allowed action to
+ * which the network in the file gives the highest value. One call values the actions of all
+ * cameras.
  */
 public final class OnnxPolicy implements ZoomPolicy {
   private static final String EXPECTED = "expected a trained network: onnx:FILE";
@@ -85,7 +86,10 @@ public final class OnnxPolicy implements ZoomPolicy {
     observer.observe(network, observations);
   }
 
-  /** For each number of each action the allowed one of the highest value, the first of equals. */
+  /**
+   * Sets each component of each action to the allowed choice of the highest value; the first one
+   * wins a tie.
+   */
   private void choose(byte[] allowed) {
     int from = 0;
     for (int i = 0; i < actions.length; i++) {

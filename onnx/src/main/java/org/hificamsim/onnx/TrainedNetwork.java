@@ -24,39 +24,40 @@ import org.hificamsim.core.Texts;
 import org.hificamsim.worlds.ActionKind;
 
 /**
- * A network in an ONNX file: observations in, one row for each camera, and a value for each choice
- * out. The same for all runs of a process, and safe to ask from several threads.
+ * A network in an ONNX file, which maps the observation of each camera (one row each) to a value
+ * for each choice. All runs of a process share it; thread-safe.
  */
 final class TrainedNetwork {
   private static final Map<Path, TrainedNetwork> OPENED = new HashMap<>();
 
   /**
-   * What a trained network was trained with. The file says it in its metadata, under {@code
-   * targets}, {@code neighbours} and {@code actions}; what is missing there is what environments
-   * have by default. Whether it was trained with heights is seen by the width of its input.
+   * The observations and actions that a network was trained with. They are in the metadata of the
+   * file as {@code targets}, {@code neighbours} and {@code actions}; missing entries have the
+   * defaults of the environments. The width of the input tells whether observations contain
+   * heights.
    */
   record Conventions(ObservationLayout layout, ActionKind actions) {
     static Conventions of(Map<String, String> metadata, NodeInfo input) {
-      ObservationLayout usual = ObservationLayout.DEFAULT;
-      int targets = number(metadata, "targets", usual.targets());
-      int neighbours = number(metadata, "neighbours", usual.neighbours());
-      ObservationLayout high = new ObservationLayout(targets, neighbours, true);
+      ObservationLayout defaults = ObservationLayout.DEFAULT;
+      int targets = number(metadata, "targets", defaults.targets());
+      int neighbours = number(metadata, "neighbours", defaults.neighbours());
+      ObservationLayout withHeights = new ObservationLayout(targets, neighbours, true);
       boolean heights =
           input.getInfo() instanceof TensorInfo tensor
               && tensor.getShape().length == 2
-              && tensor.getShape()[1] == high.size();
+              && tensor.getShape()[1] == withHeights.size();
       return new Conventions(
-          heights ? high : new ObservationLayout(targets, neighbours, false),
+          heights ? withHeights : new ObservationLayout(targets, neighbours, false),
           Spelling.require(
               ActionKind.class,
               "its metadata actions",
               metadata.getOrDefault("actions", Spelling.of(ActionKind.VIEW))));
     }
 
-    private static int number(Map<String, String> metadata, String key, int otherwise) {
+    private static int number(Map<String, String> metadata, String key, int defaultValue) {
       String text = metadata.get(key);
       try {
-        return text == null ? otherwise : Integer.parseInt(text);
+        return text == null ? defaultValue : Integer.parseInt(text);
       } catch (NumberFormatException e) {
         throw new InputException(
             "its metadata " + key + " is '" + text + "', expected a whole number", e);
@@ -72,9 +73,9 @@ final class TrainedNetwork {
   private final NodeInfo output;
 
   /**
-   * The network of a file, opened again when its content has changed.
+   * Returns the network of a file, which is opened again if its content has changed.
    *
-   * @throws InputException when it cannot be read, or is no such network
+   * @throws InputException when the file cannot be read or is not such a network
    */
   static TrainedNetwork of(Path file) {
     byte[] content = read(file);
@@ -115,19 +116,22 @@ final class TrainedNetwork {
     } catch (OrtException e) {
       throw InputException.of(
               "%s is no network that ONNX Runtime knows, expected a trained one: %s",
-              file, firstLine(e))
+              file, reason(e))
           .because(e);
     } catch (InputException e) {
       throw new InputException(file + ": " + e.getMessage(), e);
     }
   }
 
-  /** Silent: what is wrong is reported by who asks. */
+  /** Returns the environment with logging turned off, since callers report errors themselves. */
   private static OrtEnvironment environment() {
     return OrtEnvironment.getEnvironment(OrtLoggingLevel.ORT_LOGGING_LEVEL_FATAL, "hificamsim");
   }
 
-  /** Sums are then added up in the same order everywhere; runs are what is done side by side. */
+  /**
+   * Returns options for one thread, so that sums are added in the same order everywhere. Runs, not
+   * networks, are computed in parallel.
+   */
   private static OrtSession.SessionOptions oneThread() throws OrtException {
     OrtSession.SessionOptions options = new OrtSession.SessionOptions();
     options.setIntraOpNumThreads(1);
@@ -136,9 +140,10 @@ final class TrainedNetwork {
     return options;
   }
 
-  private static String firstLine(OrtException e) {
+  /** Returns the first line of a message without its place in the source of ONNX Runtime. */
+  private static String reason(OrtException e) {
     String line = e.getMessage().lines().findFirst().orElse("");
-    return line.replaceFirst(".*(message|initialization|\\.cc:\\d+):? ", ""); // where in its code
+    return line.replaceFirst(".*(message|initialization|\\.cc:\\d+):? ", "");
   }
 
   private static NodeInfo only(String what, Collection<NodeInfo> nodes) {
@@ -153,19 +158,19 @@ final class TrainedNetwork {
   }
 
   /**
-   * Checks that it is for these cameras.
+   * Checks that the network fits these cameras.
    *
-   * @param width how many values are wanted for each
-   * @throws InputException when it is for others
+   * @param width the number of values needed for each camera
+   * @throws InputException when the network has other shapes
    */
   void requireShapes(int cameras, int width) {
     int numbers = conventions.layout().size();
-    require("input", input, cameras, numbers, "the numbers of an observation of " + of());
+    require("input", input, cameras, numbers, "the numbers of an observation of " + layoutText());
     String what = "values for the choices of a camera (actions=" + actions() + ")";
     require("output", output, cameras, width, what);
   }
 
-  private String of() {
+  private String layoutText() {
     return Texts.format(
         "%s targets and %s neighbours",
         conventions.layout().targets(), conventions.layout().neighbours());
@@ -180,8 +185,8 @@ final class TrainedNetwork {
         node.getInfo() instanceof TensorInfo tensor
             && tensor.type == OnnxJavaType.FLOAT
             && tensor.getShape().length == 2
-            && isOrOpen(tensor.getShape()[0], cameras)
-            && isOrOpen(tensor.getShape()[1], width);
+            && fits(tensor.getShape()[0], cameras)
+            && fits(tensor.getShape()[1], width);
     if (!fits) {
       throw new InputException(
           file
@@ -193,7 +198,8 @@ final class TrainedNetwork {
     }
   }
 
-  private static boolean isOrOpen(long length, int wanted) {
+  /** Whether a dimension has the wanted length or, if negative, any. */
+  private static boolean fits(long length, int wanted) {
     return length == wanted || length < 0;
   }
 
@@ -210,29 +216,29 @@ final class TrainedNetwork {
   }
 
   /**
-   * Values the choices of all cameras.
+   * Computes the value of each choice of each camera.
    *
    * @param observations one row for each camera
    * @param values receives one row for each camera
-   * @throws InputException when the network fails, or a value is no number
+   * @throws InputException when the network fails or a value is NaN
    */
   void value(int cameras, float[] observations, float[] values) {
     long[] shape = {cameras, observations.length / cameras};
-    try (OnnxTensor given =
+    try (OnnxTensor input =
             OnnxTensor.createTensor(environment(), FloatBuffer.wrap(observations), shape);
-        OrtSession.Result result = session.run(Map.of(input.getName(), given))) {
-      take(((OnnxTensor) result.get(0)).getFloatBuffer(), values);
+        OrtSession.Result result = session.run(Map.of(this.input.getName(), input))) {
+      copy(((OnnxTensor) result.get(0)).getFloatBuffer(), values);
     } catch (OrtException e) {
-      throw new InputException(file + " fails: " + firstLine(e), e);
+      throw new InputException(file + " fails: " + reason(e), e);
     }
   }
 
-  private void take(FloatBuffer found, float[] values) {
-    if (found.remaining() != values.length) {
+  private void copy(FloatBuffer output, float[] values) {
+    if (output.remaining() != values.length) {
       throw InputException.of(
-          "%s gives %s values, expected %s", file, found.remaining(), values.length);
+          "%s gives %s values, expected %s", file, output.remaining(), values.length);
     }
-    found.get(values);
+    output.get(values);
     for (float value : values) {
       if (Float.isNaN(value)) {
         throw new InputException(file + " gives NaN, expected numbers");

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Trained policies on the command line. */
+/** Runs trained policies from the command line. */
 class OnnxCommandTest {
   private static final Path CORRIDOR =
       Path.of(System.getProperty("hificamsim.root"), "scenarios", "corridor.xml");
@@ -34,9 +34,9 @@ class OnnxCommandTest {
   private final StringWriter errors = new StringWriter();
 
   private int run(Object... words) {
-    PrintWriter nowhere = new PrintWriter(new StringWriter());
+    PrintWriter ignoredOutput = new PrintWriter(new StringWriter());
     String[] args = Arrays.stream(words).map(Object::toString).toArray(String[]::new);
-    return Main.execute(nowhere, new PrintWriter(errors, true), args);
+    return Main.execute(ignoredOutput, new PrintWriter(errors, true), args);
   }
 
   private int compare(String policies, Path out, Object... more) {
@@ -58,7 +58,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void isComparedLikeAnyPolicyOnAnyNumberOfThreads() throws IOException {
+  void comparesTheSameOnAnyNumberOfThreads() throws IOException {
     String policies = "random,onnx:" + Shipped.file("linear.onnx");
     assertEquals(0, compare(policies, folder.resolve("a"), "--threads", 1), errors::toString);
     assertEquals(0, compare(policies, folder.resolve("b"), "--threads", 4), errors::toString);
@@ -68,7 +68,7 @@ class OnnxCommandTest {
   }
 
   @Test
-  void aFolderOfResultsHasTheFile() throws IOException {
+  void resultFolderContainsTheNetwork() throws IOException {
     Path out = folder.resolve("out");
     assertEquals(
         0,
@@ -93,15 +93,15 @@ class OnnxCommandTest {
   }
 
   @Test
-  void aNameWithAnEqualsSignNeedsTheKey() throws IOException {
-    Path odd = Files.createDirectories(folder.resolve("lr=0.1:b")).resolve("p.onnx");
-    Files.copy(Shipped.file("linear.onnx"), odd);
-    assertEquals(0, compare("onnx:file=" + odd, folder.resolve("c")), errors::toString);
-    assertRefused("onnx:" + odd, "unknown option");
+  void fileNameWithEqualsSignNeedsTheKey() throws IOException {
+    Path file = Files.createDirectories(folder.resolve("lr=0.1:b")).resolve("p.onnx");
+    Files.copy(Shipped.file("linear.onnx"), file);
+    assertEquals(0, compare("onnx:file=" + file, folder.resolve("c")), errors::toString);
+    assertRejected("onnx:" + file, "unknown option");
   }
 
   @Test
-  void theKeyOfARunHasTheContentOfTheFile() throws IOException {
+  void runKeyDependsOnTheFilesContent() throws IOException {
     Path file = folder.resolve("p.onnx");
     Files.copy(Shipped.file("linear.onnx"), file);
     RunKey before = key("onnx:" + file);
@@ -111,7 +111,8 @@ class OnnxCommandTest {
     assertNotEquals(before, key("onnx:" + file));
     assertTrue(key("onnx:" + file).changed(before).orElseThrow().contains("p.onnx"));
     assertEquals(random, key("random"));
-    assertFalse(random.text().contains("onnx"), "others do not depend on it");
+    assertFalse(
+        random.text().contains("onnx"), "the keys of other policies must not depend on the file");
   }
 
   @ParameterizedTest
@@ -126,34 +127,36 @@ class OnnxCommandTest {
         "make_linear.py | is no network that ONNX Runtime knows",
         "missing.onnx | missing.onnx cannot be read, expected a trained network",
       })
-  void whatIsNoPolicyOfTheseCamerasIsRefusedInOneLine(String name, String expected) {
-    Path beside = Shipped.file("linear.onnx").resolveSibling(name);
-    assertRefused("onnx:" + beside, expected);
+  void rejectsUnsuitableNetworksInOneLine(String name, String expected) {
+    Path network = Shipped.file("linear.onnx").resolveSibling(name);
+    assertRejected("onnx:" + network, expected);
   }
 
   @Test
-  void aTruncatedFileIsRefused() throws IOException {
-    byte[] whole = Files.readAllBytes(Shipped.file("linear.onnx"));
-    Path half = Files.write(folder.resolve("half.onnx"), Arrays.copyOf(whole, whole.length / 2));
-    assertRefused("onnx:" + half, "is no network that ONNX Runtime knows");
+  void rejectsTruncatedFile() throws IOException {
+    byte[] content = Files.readAllBytes(Shipped.file("linear.onnx"));
+    Path truncated =
+        Files.write(folder.resolve("half.onnx"), Arrays.copyOf(content, content.length / 2));
+    assertRejected("onnx:" + truncated, "is no network that ONNX Runtime knows");
   }
 
   @Test
-  void ofWhatOnnxRuntimeSaysOnlyTheReasonIsRepeated() throws IOException {
+  void repeatsOnlyTheReasonOfOnnxRuntimeErrors() throws IOException {
     byte[] damaged = Files.readAllBytes(Shipped.file("linear.onnx"));
-    damaged[11_540] ^= 0x40; // the length of its bias
+    int biasLength = 11_540;
+    damaged[biasLength] ^= 0x40;
     Path file = Files.write(folder.resolve("damaged.onnx"), damaged);
-    assertRefused(
+    assertRejected(
         "onnx:" + file, "expected a trained one: CopyLittleEndian source and destination buffer");
   }
 
   @Test
-  void thereMustBeAFile() {
-    assertRefused("onnx", "no file, expected a trained network: onnx:FILE");
-    assertRefused("onnx:" + folder, "cannot be read");
+  void rejectsMissingFile() {
+    assertRejected("onnx", "no file, expected a trained network: onnx:FILE");
+    assertRejected("onnx:" + folder, "cannot be read");
   }
 
-  private void assertRefused(String policy, String expected) {
+  private void assertRejected(String policy, String expected) {
     errors.getBuffer().setLength(0);
     Path out = folder.resolve("refused");
     assertEquals(2, compare(policy, out), errors::toString);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.observation.CameraObserver;
@@ -18,14 +19,14 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** The choices of a linear layer, beside those computed by hand. */
+/** Compares the choices of a linear layer with those computed by hand. */
 class OnnxPolicyTest {
   private static final int STEPS = 300;
 
   @Test
-  void choosesTheViewOfTheHighestValueAmongThoseThatTheCameraHas() {
-    ByHand views =
-        new ByHand("linear.onnx", ObservationLayout.DEFAULT, 65) {
+  void choosesTheCamerasViewOfHighestValue() {
+    ExpectedChoices views =
+        new ExpectedChoices("linear.onnx", ObservationLayout.DEFAULT, 65) {
           @Override
           int expected(NetworkView network, int camera, float[] observation) {
             return best(observation, 0, network.views(camera), view -> true);
@@ -37,9 +38,9 @@ class OnnxPolicyTest {
   }
 
   @Test
-  void stepsFromWhereItIsWithTheObservationThatTheFileSays() {
-    ByHand steps =
-        new ByHand("steps.onnx", new ObservationLayout(3, 1, false), 6) {
+  void stepsFromTheCurrentViewUsingTheFilesLayout() {
+    ExpectedChoices steps =
+        new ExpectedChoices("steps.onnx", new ObservationLayout(3, 1, false), 6) {
           @Override
           int expected(NetworkView network, int camera, float[] observation) {
             int zooms = network.zooms(camera);
@@ -55,7 +56,7 @@ class OnnxPolicyTest {
         };
     run(steps);
     assertTrue(steps.decisions > 100, steps.decisions + " decisions");
-    assertTrue(steps.moves > 0, "it moves");
+    assertTrue(steps.moves > 0, "no camera moved");
   }
 
   private static void run(ZoomPolicy policy) {
@@ -67,13 +68,13 @@ class OnnxPolicyTest {
     new Simulation(world, detection, policy, 7, List.of()).run(STEPS);
   }
 
-  /** Which choices there are. */
-  private interface Allowed {
-    boolean is(int choice);
+  /** Decides which choices are allowed. */
+  private interface ChoiceFilter {
+    boolean test(int choice);
   }
 
-  /** Asks the policy, and computes beside it what it is to say. */
-  private abstract static class ByHand implements ZoomPolicy {
+  /** Runs the policy and checks each of its choices against a computed one. */
+  private abstract static class ExpectedChoices implements ZoomPolicy {
     private final OnnxPolicy policy;
     private final ObservationLayout layout;
     private final int width;
@@ -81,7 +82,7 @@ class OnnxPolicyTest {
     int decisions;
     int moves;
 
-    ByHand(String name, ObservationLayout layout, int width) {
+    ExpectedChoices(String name, ObservationLayout layout, int width) {
       this.layout = layout;
       this.width = width;
       policy = (OnnxPolicy) Catalogue.load().policies().create("onnx:" + Shipped.file(name));
@@ -102,31 +103,31 @@ class OnnxPolicyTest {
     @Override
     public void decide(NetworkView network, int[] views) {
       observer = observer == null ? new CameraObserver(network, layout) : observer;
-      float[] all = new float[views.length * layout.size()];
-      observer.observe(network, all);
+      float[] observations = new float[views.length * layout.size()];
+      observer.observe(network, observations);
       policy.decide(network, views);
       for (int camera = 0; camera < views.length; camera++) {
-        float[] one = new float[layout.size()];
-        System.arraycopy(all, camera * one.length, one, 0, one.length);
+        int start = camera * layout.size();
+        float[] observation = Arrays.copyOfRange(observations, start, start + layout.size());
         boolean free = !network.moving(camera);
-        int expected = free ? expected(network, camera, one) : network.view(camera);
+        int expected = free ? expected(network, camera, observation) : network.view(camera);
         assertEquals(expected, views[camera], "camera " + camera + " at step " + network.step());
         decisions += free ? 1 : 0;
         moves += views[camera] != network.view(camera) ? 1 : 0;
       }
     }
 
-    /** The first choice of the highest value; values begin at {@code from} among all outputs. */
-    int best(float[] observation, int from, int count, Allowed allowed) {
+    /** Returns the first allowed choice of the highest value; its values start at {@code from}. */
+    int best(float[] observation, int from, int count, ChoiceFilter allowed) {
       int best = -1;
       for (int i = 0; i < count; i++) {
         boolean better = best < 0 || value(observation, from + i) > value(observation, from + best);
-        best = allowed.is(i) && better ? i : best;
+        best = allowed.test(i) && better ? i : best;
       }
       return best;
     }
 
-    /** The layer of make_linear.py. */
+    /** Computes output j of the layer in make_linear.py. */
     private double value(float[] observation, int j) {
       assertTrue(j < width);
       double sum = (j * 5 % 7 - 3) / 8.0;

@@ -3,7 +3,7 @@ package org.hificamsim.onnx;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
 
-/** The networks of the tests, made by make_linear.py. */
+/** Finds the test networks, which make_linear.py has written. */
 final class Shipped {
   private Shipped() {}
 
