@@ -22,18 +22,22 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * Reads a CSV table (UTF-8; unpacked where its name ends in {@code .gz}) row by row, so that a
- * table of any size takes little memory. Empty lines are left out.
+ * Reads a CSV table in UTF-8 row by row, so that a table of any size takes little memory. A file
+ * whose name ends in {@code .gz} is decompressed. Empty lines are skipped.
  */
 public final class CsvReader implements Closeable {
   private static final CsvFactory FACTORY =
       CsvFactory.builder().enable(CsvParser.Feature.WRAP_AS_ARRAY).build();
-  private static final int FIRST_LINE = 1 << 16; // bytes in which a separator is looked for
-  private static final long MAX_CHARACTERS = 256L << 20; // of a table that is read as a whole
+
+  /** The first line has to end within this many bytes for its separator to be found. */
+  private static final int MAX_FIRST_LINE_BYTES = 1 << 16;
+
+  /** The size limit of a table that is kept in memory. */
+  private static final long MAX_CHARACTERS = 256L << 20;
 
   private final Path file;
   private final String expected;
-  private final boolean plain;
+  private final boolean verbatim;
   private final char separator;
   private final CsvParser parser;
   private final List<String> texts = new ArrayList<>();
@@ -41,13 +45,13 @@ public final class CsvReader implements Closeable {
   private Map<String, Integer> columns = Map.of();
   private int width;
 
-  private CsvReader(Path file, String expected, boolean plain) {
+  private CsvReader(Path file, String expected, boolean verbatim) {
     this.file = file;
     this.expected = expected;
-    this.plain = plain;
+    this.verbatim = verbatim;
     try {
-      InputStream in = new BufferedInputStream(TextLines.stream(file), FIRST_LINE);
-      separator = plain ? ',' : separator(in);
+      InputStream in = new BufferedInputStream(TextLines.stream(file), MAX_FIRST_LINE_BYTES);
+      separator = verbatim ? ',' : separator(in);
       parser = FACTORY.createParser(in);
       parser.setSchema(CsvSchema.emptySchema().withColumnSeparator(separator));
     } catch (IOException e) {
@@ -56,9 +60,9 @@ public final class CsvReader implements Closeable {
   }
 
   /**
-   * Opens a table from anywhere: between commas, semicolons or tabs, whichever its first line has
-   * most of. Blanks around a value do not count; between semicolons numbers may have a decimal
-   * comma.
+   * Opens a table whose cells are separated by commas, semicolons or tabs, whichever is most
+   * frequent in its first line. Blanks around values are removed. With semicolons, numbers may have
+   * a decimal comma.
    *
    * @param expected what kind of table it has to be, in error lines
    * @throws InputException when it is missing or cannot be read
@@ -68,22 +72,22 @@ public final class CsvReader implements Closeable {
   }
 
   /**
-   * Opens a table between commas, whose values are taken as they are.
+   * Opens a table whose cells are separated by commas, and keeps blanks around values.
    *
    * @param expected what kind of table it has to be, in error lines
    * @throws InputException when it is missing or cannot be read
    */
-  public static CsvReader betweenCommas(Path file, String expected) {
+  public static CsvReader openCommaSeparated(Path file, String expected) {
     return new CsvReader(file, expected, true);
   }
 
   private static char separator(InputStream in) throws IOException {
-    in.mark(FIRST_LINE);
-    byte[] start = in.readNBytes(FIRST_LINE);
+    in.mark(MAX_FIRST_LINE_BYTES);
+    byte[] start = in.readNBytes(MAX_FIRST_LINE_BYTES);
     in.reset();
     char best = ',';
-    for (char one : new char[] {';', '\t'}) {
-      best = count(start, one) > count(start, best) ? one : best;
+    for (char candidate : new char[] {';', '\t'}) {
+      best = count(start, candidate) > count(start, best) ? candidate : best;
     }
     return best;
   }
@@ -97,9 +101,9 @@ public final class CsvReader implements Closeable {
   }
 
   /**
-   * Reads the first row; all others must have as many cells then.
+   * Reads the first row; all other rows must have the same number of cells.
    *
-   * @throws InputException when there is none
+   * @throws InputException when the table is empty
    */
   public CsvRow first() {
     CsvRow first = next();
@@ -111,10 +115,11 @@ public final class CsvReader implements Closeable {
   }
 
   /**
-   * Reads the first row as the names of the columns; all others must have as many cells then.
+   * Reads the first row as the names of the columns; all other rows must have the same number of
+   * cells.
    *
-   * @param required names that have to be among them
-   * @throws InputException when there is no such row, or one is missing
+   * @param required names of the columns that the table must have
+   * @throws InputException when the table is empty or a required column is missing
    */
   public List<String> header(List<String> required) {
     CsvRow names = first();
@@ -132,9 +137,10 @@ public final class CsvReader implements Closeable {
   }
 
   /**
-   * The next row, or null at the end.
+   * Returns the next row, or null at the end.
    *
-   * @throws InputException when it is no row, or has another number of cells than the first
+   * @throws InputException when the row is malformed or its number of cells differs from the first
+   *     row
    */
   public CsvRow next() {
     do {
@@ -151,7 +157,7 @@ public final class CsvReader implements Closeable {
     return row;
   }
 
-  /** Reads a row; false where there is none. */
+  /** Reads a row into {@code texts}; returns false at the end of the table. */
   private boolean read() {
     texts.clear();
     try {
@@ -179,7 +185,7 @@ public final class CsvReader implements Closeable {
       places = Arrays.copyOf(places, 2 * places.length);
     }
     places[texts.size()] = place;
-    texts.add(plain ? text : text.strip());
+    texts.add(verbatim ? text : text.strip());
   }
 
   private static long place(JsonLocation location) {
@@ -189,36 +195,36 @@ public final class CsvReader implements Closeable {
   }
 
   /**
-   * Hands over all rows that are left, one by one.
+   * Passes each remaining row to {@code consumer}.
    *
-   * @throws InputException when one is wrong
+   * @throws InputException when a row is malformed
    */
-  public void each(Consumer<CsvRow> taker) {
+  public void forEachRow(Consumer<CsvRow> consumer) {
     for (CsvRow row = next(); row != null; row = next()) {
-      taker.accept(row);
+      consumer.accept(row);
     }
   }
 
   /**
-   * The whole table, then closed.
+   * Reads the whole table and closes it.
    *
-   * @param required names of columns that it has to have
-   * @throws InputException when a row is wrong, or the table is too big to be kept
+   * @param required names of the columns that the table must have
+   * @throws InputException when a row is malformed or the table is larger than 256 MiB
    */
-  public CsvRows all(List<String> required) {
+  public CsvRows readAll(List<String> required) {
     try (this) {
       List<String> names = header(required);
       List<CsvRow> rows = new ArrayList<>();
-      each(
+      forEachRow(
           row -> {
             rows.add(row);
-            requireRoom();
+            requireFitsMemory();
           });
       return new CsvRows(file, names, rows);
     }
   }
 
-  private void requireRoom() {
+  private void requireFitsMemory() {
     if (parser.currentLocation().getCharOffset() > MAX_CHARACTERS) {
       throw start().error("the table is too big, expected at most 256 MiB");
     }
@@ -228,7 +234,7 @@ public final class CsvReader implements Closeable {
     return file.toString();
   }
 
-  /** A number with the decimal point that Java knows. */
+  /** Returns the text of a number with a decimal point instead of a decimal comma. */
   String number(String text) {
     return separator == ';' ? text.replace(',', '.') : text;
   }

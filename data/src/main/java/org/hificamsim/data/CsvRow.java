@@ -9,13 +9,16 @@ import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.core.file.Fields;
 
 /**
- * A row of a CSV table, whose cells know their place, by number and by the name of their column.
+ * A row of a CSV table. Cells are found by index or column name, and errors name their line and
+ * column.
  */
 public final class CsvRow implements Fields {
   private final CsvReader table;
   private final Map<String, Integer> columns;
   private final String[] texts;
-  private final long[] places; // the line of a cell, then its column
+
+  /** The place of each cell, packed by {@link #place(int, int)}. */
+  private final long[] places;
 
   CsvRow(CsvReader table, Map<String, Integer> columns, String[] texts, long[] places) {
     this.table = table;
@@ -24,7 +27,7 @@ public final class CsvRow implements Fields {
     this.places = places;
   }
 
-  /** A cell's place as one number. */
+  /** Packs a line and a column into one number. */
   static long place(int line, int column) {
     return (long) line << Integer.SIZE | column;
   }
@@ -50,12 +53,12 @@ public final class CsvRow implements Fields {
     return new Place(table.file(), (int) (place >> Integer.SIZE), (int) place);
   }
 
-  /** The texts of all cells. */
+  /** Returns the texts of all cells. */
   public List<String> texts() {
     return Arrays.asList(texts);
   }
 
-  /** The line on which it begins, from 1. */
+  /** Returns the line on which the row begins, from 1. */
   public int line() {
     return place(0).line();
   }
@@ -65,29 +68,29 @@ public final class CsvRow implements Fields {
     return columns.containsKey(column);
   }
 
-  /** The text in a column that the table has. */
+  /** Returns the text in a column, which the table must have. */
   public String text(String column) {
     return texts[columns.get(column)];
   }
 
-  /** Where the cell in a column begins. */
+  /** Returns the place where the cell in a column begins. */
   public Place place(String column) {
     return place(columns.get(column));
   }
 
   /**
-   * The finite number in a column, from {@code least} to {@code most}.
+   * Returns the number in a column, from {@code least} to {@code most}.
    *
-   * @throws InputException when it is none
+   * @throws InputException when the cell is not a number in that range
    */
   public double number(String column, double least, double most, String expected) {
     return number(columns.get(column), column, expected, value -> value >= least && value <= most);
   }
 
   /**
-   * Any number in a column, NaN where the cell is empty.
+   * Returns the number in a column, or NaN if the cell is empty.
    *
-   * @throws InputException when it is none
+   * @throws InputException when the cell is neither empty nor a number
    */
   public double numberOrNaN(String column) {
     String text = table.number(text(column));
@@ -98,7 +101,7 @@ public final class CsvRow implements Fields {
     }
   }
 
-  /** The fault of the cell in a column. */
+  /** Returns the error for the cell in a column. */
   public InputException invalid(String column, String expected) {
     return invalid(columns.get(column), column, expected);
   }

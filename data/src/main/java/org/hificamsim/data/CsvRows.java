@@ -7,6 +7,6 @@ import java.util.List;
  * A whole CSV table.
  *
  * @param columns the names in its first row
- * @param rows the others
+ * @param rows the rows after the first
  */
 public record CsvRows(Path file, List<String> columns, List<CsvRow> rows) {}

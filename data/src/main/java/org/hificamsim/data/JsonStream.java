@@ -21,11 +21,11 @@ import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * JSON token by token; faults have their place. NaN and the infinities are read as numbers, so that
- * callers can refuse them by name.
+ * Reads JSON token by token and reports errors with their line and column. NaN and the infinities
+ * are read as numbers, so that callers can reject them with the name of the property.
  */
 public final class JsonStream implements Closeable {
-  private static final JsonFactory ANY_SIZE =
+  private static final JsonFactory UNBOUNDED =
       JsonFactory.builder().enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
   private static final JsonFactory BOUNDED =
       JsonFactory.builder()
@@ -48,18 +48,19 @@ public final class JsonStream implements Closeable {
   }
 
   /**
-   * Opens a file of any size, unpacked where its name ends in {@code .gz}.
+   * Opens a file of any size; one whose name ends in {@code .gz} is decompressed.
    *
    * @throws InputException when it is missing or cannot be read
    */
   public static JsonStream open(Path path) {
-    return new JsonStream(path.toString(), ANY_SIZE, TextLines.stream(path));
+    return new JsonStream(path.toString(), UNBOUNDED, TextLines.stream(path));
   }
 
   /**
-   * Text that is to be kept as a whole: bounded, not deep, each property of an object once.
+   * Opens a text whose values are all kept in memory: limits its size and depth, and rejects
+   * duplicate properties.
    *
-   * @param file its name in error lines
+   * @param file the name of the file in error messages
    */
   public static JsonStream bounded(String file, byte[] text) {
     return new JsonStream(file, BOUNDED, new ByteArrayInputStream(text));
@@ -69,8 +70,8 @@ public final class JsonStream implements Closeable {
     try {
       return reading.get();
     } catch (JsonProcessingException e) {
-      JsonLocation at = e.getLocation() == null ? parser.currentLocation() : e.getLocation();
-      throw new InputException(place(at).line(problem(e)), e);
+      JsonLocation location = e.getLocation() == null ? parser.currentLocation() : e.getLocation();
+      throw new InputException(place(location).line(problem(e)), e);
     } catch (IOException e) {
       throw TextLines.unreadable(file, place().line(), e);
     }
@@ -88,11 +89,11 @@ public final class JsonStream implements Closeable {
   }
 
   /**
-   * Reads an object that was begun.
+   * Reads the object that the last token began.
    *
-   * @param expected what it has to be, in error lines
-   * @param property takes the name of each property, whose value is then being read; what it leaves
-   *     of that is passed over
+   * @param expected what the value has to be, for error messages
+   * @param property receives the name of each property and reads its value; what it does not read
+   *     of an object or array is skipped
    */
   public void object(String expected, Consumer<String> property) {
     require(JsonToken.START_OBJECT, expected);
@@ -105,10 +106,10 @@ public final class JsonStream implements Closeable {
   }
 
   /**
-   * Reads an array that was begun.
+   * Reads the array that the last token began.
    *
-   * @param expected what it has to be, in error lines
-   * @param item is called for each value; what it leaves of that is passed over
+   * @param expected what the value has to be, for error messages
+   * @param item reads each value; what it does not read of an object or array is skipped
    */
   public void array(String expected, Runnable item) {
     require(JsonToken.START_ARRAY, expected);
@@ -124,32 +125,35 @@ public final class JsonStream implements Closeable {
     }
   }
 
-  /** Whether an object or array was begun. */
+  /** Whether the last token began an object or array. */
   public boolean isBegun() {
     return token() == JsonToken.START_OBJECT || token() == JsonToken.START_ARRAY;
   }
 
-  /** Whether the next token begins the next property of an object, whose name is then the text. */
+  /**
+   * Moves to the next property of an object and returns whether there is one; {@link #text} is then
+   * its name.
+   */
   public boolean nextProperty() {
     return next() != JsonToken.END_OBJECT;
   }
 
-  /** The name of the property that was begun, or the text of the value that was read. */
+  /** Returns the name of the current property, or the text of the value that was read last. */
   public String text() {
     return read(parser::getText);
   }
 
-  /** The token that was read last. */
+  /** Returns the token that was read last. */
   public JsonToken token() {
     return parser.currentToken();
   }
 
-  /** Leaves out the rest of an object or array that was begun. */
+  /** Skips the rest of the object or array that the last token began. */
   public void skip() {
     read(parser::skipChildren);
   }
 
-  /** The number that was read last: at most 1e9 in size. */
+  /** Returns the number that was read last; its absolute value must be at most 1e9. */
   public double coordinate(String name) {
     double value = number(name);
     if (Math.abs(value) > 1e9) {
@@ -158,7 +162,7 @@ public final class JsonStream implements Closeable {
     return value;
   }
 
-  /** The finite number that was read last. */
+  /** Returns the number that was read last, which must be finite. */
   public double number(String name) {
     double value = value();
     if (!Double.isFinite(value)) {
@@ -167,23 +171,23 @@ public final class JsonStream implements Closeable {
     return value;
   }
 
-  /** The number that was read last; NaN where it is none. */
+  /** Returns the number that was read last; NaN if the token is not a number. */
   public double value() {
     boolean number = parser.currentToken() != null && parser.currentToken().isNumeric();
     return number ? read(parser::getDoubleValue) : Double.NaN;
   }
 
-  /** The fault of the value that was read last. */
+  /** Returns the error for the value that was read last. */
   public InputException invalid(String name, String expected) {
     return place().invalid(name, text(), expected);
   }
 
-  /** A fault at the token that was read last. */
+  /** Returns an error at the token that was read last. */
   public InputException error(String problem) {
     return place().error(problem);
   }
 
-  /** Where the token that was read last begins. */
+  /** Returns the place where the token that was read last begins. */
   public Place place() {
     return place(parser.currentTokenLocation());
   }

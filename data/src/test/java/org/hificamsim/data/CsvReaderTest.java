@@ -29,119 +29,123 @@ class CsvReaderTest {
   @TempDir Path folder;
 
   @Test
-  void rowsComeOneByOneAndKnowTheirCellsByColumn() {
-    CsvRows whole = open("b,a,c\n1,2,x\n3,4,\"y,\"\"z\"\n").all(COLUMNS);
-    assertEquals(List.of("b", "a", "c"), whole.columns());
-    assertEquals(2, whole.rows().size());
-    CsvRow last = whole.rows().get(1);
+  void findsCellsByColumnName() {
+    CsvRows table = open("b,a,c\n1,2,x\n3,4,\"y,\"\"z\"\n").readAll(COLUMNS);
+    assertEquals(List.of("b", "a", "c"), table.columns());
+    assertEquals(2, table.rows().size());
+    CsvRow last = table.rows().get(1);
     assertEquals(3, last.line());
     assertEquals(List.of("3", "4", "y,\"z"), last.texts());
     assertEquals(4, last.number("a", 0, 4, "at most 4"));
     assertTrue(last.has("c"));
     assertFalse(last.has("d"));
-    fault(":3:3: a is '4', expected at most 3", () -> last.number("a", 0, 3, "at most 3"));
-    fault(":3:5: c is 'y,\"z', expected a number", () -> last.numberOrNaN("c"));
+    assertError(":3:3: a is '4', expected at most 3", () -> last.number("a", 0, 3, "at most 3"));
+    assertError(":3:5: c is 'y,\"z', expected a number", () -> last.numberOrNaN("c"));
   }
 
   @Test
-  void anEmptyCellHasNoNumber() {
-    CsvRow row = open("a,b\n,1\n").all(COLUMNS).rows().get(0);
+  void emptyCellIsNotANumber() {
+    CsvRow row = open("a,b\n,1\n").readAll(COLUMNS).rows().get(0);
     assertEquals(Double.NaN, row.numberOrNaN("a"));
-    fault(":2:1: a is '', expected 0 to 1", () -> row.number("a", 0, 1, "0 to 1"));
+    assertError(":2:1: a is '', expected 0 to 1", () -> row.number("a", 0, 1, "0 to 1"));
   }
 
   @Test
-  void blanksAroundValuesAndEmptyLinesDoNotCount() {
-    CsvRows table = open(" a ,b\r\n\n  \n\t1 x , \n\n").all(COLUMNS);
+  void ignoresBlanksAroundValuesAndEmptyLines() {
+    CsvRows table = open(" a ,b\r\n\n  \n\t1 x , \n\n").readAll(COLUMNS);
     assertEquals(List.of("1 x", ""), table.rows().get(0).texts());
     assertEquals(4, table.rows().get(0).line());
     assertEquals(1, table.rows().size());
   }
 
   @Test
-  void betweenCommasValuesAreTakenAsTheyAre() {
-    CsvRows table = CsvReader.betweenCommas(file(" a;,b\n x,1 \n"), EXPECTED).all(List.of("b"));
+  void keepsBlanksInCommaSeparatedTables() {
+    CsvRows table =
+        CsvReader.openCommaSeparated(file(" a;,b\n x,1 \n"), EXPECTED).readAll(List.of("b"));
     assertEquals(List.of(" a;", "b"), table.columns());
     assertEquals(List.of(" x", "1 "), table.rows().get(0).texts());
   }
 
   @Test
-  void spreadsheetsMayWriteSemicolonsDecimalCommasAndAMark() {
-    CsvRow row = open("\ufeffa;b\n1,5;-2,25e1\n").all(COLUMNS).rows().get(0);
+  void readsSemicolonsDecimalCommasAndByteOrderMark() {
+    CsvRow row = open("\ufeffa;b\n1,5;-2,25e1\n").readAll(COLUMNS).rows().get(0);
     assertEquals(1.5, row.number("a", 0, 2, "0 to 2"));
     assertEquals(-22.5, row.numberOrNaN("b"));
     assertEquals(1.5, row.coordinate(0, "a"));
   }
 
   @Test
-  void tabsSeparateToo() {
+  void readsTabSeparatedTables() {
     assertEquals(
-        List.of("1", "", "2"), open("a\tb\tc\n1\t\t2\n").all(COLUMNS).rows().get(0).texts());
+        List.of("1", "", "2"), open("a\tb\tc\n1\t\t2\n").readAll(COLUMNS).rows().get(0).texts());
   }
 
   @Test
-  void withoutAHeaderRowsMayHaveAnyLength() {
+  void rowsMayDifferInLengthWithoutHeader() {
     try (CsvReader table = open("1,2\n3\n")) {
       assertEquals(2, table.next().count());
       CsvRow last = table.next();
       assertEquals(3, last.number(0, "x"));
-      fault(":2:1: the line has no y, expected a finite number", () -> last.number(1, "y"));
+      assertError(":2:1: the line has no y, expected a finite number", () -> last.number(1, "y"));
       assertNull(table.next());
     }
   }
 
   @Test
-  void aTableWithoutRowsHasColumns() {
-    CsvRows table = open("a,b\n").all(COLUMNS);
+  void readsTableWithColumnsButNoRows() {
+    CsvRows table = open("a,b\n").readAll(COLUMNS);
     assertEquals(COLUMNS, table.columns());
     assertEquals(List.of(), table.rows());
   }
 
   @Test
-  void whatIsNoTableIsRefusedWithItsPlace() {
-    fault(":1:1: the table is empty, expected " + EXPECTED, () -> open("\n").all(COLUMNS));
-    fault(":1:1: the columns are a,c, expected a,b among them", () -> open("a,c\n").all(COLUMNS));
-    fault(":3:1: the row has 1 cells, expected 2", () -> open("a,b\n1,2\n3\n").all(COLUMNS));
+  void rejectsMalformedTablesWithLineAndColumn() {
+    assertError(
+        ":1:1: the table is empty, expected " + EXPECTED, () -> open("\n").readAll(COLUMNS));
+    assertError(
+        ":1:1: the columns are a,c, expected a,b among them", () -> open("a,c\n").readAll(COLUMNS));
+    assertError(
+        ":3:1: the row has 1 cells, expected 2", () -> open("a,b\n1,2\n3\n").readAll(COLUMNS));
     InputException open =
-        assertThrows(InputException.class, () -> open("a,b\n1,2\n\"3,4\n").all(COLUMNS));
+        assertThrows(InputException.class, () -> open("a,b\n1,2\n\"3,4\n").readAll(COLUMNS));
     assertTrue(open.getMessage().endsWith(", expected " + EXPECTED), open.getMessage());
     assertTrue(open.getMessage().startsWith(folder.resolve("t.csv") + ":"), open.getMessage());
   }
 
   @Test
-  void whatIsNoFileIsRefused() {
+  void rejectsMissingFile() {
     Path missing = folder.resolve("missing.csv");
-    InputException refused =
+    InputException error =
         assertThrows(InputException.class, () -> CsvReader.open(missing, EXPECTED));
-    assertEquals(missing + ":1:1: no such file, expected a file", refused.getMessage());
+    assertEquals(missing + ":1:1: no such file, expected a file", error.getMessage());
   }
 
   @Test
-  void aCompressedTableThatIsCutOffIsRefused() throws IOException {
+  void rejectsTruncatedCompressedTable() throws IOException {
     StringBuilder text = new StringBuilder("a,b\n");
     SplittableRandom random = new SplittableRandom(1);
     for (int row = 0; row < 10_000; row++) {
       text.append(random.nextInt()).append(',').append(random.nextInt()).append('\n');
     }
-    ByteArrayOutputStream packed = new ByteArrayOutputStream();
-    try (OutputStream out = new GZIPOutputStream(packed)) {
+    ByteArrayOutputStream compressed = new ByteArrayOutputStream();
+    try (OutputStream out = new GZIPOutputStream(compressed)) {
       out.write(text.toString().getBytes(StandardCharsets.UTF_8));
     }
     Path file = folder.resolve("t.csv.gz");
-    Files.write(file, Arrays.copyOf(packed.toByteArray(), packed.size() / 2));
+    Files.write(file, Arrays.copyOf(compressed.toByteArray(), compressed.size() / 2));
     List<CsvRow> rows = new ArrayList<>();
     try (CsvReader table = CsvReader.open(file, EXPECTED)) {
-      InputException refused = assertThrows(InputException.class, () -> table.each(rows::add));
-      assertTrue(refused.getMessage().endsWith(", expected " + EXPECTED), refused.getMessage());
+      InputException error = assertThrows(InputException.class, () -> table.forEachRow(rows::add));
+      assertTrue(error.getMessage().endsWith(", expected " + EXPECTED), error.getMessage());
     }
     assertTrue(rows.size() > 1000, "rows before the end: " + rows.size());
     Files.writeString(file, "a,b\n1,2\n");
     assertThrows(InputException.class, () -> CsvReader.open(file, EXPECTED));
   }
 
-  private void fault(String message, Executable read) {
-    InputException refused = assertThrows(InputException.class, read);
-    assertEquals(folder.resolve("t.csv") + message, refused.getMessage());
+  private void assertError(String message, Executable read) {
+    InputException error = assertThrows(InputException.class, read);
+    assertEquals(folder.resolve("t.csv") + message, error.getMessage());
   }
 
   private CsvReader open(String text) {

@@ -79,7 +79,7 @@ public record CameraKind(String name, OpticsSpec optics, double price) {
 
   private static List<CameraKind> read(Path file) {
     List<CameraKind> kinds = new ArrayList<>();
-    for (CsvRow row : CsvReader.open(file, "a catalogue of cameras").all(COLUMNS).rows()) {
+    for (CsvRow row : CsvReader.open(file, "a catalogue of cameras").readAll(COLUMNS).rows()) {
       String name = row.text("name");
       if (name.isBlank() || kinds.stream().anyMatch(kind -> kind.name.equals(name))) {
         throw row.invalid("name", "a name that no other camera has");

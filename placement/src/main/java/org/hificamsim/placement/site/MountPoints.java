@@ -84,7 +84,8 @@ public final class MountPoints {
    */
   public static List<Point> read(Path file, Scenario site, List<Zone> forbidden) {
     MountPoints mounts = new MountPoints(site, forbidden);
-    for (CsvRow row : CsvReader.open(file, "a table of x and y").all(List.of("x", "y")).rows()) {
+    for (CsvRow row :
+        CsvReader.open(file, "a table of x and y").readAll(List.of("x", "y")).rows()) {
       double x = row.number("x", -MAX_COORDINATE, MAX_COORDINATE, "a number");
       double y = row.number("y", -MAX_COORDINATE, MAX_COORDINATE, "a number");
       if (!mounts.add(x, y) && !mounts.points.contains(new Point(x, y))) {

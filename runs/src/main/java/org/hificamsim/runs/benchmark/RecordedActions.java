@@ -62,7 +62,7 @@ final class RecordedActions {
     List<String> columns = columns(benchmark, task);
     int steps = benchmark.task(task).steps();
     List<int[][]> episodes = new ArrayList<>();
-    try (CsvReader reader = CsvReader.betweenCommas(file, "actions of 'benchmark run'")) {
+    try (CsvReader reader = CsvReader.openCommaSeparated(file, "actions of 'benchmark run'")) {
       if (!reader.header(columns).equals(columns)) {
         throw InputException.of("%s: other columns, expected %s", file, String.join(",", columns));
       }

@@ -148,7 +148,7 @@ public record Table<R>(String file, List<Column<R>> columns) {
    * @throws org.hificamsim.core.InputException when the table is missing, broken or lacks a column
    */
   public CsvRows read(Path folder) {
-    return reader(folder).all(required());
+    return reader(folder).readAll(required());
   }
 
   /**
@@ -160,12 +160,12 @@ public record Table<R>(String file, List<Column<R>> columns) {
   public void read(Path folder, Consumer<CsvRow> taker) {
     try (CsvReader reader = reader(folder)) {
       reader.header(required());
-      reader.each(taker);
+      reader.forEachRow(taker);
     }
   }
 
   private CsvReader reader(Path folder) {
-    return CsvReader.betweenCommas(
+    return CsvReader.openCommaSeparated(
         new ResultFolder(folder).file(file), "a table that 'hificamsim' writes");
   }
 

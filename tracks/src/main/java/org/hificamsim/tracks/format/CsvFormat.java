@@ -43,7 +43,7 @@ final class CsvFormat implements TrackFormat {
       if (byNumber) {
         samples.accept(sample(first));
       }
-      table.each(row -> samples.accept(sample(row)));
+      table.forEachRow(row -> samples.accept(sample(row)));
     }
     return clock;
   }

@@ -68,9 +68,9 @@ public final class MotFile {
    */
   public static void read(Path file, Consumer<Row> rows) {
     try (CsvReader table =
-        CsvReader.betweenCommas(file, "rows of frame,id,left,top,width,height")) {
+        CsvReader.openCommaSeparated(file, "rows of frame,id,left,top,width,height")) {
       int[] columns = {0}; // 0 before the first row
-      table.each(
+      table.forEachRow(
           row -> {
             if (!row.text(0).startsWith("#")) {
               columns[0] = columns[0] == 0 ? Math.max(BOX_COLUMNS, row.count()) : columns[0];

@@ -41,7 +41,7 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
   public static MateEpisode replay(Path file) {
     Obstacles obstacles = obstacles(file);
     try (CsvReader table =
-        CsvReader.betweenCommas(file, "poses of a MATE episode: c0_x,...,t0_x,t0_y,...")) {
+        CsvReader.openCommaSeparated(file, "poses of a MATE episode: c0_x,...,t0_x,t0_y,...")) {
       List<String> columns = table.header(List.of("c0_x", "t0_x"));
       List<List<String>> cameras = names(columns, "c", CAMERA_COLUMNS);
       List<List<String>> targets = names(columns, "t", CAMERA_COLUMNS.subList(0, 2));
@@ -64,9 +64,10 @@ public record MateEpisode(int steps, int cameras, int targets, double coverage) 
     String name = file.getFileName().toString().replaceFirst("\\.csv(\\.gz)?$", "");
     Path obstacleFile = file.resolveSibling(name + ".obstacles.csv");
     List<Obstacle> discs = new ArrayList<>();
-    try (CsvReader table = CsvReader.betweenCommas(obstacleFile, "obstacles of a MATE episode")) {
+    try (CsvReader table =
+        CsvReader.openCommaSeparated(obstacleFile, "obstacles of a MATE episode")) {
       table.header(List.of("x", "y", "radius"));
-      table.each(
+      table.forEachRow(
           row ->
               discs.add(
                   new Obstacle.Pillar(
