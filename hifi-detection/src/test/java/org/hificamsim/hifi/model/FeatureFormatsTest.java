@@ -46,7 +46,7 @@ class FeatureFormatsTest {
     ModelFiles.write(model, copy);
     assertEquals(model, ModelFiles.read(copy));
     assertTrue(
-        Files.readAllLines(copy).stream().anyMatch(l -> l.contains("[0.1,1.0,0.01,-0.25]")),
+        Files.readAllLines(copy).stream().anyMatch(line -> line.contains("[0.1,1.0,0.01,-0.25]")),
         Files.readString(copy));
   }
 
