@@ -96,7 +96,7 @@ final class FitCommand implements Callable<Integer> {
   private List<Measurement> measurements(PhotoCamera camera) {
     return confidences == null
         ? MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME))
-        : MeasurementsFile.own(confidences, camera);
+        : MeasurementsFile.readUserTable(confidences, camera);
   }
 
   private void print(FitResult result, int models) {
@@ -104,13 +104,13 @@ final class FitCommand implements Callable<Integer> {
     List<FittedModel> fittedModels = FittedModel.all(result);
     PrintWriter err = spec.commandLine().getErr();
     fittedModels.stream()
-        .filter(model -> model.fit().refused())
+        .filter(model -> model.fit().rejected())
         .forEach(model -> err.println("warning: " + model.refusal()));
     int width = fittedModels.stream().mapToInt(model -> model.name().length()).max().orElse(0);
     String column = "%-" + Math.max(MIN_WIDTH, width) + "s";
     out.printf(column + " %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
     fittedModels.stream()
-        .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
+        .filter(model -> !model.fit().rejected() && !model.onMeasuredPip())
         .forEach(model -> out.println(row(column, model)));
     Recommendation.all(result).forEach(recommendation -> out.println(recommendation.sentence()));
     out.println(Recommendation.lens(result));

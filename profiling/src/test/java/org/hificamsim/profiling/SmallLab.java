@@ -19,7 +19,7 @@ public final class SmallLab {
 
   private SmallLab() {}
 
-  /** Settings with the defaults' imperfections. */
+  /** Settings with the default imperfections. */
   public static LabSettings settings(
       long seed, double scale, List<Double> focalLengths, List<Double> distances, int objects) {
     return new LabSettings(
@@ -32,7 +32,7 @@ public final class SmallLab {
         new LabSettings.Scene(4, 0.08, 0.08, 48));
   }
 
-  /** Puts it into a folder. */
+  /** Copies the laboratory into a folder. */
   public static synchronized Dataset render(Path folder) {
     try {
       if (FILES.isEmpty()) {

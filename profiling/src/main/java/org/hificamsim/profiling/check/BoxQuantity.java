@@ -4,11 +4,11 @@ import java.util.function.ToDoubleFunction;
 import org.hificamsim.profiling.check.Calibration.Size;
 
 /** A quantity of a box that is compared. */
-@SuppressWarnings("ImmutableEnumChecker") // without state
+@SuppressWarnings("ImmutableEnumChecker") // the lambdas have no state
 enum BoxQuantity {
-  /** In pixels. */
+  /** The height in pixels. */
   HEIGHT(Size::height),
-  /** The share of the picture that the box fills; as a relative error that of its area. */
+  /** The share of the picture that the box fills; its relative error is that of the area. */
   PIP(Size::area);
 
   private final ToDoubleFunction<Size> value;

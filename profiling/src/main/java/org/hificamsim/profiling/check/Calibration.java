@@ -14,16 +14,16 @@ import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.MatrixFile;
 
 /**
- * What is known of a real camera: which point of the world is where in its picture. The world is in
- * metres, its ground at z = 0 and its z upwards. Without distortion (u w, v w, w) = A (x, y, z) +
- * shift; Hartley and Zisserman, Multiple View Geometry (2004), 6.2: A is K R, and its last row, of
- * length 1, is the view's axis.
+ * The calibration of a real camera, which maps points of the world to its picture. The world is in
+ * metres; the ground is at z = 0 and z points upwards. Without distortion (u w, v w, w) = A (x, y,
+ * z) + shift; Hartley and Zisserman, Multiple View Geometry (2004), 6.2: A is K R, and its last
+ * row, of length 1, is the optical axis.
  *
  * @param across the first row of A
  * @param down the second row
  * @param along the third row: the direction that the camera looks in
- * @param lens what bends the picture
- * @param picture its size, pixels
+ * @param lens the distortion of the lens
+ * @param picture the size of the picture, pixels
  */
 public record Calibration(
     Vector3D across, Vector3D down, Vector3D along, Vector3D shift, Lens lens, Size picture) {
@@ -33,27 +33,29 @@ public record Calibration(
    * The lens and the sensor by Tsai's method (R. Tsai, IEEE J. Robotics and Automation 3(4), 1987)
    * with one coefficient of radial distortion.
    *
-   * @param focal length, millimetres
-   * @param kappa1 of radial distortion, per square millimetre: r (1 + kappa1 r^2) is where a
-   *     pinhole would have had what the lens puts at r
+   * @param focal the focal length, millimetres
+   * @param kappa1 the radial distortion, per square millimetre: what the lens shows at radius r, a
+   *     pinhole would show at r (1 + kappa1 r^2)
    * @param dpx width of a pixel, millimetres
    * @param dpy height of a pixel, millimetres
-   * @param sx what the width has to be multiplied by
-   * @param cx the picture's centre, pixels
-   * @param cy the picture's centre, pixels
+   * @param sx the horizontal scale factor
+   * @param cx the column of the picture's centre, pixels
+   * @param cy the row of the picture's centre, pixels
    */
   record Lens(
       double focal, double kappa1, double dpx, double dpy, double sx, double cx, double cy) {
     private static final Lens STRAIGHT = new Lens(1, 0, 1, 1, 1, 0, 0);
-    private static final int STEPS = 30; // Newton's method needs some five
 
-    /** Where the lens puts what a pinhole has at a pixel; NaN where it puts it nowhere. */
+    /** Newton's method usually needs about five steps. */
+    private static final int MAX_NEWTON_STEPS = 30;
+
+    /** Returns where the lens shows what a pinhole shows at a pixel; NaN if it does not show it. */
     Pixel bent(Pixel pinhole) {
       double radius = Math.hypot(right(pinhole), below(pinhole));
       return moved(pinhole, radius == 0 ? 1 : distorted(radius) / radius);
     }
 
-    /** Where a pinhole has what the lens puts at a pixel. */
+    /** Returns where a pinhole shows what the lens shows at a pixel. */
     Pixel straight(Pixel pixel) {
       double radius = Math.hypot(right(pixel), below(pixel));
       return moved(pixel, 1 + kappa1 * radius * radius);
@@ -71,10 +73,10 @@ public record Calibration(
       return new Pixel(cx + (pixel.u() - cx) * factor, cy + (pixel.v() - cy) * factor);
     }
 
-    /** The radius on the sensor of what a pinhole has at this one; NaN where the lens has none. */
+    /** Returns the radius at which the lens shows what a pinhole shows at this one; NaN if none. */
     private double distorted(double pinhole) {
       double r = pinhole;
-      for (int i = 0; i < STEPS; i++) {
+      for (int i = 0; i < MAX_NEWTON_STEPS; i++) {
         r -= (r * (1 + kappa1 * r * r) - pinhole) / (1 + 3 * kappa1 * r * r);
       }
       boolean found = Math.abs(r * (1 + kappa1 * r * r) - pinhole) <= 1e-9 * pinhole;
@@ -89,10 +91,10 @@ public record Calibration(
    * @param v pixels down from its upper edge
    */
   record Pixel(double u, double v) {
-    /** Nowhere in any picture. */
+    /** The place of a point that the picture does not show. */
     private static final Pixel NONE = new Pixel(Double.NaN, Double.NaN);
 
-    /** How far another place is, pixels. */
+    /** Returns the distance to another place, pixels. */
     double distance(Pixel other) {
       return Math.hypot(u - other.u, v - other.v);
     }
@@ -114,18 +116,18 @@ public record Calibration(
    * Reads a calibration: XML by Tsai's method, as the PETS recordings have it, or a matrix of three
    * rows and four columns.
    *
-   * @param unit of the calibration's world; where nobody says, millimetres for XML and metres for a
-   *     matrix
-   * @param said the picture's size that somebody says, which a matrix does not
-   * @throws InputException with its place, when something is wrong or missing
+   * @param unit the unit of the calibration's world; by default millimetres for XML and metres for
+   *     a matrix
+   * @param givenSize the size of the picture; required for a matrix, which does not contain it
+   * @throws InputException with line and column, when the file is wrong or incomplete
    */
-  public static Calibration read(Path file, Optional<Unit> unit, Optional<Size> said) {
+  public static Calibration read(Path file, Optional<Unit> unit, Optional<Size> givenSize) {
     if (isXml(file)) {
-      return new TsaiFile().read(file, unit.orElse(Unit.MM).metres(), said);
+      return new TsaiFile().read(file, unit.orElse(Unit.MM).metres(), givenSize);
     }
     double[] rows = MatrixFile.read(file, 3, 4, "three rows of four numbers");
     Size picture =
-        said.orElseThrow(
+        givenSize.orElseThrow(
             () ->
                 InputException.of(
                     "%s: a matrix does not say how large the picture is, expected %s",
@@ -151,9 +153,9 @@ public record Calibration(
   /**
    * A camera without distortion.
    *
-   * @param p its matrix, row by row, in any scale; 12 numbers
-   * @param metres of a unit of its world
-   * @throws InputException when it is no camera's
+   * @param p the camera matrix, row by row, in any scale; 12 numbers
+   * @param metres the length of a unit of its world, metres
+   * @throws InputException when the matrix is singular
    */
   static Calibration matrix(double[] p, double metres, Size picture) {
     Vector3D first = new Vector3D(p[0], p[1], p[2]);
@@ -177,36 +179,36 @@ public record Calibration(
   }
 
   /**
-   * A camera by Tsai's method: x before it = R x + T, with R = Rz Ry Rx.
+   * Returns a camera by Tsai's method: its coordinates of x are R x + T, with R = Rz Ry Rx.
    *
-   * @param turn rx, ry and rz, radians
+   * @param angles rx, ry and rz, radians
    * @param shift T, metres
    */
-  static Calibration tsai(Vector3D turn, Vector3D shift, Lens lens, Size picture) {
+  static Calibration tsai(Vector3D angles, Vector3D shift, Lens lens, Size picture) {
     double[][] r =
         new Rotation(
                 RotationOrder.ZYX,
                 RotationConvention.VECTOR_OPERATOR,
-                turn.getZ(),
-                turn.getY(),
-                turn.getX())
+                angles.getZ(),
+                angles.getY(),
+                angles.getX())
             .getMatrix();
-    double wide = lens.focal() * lens.sx() / lens.dpx();
-    double high = lens.focal() / lens.dpy();
+    double horizontalFocal = lens.focal() * lens.sx() / lens.dpx();
+    double verticalFocal = lens.focal() / lens.dpy();
     Vector3D along = new Vector3D(r[2]);
     return new Calibration(
-        new Vector3D(wide, new Vector3D(r[0]), lens.cx(), along),
-        new Vector3D(high, new Vector3D(r[1]), lens.cy(), along),
+        new Vector3D(horizontalFocal, new Vector3D(r[0]), lens.cx(), along),
+        new Vector3D(verticalFocal, new Vector3D(r[1]), lens.cy(), along),
         along,
         new Vector3D(
-            wide * shift.getX() + lens.cx() * shift.getZ(),
-            high * shift.getY() + lens.cy() * shift.getZ(),
+            horizontalFocal * shift.getX() + lens.cx() * shift.getZ(),
+            verticalFocal * shift.getY() + lens.cy() * shift.getZ(),
             shift.getZ()),
         lens,
         picture);
   }
 
-  /** The v for which A v is a vector (Cramer's rule). */
+  /** Solves A v = right for v (Cramer's rule). */
   private Vector3D solve(Vector3D right) {
     double determinant = across.dotProduct(down.crossProduct(along));
     return down.crossProduct(along)
@@ -216,7 +218,7 @@ public record Calibration(
         .scalarMultiply(1 / determinant);
   }
 
-  /** Where a point is in the picture; NaN behind the camera. */
+  /** Returns where a point is in the picture; NaN if it is behind the camera. */
   Pixel project(Vector3D point) {
     double w = along.dotProduct(point) + shift.getZ();
     return w > 0
@@ -227,17 +229,17 @@ public record Calibration(
         : Pixel.NONE;
   }
 
-  /** Where the camera is. */
+  /** Returns the position of the camera. */
   Vector3D position() {
     return solve(shift.negate());
   }
 
-  /** The focal length in pixels, upright, whatever the principal point. */
+  /** Returns the vertical focal length in pixels, which does not depend on the principal point. */
   double focalLength() {
     return down.crossProduct(along).getNorm();
   }
 
-  /** The point of the ground that is seen at a pixel; NaN where that is above the horizon. */
+  /** Returns the point of the ground at a pixel; NaN above the horizon. */
   Vector3D ground(Pixel pixel) {
     Pixel straight = lens.straight(pixel);
     Vector3D ray = solve(new Vector3D(straight.u(), straight.v(), 1));

@@ -21,12 +21,12 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.profiling.dataset.TableLayout;
 
-/** What a check leaves: a row per box, a row per rung and distance, and a picture. */
+/** Writes the results of a check: a row per box, a row per rung and distance, and a picture. */
 public final class CheckFolder {
-  /** The errors, over all and by distance. */
+  /** The table of errors, overall and by distance. */
   public static final String REALITY = "reality.csv";
 
-  /** The errors over distance, a picture. */
+  /** The picture of errors over distance, without its ending. */
   public static final String PICTURE = "reality";
 
   private static final TableLayout<ErrorSummary> SUMMARIES =
@@ -36,9 +36,9 @@ public final class CheckFolder {
           .with("distance_from", ErrorSummary::from)
           .with("distance_to", ErrorSummary::to)
           .with("boxes", ErrorSummary::boxes)
-          .with("median_error", one -> rounded(6, one.median()))
-          .with("error_90", one -> rounded(6, one.ninety()))
-          .with("bias", one -> rounded(6, one.bias()));
+          .with("median_error", summary -> rounded(6, summary.median()))
+          .with("error_90", summary -> rounded(6, summary.ninety()))
+          .with("bias", summary -> rounded(6, summary.bias()));
 
   private static final Map<SizeModel, Color> COLORS =
       new EnumMap<>(Map.of(SizeModel.FLAT, Palette.BLUE, SizeModel.CALIBRATION, Palette.ORANGE));
@@ -52,23 +52,23 @@ public final class CheckFolder {
   private static TableLayout<BoxComparison> boxes(RealityCheck check) {
     TableLayout<BoxComparison> layout =
         new TableLayout<BoxComparison>()
-            .with("frame", one -> (long) one.sighting().box().frame())
-            .with("target", one -> one.sighting().box().target())
-            .with("x", one -> rounded(4, one.sighting().foot().getX()))
-            .with("y", one -> rounded(4, one.sighting().foot().getY()))
-            .with("distance", one -> rounded(4, one.distance()))
-            .with("foot_error", one -> rounded(2, one.footError()));
+            .with("frame", box -> (long) box.sighting().box().frame())
+            .with("target", box -> box.sighting().box().target())
+            .with("x", box -> rounded(4, box.sighting().foot().getX()))
+            .with("y", box -> rounded(4, box.sighting().foot().getY()))
+            .with("distance", box -> rounded(4, box.distance()))
+            .with("foot_error", box -> rounded(2, box.footError()));
     sizes(layout, "height", size -> rounded(2, size.height()));
     sizes(layout, "pip", size -> rounded(8, check.pip(size)));
     return layout;
   }
 
-  /** Something of a box as it was measured, and as each rung predicts it. */
+  /** Adds a column of a measured quantity, and one of its prediction by each rung. */
   private static void sizes(
-      TableLayout<BoxComparison> layout, String name, Function<Size, Object> of) {
-    layout.with(name, one -> of.apply(one.sighting().size()));
+      TableLayout<BoxComparison> layout, String name, Function<Size, Object> quantity) {
+    layout.with(name, box -> quantity.apply(box.sighting().size()));
     for (SizeModel rung : SizeModel.values()) {
-      layout.with(name + "_" + Spelling.of(rung), one -> of.apply(one.predicted().get(rung)));
+      layout.with(name + "_" + Spelling.of(rung), box -> quantity.apply(box.predicted().get(rung)));
     }
   }
 
@@ -79,20 +79,21 @@ public final class CheckFolder {
   /** Writes the files, all or none. */
   public static void write(Path path, RealityCheck check) throws IOException {
     try (OutputFolder folder = new OutputFolder(path)) {
-      List<ErrorSummary> all = new ArrayList<>(check.overall());
-      all.addAll(check.byDistance());
-      folder.write(REALITY, SUMMARIES.csv(all));
+      List<ErrorSummary> summaries = new ArrayList<>(check.overall());
+      summaries.addAll(check.byDistance());
+      folder.write(REALITY, SUMMARIES.csv(summaries));
       folder.write("boxes.csv", boxes(check).csv(check.comparisons()));
       FigureFile.write(folder, PICTURE, figure(check));
       folder.commit(List.of());
     }
   }
 
-  /** Errors over distance: a point for each box, and the bias of each band as a line. */
+  /** Draws errors over distance: a point for each box, and a line for the bias of the bands. */
   private static Figure figure(RealityCheck check) {
     List<LegendEntry> legend = new ArrayList<>();
     COLORS.forEach(
-        (rung, c) -> legend.add(new LegendEntry(Spelling.of(rung), c, LegendEntry.Mark.DOT)));
+        (rung, color) ->
+            legend.add(new LegendEntry(Spelling.of(rung), color, LegendEntry.Mark.DOT)));
     return new Figure(
         "Predicted against measured, " + check.boxes() + " boxes",
         "A point for each box, and the bias by distance as a line.",
@@ -115,18 +116,18 @@ public final class CheckFolder {
     COLORS.forEach(
         (rung, color) ->
             panel.dots(
-                Curve.of(shown, BoxComparison::distance, one -> 100 * one.error(rung, quantity)),
+                Curve.of(shown, BoxComparison::distance, box -> 100 * box.error(rung, quantity)),
                 Palette.pale(color, 0.27)));
     COLORS.forEach(
         (rung, color) ->
             panel.straight(
                 Curve.of(
                     check.byDistance().stream()
-                        .filter(one -> one.rung().equals(Spelling.of(rung)))
-                        .filter(one -> one.quantity().equals(Spelling.of(quantity)))
+                        .filter(band -> band.rung().equals(Spelling.of(rung)))
+                        .filter(band -> band.quantity().equals(Spelling.of(quantity)))
                         .toList(),
-                    one -> (one.from() + one.to()) / 2,
-                    one -> 100 * one.bias()),
+                    band -> (band.from() + band.to()) / 2,
+                    band -> 100 * band.bias()),
                 color.darker()));
     return panel;
   }

@@ -10,7 +10,7 @@ import org.hificamsim.core.Spelling;
  * @param from the least distance of the band, metres
  * @param to the distance at which the next band begins, metres
  * @param boxes the number of boxes
- * @param median of the absolute errors
+ * @param median the median of the absolute errors
  * @param ninety the absolute error that nine in ten boxes do not exceed
  * @param bias the mean error; above 0 if the predictions are too large
  */

@@ -9,46 +9,49 @@ import org.hificamsim.profiling.check.Calibration.Pixel;
 import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.tracks.format.MotFile;
 
-/** The boxes of a MOT file that can be compared, and how many cannot. */
+/**
+ * The boxes of a MOT file that can be compared with predictions, and the numbers of those that
+ * cannot.
+ */
 public final class MotSightings {
   /**
-   * A target as it was seen: its box in the picture, and where it stood.
+   * A target in the picture: its box, and its place on the ground.
    *
-   * @param foot its place on the ground, metres
+   * @param foot the place on the ground, metres
    */
   public record Sighting(MotFile.Row box, Vector3D foot) {
     Size size() {
       return new Size(box.width(), box.height());
     }
 
-    /** Where the box stands. */
+    /** Returns the middle of the lower edge of the box. */
     Pixel stand() {
       return new Pixel(box.footX(), box.footY());
     }
   }
 
   private final Calibration camera;
-  private final List<MotFile.Row> whole = new ArrayList<>();
+  private final List<MotFile.Row> uncutBoxes = new ArrayList<>();
   private final List<Sighting> sightings = new ArrayList<>();
   private final boolean inWorld;
   private int ignored;
-  private int cut;
-  private int nowhere;
+  private int cutOff;
+  private int withoutPlace;
 
   /**
    * Reads a file.
    *
-   * @param metres of a unit of its positions in the world
-   * @throws InputException with its place, when something is wrong, or nothing can be compared
+   * @param metres the length of a unit of its world positions, metres
+   * @throws InputException with line and column, when the file is wrong or has no box to compare
    */
   public MotSightings(Path file, Calibration camera, double metres) {
     this.camera = camera;
-    MotFile.read(file, this::take);
-    inWorld = whole.stream().anyMatch(MotFile.Row::isInWorld);
-    for (MotFile.Row row : whole) {
+    MotFile.read(file, this::classify);
+    inWorld = uncutBoxes.stream().anyMatch(MotFile.Row::isInWorld);
+    for (MotFile.Row row : uncutBoxes) {
       Vector3D foot = foot(row, metres);
       if (Double.isNaN(foot.getX())) {
-        nowhere++;
+        withoutPlace++;
       } else {
         sightings.add(new Sighting(row, foot));
       }
@@ -61,17 +64,17 @@ public final class MotSightings {
     }
   }
 
-  private void take(MotFile.Row row) {
+  private void classify(MotFile.Row row) {
     if (row.confidence() == 0 || row.width() <= 0 || row.height() <= 0) {
       ignored++;
     } else if (isCut(row)) {
-      cut++;
+      cutOff++;
     } else {
-      whole.add(row);
+      uncutBoxes.add(row);
     }
   }
 
-  /** Whether the picture's border may have cut a box off. */
+  /** Whether the border of the picture may cut the box off. */
   private boolean isCut(MotFile.Row box) {
     return box.left() <= 0
         || box.top() <= 0
@@ -79,25 +82,29 @@ public final class MotSightings {
         || box.top() + box.height() >= camera.picture().height();
   }
 
-  /** As the file says; where it says it of no target, as the calibration has the box's foot. */
+  /**
+   * Returns the position in the file, or, if the file has none at all, the calibrated ground point
+   * at the foot of the box.
+   */
   private Vector3D foot(MotFile.Row row, double metres) {
     return inWorld
         ? new Vector3D(metres * row.x(), metres * row.y(), 0)
         : camera.ground(new Pixel(row.footX(), row.footY()));
   }
 
+  /** The boxes that can be compared. */
   public List<Sighting> sightings() {
     return sightings;
   }
 
-  /** Whether the file says where targets were. */
+  /** Whether the file has world positions of targets. */
   public boolean inWorld() {
     return inWorld;
   }
 
-  /** What is not compared, in words. */
+  /** Describes the boxes that are not compared. */
   public String leftOut() {
     return "%s of confidence 0 or without size, %s cut off by the picture's border, %s without a place on the ground"
-        .formatted(ignored, cut, nowhere);
+        .formatted(ignored, cutOff, withoutPlace);
   }
 }

@@ -24,11 +24,10 @@ public final class RealityCheck {
   }
 
   /**
-   * Compares.
+   * Compares sightings with predictions.
    *
-   * @param body what targets are assumed to be like, metres
-   * @throws InputException when the calibration is of another place than the sightings, or there
-   *     are none
+   * @param body the assumed size of targets, metres
+   * @throws InputException when there are no sightings or they do not fit the calibration
    */
   public static RealityCheck of(List<Sighting> sightings, Calibration camera, Size body) {
     List<BoxComparison> possible =
@@ -43,14 +42,14 @@ public final class RealityCheck {
           sightings.size(), setting("unit"), setting("calibration_unit"));
     }
     RealityCheck check = new RealityCheck(possible, camera);
-    check.requireOnePlace();
+    check.requireFittingPositions();
     return check;
   }
 
-  /** Positions in another unit or of another camera would make errors that say nothing. */
-  private void requireOnePlace() {
+  /** Rejects positions in another unit or of another camera, whose errors would be meaningless. */
+  private void requireFittingPositions() {
     double height =
-        median(comparisons.stream().mapToDouble(one -> one.sighting().box().height()).toArray());
+        median(comparisons.stream().mapToDouble(box -> box.sighting().box().height()).toArray());
     if (footError() > height) {
       throw InputException.of(
           "half of the boxes stand %s pixels or more from where the calibration has"
@@ -62,33 +61,35 @@ public final class RealityCheck {
     }
   }
 
-  private static double bandWidth(List<BoxComparison> all) {
-    double least =
-        all.stream().mapToDouble(BoxComparison::distance).max().orElseThrow() / MAX_BANDS;
-    double power = Math.pow(10, Math.floor(Math.log10(least)));
+  private static double bandWidth(List<BoxComparison> comparisons) {
+    double leastWidth =
+        comparisons.stream().mapToDouble(BoxComparison::distance).max().orElseThrow() / MAX_BANDS;
+    double powerOfTen = Math.pow(10, Math.floor(Math.log10(leastWidth)));
     for (int factor : new int[] {1, 2, 5}) {
-      if (factor * power >= least) {
-        return factor * power;
+      if (factor * powerOfTen >= leastWidth) {
+        return factor * powerOfTen;
       }
     }
-    return 10 * power;
+    return 10 * powerOfTen;
   }
 
   List<BoxComparison> comparisons() {
     return comparisons;
   }
 
-  /** A box's share of the picture. */
+  /** Returns the share of the picture that a box fills. */
   double pip(Size box) {
     return box.area() / camera.picture().area();
   }
 
-  /** How many boxes were compared. */
+  /** Returns the number of boxes that were compared. */
   public int boxes() {
     return comparisons.size();
   }
 
-  /** From where the calibration has feet to where boxes stand, the median, pixels. */
+  /**
+   * Returns the median distance between the projected foot of a target and that of its box, pixels.
+   */
   public double footError() {
     return median(comparisons.stream().mapToDouble(BoxComparison::footError).toArray());
   }
@@ -97,34 +98,39 @@ public final class RealityCheck {
     return StatUtils.percentile(values, 50);
   }
 
-  /** The errors of all boxes, a summary for each rung and quantity. */
+  /** Summarises the errors of all boxes, for each rung and quantity. */
   public List<ErrorSummary> overall() {
     double most = comparisons.stream().mapToDouble(BoxComparison::distance).max().orElseThrow();
     return summaries(0, most, comparisons);
   }
 
-  /** The same in bands of distance, the nearest first; those without a box are left out. */
+  /**
+   * Summarises the errors in bands of distance, the nearest first; bands without boxes are left
+   * out.
+   */
   public List<ErrorSummary> byDistance() {
-    List<ErrorSummary> all = new ArrayList<>();
+    List<ErrorSummary> summaries = new ArrayList<>();
     for (int band = 0; band <= MAX_BANDS; band++) {
       double from = band * bandWidth;
       double to = from + bandWidth;
       List<BoxComparison> within =
-          comparisons.stream().filter(o -> o.distance() >= from && o.distance() < to).toList();
+          comparisons.stream()
+              .filter(box -> box.distance() >= from && box.distance() < to)
+              .toList();
       if (!within.isEmpty()) {
-        all.addAll(summaries(from, to, within));
+        summaries.addAll(summaries(from, to, within));
       }
     }
-    return all;
+    return summaries;
   }
 
   private static List<ErrorSummary> summaries(double from, double to, List<BoxComparison> within) {
-    List<ErrorSummary> all = new ArrayList<>();
+    List<ErrorSummary> summaries = new ArrayList<>();
     for (BoxQuantity quantity : BoxQuantity.values()) {
       for (SizeModel rung : SizeModel.values()) {
-        all.add(ErrorSummary.of(rung, quantity, from, to, within));
+        summaries.add(ErrorSummary.of(rung, quantity, from, to, within));
       }
     }
-    return all;
+    return summaries;
   }
 }

@@ -5,23 +5,20 @@ import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.visibility.UprightPicture;
 import org.hificamsim.profiling.check.Calibration.Size;
 
-/** How a size in the picture is predicted. */
+/** A rung of realism: a way to predict the size of a target in the picture. */
 enum SizeModel {
-  /**
-   * As the simulator has it: a flat world, in which a metre at a distance d has focal length / d
-   * pixels.
-   */
+  /** A flat world, as in the simulator: a metre at distance d has focal length / d pixels. */
   FLAT {
     @Override
     Size size(Calibration camera, Vector3D foot, Size body) {
-      double perMetre = camera.focalLength() / distance(camera, foot);
-      return new Size(perMetre * body.width(), perMetre * body.height());
+      double pixelsPerMetre = camera.focalLength() / distance(camera, foot);
+      return new Size(pixelsPerMetre * body.width(), pixelsPerMetre * body.height());
     }
   },
 
   /**
-   * As the simulator has it where cameras have heights: a pinhole at the camera's height and tilt,
-   * without roll, without distortion.
+   * Cameras with heights, as in the simulator: a pinhole at the camera's height and tilt, without
+   * roll or distortion.
    */
   HEIGHTS {
     @Override
@@ -46,26 +43,26 @@ enum SizeModel {
     @Override
     Size size(Calibration camera, Vector3D foot, Size body) {
       Vector3D up = new Vector3D(0, 0, body.height());
-      Vector3D aside = aside(camera, foot).scalarMultiply(body.width() / 2);
+      Vector3D sideways = sideways(camera, foot).scalarMultiply(body.width() / 2);
       Vector3D middle = foot.add(up.scalarMultiply(0.5));
-      double left = camera.project(middle.add(aside)).u();
-      double right = camera.project(middle.add(aside.negate())).u();
+      double left = camera.project(middle.add(sideways)).u();
+      double right = camera.project(middle.add(sideways.negate())).u();
       double top = camera.project(foot.add(up)).v();
       return new Size(Math.abs(right - left), Math.abs(camera.project(foot).v() - top));
     }
   };
 
-  /** The predicted box of a target that stands somewhere, in pixels. */
+  /** Predicts the box of a target that stands at {@code foot}, in pixels. */
   abstract Size size(Calibration camera, Vector3D foot, Size body);
 
-  /** Over the ground, metres. */
+  /** Returns the distance between camera and target over the ground, metres. */
   static double distance(Calibration camera, Vector3D foot) {
     return Math.hypot(
         foot.getX() - camera.position().getX(), foot.getY() - camera.position().getY());
   }
 
-  /** A metre on the ground, across the line from the camera. */
-  private static Vector3D aside(Calibration camera, Vector3D foot) {
+  /** Returns the unit vector on the ground that is perpendicular to the line from the camera. */
+  private static Vector3D sideways(Calibration camera, Vector3D foot) {
     double distance = distance(camera, foot);
     return new Vector3D(
         (camera.position().getY() - foot.getY()) / distance,

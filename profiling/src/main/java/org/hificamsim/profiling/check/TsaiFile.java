@@ -25,12 +25,12 @@ final class TsaiFile extends PlainXml {
   private final Map<String, Double> numbers = new HashMap<>();
 
   /**
-   * The camera and its picture.
+   * Reads the camera and the size of its picture.
    *
-   * @param metres of a unit of its world
-   * @param said the picture's size that somebody says; must be that of the file, where it has one
+   * @param metres the length of a unit of its world, metres
+   * @param givenSize the size of the picture; must equal that of the file, if it has one
    */
-  Calibration read(Path file, double metres, Optional<Size> said) {
+  Calibration read(Path file, double metres, Optional<Size> givenSize) {
     readFile(file);
     for (String element : ELEMENTS) {
       if (!found.contains(element)) {
@@ -51,20 +51,21 @@ final class TsaiFile extends PlainXml {
             number("sx"),
             number("cx"),
             number("cy")),
-        size(file, said));
+        size(file, givenSize));
   }
 
-  private Size size(Path file, Optional<Size> said) {
+  private Size size(Path file, Optional<Size> givenSize) {
     if (!numbers.containsKey("width")) {
-      return said.orElseThrow(
+      return givenSize.orElseThrow(
           () ->
               InputException.of(
                   "%s: <Geometry> has no width and height, expected %s",
                   file, setting("image", "WIDTHxHEIGHT")));
     }
     Size size = new Size(Math.floor(number("width")), Math.floor(number("height")));
-    if (!said.orElse(size).equals(size)) {
-      throw InputException.of("%s is %s, but %s says %s", setting("image"), said.get(), file, size);
+    if (!givenSize.orElse(size).equals(size)) {
+      throw InputException.of(
+          "%s is %s, but %s says %s", setting("image"), givenSize.get(), file, size);
     }
     return size;
   }

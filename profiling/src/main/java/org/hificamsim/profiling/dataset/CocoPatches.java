@@ -21,23 +21,23 @@ final class CocoPatches {
 
   private CocoPatches() {}
 
-  /** No boxes. */
+  /** Returns an instance without boxes. */
   static CocoPatches none() {
     return new CocoPatches();
   }
 
   /**
-   * Reads {@code images}, {@code annotations} and {@code categories}; other properties are COCO's
-   * own business.
+   * Reads {@code images}, {@code annotations} and {@code categories}; ignores other properties.
    *
-   * @throws InputException with its place, when the file is no such thing
+   * @throws InputException with line and column, when the file is not in COCO's format
    */
   static CocoPatches read(Path file) {
     JsonObject json = JsonFile.read(file, "a COCO annotation file", MAX_BYTES);
     Map<Long, String> images = new LinkedHashMap<>();
     json.objects("images").forEach(image -> images.put(id(image, "id"), image.text("file_name")));
     Map<Long, String> categories = new LinkedHashMap<>();
-    json.objects("categories").forEach(c -> categories.put(id(c, "id"), c.text("name")));
+    json.objects("categories")
+        .forEach(category -> categories.put(id(category, "id"), category.text("name")));
     CocoPatches patches = new CocoPatches();
     for (JsonObject annotation : json.objects("annotations")) {
       String image = images.get(id(annotation, "image_id"));
@@ -51,15 +51,15 @@ final class CocoPatches {
     return patches;
   }
 
-  /** The box of an object in a picture: the one of its category, else the only one. */
+  /** Returns the box of an object in a picture: the one of its category, or else the only one. */
   Optional<Patch> patch(String image, String object) {
-    List<Box> all = boxes.getOrDefault(image, List.of());
-    List<Box> named = all.stream().filter(box -> box.category().equals(object)).toList();
-    List<Box> candidates = named.isEmpty() ? all : named;
+    List<Box> inImage = boxes.getOrDefault(image, List.of());
+    List<Box> ofCategory = inImage.stream().filter(box -> box.category().equals(object)).toList();
+    List<Box> candidates = ofCategory.isEmpty() ? inImage : ofCategory;
     return candidates.size() == 1 ? Optional.of(candidates.get(0).patch()) : Optional.empty();
   }
 
-  /** A box to whole pixels: its edges are rounded, so that none moves out of the picture. */
+  /** Rounds the edges of a box to whole pixels, so that none moves out of the picture. */
   private static Patch patch(double[] box) {
     int left = (int) Math.round(box[0]);
     int top = (int) Math.round(box[1]);

@@ -34,7 +34,7 @@ public record Dataset(
     negatives = List.copyOf(negatives);
   }
 
-  /** The pixels of its largest picture. */
+  /** Returns the number of pixels of the largest picture. */
   public long largestPicture() {
     return Math.max(
         camera.pixels(),

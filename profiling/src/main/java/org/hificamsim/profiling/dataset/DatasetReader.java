@@ -34,7 +34,7 @@ public final class DatasetReader {
     this.folder = folder;
   }
 
-  /** Reads and checks a folder; no picture is decoded yet. */
+  /** Reads and checks a folder without decoding its pictures. */
   public static Reading read(Path folder) {
     DatasetReader reader = new DatasetReader(folder);
     Optional<Dataset> dataset = Optional.empty();
@@ -47,9 +47,9 @@ public final class DatasetReader {
   }
 
   /**
-   * A data set as far as it could be read.
+   * A data set, or the problems with it.
    *
-   * @param dataset there when there are no problems
+   * @param dataset empty if there are problems
    * @param problems each in one line: {@code FILE:LINE:COLUMN: what is wrong, the value, what was
    *     expected}
    */
@@ -60,7 +60,7 @@ public final class DatasetReader {
     Path cocoFile = folder.resolve(Dataset.COCO);
     CocoPatches coco = Files.exists(cocoFile) ? CocoPatches.read(cocoFile) : CocoPatches.none();
     CsvRows table =
-        CsvReader.open(folder.resolve(Dataset.TABLE), "a data set's table").all(COLUMNS);
+        CsvReader.open(folder.resolve(Dataset.TABLE), "a data set's table").readAll(COLUMNS);
     if (table.rows().isEmpty()) {
       throw new InputException(table.file() + ":2:1: no rows, expected one for each picture");
     }
@@ -113,7 +113,7 @@ public final class DatasetReader {
     }
   }
 
-  /** The pictures that the camera took where there was none of the objects, by name. */
+  /** Returns the pictures without any of the objects, sorted by name. */
   private List<Path> negatives(PhotoCamera camera) {
     Path pictures = folder.resolve(Dataset.NEGATIVES);
     if (!Files.isDirectory(pictures)) {
@@ -123,7 +123,7 @@ public final class DatasetReader {
       return files
           .filter(file -> PICTURE.matcher(file.getFileName().toString()).matches())
           .sorted()
-          .filter(file -> isOf(camera, file))
+          .filter(file -> isReadable(camera, file))
           .toList();
     } catch (IOException e) {
       problems.add(pictures + ": cannot be read, expected a folder of photos: " + e.getMessage());
@@ -131,7 +131,10 @@ public final class DatasetReader {
     }
   }
 
-  private boolean isOf(PhotoCamera camera, Path file) {
+  /**
+   * Whether a picture can be read and has the size of the camera; otherwise reports the problem.
+   */
+  private boolean isReadable(PhotoCamera camera, Path file) {
     try {
       ImageHeader header = ImageHeader.read(file);
       if (!camera.takes(header.width(), header.height())) {

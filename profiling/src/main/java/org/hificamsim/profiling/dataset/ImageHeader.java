@@ -20,20 +20,22 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** How large a PNG or JPEG is when it is shown: turned as its EXIF says. */
+/** The size of a PNG or JPEG as it is displayed, rotated according to its EXIF data. */
 record ImageHeader(int width, int height) {
   private static final byte[] PNG_END = {'I', 'E', 'N', 'D'};
   private static final byte[] JPEG_END = {(byte) 0xFF, (byte) 0xD9};
-  private static final int TAIL = 64;
+  private static final int TAIL_BYTES = 64;
   private static final double MILLIMETRE = 1e-3;
 
-  /** The orientation in EXIF from which on width and height change places. */
-  private static final int TURNED = 5;
+  /** The first EXIF orientation that swaps width and height. */
+  private static final int FIRST_TURNED_ORIENTATION = 5;
+
+  private static final int LAST_ORIENTATION = 8;
 
   /**
-   * Reads the header, and checks that the file has its end.
+   * Reads the header and checks that the file is not cut short.
    *
-   * @throws IOException in one line, when it is no whole PNG or JPEG
+   * @throws IOException in one line, when the file is not a complete PNG or JPEG
    */
   static ImageHeader read(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
@@ -56,7 +58,7 @@ record ImageHeader(int width, int height) {
     }
   }
 
-  /** The pixels of a picture that has been read before. */
+  /** Returns the number of pixels of a picture that has been read before. */
   static long pixels(Path file) {
     try {
       ImageHeader header = read(file);
@@ -66,7 +68,7 @@ record ImageHeader(int width, int height) {
     }
   }
 
-  /** The focal length in metres, perhaps infinite; empty where the photo says nothing above 0. */
+  /** Returns the focal length in metres, possibly infinite; empty if the photo has none above 0. */
   static OptionalDouble focalLength(Path photo) {
     return directories(photo, ExifSubIFDDirectory.class).stream()
         .map(directory -> directory.getDoubleObject(ExifSubIFDDirectory.TAG_FOCAL_LENGTH))
@@ -76,11 +78,15 @@ record ImageHeader(int width, int height) {
         .findFirst();
   }
 
-  /** Whether the photo is shown turned by a quarter, as OpenCV does when it reads one. */
+  /** Whether the photo is displayed rotated by a quarter turn, as OpenCV reads it. */
   private static boolean isTurned(Path photo) {
     return directories(photo, ExifIFD0Directory.class).stream()
         .map(directory -> directory.getInteger(ExifIFD0Directory.TAG_ORIENTATION))
-        .anyMatch(turn -> turn != null && turn >= TURNED && turn <= 8);
+        .anyMatch(
+            orientation ->
+                orientation != null
+                    && orientation >= FIRST_TURNED_ORIENTATION
+                    && orientation <= LAST_ORIENTATION);
   }
 
   private static <D extends Directory> Collection<D> directories(Path photo, Class<D> kind) {
@@ -103,7 +109,7 @@ record ImageHeader(int width, int height) {
           default -> throw new IOException("no PNG or JPEG but " + format);
         };
     try (RandomAccessFile bytes = new RandomAccessFile(file.toFile(), "r")) {
-      byte[] tail = new byte[(int) Math.min(TAIL, bytes.length())];
+      byte[] tail = new byte[(int) Math.min(TAIL_BYTES, bytes.length())];
       bytes.seek(bytes.length() - tail.length);
       bytes.readFully(tail);
       for (int i = 0; i + end.length <= tail.length; i++) {

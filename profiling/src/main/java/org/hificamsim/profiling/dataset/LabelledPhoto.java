@@ -6,14 +6,14 @@ import java.util.Optional;
 /**
  * One picture of one object: a row of {@code dataset.csv}.
  *
- * @param image its name in the table
- * @param file the picture
+ * @param image the picture's name in the table
+ * @param file the picture file
  * @param object the object's name
  * @param size q, metres
  * @param distance d, metres
  * @param focalLength z, metres
- * @param patch where the object is
- * @param mask a picture that is not 0 where the object is
+ * @param patch the rectangle around the object
+ * @param mask a picture whose pixels are not 0 on the object
  */
 public record LabelledPhoto(
     String image,

@@ -12,12 +12,12 @@ import org.hificamsim.data.CsvRow;
 final class LabelledPhotoReader {
   static final List<String> PATCH = List.of("patch_x", "patch_y", "patch_width", "patch_height");
 
-  /** A picture's file and what it says of itself. */
+  /** A picture file with its header. */
   private record Picture(Path file, ImageHeader header) {}
 
   private static final double MAX_SIZE = 1e3;
-  private static final double FARTHEST = 1e5;
-  private static final double MAX = 10;
+  private static final double MAX_DISTANCE = 1e5;
+  private static final double MAX_FOCAL_LENGTH = 10;
   private static final double MAX_PIXELS = 1e6;
 
   private final Path folder;
@@ -35,26 +35,26 @@ final class LabelledPhotoReader {
     this.problems = problems;
   }
 
-  /** The row's photo; empty where something is wrong with it, which is reported then. */
+  /** Returns the photo of the row; empty if the row has problems, which are then reported. */
   Optional<LabelledPhoto> read() {
-    int before = problems.size();
-    Picture image = check(() -> picture("image"));
-    String object = check(this::object);
-    Double size = check(() -> length("size_m", MAX_SIZE));
-    Double distance = check(() -> length("distance_m", FARTHEST));
-    Double focalLength = image == null ? null : check(() -> focalLength(image.file()));
+    int problemsBefore = problems.size();
+    Picture image = orReport(() -> picture("image"));
+    String object = orReport(this::object);
+    Double size = orReport(() -> length("size_m", MAX_SIZE));
+    Double distance = orReport(() -> length("distance_m", MAX_DISTANCE));
+    Double focalLength = image == null ? null : orReport(() -> focalLength(image.file()));
     ImageHeader frame =
         image == null ? new ImageHeader(camera.width(), camera.height()) : image.header();
-    Patch patch = object == null ? null : check(() -> patch(object, frame));
-    Optional<Path> mask = Optional.ofNullable(check(() -> mask(frame)));
-    return problems.size() > before
+    Patch patch = object == null ? null : orReport(() -> patch(object, frame));
+    Optional<Path> mask = Optional.ofNullable(orReport(() -> mask(frame)));
+    return problems.size() > problemsBefore
         ? Optional.empty()
         : Optional.of(
             new LabelledPhoto(
                 row.text("image"), image.file(), object, size, distance, focalLength, patch, mask));
   }
 
-  private <T> T check(Supplier<T> part) {
+  private <T> T orReport(Supplier<T> part) {
     try {
       return part.get();
     } catch (InputException e) {
@@ -63,7 +63,7 @@ final class LabelledPhotoReader {
     }
   }
 
-  /** The mask, which is of its picture's size. */
+  /** Returns the mask, which must be as large as its picture; null if there is none. */
   private Path mask(ImageHeader image) {
     if (!row.has("mask") || row.text("mask").isEmpty()) {
       return null;
@@ -75,9 +75,9 @@ final class LabelledPhotoReader {
     return mask.file();
   }
 
-  /** A picture in the folder, of the camera's size. */
+  /** Reads a picture in the folder, which must have the camera's size. */
   private Picture picture(String column) {
-    Path file = inside(column);
+    Path file = fileInFolder(column);
     ImageHeader header;
     try {
       header = ImageHeader.read(file);
@@ -93,7 +93,7 @@ final class LabelledPhotoReader {
     return new Picture(file, header);
   }
 
-  private Path inside(String column) {
+  private Path fileInFolder(String column) {
     try {
       Path file = folder.resolve(row.text(column));
       Path absolute = file.toAbsolutePath().normalize();
@@ -121,18 +121,18 @@ final class LabelledPhotoReader {
   private double focalLength(Path image) {
     String column = "focal_length_m";
     if (!row.text(column).isEmpty()) {
-      return length(column, MAX);
+      return length(column, MAX_FOCAL_LENGTH);
     }
     double metres =
         ImageHeader.focalLength(image)
             .orElseThrow(() -> row.invalid(column, "metres, or a photo whose EXIF has it"));
-    if (metres <= MAX) {
+    if (metres <= MAX_FOCAL_LENGTH) {
       return metres;
     }
     throw row.invalid(
         column,
         "metres, since the photo's EXIF has %s m, which is no lens's (at most %s)"
-            .formatted(metres, (long) MAX));
+            .formatted(metres, (long) MAX_FOCAL_LENGTH));
   }
 
   private Patch patch(String object, ImageHeader image) {

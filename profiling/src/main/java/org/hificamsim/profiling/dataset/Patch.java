@@ -2,14 +2,14 @@ package org.hificamsim.profiling.dataset;
 
 /** The rectangle of a picture that holds the object, pixels; width and height are 1 or more. */
 public record Patch(int x, int y, int width, int height) {
-  /** Its number of pixels. */
+  /** Returns the number of pixels. */
   public long area() {
     return (long) width * height;
   }
 
-  /** Whether a point of the picture is on it. */
-  public boolean has(double right, double down) {
-    return right >= x && down >= y && right < x + width && down < y + height;
+  /** Whether the patch contains a point of the picture. */
+  public boolean contains(double pointX, double pointY) {
+    return pointX >= x && pointY >= y && pointX < x + width && pointY < y + height;
   }
 
   boolean within(int imageWidth, int imageHeight) {

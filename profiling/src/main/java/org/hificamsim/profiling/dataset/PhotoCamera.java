@@ -8,18 +8,18 @@ import org.hificamsim.hifi.json.JsonFile;
  *
  * @param sensorWidth metres
  * @param sensorHeight metres
- * @param width of every picture as the camera is held level, pixels
- * @param height of the same, pixels
+ * @param width the width of pictures in landscape orientation, pixels
+ * @param height the height of pictures in landscape orientation, pixels
  */
 public record PhotoCamera(double sensorWidth, double sensorHeight, int width, int height) {
   private static final int MAX_PIXELS = 100_000;
   private static final int MAX_BYTES = 1 << 20;
 
   /**
-   * The camera that took a data set's pictures.
+   * Reads the camera of a data set's folder.
    *
-   * @throws org.hificamsim.core.InputException with its place, when {@code camera.json} is missing
-   *     or wrong
+   * @throws org.hificamsim.core.InputException with line and column, when {@code camera.json} is
+   *     missing or wrong
    */
   public static PhotoCamera of(Path folder) {
     return JsonFile.read(
@@ -33,18 +33,18 @@ public record PhotoCamera(double sensorWidth, double sensorHeight, int width, in
                     (int) json.number("height", 1, MAX_PIXELS)));
   }
 
-  /** The number of pixels of every picture. */
+  /** Returns the number of pixels of every picture. */
   public long pixels() {
     return (long) width * height;
   }
 
-  /** The share of the picture that a pinhole camera gives an object (thesis 3.3). */
+  /** Returns the share of the picture that an object fills in a pinhole camera (thesis 3.3). */
   public double pinholePip(double size, double distance, double focalLength) {
-    double seen = size * focalLength / distance;
-    return seen * seen / (sensorWidth * sensorHeight);
+    double imageLength = size * focalLength / distance;
+    return imageLength * imageLength / (sensorWidth * sensorHeight);
   }
 
-  /** Whether a picture of this size is this camera's, held level or upright. */
+  /** Whether the camera takes pictures of this size, in landscape or portrait orientation. */
   boolean takes(int pictureWidth, int pictureHeight) {
     return (pictureWidth == width && pictureHeight == height)
         || (pictureWidth == height && pictureHeight == width);

@@ -7,45 +7,45 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.file.CsvTable;
 
 /**
- * A table as data: each column's name, and the cell that a row has there.
+ * The columns of a table: their names, and how to get the cell of a row.
  *
- * @param <R> what a row is about
+ * @param <R> the type of the rows
  */
 public final class TableLayout<R> {
   private final List<String> names = new ArrayList<>();
   private final List<Function<R, Object>> cells = new ArrayList<>();
 
-  /** Adds a column. */
+  /** Adds a column and returns this layout. */
   public TableLayout<R> with(String name, Function<R, Object> cell) {
     names.add(name);
     cells.add(cell);
     return this;
   }
 
-  /** A text as a cell that reads back from a table between commas or semicolons. */
+  /** Returns a text as a cell, quoted if needed, for tables with commas or semicolons. */
   public static String quoted(String content) {
     String text = CsvTable.harmless(content);
     return text.matches("[^,;\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 
-  /** The names of the columns. */
+  /** Returns the names of the columns. */
   public List<String> names() {
     return names;
   }
 
-  /** The cells of a row. */
+  /** Returns the cells of a row. */
   public List<String> cells(R row) {
     return cells.stream().map(cell -> String.valueOf(cell.apply(row))).toList();
   }
 
-  /** A line of names and a line for each row, between commas; each cell is written as it is. */
+  /** Returns a CSV table with a line of names and a line for each row; cells are not quoted. */
   public String csv(List<R> rows) {
     return String.join(",", names)
         + "\n"
         + rows.stream().map(this::line).collect(Collectors.joining());
   }
 
-  /** The line of a row, with its end. */
+  /** Returns the line of a row, with the end of line. */
   public String line(R row) {
     return String.join(",", cells(row)) + "\n";
   }

@@ -5,20 +5,19 @@ import java.util.Map;
 import org.hificamsim.profiling.dataset.Patch;
 
 /**
- * A detector that knows what it looks for without a template: people, faces, a class of a network.
- * An instance serves one thread.
+ * A detector that finds objects without a template, such as a class of a network. Not thread-safe.
  */
 interface BoxDetector extends ConfidenceSource {
   /**
-   * How much a box and the object's patch must share. Less than the usual half: the window of the
-   * people detector has a wide margin.
+   * The least overlap (intersection over union) of a box and the object's patch. It is below the
+   * usual one half because boxes may have a wide margin.
    */
   double MIN_OVERLAP = 0.3;
 
-  /** Every rectangle that it takes for what it looks for. */
+  /** Returns the rectangles in which the detector finds its objects. */
   List<Box> detect(Photograph photo);
 
-  /** The score of the best box that lies on the object: one column. */
+  /** Returns one column: the score of the best box that lies on the object. */
   @Override
   default List<Map<String, Double>> confidences(
       Photograph photo, List<Subject> subjects, boolean shown) {
@@ -35,17 +34,18 @@ interface BoxDetector extends ConfidenceSource {
   }
 
   /**
-   * A rectangle of a photo in which a detector sees what it looks for; pixels.
+   * A rectangle of a photo in which a detector finds an object, in pixels.
    *
-   * @param score how sure it is, (0, 1]
+   * @param score the confidence of the detector, (0, 1]
    */
   record Box(double x, double y, double width, double height, double score) {
-    /** The share of what both cover together that both cover (intersection over union). */
+    /** Returns the intersection of the box and a patch, divided by their union. */
     double overlap(Patch patch) {
-      double across = Math.min(x + width, patch.x() + patch.width()) - Math.max(x, patch.x());
-      double down = Math.min(y + height, patch.y() + patch.height()) - Math.max(y, patch.y());
-      double both = Math.max(0, across) * Math.max(0, down);
-      return both / (width * height + patch.area() - both);
+      double commonWidth = Math.min(x + width, patch.x() + patch.width()) - Math.max(x, patch.x());
+      double commonHeight =
+          Math.min(y + height, patch.y() + patch.height()) - Math.max(y, patch.y());
+      double intersection = Math.max(0, commonWidth) * Math.max(0, commonHeight);
+      return intersection / (width * height + patch.area() - intersection);
     }
   }
 }

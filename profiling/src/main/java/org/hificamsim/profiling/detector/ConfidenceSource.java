@@ -4,28 +4,25 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.profiling.dataset.Patch;
 
-/**
- * A detector at work, which makes one or more columns of confidences. An instance serves one
- * thread.
- */
+/** A detector that computes one or more columns of confidences. Not thread-safe. */
 public interface ConfidenceSource {
-  /** What it is called when it fails: the name of its first column. */
+  /** Returns the name of its first column, by which error messages call it. */
   String name();
 
   /**
-   * Looks at a photo once, for some subjects.
+   * Computes the confidences for some subjects in a photo.
    *
-   * @param shown whether the photo has the subjects; where it has none of them, their patches say
-   *     how large they would be, and what is taken for them counts
+   * @param shown whether the photo shows the subjects; if not, their patches only give their sizes,
+   *     and false detections anywhere count
    * @return the confidences of each subject, by column; each in [0, 1]
    */
   List<Map<String, Double>> confidences(Photograph photo, List<Subject> subjects, boolean shown);
 
   /**
-   * What a detector is asked for in a photo.
+   * An object that a detector looks for in a photo.
    *
-   * @param object by its name
-   * @param patch where it is
+   * @param object the name of the object
+   * @param patch the rectangle around it
    */
   record Subject(String object, Patch patch) {}
 }

@@ -9,16 +9,16 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 
 /**
- * The detectors by name: the three of thesis chapter 5 with each {@link MatchReading}, and networks
- * that find boxes, {@code onnx:FILE}.
+ * Finds detectors by name: the three of thesis chapter 5 with each {@link MatchReading}, and
+ * networks that find boxes, {@code onnx:FILE}.
  */
 public final class Detectors {
   private Detectors() {}
 
-  /** What a network takes for each pixel of a photo. */
+  /** The memory that a network needs for each pixel of a photo. */
   private static final Memory NETWORK_NEED = new Memory(10, 0);
 
-  /** The feature detector of a name; empty for a network. */
+  /** Returns the feature detector of a name; empty for a network. */
   private static Optional<FeatureDetector> features(String name) {
     String word = name.substring(0, name.length() - MatchReading.of(name).suffix().length());
     return Spelling.find(FeatureDetector.class, word);
@@ -39,7 +39,7 @@ public final class Detectors {
   }
 
   /**
-   * The column of a detector in tables, such as {@code orb-located}.
+   * Returns the column of a detector in tables, such as {@code orb-located}.
    *
    * @throws InputException if there is no such detector, or its file is missing
    */
@@ -47,17 +47,17 @@ public final class Detectors {
     return features(name).isPresent() ? name : network(name).column();
   }
 
-  /** The different feature detectors among these names. */
+  /** Returns the distinct feature detectors among these names. */
   public static List<FeatureDetector> features(List<String> names) {
     return names.stream().flatMap(name -> features(name).stream()).distinct().toList();
   }
 
-  /** The columns of the networks among these names. */
+  /** Returns the columns of the networks among these names. */
   public static List<String> boxes(List<String> names) {
     return networks(names).stream().map(OnnxDetector.Network::column).toList();
   }
 
-  /** The memory for each pixel of a photo that the most demanding detector takes. */
+  /** Returns the memory that the most demanding detector needs for each pixel of a photo. */
   public static Memory memoryNeed(List<String> names) {
     Memory none = new Memory(0, 0);
     Memory forFeatures =
@@ -65,7 +65,7 @@ public final class Detectors {
     return networks(names).isEmpty() ? forFeatures : forFeatures.max(NETWORK_NEED);
   }
 
-  /** Makes detectors for one thread that together fill the columns of these names. */
+  /** Creates detectors, for one thread, that together compute the columns of these names. */
   public static List<ConfidenceSource> sources(
       List<String> names, RatioTest test, Templates templates) {
     List<ConfidenceSource> sources = new ArrayList<>();

@@ -16,45 +16,45 @@ import org.opencv.core.MatOfKeyPoint;
 import org.opencv.features2d.Feature2D;
 
 /** The local feature detectors of thesis 5.2, in its order. */
-@SuppressWarnings("ImmutableEnumChecker") // without state
+@SuppressWarnings("ImmutableEnumChecker") // the lambdas have no state
 public enum FeatureDetector {
   /** Oriented FAST and rotated BRIEF with OpenCV's defaults: 500 features (thesis 5.4). */
   ORB(new Memory(20, 0), () -> openCv(org.opencv.features2d.ORB.create())),
   /**
-   * The scale-invariant feature transform with OpenCV's defaults (thesis 5.5). It keeps both
-   * pyramids of a picture that is enlarged twice, in 32 bits.
+   * The scale-invariant feature transform with OpenCV's defaults (thesis 5.5). It doubles the size
+   * of the picture and keeps two pyramids of it in 32 bits.
    */
   SIFT(new Memory(250, 0), () -> openCv(org.opencv.features2d.SIFT.create())),
   /** Speeded-up robust features (thesis 5.6). */
   SURF(new Memory(2, 50), SurfExtractor::new);
 
-  /** Finds features; an instance serves one thread. */
+  /** Finds features in pictures. Not thread-safe. */
   public interface Extractor {
-    /** The features of a picture of 8-bit grey; the caller closes them. */
+    /** Returns the features of a picture in 8-bit grey; the caller closes them. */
     Features features(Mat grey);
   }
 
   private final Memory need;
-  private final Supplier<Extractor> maker;
+  private final Supplier<Extractor> extractorSupplier;
 
-  FeatureDetector(Memory need, Supplier<Extractor> maker) {
+  FeatureDetector(Memory need, Supplier<Extractor> extractorSupplier) {
     this.need = need;
-    this.maker = maker;
+    this.extractorSupplier = extractorSupplier;
   }
 
-  /** Its name in files and options. */
+  /** Returns its name in files and options. */
   public String word() {
     return Spelling.of(this);
   }
 
-  /** What it takes for each pixel of a photo. */
+  /** Returns the memory that it needs for each pixel of a photo. */
   Memory need() {
     return need;
   }
 
-  /** A new one at work. */
+  /** Creates an extractor. */
   public Extractor extractor() {
-    return maker.get();
+    return extractorSupplier.get();
   }
 
   private static Extractor openCv(Feature2D detector) {
@@ -70,9 +70,7 @@ public enum FeatureDetector {
 
   /** Speeded-up robust features (thesis 5.6) by BoofCV, since Debian's OpenCV has none. */
   static final class SurfExtractor implements FeatureDetector.Extractor {
-    /**
-     * The blob response below which nothing counts as a feature; BoofCV's scale, for 8-bit grey.
-     */
+    /** The least blob response of a feature, on BoofCV's scale for 8-bit grey. */
     private static final float MIN_RESPONSE = 12;
 
     private final DetectDescribePoint<GrayU8, TupleDesc_F64> detector;
@@ -92,9 +90,9 @@ public enum FeatureDetector {
       KeyPoint[] points = new KeyPoint[count];
       float[] values = new float[count * length()];
       for (int i = 0; i < count; i++) {
-        Point2D_F64 at = detector.getLocation(i);
+        Point2D_F64 location = detector.getLocation(i);
         float size = (float) (2 * detector.getRadius(i));
-        points[i] = new KeyPoint((float) at.x, (float) at.y, size);
+        points[i] = new KeyPoint((float) location.x, (float) location.y, size);
         double[] descriptor = detector.getDescription(i).data;
         for (int j = 0; j < descriptor.length; j++) {
           values[i * length() + j] = (float) descriptor[j];

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Map;
 import org.opencv.core.DMatch;
 
-/** Matches an object's template with a photo: one column for each reading of the matches. */
+/**
+ * Matches an object's template with a photo, and computes one column for each reading of the
+ * matches.
+ */
 final class FeatureSource implements ConfidenceSource {
   private final FeatureDetector detector;
   private final FeatureDetector.Extractor extractor;
@@ -36,7 +39,7 @@ final class FeatureSource implements ConfidenceSource {
   @Override
   public List<Map<String, Double>> confidences(
       Photograph photo, List<Subject> subjects, boolean shown) {
-    List<Map<String, Double>> all = new ArrayList<>();
+    List<Map<String, Double>> confidences = new ArrayList<>();
     Map<String, List<DMatch>> matches = new HashMap<>();
     try (Features features = extractor.features(photo.grey())) {
       for (Subject subject : subjects) {
@@ -47,9 +50,9 @@ final class FeatureSource implements ConfidenceSource {
         for (MatchReading reading : readings) {
           row.put(column(reading), reading.confidence(template, features, found, subject.patch()));
         }
-        all.add(row);
+        confidences.add(row);
       }
     }
-    return all;
+    return confidences;
   }
 }

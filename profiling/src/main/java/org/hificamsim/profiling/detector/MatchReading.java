@@ -12,19 +12,22 @@ import org.opencv.core.Mat;
 import org.opencv.core.MatOfPoint2f;
 import org.opencv.core.Point;
 
-/** Which matches between an object's template and a photo count for the confidence. */
+/** Selects which matches between an object's template and a photo count for the confidence. */
 public enum MatchReading {
-  /** All of them, wherever they are: Eq 5.1. */
+  /** All matches, wherever they are: Eq 5.1. */
   ANYWHERE(""),
-  /** Those on the object's patch. */
+  /** The matches on the object's patch. */
   LOCATED("-located"),
-  /** Those that agree on how the flat template lies in the photo: the inliers of RANSAC. */
+  /** The matches that agree on one homography of the flat template, the inliers of RANSAC. */
   RANSAC("-ransac");
 
   private static final int POINTS_OF_A_HOMOGRAPHY = 4;
 
-  /** How far a match may be from where the homography has it, pixels; OpenCV's default. */
-  private static final double REACH = 3;
+  /**
+   * The largest distance of an inlier from its place under the homography, pixels; OpenCV's
+   * default.
+   */
+  private static final double MAX_INLIER_DISTANCE = 3;
 
   private final String suffix;
 
@@ -32,12 +35,12 @@ public enum MatchReading {
     this.suffix = suffix;
   }
 
-  /** What its detectors' names end in. */
+  /** Returns the suffix of detector names with this reading. */
   public String suffix() {
     return suffix;
   }
 
-  /** The matches that count over all features of the template, in [0, 1]. */
+  /** Returns the number of counted matches divided by that of template features, in [0, 1]. */
   public double confidence(Features template, Features photo, List<DMatch> matches, Patch patch) {
     return template.count() == 0
         ? 0
@@ -50,14 +53,14 @@ public enum MatchReading {
       case LOCATED ->
           matches.stream()
               .map(match -> photo.points()[match.trainIdx].pt)
-              .filter(place -> patch.has(place.x, place.y))
+              .filter(place -> patch.contains(place.x, place.y))
               .count();
       case RANSAC ->
           matches.size() < POINTS_OF_A_HOMOGRAPHY ? 0 : inliers(template, photo, matches);
     };
   }
 
-  /** The reading that a detector's name asks for. */
+  /** Returns the reading that a detector's name ends in. */
   static MatchReading of(String name) {
     String lower = name.toLowerCase(Locale.ROOT);
     return lower.endsWith(LOCATED.suffix)
@@ -67,15 +70,15 @@ public enum MatchReading {
 
   private static int inliers(Features template, Features photo, List<DMatch> matches) {
     try (Mats mats = new Mats()) {
-      Mat agree = mats.mat();
+      Mat inlierMask = mats.mat();
       mats.own(
           Calib3d.findHomography(
-              mats.own(points(matches.stream().map(m -> template.points()[m.queryIdx].pt))),
-              mats.own(points(matches.stream().map(m -> photo.points()[m.trainIdx].pt))),
+              mats.own(points(matches.stream().map(match -> template.points()[match.queryIdx].pt))),
+              mats.own(points(matches.stream().map(match -> photo.points()[match.trainIdx].pt))),
               Calib3d.RANSAC,
-              REACH,
-              agree));
-      return agree.empty() ? 0 : Core.countNonZero(agree);
+              MAX_INLIER_DISTANCE,
+              inlierMask));
+      return inlierMask.empty() ? 0 : Core.countNonZero(inlierMask);
     }
   }
 

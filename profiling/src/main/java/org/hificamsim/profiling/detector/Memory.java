@@ -8,44 +8,43 @@ import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 
 /**
- * Memory of both kinds: what is free, or what a detector takes for each pixel of a photo while it
- * looks at it, measured.
+ * An amount of memory: the free memory, or the measured need of a detector per pixel of a photo.
  *
- * @param nativeBytes outside Java's heap
- * @param heapBytes in Java's heap
+ * @param nativeBytes the memory outside Java's heap
+ * @param heapBytes the memory in Java's heap
  */
 public record Memory(double nativeBytes, double heapBytes) {
-  /** The share of what is free that is used, since needs are known roughly. */
-  private static final double USED = 0.8;
+  /** The share of the free memory that is used, since needs are known only roughly. */
+  private static final double USABLE_SHARE = 0.8;
 
-  private static final Path LINUX = Path.of("/proc/meminfo");
+  private static final Path MEMINFO = Path.of("/proc/meminfo");
   private static final double GIB = 1L << 30;
 
-  /** What this machine has left now. */
+  /** Returns the memory that is free now. */
   public static Memory free() {
     Runtime runtime = Runtime.getRuntime();
     double heap = runtime.maxMemory() - runtime.totalMemory() + (double) runtime.freeMemory();
     return new Memory(available() - heap, heap);
   }
 
-  /** What both need who work one after the other. */
+  /** Returns the need of two detectors that run one after the other. */
   Memory max(Memory other) {
     return new Memory(
         Math.max(nativeBytes, other.nativeBytes), Math.max(heapBytes, other.heapBytes));
   }
 
   /**
-   * The number of threads for which this is enough, each with a photo.
+   * Returns how many threads, each with a photo, fit into this memory.
    *
-   * @param wanted at most
-   * @param pixels of the largest photo
-   * @param need for each pixel
-   * @throws InputException when not even one fits
+   * @param maxThreads the upper limit of the result
+   * @param pixels the number of pixels of the largest photo
+   * @param need the memory needed for each pixel
+   * @throws InputException when not even one photo fits
    */
-  public int threads(int wanted, long pixels, Memory need) {
-    double outside = USED * nativeBytes / (pixels * need.nativeBytes);
-    double inside = USED * heapBytes / (pixels * need.heapBytes);
-    double fit = Math.min(outside, inside);
+  public int threads(int maxThreads, long pixels, Memory need) {
+    double nativeFit = USABLE_SHARE * nativeBytes / (pixels * need.nativeBytes);
+    double heapFit = USABLE_SHARE * heapBytes / (pixels * need.heapBytes);
+    double fit = Math.min(nativeFit, heapFit);
     if (fit < 1) {
       throw InputException.of(
           "photos of %.1f megapixels need about %.1f GiB and %.1f GiB of Java's heap, expected"
@@ -55,20 +54,20 @@ public record Memory(double nativeBytes, double heapBytes) {
           pixels / 1e6,
           pixels * need.nativeBytes / GIB,
           pixels * need.heapBytes / GIB,
-          100 * USED,
+          100 * USABLE_SHARE,
           nativeBytes / GIB,
           heapBytes / GIB);
     }
-    return (int) Math.min(wanted, fit);
+    return (int) Math.min(maxThreads, fit);
   }
 
-  /** Bytes that can be had without swapping; in a container, no more than it may have. */
+  /** Returns the bytes available without swapping, at most the limit of the container, if any. */
   private static double available() {
     OperatingSystemMXBean system = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
     try {
       String line =
-          Files.readAllLines(LINUX).stream()
-              .filter(l -> l.startsWith("MemAvailable:"))
+          Files.readAllLines(MEMINFO).stream()
+              .filter(entry -> entry.startsWith("MemAvailable:"))
               .findFirst()
               .orElseThrow(IOException::new);
       double kibibytes = Double.parseDouble(line.replaceAll("\\D", ""));

@@ -23,32 +23,32 @@ import org.opencv.dnn.Net;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * A network in an ONNX file. It is shown the photo in a square, shrunk or enlarged with its sides
- * in proportion and grey around it, red, green and blue from 0 to 1. Its answer is {@code [1, N, 5
- * + classes]} (centre, size, objectness, classes: YOLO up to version 7), {@code [1, 4 + classes,
- * N]} (without objectness: version 8 and later), or {@code [1, 1, N, 7]} (picture, class, score and
- * corners from 0 to 1: SSD). There are more boxes than numbers of each.
+ * A network in an ONNX file. Its input is the photo in red, green and blue from 0 to 1, scaled into
+ * a square with grey borders. Its output is {@code [1, N, 5 + classes]} (centre, size, objectness,
+ * classes: YOLO up to version 7), {@code [1, 4 + classes, N]} (without objectness: version 8 and
+ * later), or {@code [1, 1, N, 7]} (picture, class, score and corners from 0 to 1: SSD). The layout
+ * is recognised by having more boxes than numbers per box.
  */
 final class OnnxDetector implements BoxDetector {
-  /** What the names of such detectors begin with. */
+  /** The prefix of the names of such detectors. */
   static final String PREFIX = "onnx:";
 
   private static final double GREY = 114;
-  private static final int SSD = 7;
-  private static final int OBJECTNESS = 4;
+  private static final int SSD_NUMBERS = 7;
+  private static final int OBJECTNESS_INDEX = 4;
 
   /**
-   * A network and what is asked of it: {@code onnx:FILE[:class=N][:size=N][:threshold=X]}.
+   * A network with its options: {@code onnx:FILE[:class=N][:size=N][:threshold=X]}.
    *
-   * @param category which of its classes, from 0
-   * @param size of its input, pixels a side
+   * @param category the index of the class to find, from 0
+   * @param size the width and height of its input, pixels
    * @param threshold the least score that counts, [0, 1]
    */
   record Network(Path file, int category, int size, double threshold) {
     /**
-     * Reads a name.
+     * Parses a name.
      *
-     * @throws InputException in one line, when it is none
+     * @throws InputException in one line, when the options or the file are wrong
      */
     static Network of(String name) {
       String text = name.substring(PREFIX.length()).replace(':', ',');
@@ -66,7 +66,7 @@ final class OnnxDetector implements BoxDetector {
       return read;
     }
 
-    /** The name of its column. */
+    /** Returns the name of its column. */
     String column() {
       String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
       return "onnx-" + stem.replaceAll("[^A-Za-z0-9_]", "-") + "-" + category;
@@ -96,10 +96,10 @@ final class OnnxDetector implements BoxDetector {
     double scale = network.size() / (double) Math.max(picture.cols(), picture.rows());
     try (Mats mats = new Mats()) {
       net.setInput(mats.own(blob(mats, picture, scale)));
-      List<Mat> answers = new ArrayList<>();
-      net.forward(answers, net.getUnconnectedOutLayersNames());
-      answers.forEach(mats::own);
-      List<Box> boxes = boxes(network, answers.get(0));
+      List<Mat> outputs = new ArrayList<>();
+      net.forward(outputs, net.getUnconnectedOutLayersNames());
+      outputs.forEach(mats::own);
+      List<Box> boxes = boxes(network, outputs.get(0));
       return boxes.stream().map(box -> inPhoto(box, scale)).toList();
     } catch (CvException e) {
       throw failed(e);
@@ -132,36 +132,36 @@ final class OnnxDetector implements BoxDetector {
         box.x() / scale, box.y() / scale, box.width() / scale, box.height() / scale, box.score());
   }
 
-  /** The boxes of the class that is asked for, in pixels of the network's input. */
-  static List<Box> boxes(Network network, Mat answer) {
-    float[] values = new float[(int) answer.total()];
-    answer.get(new int[answer.dims()], values);
+  /** Returns the boxes of the requested class, in pixels of the network's input. */
+  static List<Box> boxes(Network network, Mat output) {
+    float[] values = new float[(int) output.total()];
+    output.get(new int[output.dims()], values);
     List<Box> boxes = new ArrayList<>();
-    if (answer.dims() == 4 && answer.size(3) == SSD) {
-      corners(network, values, boxes);
-    } else if (answer.dims() == 3) {
-      centres(network, values, answer.size(1), answer.size(2), boxes);
+    if (output.dims() == 4 && output.size(3) == SSD_NUMBERS) {
+      addFromCorners(network, values, boxes);
+    } else if (output.dims() == 3) {
+      addFromCentres(network, values, output.size(1), output.size(2), boxes);
     } else {
       throw InputException.of(
           "%s: the network's answer has %s dimensions, expected [1, N, 5 + classes], [1,"
               + " 4 + classes, N] or [1, 1, N, 7]",
-          network.file(), answer.dims());
+          network.file(), output.dims());
     }
     return boxes;
   }
 
-  private static void centres(
+  private static void addFromCentres(
       Network network, float[] values, int rows, int columns, List<Box> boxes) {
-    boolean across = rows < columns;
-    int count = across ? columns : rows;
-    int numbers = across ? rows : columns;
-    int first = across ? OBJECTNESS : OBJECTNESS + 1;
-    checkClass(network, numbers - first);
+    boolean boxesInColumns = rows < columns;
+    int count = boxesInColumns ? columns : rows;
+    int numbers = boxesInColumns ? rows : columns;
+    int firstClass = boxesInColumns ? OBJECTNESS_INDEX : OBJECTNESS_INDEX + 1;
+    checkClass(network, numbers - firstClass);
     for (int i = 0; i < count; i++) {
-      int start = across ? i : i * columns;
-      int step = across ? columns : 1;
-      double score = values[start + (first + network.category()) * step];
-      score *= across ? 1 : values[start + OBJECTNESS * step];
+      int start = boxesInColumns ? i : i * columns;
+      int step = boxesInColumns ? columns : 1;
+      double score = values[start + (firstClass + network.category()) * step];
+      score *= boxesInColumns ? 1 : values[start + OBJECTNESS_INDEX * step];
       double width = values[start + 2 * step];
       double height = values[start + 3 * step];
       add(
@@ -175,8 +175,8 @@ final class OnnxDetector implements BoxDetector {
     }
   }
 
-  private static void corners(Network network, float[] values, List<Box> boxes) {
-    for (int i = 0; i < values.length; i += SSD) {
+  private static void addFromCorners(Network network, float[] values, List<Box> boxes) {
+    for (int i = 0; i < values.length; i += SSD_NUMBERS) {
       if (values[i + 1] == network.category()) {
         double left = values[i + 3] * network.size();
         double top = values[i + 4] * network.size();

@@ -25,12 +25,13 @@ import org.opencv.core.Mat;
 import org.opencv.core.MatOfByte;
 import org.opencv.imgcodecs.Imgcodecs;
 
-/** A picture file, decoded when it is asked for, and released with this. */
+/** A picture file that is decoded on demand. {@link #close} releases the decoded pictures. */
 public final class Photograph implements AutoCloseable {
-  private static final int SPARSE = 32;
-  private static final int SIGNATURE = 8; // bytes at a PNG's start
-  private static final int TYPE = 4; // bytes
-  private static final List<String> DAMAGE = List.of("premature end", "missing eoi", "corrupt");
+  private static final int SUBSAMPLING = 32;
+  private static final int PNG_SIGNATURE_BYTES = 8;
+  private static final int CHUNK_TYPE_BYTES = 4;
+  private static final List<String> DAMAGE_WARNINGS =
+      List.of("premature end", "missing eoi", "corrupt");
 
   private final Path file;
   private final Mats mats = new Mats();
@@ -41,18 +42,18 @@ public final class Photograph implements AutoCloseable {
   }
 
   /**
-   * In 8-bit grey.
+   * Returns the picture in 8-bit grey.
    *
-   * @throws InputException with the file's name, when it is no whole picture
+   * @throws InputException with the file's name, when it is not a complete picture
    */
   public Mat grey() {
     return decoded.computeIfAbsent(Imgcodecs.IMREAD_GRAYSCALE, this::decode);
   }
 
   /**
-   * In 8-bit blue, green and red.
+   * Returns the picture in 8-bit blue, green and red.
    *
-   * @throws InputException with the file's name, when it is no whole picture
+   * @throws InputException with the file's name, when it is not a complete picture
    */
   public Mat colour() {
     return decoded.computeIfAbsent(Imgcodecs.IMREAD_COLOR, this::decode);
@@ -68,9 +69,9 @@ public final class Photograph implements AutoCloseable {
   }
 
   /**
-   * Refuses a picture whose data break off or were changed. Of a JPEG, OpenCV fills what is missing
-   * with grey and says nothing, so Java's decoder is asked: it reads everything and keeps one pixel
-   * of many. Of a PNG, the checksum of each chunk is looked at (PNG specification, 5.3).
+   * Rejects a truncated or damaged picture. OpenCV silently fills missing parts of a JPEG with
+   * grey, so JPEGs are also read with Java's decoder, subsampled to save memory. For PNGs, the
+   * checksum of each chunk is verified (PNG specification, 5.3).
    */
   private void checkWhole() {
     List<String> warnings = new ArrayList<>();
@@ -81,10 +82,10 @@ public final class Photograph implements AutoCloseable {
         reader.addIIOReadWarningListener((source, warning) -> warnings.add(warning));
         if (reader.getFormatName().equalsIgnoreCase("png")) {
           checkChunks(in);
-        } else if (reader.canReadRaster()) { // other formats fail by themselves
-          ImageReadParam sparse = reader.getDefaultReadParam();
-          sparse.setSourceSubsampling(SPARSE, SPARSE, 0, 0);
-          reader.readRaster(0, sparse);
+        } else if (reader.canReadRaster()) { // decoding of other formats fails later
+          ImageReadParam subsampled = reader.getDefaultReadParam();
+          subsampled.setSourceSubsampling(SUBSAMPLING, SUBSAMPLING, 0, 0);
+          reader.readRaster(0, subsampled);
         }
       } finally {
         reader.dispose();
@@ -95,7 +96,7 @@ public final class Photograph implements AutoCloseable {
     }
     for (String warning : warnings) {
       String words = warning.toLowerCase(Locale.ROOT);
-      if (DAMAGE.stream().anyMatch(words::contains)) {
+      if (DAMAGE_WARNINGS.stream().anyMatch(words::contains)) {
         throw InputException.of(
             "%s: the picture is damaged, expected a whole one (%s)", file, warning);
       }
@@ -103,31 +104,31 @@ public final class Photograph implements AutoCloseable {
   }
 
   private static void checkChunks(ImageInputStream in) throws IOException {
-    in.seek(SIGNATURE);
+    in.seek(PNG_SIGNATURE_BYTES);
     boolean last = false;
     while (!last) {
       int length = in.readInt();
-      if (length < 0 || length > in.length()) { // refused before there is room for it
+      if (length < 0 || length > in.length()) { // checked before memory is allocated
         throw new IOException("a chunk of " + length + " bytes");
       }
-      byte[] chunk = new byte[TYPE + length];
+      byte[] chunk = new byte[CHUNK_TYPE_BYTES + length];
       in.readFully(chunk);
       CRC32 sum = new CRC32();
       sum.update(chunk);
       if (in.readInt() != (int) sum.getValue()) {
         throw new IOException("a chunk is damaged");
       }
-      last = new String(chunk, 0, TYPE, StandardCharsets.US_ASCII).equals("IEND");
+      last = new String(chunk, 0, CHUNK_TYPE_BYTES, StandardCharsets.US_ASCII).equals("IEND");
     }
   }
 
   /**
-   * Does a detector's work on the picture.
+   * Runs a detector on the picture.
    *
-   * @throws InputException in one line with the file and the detector, where OpenCV or the memory
-   *     gives out
+   * @throws InputException in one line with the file and the detector, when OpenCV fails or memory
+   *     runs out
    */
-  public <T> T lookedAt(String detector, Supplier<T> work) {
+  public <T> T detect(String detector, Supplier<T> work) {
     try {
       return work.get();
     } catch (CvException | OutOfMemoryError e) {
@@ -140,7 +141,7 @@ public final class Photograph implements AutoCloseable {
     }
   }
 
-  /** Adds a picture to a folder's files, in the format that its name ends in. */
+  /** Writes a picture to a folder, in the format of the ending of its name. */
   public static void write(OutputFolder folder, String name, Mat picture) {
     try (Mats mats = new Mats()) {
       MatOfByte bytes = mats.own(new MatOfByte());

@@ -7,13 +7,13 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.parallel.Parallel;
 
-/** The features of each object, from its close-up. */
+/** The features of each object's template, its close-up. */
 public final class Templates implements AutoCloseable {
   private final Map<String, Map<FeatureDetector, Features>> objects = new LinkedHashMap<>();
   private final List<String> warnings = new ArrayList<>();
 
   /**
-   * Finds them.
+   * Finds the features.
    *
    * @param files the close-up of each object, by the object's name
    */
@@ -23,7 +23,7 @@ public final class Templates implements AutoCloseable {
         Parallel.map(names, threads, name -> features(files.get(name), detectors));
     for (int i = 0; i < names.size(); i++) {
       objects.put(names.get(i), found.get(i));
-      warn(files.get(names.get(i)), found.get(i));
+      warnIfEmpty(files.get(names.get(i)), found.get(i));
     }
   }
 
@@ -34,13 +34,13 @@ public final class Templates implements AutoCloseable {
       for (FeatureDetector detector : detectors) {
         features.put(
             detector,
-            close.lookedAt(detector.word(), () -> detector.extractor().features(close.grey())));
+            close.detect(detector.word(), () -> detector.extractor().features(close.grey())));
       }
     }
     return features;
   }
 
-  private void warn(Path file, Map<FeatureDetector, Features> found) {
+  private void warnIfEmpty(Path file, Map<FeatureDetector, Features> found) {
     found.forEach(
         (detector, features) -> {
           if (features.count() == 0) {
@@ -51,12 +51,12 @@ public final class Templates implements AutoCloseable {
         });
   }
 
-  /** Those that a detector finds in an object's template. */
+  /** Returns the features that a detector finds in an object's template. */
   public Features of(String object, FeatureDetector detector) {
     return objects.get(object).get(detector);
   }
 
-  /** A line for each template in which a detector finds nothing. */
+  /** Returns a line for each template in which a detector finds no features. */
   public List<String> warnings() {
     return warnings;
   }

@@ -13,15 +13,15 @@ import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.util.Pair;
 
 /**
- * Least squares of a curve by Levenberg and Marquardt, each parameter within its bounds, from the
- * best of several starts.
+ * Fits a curve by least squares (Levenberg and Marquardt) from the best of several starts. Each
+ * parameter stays within its bounds.
  */
 final class CurveFit {
   private static final int MAX_STEPS = 400;
 
   /**
-   * A positive parameter between two bounds, as a number without bounds for an optimiser that knows
-   * none: {@code value = least (most / least)^(1 / (1 + exp(-t)))}.
+   * A positive parameter between two bounds, mapped to an unbounded number for the optimiser:
+   * {@code value = least (most / least)^(1 / (1 + exp(-t)))}.
    *
    * @param least above 0
    * @param most above {@code least}
@@ -29,18 +29,20 @@ final class CurveFit {
   record Bounded(double least, double most) {
     private static final double FARTHEST = 12;
 
-    /** The parameter for a number of the optimiser's. */
+    /** Returns the parameter for a number of the optimiser. */
     double value(double free) {
       return least * StrictMath.pow(most / least, share(free));
     }
 
-    /** Its derivative there. */
+    /** Returns the derivative of {@link #value}. */
     double slope(double free) {
       double share = share(free);
       return value(free) * StrictMath.log(most / least) * share * (1 - share);
     }
 
-    /** The optimiser's number for a parameter; one at a bound is taken a little inside. */
+    /**
+     * Returns the optimiser's number for a parameter, which is moved slightly inside its bounds.
+     */
     double free(double value) {
       double share = StrictMath.log(value / least) / StrictMath.log(most / least);
       double odds = share / (1 - share);
@@ -54,7 +56,7 @@ final class CurveFit {
 
   /** A curve with parameters. */
   interface Curve {
-    /** Its height at x, and in {@code gradient} the derivative by each parameter. */
+    /** Returns the value at x and sets {@code gradient} to the derivative by each parameter. */
     double at(double x, double[] parameters, double[] gradient);
   }
 
@@ -64,7 +66,7 @@ final class CurveFit {
   private final double[] y;
 
   /**
-   * @param bounds of each parameter; null for one that may be any number
+   * @param bounds the bounds of each parameter; null for one without bounds
    */
   CurveFit(Curve curve, List<Bounded> bounds, double[] x, double[] y) {
     this.curve = curve;
@@ -73,11 +75,11 @@ final class CurveFit {
     this.y = y.clone();
   }
 
-  /** The parameters with the least squared error that is found from the best of the starts. */
-  double[] from(List<double[]> starts) {
+  /** Returns the parameters with the least squared error found from the best of the starts. */
+  double[] fitFrom(List<double[]> starts) {
     double[] start = starts.get(0);
-    for (double[] other : starts) {
-      start = error(other) < error(start) ? other : start;
+    for (double[] candidate : starts) {
+      start = error(candidate) < error(start) ? candidate : start;
     }
     double[] found = optimum(start);
     return error(found) < error(start) ? found : start;
@@ -99,22 +101,22 @@ final class CurveFit {
               .getPoint()
               .toArray());
     } catch (MathIllegalStateException e) {
-      return start; // no step gains anything, or none is left
+      return start; // no step improves the fit, or the limit of steps is reached
     }
   }
 
   private Pair<RealVector, RealMatrix> values(RealVector point) {
     double[] free = point.toArray();
     double[] parameters = parameters(free);
-    double[] heights = new double[x.length];
+    double[] values = new double[x.length];
     double[][] slopes = new double[x.length][free.length];
     for (int i = 0; i < x.length; i++) {
-      heights[i] = curve.at(x[i], parameters, slopes[i]);
+      values[i] = curve.at(x[i], parameters, slopes[i]);
       for (int k = 0; k < free.length; k++) {
         slopes[i][k] *= bounds.get(k) == null ? 1 : bounds.get(k).slope(free[k]);
       }
     }
-    return new Pair<>(new ArrayRealVector(heights, false), new Array2DRowRealMatrix(slopes, false));
+    return new Pair<>(new ArrayRealVector(values, false), new Array2DRowRealMatrix(slopes, false));
   }
 
   private double error(double[] parameters) {

@@ -6,13 +6,13 @@ import java.util.List;
 import org.apache.commons.math3.util.MathArrays;
 
 /**
- * What one detector's confidences say of PIP, measured or predicted by one f.
+ * Fits of one detector's confidences to PIP, measured or predicted by one f.
  *
- * @param shapes every shape of g, the simplest first
- * @param chosen the one that is taken
- * @param scatter about the chosen one
- * @param scatters about the chosen one, as they are drawn from: constant, growing
- * @param slope whether confidence rises at all
+ * @param shapes the fit of every shape of g, the simplest first
+ * @param chosen the fit that is used
+ * @param scatter the scatter about the chosen fit, between and within objects
+ * @param scatters the models of the scatter about the chosen fit: constant, growing
+ * @param slope whether confidence rises with PIP
  */
 public record DetectorFit(
     List<ShapeFit> shapes,
@@ -23,11 +23,11 @@ public record DetectorFit(
   /**
    * Fits every shape of g and chooses one.
    *
-   * @param settings the shape that is wanted whatever fits best, and the seed of the bootstrap
+   * @param settings the shape of g, if it is prescribed, and the seed of the bootstrap
    * @param objects the rows of each object
-   * @param unseen what is left out together: objects, or folds where there is one object
+   * @param unseen the groups that are left out: objects, or folds if there is one object
    * @param x the PIP of each row
-   * @param unseenX for each group the PIP of each row as an f says it that has not seen the group
+   * @param unseenX for each group the PIP of each row, predicted by an f fitted without the group
    */
   static DetectorFit of(
       FitSettings settings,
@@ -57,47 +57,49 @@ public record DetectorFit(
   }
 
   private static ShapeFit shape(List<ShapeFit> shapes, String name) {
-    return shapes.stream().filter(one -> one.shape().equals(name)).findFirst().orElseThrow();
+    return shapes.stream().filter(fit -> fit.shape().equals(name)).findFirst().orElseThrow();
   }
 
-  /** The scatter that is taken: of the least log loss, the constant one where both are equal. */
+  /**
+   * Returns the scatter that models use, the one of least log loss; the constant one wins a tie.
+   */
   public ScatterFit drawnFrom() {
     return scatters.stream()
-        .min(Comparator.comparingDouble(one -> one.calibration().logLoss()))
+        .min(Comparator.comparingDouble(fit -> fit.calibration().logLoss()))
         .orElseThrow();
   }
 
-  /** Whether this is no detector: nobody can be sure that a larger target is detected sooner. */
-  public boolean refused() {
-    return !slope.sure();
+  /** Whether the fit is rejected, because confidence does not significantly rise with PIP. */
+  public boolean rejected() {
+    return !slope.significant();
   }
 
   /**
    * How residuals scatter between objects and within one: a random effect of the object, by the
    * moments of a one-way analysis of variance.
    *
-   * @param between standard deviation of the objects' own offsets; 0 where there is one object
-   * @param within standard deviation about them
+   * @param between the standard deviation of the objects' offsets; 0 if there is only one object
+   * @param within the standard deviation of an object's residuals about its offset
    */
   public record ObjectScatter(double between, double within) {
-    /** Of residuals. */
+    /** Estimates the scatter of residuals. */
     static ObjectScatter of(double[] residuals, Groups objects) {
       int rows = residuals.length;
       int count = objects.count();
-      double grand = mean(residuals);
-      double inside = 0;
-      double outside = 0;
-      double squares = 0;
+      double overallMean = mean(residuals);
+      double withinSquares = 0;
+      double betweenSquares = 0;
+      double sumOfSquaredSizes = 0;
       for (int[] object : objects.rows()) {
-        double[] own = Groups.at(object, residuals);
-        double mean = mean(own);
-        inside += Arrays.stream(own).map(r -> (r - mean) * (r - mean)).sum();
-        outside += own.length * (mean - grand) * (mean - grand);
-        squares += (double) own.length * own.length;
+        double[] objectResiduals = Groups.at(object, residuals);
+        double mean = mean(objectResiduals);
+        withinSquares += Arrays.stream(objectResiduals).map(r -> (r - mean) * (r - mean)).sum();
+        betweenSquares += objectResiduals.length * (mean - overallMean) * (mean - overallMean);
+        sumOfSquaredSizes += (double) objectResiduals.length * objectResiduals.length;
       }
-      double within = inside / Math.max(1, rows - count);
-      double each = (rows - squares / rows) / Math.max(1, count - 1);
-      double between = count > 1 ? (outside / (count - 1) - within) / each : 0;
+      double within = withinSquares / Math.max(1, rows - count);
+      double effectiveSize = (rows - sumOfSquaredSizes / rows) / Math.max(1, count - 1);
+      double between = count > 1 ? (betweenSquares / (count - 1) - within) / effectiveSize : 0;
       return new ObjectScatter(Math.sqrt(Math.max(0, between)), Math.sqrt(within));
     }
 

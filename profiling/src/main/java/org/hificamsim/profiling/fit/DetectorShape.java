@@ -15,11 +15,11 @@ import org.hificamsim.hifi.detector.SaturatingExponential;
 import org.hificamsim.profiling.fit.CurveFit.Bounded;
 
 /**
- * A shape of g and the way to fit it: an extension point; a line in {@link #ALL}. Curves with
+ * A shape of g and how to fit it. To add a shape, add a line to {@link #ALL}. Curves with
  * parameters are fitted by least squares from several starts ({@link CurveFit}).
  *
- * @param name the short name, as the model file's type says it
- * @param method fits confidences on PIP; the same for the same rows
+ * @param name the short name, the type in model files
+ * @param method fits confidences to PIP; deterministic
  */
 public record DetectorShape(String name, BiFunction<double[], double[], DetectorModel> method) {
   /** Every shape, the one with the fewest parameters first. */
@@ -38,19 +38,19 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
   private static final double[] PERCENTS = {5, 20, 35, 50, 65, 80, 95};
   private static final double SMALLEST = 1e-9;
 
-  /** The names of all. */
+  /** Returns the names of all shapes. */
   public static List<String> names() {
     return ALL.stream().map(DetectorShape::name).toList();
   }
 
   /**
-   * One of them.
+   * Returns the shape of a name.
    *
-   * @throws InputException when there is none of this name
+   * @throws InputException when there is no such shape
    */
   public static DetectorShape of(String name) {
     return ALL.stream()
-        .filter(one -> one.name().equals(name))
+        .filter(shape -> shape.name().equals(name))
         .findFirst()
         .orElseThrow(
             () ->
@@ -59,17 +59,17 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
   }
 
   /**
-   * Fits it.
+   * Fits the shape.
    *
-   * @param pip the share of the image of each row, [0, 1]
-   * @param confidence what was measured of it
+   * @param pip the PIP of each row, [0, 1]
+   * @param confidence the measured confidence of each row
    * @throws InputException when there are fewer than three rows
    */
   DetectorModel fit(double[] pip, double[] confidence) {
     return method.apply(pip, confidence);
   }
 
-  /** The logistic curve in log PIP: half and exponent. */
+  /** Fits the logistic curve in log PIP with parameters half and exponent. */
   private static LogisticCurve logistic(double[] pip, double[] confidence) {
     List<double[]> starts = new ArrayList<>();
     for (double half : shares(pip)) {
@@ -81,15 +81,16 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
     Bounded halves = new Bounded(bounds(pip).least(), 1e4 * bounds(pip).most());
     double[] found =
         new CurveFit(
-                (p, at, gradient) -> gained(p, at[0], at[1], 1, gradient, 0),
+                (p, parameters, gradient) ->
+                    reachedShare(p, parameters[0], parameters[1], 1, gradient, 0),
                 List.of(halves, EXPONENTS),
                 pip,
                 confidence)
-            .from(starts);
+            .fitFrom(starts);
     return new LogisticCurve(found[0], found[1]);
   }
 
-  /** {@code floor + rise (1 - exp(-PIP / scale))}, rise and scale above 0. */
+  /** Fits {@code floor + rise (1 - exp(-PIP / scale))}, rise and scale above 0. */
   private static SaturatingExponential saturating(double[] pip, double[] confidence) {
     List<double[]> starts = new ArrayList<>();
     for (double scale : shares(pip)) {
@@ -98,61 +99,63 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
     }
     double[] found =
         new CurveFit(
-                DetectorShape::saturatingHeight,
+                DetectorShape::saturatingValue,
                 Arrays.asList(null, RISES, bounds(pip)),
                 pip,
                 confidence)
-            .from(starts);
+            .fitFrom(starts);
     return new SaturatingExponential(found[0], found[1], found[2]);
   }
 
-  private static double saturatingHeight(double pip, double[] at, double[] gradient) {
-    double left = StrictMath.exp(-pip / at[2]);
+  private static double saturatingValue(double pip, double[] parameters, double[] gradient) {
+    double remainingShare = StrictMath.exp(-pip / parameters[2]);
     gradient[0] = 1;
-    gradient[1] = 1 - left;
-    gradient[2] = -at[1] * left * pip / (at[2] * at[2]);
-    return at[0] + at[1] * (1 - left);
+    gradient[1] = 1 - remainingShare;
+    gradient[2] = -parameters[1] * remainingShare * pip / (parameters[2] * parameters[2]);
+    return parameters[0] + parameters[1] * (1 - remainingShare);
   }
 
-  /** Hill's curve: floor, rise, half and exponent, all but the floor above 0. */
+  /** Fits the Hill curve: floor, rise, half and exponent, all but the floor above 0. */
   private static HillCurve hill(double[] pip, double[] confidence) {
     List<double[]> starts = new ArrayList<>();
     for (double half : shares(pip)) {
       for (double exponent : HILL_STARTS) {
-        double[] linear = floorAndRise(pip, confidence, p -> gained(p, half, exponent));
+        double[] linear = floorAndRise(pip, confidence, p -> reachedShare(p, half, exponent));
         starts.add(new double[] {linear[0], linear[1], half, exponent});
       }
     }
     List<Bounded> bounds = Arrays.asList(null, RISES, bounds(pip), EXPONENTS);
-    double[] found = new CurveFit(DetectorShape::hillHeight, bounds, pip, confidence).from(starts);
+    double[] found =
+        new CurveFit(DetectorShape::hillValue, bounds, pip, confidence).fitFrom(starts);
     return new HillCurve(found[0], found[1], found[2], found[3]);
   }
 
-  private static double hillHeight(double pip, double[] at, double[] gradient) {
-    double gained = gained(pip, at[2], at[3], at[1], gradient, 2);
+  private static double hillValue(double pip, double[] parameters, double[] gradient) {
+    double reachedShare =
+        reachedShare(pip, parameters[2], parameters[3], parameters[1], gradient, 2);
     gradient[0] = 1;
-    gradient[1] = gained;
-    return at[0] + at[1] * gained;
+    gradient[1] = reachedShare;
+    return parameters[0] + parameters[1] * reachedShare;
   }
 
   /**
-   * The share that is gained at a PIP, and in {@code gradient} from {@code first} on what the
-   * height changes by half and exponent.
+   * Returns the share of the rise reached at a PIP, and sets the derivatives by half and exponent
+   * in {@code gradient} at {@code first} and after it.
    */
-  private static double gained(
+  private static double reachedShare(
       double pip, double half, double exponent, double rise, double[] gradient, int first) {
-    double gained = gained(pip, half, exponent);
-    double steepness = rise * gained * (1 - gained);
+    double reachedShare = reachedShare(pip, half, exponent);
+    double steepness = rise * reachedShare * (1 - reachedShare);
     gradient[first] = -steepness * exponent / half;
     gradient[first + 1] = pip > 0 ? steepness * StrictMath.log(pip / half) : 0;
-    return gained;
+    return reachedShare;
   }
 
-  private static double gained(double pip, double half, double exponent) {
+  private static double reachedShare(double pip, double half, double exponent) {
     return 1 / (1 + StrictMath.pow(half / pip, exponent));
   }
 
-  /** Shares of the image at which something may happen: percentiles of those that are above 0. */
+  /** Returns starts for parameters that are PIPs: percentiles of the PIPs above 0. */
   private static double[] shares(double[] pip) {
     double[] positive = Arrays.stream(pip).filter(p -> p > SMALLEST).toArray();
     if (positive.length == 0) {
@@ -163,17 +166,17 @@ public record DetectorShape(String name, BiFunction<double[], double[], Detector
     return Arrays.stream(PERCENTS).map(percentile::evaluate).toArray();
   }
 
-  /** A share may lie a hundred times beyond what was seen. */
+  /** Returns the bounds of parameters that are PIPs, a hundred times beyond the data. */
   private static Bounded bounds(double[] pip) {
     double[] shares = shares(pip);
     return new Bounded(shares[0] / 100, 100 * Math.max(shares[shares.length - 1], shares[0]));
   }
 
-  /** The best floor and rise for a curve from 0 to 1; the rise is kept above 0. */
-  private static double[] floorAndRise(double[] pip, double[] y, DoubleUnaryOperator unit) {
+  /** Fits the floor and rise of a curve that runs from 0 to 1; the rise stays above 0. */
+  private static double[] floorAndRise(double[] pip, double[] y, DoubleUnaryOperator unitCurve) {
     SimpleRegression line = new SimpleRegression();
     for (int i = 0; i < y.length; i++) {
-      line.addData(unit.applyAsDouble(pip[i]), y[i]);
+      line.addData(unitCurve.applyAsDouble(pip[i]), y[i]);
     }
     double rise = line.getSlope();
     return rise > RISES.least() && rise < RISES.most()

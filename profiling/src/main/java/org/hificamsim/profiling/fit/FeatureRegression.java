@@ -13,10 +13,10 @@ import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
- * A way to fit a feature abstraction f: an extension point; a line in {@link #all}.
+ * A way to fit a feature abstraction f. To add one, add a line to {@link #all}.
  *
  * @param name the short name in model names, such as {@code lin}
- * @param method fits photos; the same for the same photos
+ * @param method fits photos; deterministic
  */
 public record FeatureRegression(String name, Function<List<Measurement>, FittedFeature> method) {
   private static final double[] PINHOLE_EXPONENTS = {2, -2, 2};
@@ -25,13 +25,13 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
   /**
    * Fits photos.
    *
-   * @throws InputException when they do not determine a fit
+   * @throws InputException when the photos do not determine a fit
    */
   public FittedFeature fit(List<Measurement> photos) {
     return method.apply(photos);
   }
 
-  /** All, the simplest first. */
+  /** Returns all regressions, the simplest first. */
   static List<FeatureRegression> all(PhotoCamera camera, FitSettings settings) {
     return List.of(
         pinhole(camera),
@@ -42,7 +42,7 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
         SupportVectors.rbf(settings.vectors()));
   }
 
-  /** The pinhole camera, which fits nothing: for comparison. */
+  /** Returns the pinhole camera, which fits nothing and serves for comparison. */
   private static FeatureRegression pinhole(PhotoCamera camera) {
     FittedFeature law =
         new FittedFeature(
@@ -52,7 +52,7 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
     return new FeatureRegression("pinhole", photos -> law);
   }
 
-  /** Multiple linear regression of {@code -log10(PIP)} on z, q and d (thesis 4.5.1). */
+  /** Returns multiple linear regression of {@code -log10(PIP)} on z, q and d (thesis 4.5.1). */
   static FeatureRegression linear() {
     return new FeatureRegression("lin", FeatureRegression::line);
   }
@@ -67,15 +67,16 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
     return new FittedFeature(f, equation(f), fit);
   }
 
-  /** The equation as Eq 4.4 prints it. */
+  /** Returns the equation in the form of Eq 4.4. */
   static String equation(LinearAbstraction f) {
     return Texts.format(
         "-log10(PIP) = %.4g z %+.4g q %+.4g d %+.4g", f.z(), f.q(), f.d(), f.intercept());
   }
 
   /**
-   * The power law {@code PIP = c z^a q^b d^-e} by least squares of the logarithms. The exponent of
-   * a variable that never varies, as with one object or one lens, is the pinhole camera's, 2.
+   * Returns the power law {@code PIP = c z^a q^b d^-e} by least squares of the logarithms. A
+   * variable that never varies, for example with one lens, has the exponent of the pinhole camera,
+   * 2.
    */
   static FeatureRegression power() {
     return new FeatureRegression("power", FeatureRegression::powerLaw);
@@ -91,7 +92,7 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
     List<Coefficient> fit = new ArrayList<>(LeastSquares.fit(x, y, LOGARITHMS));
     for (int i = 0; i < fixed.length; i++) {
       if (fixed[i] != 0) {
-        fit.set(1 + i, Coefficient.plain(LOGARITHMS.get(i), fixed[i]));
+        fit.set(1 + i, Coefficient.withoutError(LOGARITHMS.get(i), fixed[i]));
       }
     }
     double c = StrictMath.pow(10, fit.get(0).value());
@@ -101,7 +102,9 @@ public record FeatureRegression(String name, Function<List<Measurement>, FittedF
     return new FittedFeature(f, equation, fit);
   }
 
-  /** The pinhole camera's exponent of each column that never varies; 0 of the others. */
+  /**
+   * Returns the pinhole camera's exponent for each column that never varies, and 0 for the others.
+   */
   private static double[] fixedExponents(double[][] x) {
     double[] fixed = PINHOLE_EXPONENTS.clone();
     for (int varying : LeastSquares.varying(x, fixed.length)) {

@@ -9,13 +9,13 @@ import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
- * A feature abstraction fitted to all photos, and how it does on photos that it has not seen.
+ * A feature abstraction fitted to all photos, with its cross-validations.
  *
- * @param name short name, such as {@code lin}
- * @param scores on all photos, of {@code -log10(PIP)}
- * @param validation fits that each left a fold out
- * @param objects fits that each left an object out, where there is more than one
- * @param lenses fits that each left a focal length out, where there is more than one
+ * @param name the short name, such as {@code lin}
+ * @param scores the scores for {@code -log10(PIP)} on all photos
+ * @param validation the cross-validation by folds
+ * @param objects the cross-validation by objects, if there is more than one
+ * @param lenses the cross-validation by focal lengths, if there is more than one
  */
 public record FeatureResult(
     String name,
@@ -24,31 +24,32 @@ public record FeatureResult(
     CrossValidation validation,
     Optional<CrossValidation> objects,
     Optional<CrossValidation> lenses) {
-  /** Fits every f to all photos, and to all but those of each fold, object and lens. */
+  /** Fits every f to all photos, and again without those of each fold, object and lens. */
   static List<FeatureResult> all(
       List<FeatureRegression> regressions, List<Measurement> photos, Groups folds, int threads) {
-    return regressions.stream().map(one -> of(one, photos, folds, threads)).toList();
+    return regressions.stream().map(regression -> of(regression, photos, folds, threads)).toList();
   }
 
   private static FeatureResult of(
       FeatureRegression regression, List<Measurement> photos, Groups folds, int threads) {
     Groups objects = Groups.byObject(photos);
     Groups lenses = Groups.byLens(photos);
-    List<List<Measurement>> seen = new ArrayList<>(List.of(photos));
-    Stream.of(folds, objects, lenses).forEach(groups -> seen.addAll(groups.withoutEach(photos)));
-    Iterator<FittedFeature> fits = Parallel.map(seen, threads, regression::fit).iterator();
-    FittedFeature all = fits.next();
-    double[] predicted = photos.stream().mapToDouble(all::response).toArray();
+    List<List<Measurement>> training = new ArrayList<>(List.of(photos));
+    Stream.of(folds, objects, lenses)
+        .forEach(groups -> training.addAll(groups.withoutEach(photos)));
+    Iterator<FittedFeature> fits = Parallel.map(training, threads, regression::fit).iterator();
+    FittedFeature onAll = fits.next();
+    double[] predicted = photos.stream().mapToDouble(onAll::response).toArray();
     return new FeatureResult(
         regression.name(),
-        all,
+        onAll,
         FitScores.of(Measurement.responses(photos), predicted),
         CrossValidation.of(folds, fits, photos).orElseThrow(),
         CrossValidation.of(objects, fits, photos),
         CrossValidation.of(lenses, fits, photos));
   }
 
-  /** Fits that have not seen the objects that they are asked of; folds where there is but one. */
+  /** Returns the cross-validation by objects, or by folds if there is only one object. */
   public CrossValidation unseen() {
     return objects.orElse(validation);
   }

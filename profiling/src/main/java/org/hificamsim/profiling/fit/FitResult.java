@@ -12,13 +12,11 @@ import org.hificamsim.profiling.measure.Measurement;
 /**
  * Everything that was fitted to a data set.
  *
- * @param detectors by name, in the order of the measurements' columns
+ * @param detectors the names of the detectors, in the order of the measurements' columns
  * @param features every f, in the order of the report
- * @param unseen what was left out together to see how g does on what it has not seen: objects, or
- *     folds where there is one object
- * @param thresholds by detector, from which confidence on it detects, where that is known
- * @param models every g: by detector, then by the name of what it was fitted on, an f or {@link
- *     #GROUND_TRUTH}
+ * @param unseen the groups of the cross-validation of g: objects, or folds if there is one object
+ * @param thresholds the known thresholds by detector, the least confidence of a detection
+ * @param models every g, by detector and predictor (an f or {@link #GROUND_TRUTH})
  */
 public record FitResult(
     PhotoCamera camera,
@@ -28,36 +26,42 @@ public record FitResult(
     Groups unseen,
     Map<String, Double> thresholds,
     Map<String, Map<String, DetectorFit>> models) {
-  /** On measured PIP. */
+  /** The predictor measured PIP. */
   public static final String GROUND_TRUTH = "ground-truth";
 
-  /** On CamSim's standard confidence. */
+  /** The predictor CamSim's standard confidence. */
   public static final String CAMSIM = "camsim-standard";
 
   private static final double SLOPE = 0.95;
   private static final double LOSS = 0.15;
 
-  /** The same with every g. */
+  /** Returns a copy with every g. */
   FitResult with(Map<String, Map<String, DetectorFit>> everyModel) {
     return new FitResult(camera, measurements, detectors, features, unseen, thresholds, everyModel);
   }
 
-  /** One f. */
+  /** Returns the f of a name. */
   public FeatureResult feature(String name) {
-    return features.stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
+    return features.stream()
+        .filter(feature -> feature.name().equals(name))
+        .findFirst()
+        .orElseThrow();
   }
 
-  /** One g. */
+  /** Returns the g of a detector on a predictor. */
   public DetectorFit model(String detector, String on) {
     return models.get(detector).get(on);
   }
 
-  /** The thesis's g, a line: on an f, on {@link #GROUND_TRUTH} or on {@link #CAMSIM}. */
+  /** Returns the g of the thesis, a line, on an f, {@link #GROUND_TRUTH} or {@link #CAMSIM}. */
   public LineFit line(String detector, String on) {
     return LineFit.of(predictor(on), confidences(detector));
   }
 
-  /** What a g is fitted on: the PIP of an f, {@link #GROUND_TRUTH} or {@link #CAMSIM}. */
+  /**
+   * Returns the values that a g is fitted on: PIP of an f, {@link #GROUND_TRUTH} or {@link
+   * #CAMSIM}.
+   */
   public double[] predictor(String on) {
     return switch (on) {
       case GROUND_TRUTH -> measuredPip();
@@ -67,42 +71,43 @@ public record FitResult(
   }
 
   /**
-   * CamSim's standard confidence {@code 0.95 (1 - r / rMax) - 0.15} (Eq 6.2) for the laboratory's
-   * zooms. CamSim's zoom is a radius, which falls as the focal length grows; as thesis 6.2 says,
-   * its values are computed with the focal lengths as radii and dealt out in reverse order.
+   * CamSim's standard confidence {@code 0.95 (1 - r / rMax) - 0.15} (Eq 6.2) for the zooms of the
+   * laboratory. CamSim's zoom is a radius, which falls as the focal length grows; as thesis 6.2
+   * says, its values are computed with the focal lengths as radii and assigned in reverse order.
    */
   private double[] camSimConfidence() {
     List<Double> zooms =
         measurements.stream().map(Measurement::focalLength).distinct().sorted().toList();
     int last = zooms.size() - 1;
     return measurements.stream()
-        .mapToDouble(m -> zooms.get(last - zooms.indexOf(m.focalLength())) / zooms.get(last))
+        .mapToDouble(
+            photo -> zooms.get(last - zooms.indexOf(photo.focalLength())) / zooms.get(last))
         .map(share -> SLOPE * (1 - share) - LOSS)
         .toArray();
   }
 
-  /** The photos of each object, by its name. */
+  /** Returns the photos of each object, by its name. */
   public Map<String, List<Measurement>> byObject() {
     return measurements.stream()
         .collect(groupingBy(Measurement::object, LinkedHashMap::new, toList()));
   }
 
-  /** One detector's confidences. */
+  /** Returns the confidences of a detector. */
   public double[] confidences(String detector) {
-    return measurements.stream().mapToDouble(m -> m.confidence(detector)).toArray();
+    return measurements.stream().mapToDouble(photo -> photo.confidence(detector)).toArray();
   }
 
-  /** The PIP that an f predicts for each measurement. */
+  /** Returns the PIP that an f predicts for each measurement. */
   public double[] predictedPip(String f) {
     return predictedPip(feature(f).fit());
   }
 
-  /** The same of one fit of an f. */
+  /** Returns the PIP that a fit of an f predicts for each measurement. */
   double[] predictedPip(FittedFeature fit) {
     return measurements.stream().mapToDouble(fit::pip).toArray();
   }
 
-  /** The ground-truth PIP of each measurement. */
+  /** Returns the true PIP of each measurement. */
   public double[] measuredPip() {
     return measurements.stream().mapToDouble(Measurement::pip).toArray();
   }

@@ -3,15 +3,16 @@ package org.hificamsim.profiling.fit;
 import java.util.Arrays;
 
 /**
- * How well predictions fit (Eq 4.3).
+ * Scores of predictions (Eq 4.3).
  *
  * @param mse mean squared error
- * @param r2 coefficient of determination, 1 - SSE / total sum of squares; NaN where nothing varies
+ * @param r2 coefficient of determination, 1 - SSE / total sum of squares; NaN if the observations
+ *     do not vary
  * @param rmse root of the mean squared error
  * @param sse sum of squared errors
  */
 public record FitScores(double mse, double r2, double rmse, double sse) {
-  /** The scores of predictions. */
+  /** Computes the scores of predictions. */
   public static FitScores of(double[] observed, double[] predicted) {
     double mean = 0;
     for (double value : observed) {
@@ -29,7 +30,10 @@ public record FitScores(double mse, double r2, double rmse, double sse) {
     return new FitScores(mse, r2, Math.sqrt(mse), errors);
   }
 
-  /** Whether values differ; a mean of equal ones may be rounded, so that their spread is not 0. */
+  /**
+   * Whether values differ. Their variance is no test, since rounding may make it positive for equal
+   * values.
+   */
   static boolean vary(double[] values) {
     return Arrays.stream(values).anyMatch(value -> value != values[0]);
   }

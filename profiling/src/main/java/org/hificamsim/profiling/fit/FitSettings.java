@@ -4,14 +4,14 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * How models are fitted.
+ * The settings of a fit.
  *
- * @param folds of the cross-validation
- * @param seed of the shuffle, of the bootstrap and of the genetic programming
- * @param symbolic how symbolic regression runs
- * @param vectors how support vectors are trained
- * @param shape the name of the shape of g that is taken; without one it is chosen
- * @param thresholds by detector, from which measured confidence on it detects, where that is known
+ * @param folds the number of folds of the cross-validation
+ * @param seed the seed of the folds, the bootstrap and the genetic programming
+ * @param symbolic the settings of symbolic regression
+ * @param vectors the settings of support vector regression
+ * @param shape the name of the shape of g; if empty, the best is chosen
+ * @param thresholds the known thresholds by detector, the least confidence of a detection
  */
 public record FitSettings(
     int folds,
@@ -21,26 +21,26 @@ public record FitSettings(
     Optional<String> shape,
     Map<String, Double> thresholds) {
   /**
-   * What genetic programming runs with.
+   * The settings of genetic programming.
    *
-   * @param population programs in each generation
-   * @param generations how many
-   * @param parsimony what each node of a program costs, in units of the mean squared error
-   * @param seed of everything random
-   * @param restarts how many runs, of which the best is taken; 1 is the thesis's
+   * @param population the number of programs in each generation
+   * @param generations the number of generations
+   * @param parsimony the cost of each node of a program, in units of the mean squared error
+   * @param seed the seed of all random numbers
+   * @param restarts the number of runs, of which the best is used; 1 in the thesis
    */
   public record SymbolicSettings(
       int population, int generations, double parsimony, long seed, int restarts) {}
 
   /**
-   * What an epsilon support vector regression is trained with (Eq 4.8).
+   * The settings of epsilon support vector regression (Eq 4.8).
    *
-   * @param epsilon half the width of the tube whose errors cost nothing
-   * @param penalty C, what an error beyond it costs
-   * @param tolerance when the optimisation stops
+   * @param epsilon the largest error without a cost
+   * @param penalty C, the cost per unit of a larger error
+   * @param tolerance the tolerance at which the optimisation stops
    */
   public record SupportVectorSettings(double epsilon, double penalty, double tolerance) {
-    /** The thesis's epsilon and C (thesis 4.5.3), and LIBSVM's tolerance. */
+    /** The epsilon and C of thesis 4.5.3, and the tolerance of LIBSVM. */
     public static final SupportVectorSettings THESIS = new SupportVectorSettings(0.1, 1, 1e-3);
   }
 }

@@ -8,23 +8,25 @@ import org.hificamsim.profiling.measure.Measurement;
 /**
  * A feature abstraction that was fitted to data.
  *
- * @param equation in words that people read
- * @param coefficients as far as the method has any
+ * @param equation the equation as text for readers
+ * @param coefficients the coefficients; empty if the method has none
  */
 public record FittedFeature(FeatureAbstraction f, String equation, List<Coefficient> coefficients) {
   public FittedFeature {
     coefficients = List.copyOf(coefficients);
   }
 
-  /** The predicted {@code -log10(PIP)}, unbounded where the abstraction predicts that itself. */
-  public double response(Measurement o) {
+  /**
+   * Returns the predicted {@code -log10(PIP)}; unbounded if the abstraction predicts it directly.
+   */
+  public double response(Measurement photo) {
     return f instanceof LogPipAbstraction log
-        ? log.negativeLogPip(o.size(), o.distance(), o.focalLength())
-        : -StrictMath.log10(pip(o));
+        ? log.negativeLogPip(photo.size(), photo.distance(), photo.focalLength())
+        : -StrictMath.log10(pip(photo));
   }
 
-  /** The predicted PIP, [0, 1]. */
-  public double pip(Measurement o) {
-    return f.pip(o.size(), o.distance(), o.focalLength());
+  /** Returns the predicted PIP, [0, 1]. */
+  public double pip(Measurement photo) {
+    return f.pip(photo.size(), photo.distance(), photo.focalLength());
   }
 }

@@ -18,22 +18,22 @@ import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
- * One combination of a detector, an f and a g, and what becomes of it in a model file.
+ * A combination of a detector, an f and a g, which can be written as a model file.
  *
- * @param on what g was fitted on: f's own predictions or measured PIP
+ * @param on the predictor of g: the name of f or {@link FitResult#GROUND_TRUTH}
  */
 public record FittedModel(FitResult result, String detector, FeatureResult f, String on) {
-  /** Where model files are, in the folder of a data set. */
+  /** The folder of model files in the folder of a data set. */
   public static final String FOLDER = "models";
 
-  private static final double NO_SCATTER = 1e-9;
+  private static final double MIN_SCATTER = 1e-9;
 
-  /** Every combination, by detector. */
+  /** Returns every combination, by detector. */
   public static List<FittedModel> all(FitResult result) {
     return result.detectors().stream().flatMap(detector -> of(result, detector).stream()).toList();
   }
 
-  /** Every combination of one detector. */
+  /** Returns every combination of a detector. */
   public static List<FittedModel> of(FitResult result, String detector) {
     return result.features().stream()
         .flatMap(
@@ -44,48 +44,49 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
   }
 
   /**
-   * Writes every combination as a model file that {@code run --detection} takes: {@code
-   * <detector>-<f>.json} with the g on f's own predictions, {@code <detector>-<f>-gt.json} with the
-   * g on measured PIP. What is refused has no file.
+   * Writes every combination as a model file for detection: {@code <detector>-<f>.json} with the g
+   * on f's own predictions, {@code <detector>-<f>-gt.json} with the g on measured PIP. Rejected
+   * models are not written.
    *
-   * @param prefix of the models' names, before a colon
-   * @return how many were written
+   * @param prefix the prefix of the models' names, before a colon
+   * @return the number of models written
    */
   public static int writeAll(FitResult result, OutputFolder folder, String prefix)
       throws IOException {
-    List<FittedModel> good = all(result).stream().filter(model -> !model.fit().refused()).toList();
-    for (FittedModel model : good) {
+    List<FittedModel> accepted =
+        all(result).stream().filter(model -> !model.fit().rejected()).toList();
+    for (FittedModel model : accepted) {
       folder.write(model.file(), ModelFiles.bytes(model.detection(prefix)));
     }
-    return good.size();
+    return accepted.size();
   }
 
-  /** Its file in the folder of a data set. */
+  /** Returns its file in the folder of a data set. */
   public String file() {
     return FOLDER + "/" + name() + ".json";
   }
 
-  /** {@code <detector>-<f>}, with {@code -gt} behind it where g was fitted on measured PIP. */
+  /** Returns {@code <detector>-<f>}, followed by {@code -gt} if g was fitted on measured PIP. */
   public String name() {
     return detector + "-" + f.name() + (onMeasuredPip() ? "-gt" : "");
   }
 
-  /** Its g. */
+  /** Returns its fit of g. */
   public DetectorFit fit() {
     return result.model(detector, on);
   }
 
-  /** The shape of g that is taken. */
+  /** Returns the chosen shape of g. */
   public ShapeFit chosen() {
     return fit().chosen();
   }
 
-  /** Whether g was fitted on measured PIP, and not on what f says. */
+  /** Whether g was fitted on measured PIP instead of f's predictions. */
   public boolean onMeasuredPip() {
     return on.equals(FitResult.GROUND_TRUTH);
   }
 
-  /** The model, with a prefix and a colon before its name. */
+  /** Returns the model; its name starts with the prefix and a colon. */
   public HiFiDetection detection(String prefix) {
     DetectorModel g = chosen().g();
     return new HiFiDetection(
@@ -94,12 +95,13 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
         result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
-        Optional.of(fit().drawnFrom().residuals()).filter(one -> one.least() > NO_SCATTER),
+        Optional.of(fit().drawnFrom().residuals())
+            .filter(residuals -> residuals.least() > MIN_SCATTER),
         Optional.of(fittedOn()),
         provenance());
   }
 
-  /** Why there is no file of it. */
+  /** Explains why the model is rejected. */
   public String refusal() {
     return Texts.format(
         "%s is no detector: its slope on PIP is %.3g, in [%.3g, %.3g] with 95%%"
@@ -148,6 +150,6 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
   }
 
   private static String unseen(String what, Optional<CrossValidation> validation) {
-    return validation.map(one -> Texts.format(", unseen %s %.3f", what, one.r2())).orElse("");
+    return validation.map(scores -> Texts.format(", unseen %s %.3f", what, scores.r2())).orElse("");
   }
 }

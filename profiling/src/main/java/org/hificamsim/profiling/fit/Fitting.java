@@ -19,7 +19,7 @@ public final class Fitting {
   }
 
   /**
-   * Fits everything; the same on any number of threads.
+   * Fits everything. The result does not depend on the number of threads.
    *
    * @throws InputException when the measurements do not determine a fit
    */
@@ -43,7 +43,7 @@ public final class Fitting {
     return features.with(models(features, objects, threads));
   }
 
-  /** On measured PIP, and on what each f says. */
+  /** Fits every g on measured PIP and on the predictions of each f. */
   private Map<String, Map<String, DetectorFit>> models(
       FitResult result, Groups objects, int threads) {
     List<String> names = new ArrayList<>(List.of(FitResult.GROUND_TRUTH));

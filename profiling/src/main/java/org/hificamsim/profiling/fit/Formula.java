@@ -4,16 +4,18 @@ import org.hificamsim.core.Texts;
 
 /**
  * A formula of z, q, d, numbers and the four operations, as a tree that folds constants and prints
- * itself with no more brackets than it needs.
+ * itself with as few brackets as possible.
  */
 sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Operation {
-  /** The printed form, which {@code Expression} reads. */
+  /** Returns the printed form, which {@code Expression} parses. */
   String text();
 
-  /** How strongly its outermost operation binds: 1 for sums, 2 for products, 3 for the rest. */
-  int strength();
+  /**
+   * Returns the precedence of the outermost operation: 1 for sums, 2 for products, 3 for the rest.
+   */
+  int precedence();
 
-  /** The value for a row of the predictors q, d, z. */
+  /** Returns the value for a row of the predictors q, d, z. */
   double at(double[] row);
 
   /** A number. */
@@ -27,7 +29,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public int strength() {
+    public int precedence() {
       return value < 0 ? 1 : 3;
     }
 
@@ -37,10 +39,10 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
   }
 
-  /** A predictor: its letter and its column. */
+  /** A predictor with its letter and its column. */
   record Variable(String text, int column) implements Formula {
     @Override
-    public int strength() {
+    public int precedence() {
       return 3;
     }
 
@@ -50,9 +52,9 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
   }
 
-  /** An operation on two formulas: one of + - * /. */
+  /** An operation on two formulas, one of + - * /. */
   record Operation(char sign, Formula left, Formula right) implements Formula {
-    /** The operation, or a simpler one: numbers are computed, x / x is 1 and x - x is 0. */
+    /** Returns the operation, simplified: constants are folded, x / x is 1 and x - x is 0. */
     static Formula of(char sign, Formula left, Formula right) {
       if (left.equals(right) && (sign == '/' || sign == '-') && !(left instanceof Constant)) {
         return new Constant(sign == '/' ? 1 : 0);
@@ -74,14 +76,15 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
 
     @Override
     public String text() {
-      String first = bracketed(left, strength());
-      int least = sign == '-' || sign == '/' ? strength() + 1 : strength();
-      String second = bracketed(right, right instanceof Constant n && n.value() < 0 ? 3 : least);
-      return strength() == 1 ? first + " " + sign + " " + second : first + sign + second;
+      String first = bracketed(left, precedence());
+      int minPrecedence = sign == '-' || sign == '/' ? precedence() + 1 : precedence();
+      String second =
+          bracketed(right, right instanceof Constant n && n.value() < 0 ? 3 : minPrecedence);
+      return precedence() == 1 ? first + " " + sign + " " + second : first + sign + second;
     }
 
     @Override
-    public int strength() {
+    public int precedence() {
       return sign == '+' || sign == '-' ? 1 : 2;
     }
 
@@ -97,8 +100,8 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
       };
     }
 
-    private static String bracketed(Formula part, int least) {
-      return part.strength() < least ? "(" + part.text() + ")" : part.text();
+    private static String bracketed(Formula part, int minPrecedence) {
+      return part.precedence() < minPrecedence ? "(" + part.text() + ")" : part.text();
     }
   }
 }

@@ -10,26 +10,26 @@ import java.util.stream.IntStream;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
- * Rows that are left out together in a validation: those of one object, of one lens, or of a fold.
+ * The groups of rows that a cross-validation leaves out: one for each object, lens or fold.
  *
- * @param unit what one group is, such as {@code object}
- * @param rows the rows of each group; every row is in one
+ * @param unit the name of a group, such as {@code object}
+ * @param rows the rows of each group; every row is in exactly one
  */
 public record Groups(String unit, List<int[]> rows) {
-  /** One group for each object. */
+  /** Returns one group for each object. */
   public static Groups byObject(List<Measurement> rows) {
     return by("object", rows, Measurement::object);
   }
 
-  /** One group for each focal length. */
+  /** Returns one group for each focal length. */
   public static Groups byLens(List<Measurement> rows) {
     return by("lens", rows, Measurement::focalLength);
   }
 
   /**
-   * Folds of equal size.
+   * Returns random folds of equal size.
    *
-   * @param seed of the shuffle that deals the rows to the folds
+   * @param seed the seed of the assignment of rows to folds
    */
   public static Groups folds(int size, int k, long seed) {
     int[] order = shuffled(size, seed);
@@ -45,59 +45,61 @@ public record Groups(String unit, List<int[]> rows) {
             .toList());
   }
 
-  /** How many groups there are; a validation needs two or more. */
+  /** Returns the number of groups; a cross-validation needs at least two. */
   public int count() {
     return rows.size();
   }
 
-  /** How many rows there are. */
+  /** Returns the number of rows. */
   public int size() {
     return rows.stream().mapToInt(group -> group.length).sum();
   }
 
-  /** The rows that are not in a group, in order. */
+  /** Returns the rows that are not in a group, in order. */
   public int[] others(int group) {
-    boolean[] left = new boolean[size()];
+    boolean[] inGroup = new boolean[size()];
     for (int row : rows.get(group)) {
-      left[row] = true;
+      inGroup[row] = true;
     }
-    return IntStream.range(0, left.length).filter(i -> !left[i]).toArray();
+    return IntStream.range(0, inGroup.length).filter(row -> !inGroup[row]).toArray();
   }
 
-  /** Some things without those of each group; none where leaving a group out leaves nothing. */
-  <T> List<List<T>> withoutEach(List<T> all) {
+  /** Returns for each group the items outside it; empty if there is only one group. */
+  <T> List<List<T>> withoutEach(List<T> items) {
     return IntStream.range(0, count() > 1 ? count() : 0)
-        .mapToObj(group -> at(others(group), all))
+        .mapToObj(group -> at(others(group), items))
         .toList();
   }
 
-  /** A value of a row, and of the group that it is in. */
+  /** Computes a value for a row and the group that it is in. */
   interface RowValue {
     double of(int group, int row);
   }
 
-  /** A value for each row. */
-  double[] each(RowValue value) {
-    double[] all = new double[size()];
+  /** Returns a value for each row. */
+  double[] forEachRow(RowValue value) {
+    double[] values = new double[size()];
     for (int group = 0; group < count(); group++) {
       for (int row : rows.get(group)) {
-        all[row] = value.of(group, row);
+        values[row] = value.of(group, row);
       }
     }
-    return all;
+    return values;
   }
 
-  /** How well each group is predicted. */
+  /** Returns the scores of the predictions in each group. */
   List<FitScores> scores(double[] observed, double[] predicted) {
-    return rows.stream().map(of -> FitScores.of(at(of, observed), at(of, predicted))).toList();
+    return rows.stream()
+        .map(group -> FitScores.of(at(group, observed), at(group, predicted)))
+        .toList();
   }
 
-  /** Some elements of an array. */
+  /** Returns the elements of an array at some rows. */
   static double[] at(int[] rows, double[] values) {
     return IntStream.of(rows).mapToDouble(row -> values[row]).toArray();
   }
 
-  /** Some elements of a list. */
+  /** Returns the elements of a list at some rows. */
   static <T> List<T> at(int[] rows, List<T> values) {
     return IntStream.of(rows).mapToObj(values::get).toList();
   }
@@ -105,7 +107,7 @@ public record Groups(String unit, List<int[]> rows) {
   private static Groups by(String unit, List<Measurement> rows, Function<Measurement, ?> key) {
     Map<Object, List<Integer>> groups = new LinkedHashMap<>();
     for (int i = 0; i < rows.size(); i++) {
-      groups.computeIfAbsent(key.apply(rows.get(i)), any -> new ArrayList<>()).add(i);
+      groups.computeIfAbsent(key.apply(rows.get(i)), newKey -> new ArrayList<>()).add(i);
     }
     return new Groups(
         unit,

@@ -16,9 +16,10 @@ public final class LeastSquares {
   private LeastSquares() {}
 
   /**
-   * The intercept, then one coefficient per column of {@code x}; 0 for a column that never varies.
+   * Returns the intercept, then one coefficient per column of {@code x}, 0 for a column that never
+   * varies.
    *
-   * @throws InputException when there are too few rows, a column follows from the others, or none
+   * @throws InputException when there are too few rows, columns are linearly dependent, or none
    *     varies
    */
   public static List<Coefficient> fit(double[][] x, double[] y, List<String> names) {
@@ -30,7 +31,7 @@ public final class LeastSquares {
         Arrays.stream(x).map(row -> Groups.at(varying, row)).toArray(double[][]::new);
     List<Coefficient> found = regression(columns, y, Groups.at(varying, names), names);
     List<Coefficient> all = new ArrayList<>();
-    names.forEach(name -> all.add(Coefficient.plain(name, 0)));
+    names.forEach(name -> all.add(Coefficient.withoutError(name, 0)));
     all.add(0, found.get(0));
     for (int i = 0; i < varying.length; i++) {
       all.set(1 + varying[i], found.get(1 + i));
@@ -38,7 +39,7 @@ public final class LeastSquares {
     return all;
   }
 
-  /** The columns that vary. */
+  /** Returns the columns that vary. */
   static int[] varying(double[][] x, int columns) {
     return IntStream.range(0, columns)
         .filter(k -> Arrays.stream(x).anyMatch(row -> row[k] != x[0][k]))
@@ -46,7 +47,7 @@ public final class LeastSquares {
   }
 
   private static List<Coefficient> regression(
-      double[][] x, double[] y, List<String> names, List<String> asked) {
+      double[][] x, double[] y, List<String> names, List<String> allNames) {
     try {
       OLSMultipleLinearRegression regression = new OLSMultipleLinearRegression();
       regression.newSampleData(y, x);
@@ -67,11 +68,11 @@ public final class LeastSquares {
       }
       return coefficients;
     } catch (MathIllegalArgumentException e) {
-      throw undetermined(y.length, asked, e);
+      throw undetermined(y.length, allNames, e);
     }
   }
 
-  /** The fault of rows that leave a fit open. */
+  /** Returns the error for rows that do not determine a fit. */
   static InputException undetermined(int rows, List<String> names, Exception cause) {
     return InputException.of(
             "%s rows do not determine a fit, expected several values of %s",

@@ -8,16 +8,16 @@ import org.hificamsim.hifi.detector.DetectorLine;
 /**
  * A detector line g fitted by least squares, confidence on PIP (thesis 5.4, thesis 6.1).
  *
- * @param slope with its error and interval
- * @param intercept with its error and interval
- * @param r2 share of the confidences' variance that the line captures
+ * @param slope the slope with its error and interval
+ * @param intercept the intercept with its error and interval
+ * @param r2 the share of the confidences' variance that the line explains
  * @param rmse root of SSE over its degrees of freedom, n - 2
  * @param sse sum of squared errors
  */
 public record LineFit(
     Coefficient slope, Coefficient intercept, double r2, double rmse, double sse) {
   /**
-   * Fits a line; a level one through the mean where {@code x} does not vary.
+   * Fits a line, which is horizontal through the mean if {@code x} does not vary.
    *
    * @throws InputException when there are fewer than three points
    */
@@ -27,7 +27,7 @@ public record LineFit(
     }
     double first = x[0];
     if (Arrays.stream(x).allMatch(value -> value == first)) {
-      return level(y);
+      return horizontal(y);
     }
     double[][] rows =
         Arrays.stream(x).mapToObj(value -> new double[] {value}).toArray(double[][]::new);
@@ -37,17 +37,17 @@ public record LineFit(
     return of(fit.get(1), fit.get(0), FitScores.of(y, fitted));
   }
 
-  /** The line alone. */
+  /** Returns the line without errors and scores. */
   public DetectorLine line() {
     return new DetectorLine(slope.value(), intercept.value());
   }
 
-  private static LineFit level(double[] y) {
+  private static LineFit horizontal(double[] y) {
     double[] mean = new double[y.length];
     Arrays.fill(mean, Arrays.stream(y).average().orElseThrow());
     return of(
-        Coefficient.plain("slope", 0),
-        Coefficient.plain("intercept", mean[0]),
+        Coefficient.withoutError("slope", 0),
+        Coefficient.withoutError("intercept", mean[0]),
         FitScores.of(y, mean));
   }
 

@@ -7,30 +7,30 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.util.MathArrays;
 
 /**
- * The simplest of several fits that is as good as the best: its mean error over the groups lies
- * within one standard error of the best one's (Breiman et al. 1984).
+ * Selects the simplest of several fits that is as good as the best: its mean error over the groups
+ * lies within one standard error of the best one (Breiman et al. 1984).
  *
- * <p>The standard error is that of the difference between the two over the groups. Objects differ
- * more from each other than fits do: by the error's own standard error a line would always be good
- * enough.
+ * <p>The standard error is that of the difference between the two fits over the groups. Objects
+ * differ more than fits do, so that with the standard error of the error itself a line would always
+ * pass.
  */
 final class OneStandardError {
   private OneStandardError() {}
 
   /**
-   * Which one is chosen.
+   * Returns the index of the simplest fit that is as good as the best.
    *
-   * @param errors the error in each group, the simplest fit first; NaN where a fit has none
+   * @param errors the errors of each fit in each group, the simplest fit first; may be NaN
    */
   static int simplest(List<double[]> errors) {
     int best = best(errors);
     return IntStream.range(0, errors.size())
-        .filter(i -> asGood(errors.get(i), errors.get(best)))
+        .filter(i -> isAsGood(errors.get(i), errors.get(best)))
         .findFirst()
         .orElse(best);
   }
 
-  /** The one with the least mean error. */
+  /** Returns the index of the fit with the least mean error. */
   static int best(List<double[]> errors) {
     return IntStream.range(0, errors.size())
         .boxed()
@@ -38,8 +38,9 @@ final class OneStandardError {
         .orElseThrow();
   }
 
-  private static boolean asGood(double[] errors, double[] best) {
-    double[] more = MathArrays.ebeSubtract(errors, best);
-    return StatUtils.mean(more) <= Math.sqrt(StatUtils.variance(more) / more.length);
+  private static boolean isAsGood(double[] errors, double[] best) {
+    double[] differences = MathArrays.ebeSubtract(errors, best);
+    return StatUtils.mean(differences)
+        <= Math.sqrt(StatUtils.variance(differences) / differences.length);
   }
 }

@@ -5,30 +5,31 @@ import java.util.Optional;
 import org.hificamsim.core.Texts;
 
 /**
- * Which model of a detector to take: the one with the simplest f among those that are as good as
- * the best on objects that they have not seen.
+ * The recommended model of a detector: the one with the simplest f among those that are as good as
+ * the best on unseen objects.
  *
- * @param detector its name
- * @param model none where every model is refused
- * @param best the one with the least error, which the simplest is as good as
+ * @param detector the name of the detector
+ * @param model the recommended model; empty if every model is rejected
+ * @param best the model with the least error; empty if every model is rejected
  */
 public record Recommendation(
     FitResult result, String detector, Optional<FittedModel> model, Optional<FittedModel> best) {
-  /** One for each detector. */
+  /** Returns the recommendation for each detector. */
   public static List<Recommendation> all(FitResult result) {
     return result.detectors().stream().map(detector -> of(result, detector)).toList();
   }
 
-  /** The one for a detector. */
+  /** Returns the recommendation for a detector. */
   public static Recommendation of(FitResult result, String detector) {
     List<FittedModel> models =
         FittedModel.of(result, detector).stream()
-            .filter(model -> !model.onMeasuredPip() && !model.fit().refused())
+            .filter(model -> !model.onMeasuredPip() && !model.fit().rejected())
             .toList();
     if (models.isEmpty()) {
       return new Recommendation(result, detector, Optional.empty(), Optional.empty());
     }
-    List<double[]> errors = models.stream().map(m -> m.fit().chosen().groupErrors()).toList();
+    List<double[]> errors =
+        models.stream().map(candidate -> candidate.fit().chosen().groupErrors()).toList();
     return new Recommendation(
         result,
         detector,
@@ -36,15 +37,17 @@ public record Recommendation(
         Optional.of(models.get(OneStandardError.best(errors))));
   }
 
-  /** How much of the confidence of what it has not seen the model explains; NaN without one. */
+  /** Returns the R2 of the recommended model on unseen photos; NaN if there is none. */
   public double r2() {
-    return model.map(one -> one.fit().chosen().unseen().r2()).orElse(Double.NaN);
+    return model.map(recommended -> recommended.fit().chosen().unseen().r2()).orElse(Double.NaN);
   }
 
-  /** One sentence: what to take, and why. */
+  /** Returns a sentence with the recommendation and its reason. */
   public String sentence() {
     return model
-        .map(one -> "Take " + one.name() + ": " + explains() + ", " + why(one) + ".")
+        .map(
+            recommended ->
+                "Take " + recommended.name() + ": " + explains() + ", " + why(recommended) + ".")
         .orElse(
             Texts.format(
                 "No model of %s is one: its confidence does not surely rise with the share of"
@@ -60,8 +63,8 @@ public record Recommendation(
         r2());
   }
 
-  private String why(FittedModel one) {
-    return one.equals(best.orElseThrow())
+  private String why(FittedModel recommended) {
+    return recommended.equals(best.orElseThrow())
         ? "more than any other"
         : Texts.format(
             "and no other is better by more than a standard error (%s: %.3f); its f is the"
@@ -69,10 +72,7 @@ public record Recommendation(
             best.orElseThrow().name(), best.orElseThrow().fit().chosen().unseen().r2());
   }
 
-  /**
-   * One sentence on how the share of the image grows with the focal length, and how far to trust
-   * it.
-   */
+  /** Returns sentences on how PIP grows with the focal length, and how far to trust this. */
   public static String lens(FitResult result) {
     List<Coefficient> power = result.feature("power").fit().coefficients();
     Coefficient zoom = power.get(power.size() - 1);

@@ -6,36 +6,36 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * How chances of a detection do on photos that nothing behind the chances has seen.
+ * How well predicted chances of a detection match unseen photos.
  *
- * @param chances of each photo, in [0, 1]
+ * @param chances the predicted chance of each photo, in [0, 1]
  * @param detected 1 for a photo whose measured confidence reaches the threshold, else 0
  */
 public record Reliability(double[] chances, double[] detected) {
-  /** A chance nearer to 0 or 1 counts as this near: one photo does not make a loss infinite. */
-  private static final double NEAREST = 1e-3;
+  /** Chances are kept this far from 0 and 1, so that no photo makes the loss infinite. */
+  private static final double MIN_CHANCE = 1e-3;
 
-  private static final int PARTS = 5;
+  private static final int FIFTHS = 5;
 
   /**
-   * Some photos.
+   * The chances and detections of some photos.
    *
    * @param expected the mean of their chances
    * @param detected the share that is detected
    */
   public record Part(int photos, double expected, double detected) {
-    /** How much too many are expected, a share. */
+    /** Returns the expected minus the detected share. */
     public double error() {
       return expected - detected;
     }
   }
 
-  /** All photos. */
+  /** Returns the chances and detections of all photos. */
   public Part all() {
     return part(IntStream.range(0, chances.length).toArray());
   }
 
-  /** The fifths of the photos in order of their chances. */
+  /** Returns the fifths of the photos in order of their chances. */
   public List<Part> fifths() {
     int[] order =
         IntStream.range(0, chances.length)
@@ -43,22 +43,22 @@ public record Reliability(double[] chances, double[] detected) {
             .sorted(Comparator.comparingDouble(row -> chances[row]))
             .mapToInt(row -> row)
             .toArray();
-    return IntStream.range(0, PARTS)
+    return IntStream.range(0, FIFTHS)
         .mapToObj(
             k ->
                 part(
                     Arrays.copyOfRange(
-                        order, k * order.length / PARTS, (k + 1) * order.length / PARTS)))
+                        order, k * order.length / FIFTHS, (k + 1) * order.length / FIFTHS)))
         .toList();
   }
 
-  /** The same with false alarms among the detections that are expected. */
+  /** Returns a copy whose chances include false alarms at a rate. */
   public Reliability withFalseAlarms(double rate) {
     return new Reliability(
         Arrays.stream(chances).map(chance -> rate + chance * (1 - rate)).toArray(), detected);
   }
 
-  /** The greatest error of a fifth, whatever its sign. */
+  /** Returns the largest absolute error of a fifth. */
   public double worstFifth() {
     return fifths().stream().mapToDouble(part -> Math.abs(part.error())).max().orElseThrow();
   }
@@ -70,16 +70,16 @@ public record Reliability(double[] chances, double[] detected) {
         Arrays.stream(Groups.at(rows, detected)).average().orElse(Double.NaN));
   }
 
-  /** The mean of -ln of the chance of what happened. */
+  /** Returns the mean negative logarithm of the chance of the outcome. */
   public double logLoss() {
     return IntStream.range(0, chances.length)
-        .mapToDouble(row -> -StrictMath.log(ofWhatHappened(row)))
+        .mapToDouble(row -> -StrictMath.log(chanceOfOutcome(row)))
         .average()
         .orElseThrow();
   }
 
-  private double ofWhatHappened(int row) {
+  private double chanceOfOutcome(int row) {
     double chance = detected[row] > 0 ? chances[row] : 1 - chances[row];
-    return Math.max(NEAREST, Math.min(1 - NEAREST, chance));
+    return Math.max(MIN_CHANCE, Math.min(1 - MIN_CHANCE, chance));
   }
 }

@@ -18,13 +18,13 @@ import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.hifi.Residuals;
 
 /**
- * How measured confidences scatter about a g that has not seen them, and what the chances that
- * follow from it are worth.
+ * The scatter of measured confidences about a g that has not seen them, and the quality of the
+ * resulting chances of a detection.
  *
- * @param name of the kind: {@code constant} or {@code growing}
- * @param residuals of all photos
- * @param calibration of the chances of {@code --detect chance} with its default options, for photos
- *     that neither g nor the residuals have seen; both kinds are asked about the same thresholds
+ * @param name the kind: {@code constant} or {@code growing}
+ * @param residuals the residuals of all photos
+ * @param calibration the chances of the detection rule chance with its default options, for photos
+ *     that neither g nor the residuals have seen; both kinds use the same thresholds
  */
 public record ScatterFit(String name, Residuals residuals, Reliability calibration) {
   private static final double LEAST_RATIO = 1e-2;
@@ -33,22 +33,22 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
   private static final double TOLERANCE = 1e-9;
   private static final int MAX_STEPS = 200;
 
-  /** Fits residuals to what g gains over its value for an empty image, and to the errors. */
+  /** Fits residuals to the errors and to how far g lies above its value at a PIP of 0. */
   private interface Method {
-    Residuals fit(double[] gained, double[] errors);
+    Residuals fit(double[] gains, double[] errors);
   }
 
   /**
-   * Both kinds: one standard deviation, the root mean squared error; and one that grows with the
-   * confidence, by maximum likelihood.
+   * Fits both kinds: a constant standard deviation, the root mean squared error, and one that grows
+   * with the confidence, by maximum likelihood.
    */
   static List<ScatterFit> both(ShapeFit g, double[] y, Groups groups) {
-    double[] gained =
-        groups.each(
+    double[] gains =
+        groups.forEachRow(
             (group, row) -> Math.max(0, g.predicted()[row] - g.fits().get(group).confidence(0)));
     double[] errors = MathArrays.ebeSubtract(y, g.predicted());
     Map<String, Method> kinds = new LinkedHashMap<>();
-    kinds.put("constant", (any, e) -> Residuals.of(rms(e)));
+    kinds.put("constant", (unusedGains, fitErrors) -> Residuals.of(rms(fitErrors)));
     kinds.put("growing", ScatterFit::mostLikely);
     List<ScatterFit> both = new ArrayList<>();
     kinds.forEach(
@@ -56,10 +56,10 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
           List<Residuals> unseen =
               IntStream.range(0, groups.count())
                   .mapToObj(groups::others)
-                  .map(rows -> method.fit(Groups.at(rows, gained), Groups.at(rows, errors)))
+                  .map(rows -> method.fit(Groups.at(rows, gains), Groups.at(rows, errors)))
                   .toList();
           both.add(
-              new ScatterFit(name, method.fit(gained, errors), calibration(g, y, groups, unseen)));
+              new ScatterFit(name, method.fit(gains, errors), calibration(g, y, groups, unseen)));
         });
     return both;
   }
@@ -71,21 +71,21 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
             .mapToObj(group -> unseen.get(group).about(g.fits().get(group)))
             .toList();
     double[] thresholds =
-        scatters.stream().mapToDouble(one -> one.threshold(Chance.DEFAULT_ALPHA)).toArray();
+        scatters.stream().mapToDouble(scatter -> scatter.threshold(Chance.DEFAULT_ALPHA)).toArray();
     return new Reliability(
-        groups.each(
+        groups.forEachRow(
             (group, row) -> scatters.get(group).chance(g.predicted()[row], thresholds[group])),
-        groups.each((group, row) -> y[row] >= thresholds[group] ? 1 : 0));
+        groups.forEachRow((group, row) -> y[row] >= thresholds[group] ? 1 : 0));
   }
 
   /**
-   * For each ratio of growth to least deviation the likelihood has its maximum where the errors,
-   * each divided by its share, have that deviation for a root mean square; the best ratio is looked
-   * for among many, and then between the neighbours of the best.
+   * Fits growing residuals. For a given ratio of growth to least deviation, the most likely least
+   * deviation is the root mean square of the errors, each divided by its relative deviation. The
+   * ratio is searched on a grid, and then between the neighbours of the best one.
    */
-  private static Residuals mostLikely(double[] gained, double[] errors) {
+  private static Residuals mostLikely(double[] gains, double[] errors) {
     double step = StrictMath.log(MOST_RATIO / LEAST_RATIO) / RATIOS;
-    DoubleUnaryOperator loss = log -> loss(StrictMath.exp(log), gained, errors);
+    DoubleUnaryOperator loss = log -> loss(StrictMath.exp(log), gains, errors);
     double best =
         IntStream.rangeClosed(0, RATIOS)
             .mapToObj(i -> StrictMath.log(LEAST_RATIO) + i * step)
@@ -99,23 +99,23 @@ public record ScatterFit(String name, Residuals residuals, Reliability calibrati
                 new SearchInterval(best - step, best + step, best),
                 new MaxEval(MAX_STEPS))
             .getPoint();
-    double ratio = loss.applyAsDouble(found) < loss(0, gained, errors) ? StrictMath.exp(found) : 0;
-    double least = rms(shared(ratio, gained, errors));
+    double ratio = loss.applyAsDouble(found) < loss(0, gains, errors) ? StrictMath.exp(found) : 0;
+    double least = rms(scaledErrors(ratio, gains, errors));
     return new Residuals(rms(errors), least, ratio * least);
   }
 
-  /** -ln of the likelihood for each photo, but for a constant. */
-  private static double loss(double ratio, double[] gained, double[] errors) {
+  /** Returns the mean negative log-likelihood of a photo, up to a constant. */
+  private static double loss(double ratio, double[] gains, double[] errors) {
     double logs = 0;
-    for (double one : gained) {
-      logs += StrictMath.log(1 + ratio * one);
+    for (double gain : gains) {
+      logs += StrictMath.log(1 + ratio * gain);
     }
-    return logs / gained.length + StrictMath.log(rms(shared(ratio, gained, errors)));
+    return logs / gains.length + StrictMath.log(rms(scaledErrors(ratio, gains, errors)));
   }
 
-  private static double[] shared(double ratio, double[] gained, double[] errors) {
+  private static double[] scaledErrors(double ratio, double[] gains, double[] errors) {
     return IntStream.range(0, errors.length)
-        .mapToDouble(i -> errors[i] / (1 + ratio * gained[i]))
+        .mapToDouble(i -> errors[i] / (1 + ratio * gains[i]))
         .toArray();
   }
 

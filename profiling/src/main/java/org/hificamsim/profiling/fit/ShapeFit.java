@@ -6,15 +6,15 @@ import java.util.stream.IntStream;
 import org.hificamsim.hifi.detector.DetectorModel;
 
 /**
- * A detector model g of one shape, and how it does on groups of rows that it has not seen.
+ * A detector model g of one shape, with its cross-validation.
  *
- * @param shape its name
- * @param g fitted to all rows
- * @param scores on all rows
- * @param fits without each group
- * @param predicted what a fit without its group says of each row
- * @param unseen the scores of that
- * @param groupErrors the mean squared error of that in each group
+ * @param shape the name of the shape
+ * @param g the fit to all rows
+ * @param scores the scores of g on all rows
+ * @param fits for each group, the fit without it
+ * @param predicted the prediction of each row by the fit without its group
+ * @param unseen the scores of these predictions
+ * @param groupErrors the mean squared error of these predictions in each group
  */
 public record ShapeFit(
     String shape,
@@ -28,7 +28,7 @@ public record ShapeFit(
    * Fits a shape to all rows, and once without each group.
    *
    * @param x the PIP of each row
-   * @param unseenX for each group the PIP of each row as an f says it that has not seen the group
+   * @param unseenX for each group the PIP of each row, predicted by an f fitted without the group
    */
   public static ShapeFit of(
       DetectorShape shape, double[] x, List<double[]> unseenX, double[] y, Groups groups) {
@@ -42,7 +42,7 @@ public record ShapeFit(
                 })
             .toList();
     double[] predicted =
-        groups.each((group, row) -> fits.get(group).confidence(unseenX.get(group)[row]));
+        groups.forEachRow((group, row) -> fits.get(group).confidence(unseenX.get(group)[row]));
     double[] fitted = Arrays.stream(x).map(g::confidence).toArray();
     return new ShapeFit(
         shape.name(),

@@ -22,14 +22,15 @@ final class SupportVectors {
   private static final List<String> VARIABLES = List.of("q", "d", "z");
   private static final double GAMMA = 1.0 / VARIABLES.size();
 
-  /** So wide that the kernel does not see the variable: there is nothing to learn about it. */
+  /** The range of a variable that never varies, so wide that the kernel ignores it. */
   private static final Range NO_EFFECT = new Range(0, 1000);
 
   private SupportVectors() {}
 
   /**
-   * With a linear kernel on q, d and z in metres, as the magnitude of Eq 4.11's coefficients shows
-   * it was used: flatness then costs z most, whose metres are few.
+   * Returns the regression with a linear kernel on q, d and z in metres, which the magnitude of the
+   * coefficients of Eq 4.11 suggests. Regularisation then affects z most, since its values are
+   * small.
    */
   static FeatureRegression linear(SupportVectorSettings settings) {
     return new FeatureRegression("svr-lin", photos -> line(photos, settings));
@@ -50,15 +51,15 @@ final class SupportVectors {
         f,
         FeatureRegression.equation(f),
         List.of(
-            Coefficient.plain("intercept", f.intercept()),
-            Coefficient.plain("q", f.q()),
-            Coefficient.plain("d", f.d()),
-            Coefficient.plain("z", f.z())));
+            Coefficient.withoutError("intercept", f.intercept()),
+            Coefficient.withoutError("q", f.q()),
+            Coefficient.withoutError("d", f.d()),
+            Coefficient.withoutError("z", f.z())));
   }
 
   /**
-   * With a radial basis function kernel (Eq 4.10) on q, d and z scaled to [0, 1], gamma being 1
-   * over the number of variables.
+   * Returns the regression with a radial basis function kernel (Eq 4.10) on q, d and z scaled to
+   * [0, 1]; gamma is 1 over the number of variables.
    */
   static FeatureRegression rbf(SupportVectorSettings settings) {
     return new FeatureRegression(
@@ -73,7 +74,7 @@ final class SupportVectors {
     return new FittedFeature(f, equation, List.of());
   }
 
-  /** Smile's own machine on the scaled variables. */
+  /** Fits Smile's kernel machine to the scaled variables. */
   static KernelMachine<double[]> rbfMachine(
       List<Measurement> photos, SupportVectorSettings settings) {
     double[][] x = scaled(photos);
@@ -95,17 +96,24 @@ final class SupportVectors {
         .fit(x, Measurement.responses(photos));
   }
 
-  /** The scaled predictors of every photo. */
+  /** Returns the scaled predictors of every photo. */
   static double[][] scaled(List<Measurement> photos) {
     Range q = range(photos, Measurement::size);
     Range d = range(photos, Measurement::distance);
     Range z = range(photos, Measurement::focalLength);
     return photos.stream()
-        .map(o -> new double[] {q.scale(o.size()), d.scale(o.distance()), z.scale(o.focalLength())})
+        .map(
+            photo ->
+                new double[] {
+                  q.scale(photo.size()), d.scale(photo.distance()), z.scale(photo.focalLength())
+                })
         .toArray(double[][]::new);
   }
 
-  /** The machine as a model that needs no library; each support vector is found by its place. */
+  /**
+   * Converts a machine into a model without dependencies. Support vectors are matched to photos by
+   * their scaled predictors.
+   */
   static SvrRbfAbstraction abstraction(List<Measurement> photos, KernelMachine<double[]> machine) {
     double[][] x = scaled(photos);
     double[][] support = new double[machine.instances().length][];

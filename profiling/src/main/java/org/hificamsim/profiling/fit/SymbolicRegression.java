@@ -29,7 +29,7 @@ import org.hificamsim.profiling.measure.Measurement;
 /**
  * Symbolic regression of {@code -log10(PIP)} by genetic programming (thesis 4.5.2), on Jenetics:
  * programs of + - * /, the predictors and constants in [-1, 1], selected by their mean squared
- * error plus a charge for every node.
+ * error plus a cost for every node.
  *
  * @param settings population, generations, parsimony and seed
  */
@@ -40,7 +40,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
   private static final double CROSSOVER = 0.9;
   private static final double MUTATION = 0.01;
   private static final int JUDGING_FOLDS = 5;
-  private static final long STRIDE = 1_000_003;
+  private static final long SEED_STRIDE = 1_000_003;
 
   private static final ISeq<Op<Double>> OPERATIONS =
       ISeq.of(MathOp.ADD, MathOp.SUB, MathOp.MUL, MathOp.DIV);
@@ -48,7 +48,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
       Map.of(MathOp.ADD, '+', MathOp.SUB, '-', MathOp.MUL, '*', MathOp.DIV, '/');
   private static final List<String> VARIABLES = List.of("q", "d", "z");
 
-  /** Fits photos; the same for the same photos. */
+  /** Fits photos; deterministic. */
   public FittedFeature fit(List<Measurement> photos) {
     String text = best(Measurement.predictors(photos), Measurement.responses(photos)).text();
     SymbolicAbstraction f = new SymbolicAbstraction(Expression.parse(text));
@@ -56,20 +56,23 @@ public record SymbolicRegression(SymbolicSettings settings) {
   }
 
   /**
-   * The program of the only run, or of the one whose programs do best on rows they have not seen.
+   * Returns the program of the only run, or, of several, the one with the least error on unseen
+   * rows.
    */
   private Formula best(double[][] x, double[] y) {
     long[] seeds =
-        LongStream.range(0, settings.restarts()).map(r -> settings.seed() + r * STRIDE).toArray();
+        LongStream.range(0, settings.restarts())
+            .map(restart -> settings.seed() + restart * SEED_STRIDE)
+            .toArray();
     if (seeds.length == 1) {
-      return evolved(x, y, seeds[0]);
+      return evolve(x, y, seeds[0]);
     }
     Groups folds = Groups.folds(y.length, JUDGING_FOLDS, settings.seed());
     Formula best = null;
     double least = Double.POSITIVE_INFINITY;
     for (long seed : seeds) {
       int[] train = folds.others(0);
-      Formula found = evolved(rows(train, x), Groups.at(train, y), seed);
+      Formula found = evolve(rows(train, x), Groups.at(train, y), seed);
       double error = error(found, rows(folds.rows().get(0), x), Groups.at(folds.rows().get(0), y));
       if (best == null || error < least) {
         best = found;
@@ -83,7 +86,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
     return Groups.at(rows, List.of(x)).toArray(double[][]::new);
   }
 
-  private Formula evolved(double[][] x, double[] y, long seed) {
+  private Formula evolve(double[][] x, double[] y, long seed) {
     return RandomRegistry.with(
         new Random(seed),
         random -> {
@@ -124,7 +127,7 @@ public record SymbolicRegression(SymbolicSettings settings) {
         EphemeralConst.of(() -> RandomRegistry.random().nextDouble() * 2 - 1));
   }
 
-  /** The mean squared error plus the charge for size; infinite where the program has no value. */
+  /** Returns the mean squared error plus the cost of size; infinite if the program has no value. */
   private double cost(ProgramGene<Double> program, double[][] x, double[] y) {
     double cost = error(formula(program), x, y) + settings.parsimony() * program.size();
     return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;

@@ -7,11 +7,11 @@ import org.opencv.core.Point;
  * A flat textured surface in the room.
  *
  * @param texture square, BGR; stretched over the surface
- * @param round an ellipse rather than a rectangle
- * @param x of the centre, metres to the right of the optical axis
- * @param y of the centre, metres below it
- * @param distance of the centre, metres
- * @param pose how it is turned
+ * @param round whether it is an ellipse instead of a rectangle
+ * @param x the centre, metres to the right of the optical axis
+ * @param y the centre, metres below the optical axis
+ * @param distance the distance of the centre, metres
+ * @param pose the rotation
  */
 record Board(
     Mat texture,
@@ -27,7 +27,9 @@ record Board(
     static final Pose FRONTAL = new Pose(0, 0, 0);
   }
 
-  /** The canvas positions of the corners: top left, top right, bottom right, bottom left. */
+  /**
+   * Returns the canvas positions of the corners: top left, top right, bottom right, bottom left.
+   */
   Point[] corners(Pinhole camera) {
     return new Point[] {
       corner(camera, -1, -1), corner(camera, 1, -1), corner(camera, 1, 1), corner(camera, -1, 1)

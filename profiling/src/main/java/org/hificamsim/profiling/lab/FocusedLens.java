@@ -1,7 +1,7 @@
 package org.hificamsim.profiling.lab;
 
 /**
- * A thin lens focused at one distance: how wide the image of a point is.
+ * A thin lens focused at one distance; gives the width of the image of a point.
  *
  * @param focalLength z, metres
  * @param aperture f-number N; 0 for a pinhole, which is sharp everywhere
@@ -11,8 +11,8 @@ record FocusedLens(double focalLength, double aperture, double focus) {
   private static final double WAVELENGTH = 550e-9;
 
   /**
-   * The diameter on the sensor, metres, of a point's image at a distance (metres): the circle of
-   * confusion, {@code (z / N) * |s - f| / s * z / (f - z)}.
+   * Returns the diameter on the sensor, in metres, of the image of a point at a distance in metres:
+   * the circle of confusion, {@code (z / N) * |s - f| / s * z / (f - z)}.
    */
   double circleOfConfusion(double distance) {
     if (aperture == 0) {
@@ -26,7 +26,7 @@ record FocusedLens(double focalLength, double aperture, double focus) {
         / Math.max(focus - focalLength, 1e-3);
   }
 
-  /** The standard deviation of diffraction on the sensor, metres: 0.42 wavelength N. */
+  /** Returns the standard deviation of diffraction on the sensor, metres: 0.42 wavelength N. */
   double diffraction() {
     return 0.42 * WAVELENGTH * aperture;
   }

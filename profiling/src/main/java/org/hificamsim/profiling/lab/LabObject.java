@@ -9,8 +9,8 @@ import java.util.List;
  * @param name short name in files
  * @param size width, metres
  * @param aspect height over width
- * @param round an ellipse rather than a rectangle
- * @param photo what is on it
+ * @param round whether it is an ellipse instead of a rectangle
+ * @param photo the name of the photograph on it
  */
 record LabObject(String name, double size, double aspect, boolean round, String photo) {
   static final List<LabObject> ALL =
@@ -24,7 +24,7 @@ record LabObject(String name, double size, double aspect, boolean round, String 
           new LabObject("tray", 0.52, 1.0, true, "raccoon"),
           new LabObject("poster", 0.66, 0.95, false, "astronaut"));
 
-  /** The size q of thesis 3.5, metres: the root of width times height. */
+  /** Returns the size q of thesis 3.5, metres: the root of width times height. */
   double q() {
     return Math.sqrt(size * height());
   }

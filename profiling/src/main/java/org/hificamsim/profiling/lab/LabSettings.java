@@ -4,16 +4,16 @@ import com.fasterxml.jackson.annotation.JsonUnwrapped;
 import java.util.List;
 
 /**
- * What a laboratory is rendered with: the experiment of thesis 3.5 with realistic imperfections,
- * each of which 0 turns off.
+ * The settings of the rendered laboratory: the experiment of thesis 3.5 with realistic
+ * imperfections. A value of 0 turns an imperfection off.
  *
- * @param seed of everything random
+ * @param seed the seed of all random numbers
  * @param scale image width as a share of the sensor's 5184 pixels, (0, 1]
  * @param focalLengths metres
  * @param distances metres, from the camera to the object's centre
- * @param objects how many of the eight objects, from the smallest
+ * @param objects the number of objects, of the eight taken from the smallest
  * @param optics the lens and the sensor
- * @param scene what stands around the object and how it is held and lit
+ * @param scene the surroundings, pose and lighting of the object
  */
 public record LabSettings(
     long seed,
@@ -29,8 +29,8 @@ public record LabSettings(
    * @param aperture f-number N of the lens, which sets blur and diffraction; 0 for a pinhole
    * @param focusError standard deviation of the focused distance, as a share of it
    * @param iso sensitivity, which sets the noise; 0 for none
-   * @param vignetting share of the cos^4 fall-off towards the corners that is left, [0, 1]
-   * @param distortion factor on the lens's radial distortion
+   * @param vignetting the strength of the cos^4 fall-off towards the corners, [0, 1]
+   * @param distortion a factor on the lens's radial distortion
    */
   public record Optics(
       double aperture, double focusError, double iso, double vignetting, double distortion) {}
@@ -39,7 +39,7 @@ public record LabSettings(
    * The scene's disorder.
    *
    * @param pose standard deviation of the object's yaw and pitch, degrees; roll has half of it
-   * @param offset how far the object may stand off the centre, as a share of the frame
+   * @param offset the largest distance of the object from the centre, as a share of the frame
    * @param lighting standard deviation of the brightness, as a share of it
    * @param clutter number of things in the room behind the object
    */

@@ -38,22 +38,22 @@ public final class Laboratory {
   }
 
   /**
-   * What became of the experiment.
+   * The outcome of the experiment.
    *
-   * @param taken pictures in the data set
-   * @param dropped pictures whose object does not fit the frame
+   * @param taken the number of pictures in the data set
+   * @param dropped the number of pictures whose object does not fit the frame
    */
   public record PhotoCount(int taken, int dropped) {}
 
-  /** The number of pictures that will be tried. */
+  /** Returns the number of pictures, including those that will be dropped. */
   public int shots() {
     return Shot.all(settings).size();
   }
 
   /**
-   * Renders everything; the same settings give the same files on any number of threads.
+   * Renders all pictures. The same settings give the same files on any number of threads.
    *
-   * @param progress called once per picture, by any thread
+   * @param progress called once per picture, possibly from several threads
    */
   public PhotoCount render(Path folder, int threads, Runnable progress) {
     OpenCv.load();
@@ -101,7 +101,7 @@ public final class Laboratory {
     }
   }
 
-  /** One picture's row, or null where its object does not fit the frame. */
+  /** Takes a picture and returns its row, or null if its object does not fit the frame. */
   private static LabFolder.Row take(LabFolder files, Photographer photographer, Shot shot) {
     try (Photographer.Photo photo = photographer.take(shot)) {
       if (Core.countNonZero(photo.mask()) == 0 || !Photographer.within(photo.mask())) {
@@ -127,7 +127,7 @@ public final class Laboratory {
             .with("patch_height", row -> row.patch.height)
             .with("mask", row -> mask(row.shot));
 
-    /** A property a line, lists on one. */
+    /** Writes each property on a line, and each list on one line. */
     private static final ObjectWriter JSON =
         new ObjectMapper()
             .writer(
@@ -141,7 +141,7 @@ public final class Laboratory {
     /** A picture's row in the data set. */
     record Row(Shot shot, Rect patch) {}
 
-    /** What {@code lab.json} holds: all settings and what became of them, side by side. */
+    /** The content of {@code lab.json}: the settings and the outcome. */
     private record Rendered(
         @JsonUnwrapped LabSettings settings, @JsonUnwrapped Laboratory.PhotoCount photos) {}
 
@@ -162,7 +162,7 @@ public final class Laboratory {
       Photograph.write(folder, mask(shot), photo.mask());
     }
 
-    /** Writes the tables, and moves everything into place. */
+    /** Writes the tables and commits all files. */
     void finish(LabSettings settings, Sensor sensor, List<Row> rows, Laboratory.PhotoCount photos) {
       try {
         json(
@@ -182,14 +182,14 @@ public final class Laboratory {
   }
 
   /**
-   * One picture to take.
+   * A picture to take.
    *
-   * @param index its number from 0, which seeds its randomness
+   * @param index its number from 0, which determines its random seed
    * @param focalLength z, metres
    * @param distance d, metres
    */
   record Shot(int index, LabObject object, double focalLength, double distance) {
-    /** Every combination of object, focal length and distance. */
+    /** Returns every combination of object, focal length and distance. */
     static List<Shot> all(LabSettings settings) {
       List<Shot> shots = new ArrayList<>();
       for (LabObject object : settings.photographed()) {
@@ -202,7 +202,7 @@ public final class Laboratory {
       return shots;
     }
 
-    /** A name for its files. */
+    /** Returns the name of its files. */
     String name() {
       return Texts.format("%s-%02.0fmm-%04.1fm", object.name(), focalLength * 1000, distance);
     }

@@ -11,7 +11,7 @@ import org.opencv.core.Scalar;
 import org.opencv.core.Size;
 import org.opencv.imgproc.Imgproc;
 
-/** Puts boards onto a canvas: projects, blurs and blends within the part that they cover. */
+/** Paints boards onto a canvas: projects, blurs and blends them within the part that they cover. */
 final class Layer {
   private static final double GAMMA = 2.2;
   private static final int CORNERS = 4;
@@ -25,11 +25,11 @@ final class Layer {
   }
 
   /**
-   * Blends a board in.
+   * Paints a board.
    *
-   * @param blur diameter of the disc that a point becomes, pixels
+   * @param blur the diameter of the disc to which a point is blurred, pixels
    */
-  void put(Board board, double blur) {
+  void paint(Board board, double blur) {
     Point[] corners = board.corners(camera);
     Rect part = part(corners, blur);
     if (part.empty()) {
@@ -50,7 +50,7 @@ final class Layer {
     }
   }
 
-  /** The board's share of each pixel, [0, 1]: the silhouette, sharp. */
+  /** Returns the board's share of each pixel, [0, 1], without blur. */
   Mat silhouette(Board board) {
     Point[] corners = board.corners(camera);
     Rect whole = new Rect(0, 0, canvas.cols(), canvas.rows());
@@ -70,7 +70,7 @@ final class Layer {
     Core.add(onto, light, onto);
   }
 
-  /** The texture in linear light, no finer than it is seen. */
+  /** Returns the texture in linear light, at no finer resolution than the picture shows. */
   private static Mat colour(Mat texture, double span) {
     try (Mats mats = new Mats()) {
       Mat seen = fitted(mats, texture, span);
@@ -97,14 +97,14 @@ final class Layer {
       return new Mat(side, side, CvType.CV_32F, new Scalar(1));
     }
     Mat shape = Mat.zeros(side, side, CvType.CV_32F);
-    int sharp = 16;
-    int half = side * sharp / 2;
+    int subpixels = 16;
+    int half = side * subpixels / 2;
     Imgproc.circle(
         shape, new Point(half, half), half, new Scalar(1), Core.FILLED, Imgproc.LINE_8, 4);
     return shape;
   }
 
-  /** The surface as it falls on a part of the canvas. */
+  /** Projects the surface onto a part of the canvas. */
   private static Mat warped(Mats mats, Mat surface, Point[] corners, Rect part) {
     double right = surface.cols() - 0.5;
     double bottom = surface.rows() - 0.5;

@@ -12,14 +12,16 @@ import org.opencv.imgproc.Imgproc;
 /** Spreads every pixel over a disc, as a lens out of focus does. */
 final class LensBlur {
   private static final double WIDEST_KERNEL = 14;
-  private static final int FINE = 8;
+
+  /** The factor by which discs are drawn larger before they are averaged down. */
+  private static final int OVERSAMPLING = 8;
 
   private LensBlur() {}
 
   /**
    * Blurs an image in place.
    *
-   * @param diameter of the disc, pixels; nothing happens below half a pixel
+   * @param diameter the diameter of the disc, pixels; below half a pixel the image is unchanged
    */
   static void apply(Mat image, double diameter) {
     if (diameter < 0.5) {
@@ -47,17 +49,17 @@ final class LensBlur {
     Imgproc.filter2D(from, to, -1, kernel, new Point(-1, -1), 0, Core.BORDER_REPLICATE);
   }
 
-  /** A disc of weight 1 with soft edges: drawn large and averaged down. */
+  /** Returns a disc of total weight 1 with soft edges, drawn large and averaged down. */
   static Mat disc(double diameter) {
     int side = 2 * (int) Math.ceil((diameter - 1) / 2) + 1;
     Mat kernel = new Mat();
     try (Mats mats = new Mats()) {
-      Mat large = mats.own(Mat.zeros(side * FINE, side * FINE, CvType.CV_32F));
-      double centre = (side * FINE - 1) / 2.0;
+      Mat large = mats.own(Mat.zeros(side * OVERSAMPLING, side * OVERSAMPLING, CvType.CV_32F));
+      double centre = (side * OVERSAMPLING - 1) / 2.0;
       Imgproc.circle(
           large,
           new Point(centre, centre),
-          (int) Math.round(diameter * FINE / 2),
+          (int) Math.round(diameter * OVERSAMPLING / 2),
           new Scalar(1),
           Core.FILLED);
       Imgproc.resize(large, kernel, new Size(side, side), 0, 0, Imgproc.INTER_AREA);

@@ -16,9 +16,9 @@ import org.opencv.imgcodecs.Imgcodecs;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * Where the textures come from: photographs (with a list of their sources). Each object has one of
- * its own; things and the wall have random parts of others, so that nothing behind an object is a
- * part of it. Textures are square, 8 bits, BGR.
+ * Provides textures from photographs, whose sources are listed with them. Each object has its own
+ * photograph. Things and the wall show random parts of other photographs, so that the background
+ * never contains a part of an object. Textures are square, 8 bits, BGR.
  */
 final class PhotoSurfaces implements AutoCloseable {
   private static final List<String> BACKGROUNDS =
@@ -37,21 +37,21 @@ final class PhotoSurfaces implements AutoCloseable {
     BACKGROUNDS.forEach(name -> backgrounds.add(mats.own(read("backgrounds/" + name))));
   }
 
-  /** What is on an object; the caller releases it. */
+  /** Returns the texture of an object; the caller releases it. */
   Mat target(LabObject object, int side) {
     try (Mats whole = new Mats()) {
       return resized(whole.own(read("targets/" + object.photo())), side);
     }
   }
 
-  /** What is on a thing in the room; the caller releases it. */
+  /** Returns the texture of a thing in the room; the caller releases it. */
   Mat thing(int index, int side, RandomGenerator random) {
     return part(backgrounds.get(index % backgrounds.size()), side, random);
   }
 
   /**
-   * What covers the far wall, at this distance (metres): parts of photographs side by side, from
-   * corner to corner of the widest view.
+   * Returns the tiles of the far wall at this distance (metres): parts of photographs that fill the
+   * widest view.
    */
   List<Board> wall(double distance, RandomGenerator random) {
     List<Mat> parts = new ArrayList<>();
@@ -72,7 +72,7 @@ final class PhotoSurfaces implements AutoCloseable {
     return new Board(part, false, TILE_WIDTH, TILE_HEIGHT, x, y, distance, Board.Pose.FRONTAL);
   }
 
-  /** A random square of a photograph, perhaps mirrored. */
+  /** Returns a random square of a photograph, randomly mirrored. */
   private static Mat part(Mat photo, int side, RandomGenerator random) {
     int length = (int) (photo.cols() * random.nextDouble(0.35, 1));
     int x = random.nextInt(photo.cols() - length + 1);

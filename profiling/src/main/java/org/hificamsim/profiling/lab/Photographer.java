@@ -12,11 +12,11 @@ import org.opencv.core.Mat;
 import org.opencv.core.Scalar;
 import org.opencv.imgproc.Imgproc;
 
-/** Takes pictures of objects in the room; used by any number of threads at once. */
+/** Takes pictures of objects in the room. Thread-safe. */
 final class Photographer {
   private static final double TEMPLATE_FRAME_SHARE = 0.82;
-  private static final double CLOSE_UP = 1;
-  private static final double MAX = 0.085;
+  private static final double CLOSE_UP_DISTANCE = 1;
+  private static final double LONGEST_FOCAL_LENGTH = 0.085;
 
   private final LabSettings settings;
   private final Sensor sensor;
@@ -61,19 +61,22 @@ final class Photographer {
       LensBlur.apply(canvas, blur(lens, camera, room.wallDistance()));
       Layer layer = new Layer(canvas, camera);
       for (Board thing : room.behind(shot.distance())) {
-        layer.put(thing, blur(lens, camera, thing.distance()));
+        layer.paint(thing, blur(lens, camera, thing.distance()));
       }
-      layer.put(board, blur(lens, camera, shot.distance()));
+      layer.paint(board, blur(lens, camera, shot.distance()));
       Mat mask = mask(mats.own(layer.silhouette(board)), camera);
       return new Photo(exposed(canvas, camera, lens, gain, random), mask);
     }
   }
 
-  /** The close-up by which an object is known: sharp, upright, before a plain wall. */
+  /** Takes the close-up of an object: sharp, upright, in front of a plain wall. */
   Mat template(LabObject object) {
-    Pinhole camera = camera(MAX);
+    Pinhole camera = camera(LONGEST_FOCAL_LENGTH);
     double size =
-        TEMPLATE_FRAME_SHARE * sensor.height() / camera.magnification(CLOSE_UP) / object.aspect();
+        TEMPLATE_FRAME_SHARE
+            * sensor.height()
+            / camera.magnification(CLOSE_UP_DISTANCE)
+            / object.aspect();
     Board board =
         new Board(
             textures.get(object),
@@ -82,14 +85,15 @@ final class Photographer {
             size * object.aspect(),
             0,
             0,
-            CLOSE_UP,
+            CLOSE_UP_DISTANCE,
             Board.Pose.FRONTAL);
-    FocusedLens lens = new FocusedLens(MAX, settings.optics().aperture(), CLOSE_UP);
+    FocusedLens lens =
+        new FocusedLens(LONGEST_FOCAL_LENGTH, settings.optics().aperture(), CLOSE_UP_DISTANCE);
     RandomGenerator random = new SplittableRandom(settings.seed() - object.name().hashCode());
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
       Layer layer = new Layer(canvas, camera);
-      layer.put(board, 0);
+      layer.paint(board, 0);
       Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera));
       Mat picture = mats.own(exposed(canvas, camera, lens, 1, random));
       return picture.submat(Imgproc.boundingRect(mask)).clone();
@@ -111,7 +115,7 @@ final class Photographer {
     return lens.circleOfConfusion(distance) * camera.pitch();
   }
 
-  /** The object near the middle: never pushed further than the frame has room for. */
+  /** Places the object near the middle, but always within the frame. */
   private Board placed(Shot shot, Pinhole camera, RandomGenerator random) {
     LabObject object = shot.object();
     double pixels = camera.magnification(shot.distance());
@@ -138,7 +142,7 @@ final class Photographer {
     return random.nextDouble(-1, 1) * Math.min(settings.scene().offset() * frame, room);
   }
 
-  /** Normal deviates without the rare far ones, which no careful experimenter would keep. */
+  /** Limits a normal deviate, as a careful experimenter would discard outliers. */
   private static double clamped(double deviate) {
     return Math.max(-2.5, Math.min(2.5, deviate));
   }
@@ -164,13 +168,13 @@ final class Photographer {
     }
   }
 
-  /** Brightness and a slight colour cast. */
+  /** Returns the brightness with a slight colour cast. */
   private Scalar tint(double gain, RandomGenerator random) {
     double cast = settings.scene().lighting() / 3 * clamped(random.nextGaussian());
     return new Scalar(gain * (1 - cast), gain, gain * (1 + cast));
   }
 
-  /** Whether a mask's object lies within the frame: none of its border pixels is set. */
+  /** Whether the object of a mask lies within the frame: none of the border pixels is set. */
   static boolean within(Mat mask) {
     int right = mask.cols() - 1;
     int bottom = mask.rows() - 1;

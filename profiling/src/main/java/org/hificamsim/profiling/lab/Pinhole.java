@@ -4,13 +4,13 @@ import org.opencv.core.Point;
 import org.opencv.core.Size;
 
 /**
- * A pinhole camera (thesis 3.3) with a margin around its frame, which lens distortion moves into
+ * A pinhole camera (thesis 3.3) with a margin around its frame, which lens distortion may move into
  * view.
  *
  * @param focalLength z, metres
- * @param width of the frame, pixels, without the margin
- * @param height of the frame, pixels, without the margin
- * @param margin on each side, pixels
+ * @param width the width of the frame without the margin, pixels
+ * @param height the height of the frame without the margin, pixels
+ * @param margin the margin on each side, pixels
  */
 record Pinhole(
     double focalLength,
@@ -19,22 +19,22 @@ record Pinhole(
     int width,
     int height,
     int margin) {
-  /** The size of the canvas, margin included, pixels. */
+  /** Returns the size of the canvas including the margin, pixels. */
   Size canvas() {
     return new Size(width + 2.0 * margin, height + 2.0 * margin);
   }
 
-  /** Pixels per metre of the sensor, across. */
+  /** Returns the horizontal pixels per metre of the sensor. */
   double pitch() {
     return width / sensorWidth;
   }
 
-  /** How many pixels a metre at this distance (metres) measures, across. */
+  /** Returns the horizontal pixels per metre at this distance (metres). */
   double magnification(double distance) {
     return focalLength * pitch() / distance;
   }
 
-  /** Where a point (metres; right, down, away) falls on the canvas. */
+  /** Projects a point (metres to the right, down and away) onto the canvas. */
   Point project(double x, double y, double away) {
     double vertical = focalLength * height / sensorHeight / away;
     return new Point(

@@ -19,17 +19,20 @@ record RadialDistortion(double k) {
   private static final double BARREL_AT_WIDE = 0.045;
   private static final double PINCUSHION_AT_LONG = -0.012;
 
-  /** The most that {@link #at} bends towards the outside, as a share of the half-diagonal. */
+  /** The largest outward displacement of {@link #at}, as a share of the half-diagonal. */
   static final double MAX = BARREL_AT_WIDE;
 
-  /** What zoom lenses of this focal length (metres) typically have, times {@code factor}. */
+  /**
+   * Returns the typical distortion of zoom lenses at this focal length (metres), times {@code
+   * factor}.
+   */
   static RadialDistortion at(double focalLength, double factor) {
     double log = StrictMath.log(NEUTRAL / focalLength) / StrictMath.log(NEUTRAL / WIDE);
     double k = log > 0 ? BARREL_AT_WIDE * log : -PINCUSHION_AT_LONG * Math.max(log, -1);
-    return new RadialDistortion(factor * k + 0.0); // never -0
+    return new RadialDistortion(factor * k + 0.0); // turns -0 into 0
   }
 
-  /** The frame of a canvas as this lens shows it; the margin is cut off. */
+  /** Returns the frame as this lens shows the canvas, without the margin. */
   Mat frame(Mat canvas, Pinhole camera, int interpolation) {
     int width = camera.width();
     int height = camera.height();

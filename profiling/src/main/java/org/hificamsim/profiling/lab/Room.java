@@ -14,8 +14,7 @@ import org.opencv.imgproc.Imgproc;
 
 /**
  * The laboratory around the object: a far wall, and things that stand or hang at fixed places in
- * front of it. The same room serves every picture; what stands in front of the object is out of the
- * way.
+ * front of it. All pictures show the same room; things in front of the object are left out.
  */
 final class Room implements AutoCloseable {
   private static final double WALL = 12;
@@ -31,7 +30,7 @@ final class Room implements AutoCloseable {
     this.things = things;
   }
 
-  /** A room with this many things; without any, its wall is bare. */
+  /** Creates a room with a number of things; with none, its wall is bare. */
   static Room furnished(PhotoSurfaces surfaces, int things, RandomGenerator random) {
     Backdrop wall = new Backdrop(WALL, random.nextLong());
     List<Board> boards = new ArrayList<>();
@@ -45,7 +44,7 @@ final class Room implements AutoCloseable {
     return new Room(wall, boards);
   }
 
-  /** Every other thing hangs on the wall; the rest stand about, off the middle. */
+  /** Creates a thing; every other one hangs on the wall, the rest stand away from the middle. */
   private static Board thing(PhotoSurfaces surfaces, int index, RandomGenerator random) {
     Mat texture = surfaces.thing(index, TEXTURE_SIDE, random);
     boolean hangs = index % 2 == 0;
@@ -67,7 +66,7 @@ final class Room implements AutoCloseable {
     return WALL;
   }
 
-  /** What stands behind an object at this distance (metres), the farthest first. */
+  /** Returns the things behind an object at this distance (metres), the farthest first. */
   List<Board> behind(double distance) {
     return things.stream().filter(thing -> thing.distance() > distance + CLEARANCE).toList();
   }
@@ -78,11 +77,11 @@ final class Room implements AutoCloseable {
   }
 
   /**
-   * The far wall of the room: value noise of many sizes that is fixed to the wall, so that zooming
-   * in shows finer detail of the same wall.
+   * The far wall of the room: value noise in several octaves that is fixed to the wall, so that
+   * zooming in shows finer detail.
    *
-   * @param distance of the wall, metres
-   * @param seed of its pattern
+   * @param distance the distance of the wall, metres
+   * @param seed the seed of its pattern
    */
   record Backdrop(double distance, long seed) {
     private static final double COARSEST = 2.4;
@@ -104,7 +103,7 @@ final class Room implements AutoCloseable {
       }
     }
 
-    /** Adds one octave, drawn small where its cells are large, since warping knows 1/32 pixel. */
+    /** Adds one octave. Large cells are drawn small, since warping is only exact to 1/32 pixel. */
     private void add(Mat canvas, double pixels, double strength, int octave) {
       double shrink = Math.min(1, MAX_CELL / pixels);
       Size size =
@@ -144,13 +143,13 @@ final class Room implements AutoCloseable {
       return lattice;
     }
 
-    /** A value in [-1, 1) of a lattice point, from its hash (SplitMix64's finalizer). */
+    /** Returns the value of a lattice point in [-1, 1), a hash (SplitMix64's finalizer). */
     private double value(int x, int y, int octave) {
-      long h =
+      long hash =
           seed + 0x9E3779B97F4A7C15L * (x * 73_856_093L ^ y * 19_349_663L ^ octave * 83_492_791L);
-      h = (h ^ (h >>> 30)) * 0xBF58476D1CE4E5B9L;
-      h = (h ^ (h >>> 27)) * 0x94D049BB133111EBL;
-      return (h ^ (h >>> 31)) * 0x1p-63;
+      hash = (hash ^ (hash >>> 30)) * 0xBF58476D1CE4E5B9L;
+      hash = (hash ^ (hash >>> 27)) * 0x94D049BB133111EBL;
+      return (hash ^ (hash >>> 31)) * 0x1p-63;
     }
   }
 }

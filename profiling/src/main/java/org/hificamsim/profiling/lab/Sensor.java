@@ -9,31 +9,31 @@ import org.opencv.core.Size;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * The image sensor of a Canon EOS 7D (thesis 3.5), and what it makes of the light: vignetting,
- * noise and 8-bit values.
+ * The image sensor of a Canon EOS 7D (thesis 3.5), with its vignetting, noise and 8-bit values.
  *
  * @param width pixels across the picture
  * @param height pixels down the picture
  */
 record Sensor(int width, int height) {
-  /** Metres. */
+  /** The width of the sensor, metres. */
   static final double WIDTH = 0.0224;
 
-  /** Metres. */
+  /** The height of the sensor, metres. */
   static final double HEIGHT = 0.015;
 
-  private static final int PIXELS = 5184;
-  private static final int LINES = 3456;
+  private static final int FULL_WIDTH_PIXELS = 5184;
+  private static final int FULL_HEIGHT_PIXELS = 3456;
   private static final double FULL_WELL = 25_000;
   private static final double READ_NOISE = 8;
   private static final double GAMMA = 2.2;
 
-  /** The sensor read at a share of its pixels, (0, 1]. */
+  /** Returns the sensor with its width and height in pixels scaled by a share in (0, 1]. */
   static Sensor scaled(double share) {
-    return new Sensor((int) Math.round(PIXELS * share), (int) Math.round(LINES * share));
+    return new Sensor(
+        (int) Math.round(FULL_WIDTH_PIXELS * share), (int) Math.round(FULL_HEIGHT_PIXELS * share));
   }
 
-  /** Darkens the corners in place: the cos^4 law at a strength in [0, 1]. */
+  /** Darkens the corners in place by the cos^4 law, with a strength in [0, 1]. */
   void vignette(Mat picture, double focalLength, double strength) {
     float[] row = new float[width];
     try (Mats mats = new Mats()) {
@@ -55,16 +55,16 @@ record Sensor(int width, int height) {
   }
 
   /**
-   * Adds photon and read noise in place; averaging a sensor's pixels into larger ones lowers it.
+   * Adds photon and read noise in place; fewer, larger pixels have less noise.
    *
-   * @param iso sensitivity; 0 adds none
-   * @param seed of the noise
+   * @param iso the sensitivity; 0 adds no noise
+   * @param seed the seed of the noise
    */
   void addNoise(Mat picture, double iso, int seed) {
     if (iso == 0) {
       return;
     }
-    double binned = (double) PIXELS * LINES / ((double) width * height);
+    double binned = (double) FULL_WIDTH_PIXELS * FULL_HEIGHT_PIXELS / ((double) width * height);
     double electrons = FULL_WELL * 100 / iso;
     double read = READ_NOISE / electrons;
     try (Mats mats = new Mats()) {
@@ -80,7 +80,7 @@ record Sensor(int width, int height) {
     }
   }
 
-  /** The picture in 8 bits with display gamma. */
+  /** Returns the picture in 8 bits with display gamma. */
   static Mat developed(Mat light) {
     try (Mats mats = new Mats()) {
       Mat clipped = mats.mat();
@@ -92,7 +92,7 @@ record Sensor(int width, int height) {
     }
   }
 
-  /** Spreads every pixel as diffraction does; {@code sigma} in pixels. */
+  /** Blurs the picture in place as diffraction does; {@code sigma} is in pixels. */
   static void diffract(Mat light, double sigma) {
     if (sigma > 0.1) {
       Imgproc.GaussianBlur(light, light, new Size(0, 0), sigma);

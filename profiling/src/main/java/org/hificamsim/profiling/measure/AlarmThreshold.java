@@ -12,11 +12,11 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.profiling.dataset.TableLayout;
 
 /**
- * The least confidence that counts as a detection, such that photos without the object are rarely
- * taken for it: a row of {@code thresholds.csv}.
+ * The least confidence that counts as a detection, chosen to bound the rate of false alarms: a row
+ * of {@code thresholds.csv}.
  *
- * @param threshold half-way between what is allowed to be wrong and the next confidence of a photo
- *     with the object
+ * @param threshold halfway between the highest confidence that must not count and the next
+ *     confidence of a photo with the object
  * @param falseAlarms the share of the photos without the object that is at or above it
  * @param recall the share of the photos with the object that is at or above it
  */
@@ -32,36 +32,41 @@ public record AlarmThreshold(String detector, double threshold, double falseAlar
           .with("recall", AlarmThreshold::recall);
 
   /**
-   * The threshold.
+   * Chooses the threshold.
    *
-   * @param without confidences in photos without the object; one at least
-   * @param with confidences in photos with it
-   * @param rate of false alarms that is allowed at most, [0, 1)
+   * @param without confidences in photos without the object; at least one
+   * @param with confidences in photos with the object
+   * @param rate the highest rate of false alarms that is allowed, [0, 1)
    */
   static AlarmThreshold of(String detector, List<Double> without, List<Double> with, double rate) {
-    double[] sorted = without.stream().mapToDouble(v -> v).sorted().toArray();
+    double[] sorted = without.stream().mapToDouble(confidence -> confidence).sorted().toArray();
     double highest = sorted[sorted.length - 1 - (int) (rate * sorted.length)];
     double next =
-        with.stream().mapToDouble(v -> v).filter(v -> v > highest).min().orElse(Double.NaN);
+        with.stream()
+            .mapToDouble(confidence -> confidence)
+            .filter(confidence -> confidence > highest)
+            .min()
+            .orElse(Double.NaN);
     double threshold = Double.isNaN(next) ? Math.nextUp(highest) : (highest + next) / 2;
     return new AlarmThreshold(
         detector,
         threshold,
-        Arrays.stream(sorted).filter(v -> v >= threshold).count() / (double) sorted.length,
-        with.stream().filter(v -> v >= threshold).count() / (double) with.size());
+        Arrays.stream(sorted).filter(confidence -> confidence >= threshold).count()
+            / (double) sorted.length,
+        with.stream().filter(confidence -> confidence >= threshold).count() / (double) with.size());
   }
 
   static void write(OutputFolder folder, List<AlarmThreshold> thresholds) throws IOException {
     folder.write(FILE, LAYOUT.csv(thresholds));
   }
 
-  /** Thresholds by detector; none where a folder has no such table. */
+  /** Reads thresholds by detector; empty if the folder has no such table. */
   public static Map<String, Double> read(Path folder) {
     Path file = folder.resolve(FILE);
     Map<String, Double> thresholds = new LinkedHashMap<>();
     if (Files.exists(file)) {
       CsvReader.open(file, "a table of thresholds")
-          .all(LAYOUT.names())
+          .readAll(LAYOUT.names())
           .rows()
           .forEach(
               row ->

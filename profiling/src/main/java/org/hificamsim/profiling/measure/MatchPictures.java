@@ -22,12 +22,14 @@ import org.opencv.core.MatOfKeyPoint;
 import org.opencv.core.Scalar;
 import org.opencv.features2d.Features2d;
 
-/** Draws which template features are found where, as in Figures 5.2, 5.4 and 5.6. */
+/** Draws the matches between templates and photos, as in Figures 5.2, 5.4 and 5.6. */
 public record MatchPictures(Dataset dataset, MeasureSettings settings) {
   /** The folder of the pictures. */
   public static final String FOLDER = "matches";
 
-  /** Draws some images' matches, one picture for each feature detector; returns how many. */
+  /**
+   * Draws the matches of some images, one picture for each feature detector; returns their number.
+   */
   public int draw(Collection<String> images) throws IOException {
     OpenCv.load();
     List<FeatureDetector> detectors = Detectors.features(settings.detectors());
@@ -49,23 +51,23 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
       LabelledPhoto sample, FeatureDetector detector, Templates templates, OutputFolder folder) {
     Features template = templates.of(sample.object(), detector);
     try (Photograph photo = new Photograph(sample.file());
-        Photograph close = new Photograph(dataset.templates().get(sample.object()));
+        Photograph closeUp = new Photograph(dataset.templates().get(sample.object()));
         Features features =
-            photo.lookedAt(detector.word(), () -> detector.extractor().features(photo.grey()));
+            photo.detect(detector.word(), () -> detector.extractor().features(photo.grey()));
         Mats mats = new Mats()) {
       String stem = sample.image().replaceAll("[/\\\\]", "_").replaceFirst("\\.[^.]*$", "");
       Photograph.write(
           folder,
           FOLDER + "/" + detector.word() + "-" + stem + ".jpg",
-          picture(mats, close.grey(), template, photo.grey(), features));
+          picture(mats, closeUp.grey(), template, photo.grey(), features));
     }
   }
 
-  private Mat picture(Mats mats, Mat close, Features template, Mat photo, Features features) {
+  private Mat picture(Mats mats, Mat closeUp, Features template, Mat photo, Features features) {
     DMatch[] matches = settings.test().matches(template, features).toArray(DMatch[]::new);
     Mat picture = mats.mat();
     Features2d.drawMatches(
-        close,
+        closeUp,
         mats.own(new MatOfKeyPoint(template.points())),
         photo,
         mats.own(new MatOfKeyPoint(features.points())),

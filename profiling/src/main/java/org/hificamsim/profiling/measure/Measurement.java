@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * One photo measured.
+ * The measurements of one photo.
  *
- * @param image its name in the data set
- * @param object what it shows
+ * @param image the photo's name in the data set
+ * @param object the object that it shows
  * @param size q, metres
  * @param distance d, metres
  * @param focalLength z, metres
- * @param pip ground truth: the share of the image's pixels that the object fills, (0, 1]
+ * @param pip the true share of the image's pixels that the object fills, (0, 1]
  * @param confidences by detector, each in [0, 1] (Eq 5.1)
  */
 public record Measurement(
@@ -28,29 +28,29 @@ public record Measurement(
     confidences = Collections.unmodifiableMap(new LinkedHashMap<>(confidences));
   }
 
-  /** The response of the regressions, {@code -log10(PIP)} (thesis 4.3). */
+  /** Returns the response of the regressions, {@code -log10(PIP)} (thesis 4.3). */
   public double response() {
     return -StrictMath.log10(pip);
   }
 
-  /** The responses of all. */
+  /** Returns the responses of all photos. */
   public static double[] responses(List<Measurement> photos) {
     return photos.stream().mapToDouble(Measurement::response).toArray();
   }
 
-  /** The regressions' predictors of all, each in the order q, d, z. */
+  /** Returns the predictors of all photos, each row in the order q, d, z. */
   public static double[][] predictors(List<Measurement> photos) {
     return photos.stream()
         .map(photo -> new double[] {photo.size, photo.distance, photo.focalLength})
         .toArray(double[][]::new);
   }
 
-  /** One detector's confidence. */
+  /** Returns the confidence of a detector. */
   public double confidence(String detector) {
     return confidences.get(detector);
   }
 
-  /** The same with one detector more, which stands last. */
+  /** Returns a copy with one more detector, in last place. */
   public Measurement with(String detector, double confidence) {
     Map<String, Double> more = new LinkedHashMap<>(confidences);
     more.put(detector, confidence);

@@ -23,26 +23,26 @@ import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.measure.Measurer.MeasureSettings;
 
 /**
- * What an unfinished measurement has already found: a hidden file in the data set's folder, one
- * line per photo, that a later call with the same photos and settings goes on from.
+ * Saves the rows of an unfinished measurement in a hidden file of the data set's folder, so that a
+ * later call with the same photos and settings can resume it.
  */
 final class MeasurementJournal implements Closeable {
   private static final int KEY_LENGTH = 16;
 
   private final Path file;
   private final TableLayout<Measurement> columns;
-  private final Map<String, Measurement> done = new LinkedHashMap<>();
+  private final Map<String, Measurement> measured = new LinkedHashMap<>();
   private final Writer out;
 
   MeasurementJournal(Dataset dataset, MeasureSettings settings) throws IOException {
     file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
     columns = MeasurementsFile.layout(settings.pip(), settings.columns());
     read();
-    new OutputFile(file).write(columns.csv(List.copyOf(done.values())));
+    new OutputFile(file).write(columns.csv(List.copyOf(measured.values())));
     out = Files.newBufferedWriter(file, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
   }
 
-  /** Takes the whole lines of an earlier file; what a kill has left of the last is no line. */
+  /** Reads an earlier file. An incomplete last line, left by a killed process, is ignored. */
   private void read() throws IOException {
     if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
       return;
@@ -50,9 +50,10 @@ final class MeasurementJournal implements Closeable {
     String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
     new OutputFile(file).write(text.substring(0, text.lastIndexOf('\n') + 1));
     try {
-      MeasurementsFile.read(file).forEach(row -> done.put(name(row.image(), row.object()), row));
+      MeasurementsFile.read(file)
+          .forEach(row -> measured.put(name(row.image(), row.object()), row));
     } catch (InputException e) {
-      done.clear();
+      measured.clear();
     }
   }
 
@@ -60,19 +61,19 @@ final class MeasurementJournal implements Closeable {
     return image + '\n' + object;
   }
 
-  /** How many photos have been measured. */
+  /** Returns the number of photos that have been measured. */
   synchronized int count() {
-    return done.size();
+    return measured.size();
   }
 
   synchronized Optional<Measurement> get(LabelledPhoto photo) {
-    return Optional.ofNullable(done.get(name(photo.image(), photo.object())));
+    return Optional.ofNullable(measured.get(name(photo.image(), photo.object())));
   }
 
-  /** Keeps a row, on the disk too. */
+  /** Adds a row and writes it to the file. */
   synchronized Measurement add(Measurement row) {
     try {
-      done.put(name(row.image(), row.object()), row);
+      measured.put(name(row.image(), row.object()), row);
       out.write(columns.line(row));
       out.flush();
       return row;
@@ -81,7 +82,7 @@ final class MeasurementJournal implements Closeable {
     }
   }
 
-  /** Removes the file: the table itself has been written. */
+  /** Removes the file, once the table of measurements has been written. */
   void finish() throws IOException {
     out.close();
     Files.deleteIfExists(file);
@@ -92,16 +93,16 @@ final class MeasurementJournal implements Closeable {
     out.close();
   }
 
-  /** A digest of the settings and of every file's name, size and time. */
+  /** Returns a digest of the settings and of the name, size and time of every file. */
   private static String key(Dataset dataset, MeasureSettings settings) throws IOException {
-    StringBuilder facts = new StringBuilder();
-    facts.append(settings.detectors()).append(settings.test()).append(dataset.camera());
-    facts.append(settings.pip()).append(dataset.samples());
+    StringBuilder keyText = new StringBuilder();
+    keyText.append(settings.detectors()).append(settings.test()).append(dataset.camera());
+    keyText.append(settings.pip()).append(dataset.samples());
     List<Path> files = new ArrayList<>(dataset.templates().values());
     dataset.samples().forEach(photo -> files.add(photo.file()));
     for (Path photo : files) {
-      facts.append(photo).append(Files.size(photo)).append(Files.getLastModifiedTime(photo));
+      keyText.append(photo).append(Files.size(photo)).append(Files.getLastModifiedTime(photo));
     }
-    return Sha256.of(facts.toString().getBytes(StandardCharsets.UTF_8)).substring(0, KEY_LENGTH);
+    return Sha256.of(keyText.toString().getBytes(StandardCharsets.UTF_8)).substring(0, KEY_LENGTH);
   }
 }

@@ -23,20 +23,20 @@ public final class MeasurementsFile {
   /** The file's name. */
   public static final String NAME = "measurements.csv";
 
-  private static final List<String> PHYSICAL =
+  private static final List<String> PHYSICAL_COLUMNS =
       List.of("image", "object", "size_m", "distance_m", "focal_length_m");
 
-  /** Columns of older tables that are no detector's, and are ignored. */
-  private static final Set<String> CONDITIONS =
+  /** Columns of older tables that do not belong to a detector and are ignored. */
+  private static final Set<String> IGNORED_COLUMNS =
       Set.of("distinctiveness", "aperture", "distortion", "light");
 
-  private static final List<String> OWN = List.of("image", "q", "d", "z", "confidence");
+  private static final List<String> USER_COLUMNS = List.of("image", "q", "d", "z", "confidence");
 
-  private static final double MAX = 1e5;
+  private static final double MAX_METRES = 1e5;
 
   private MeasurementsFile() {}
 
-  /** The columns of a table, the detectors' last. */
+  /** Returns the columns of a table, the detectors' last. */
   static TableLayout<Measurement> layout(PipReading pip, Iterable<String> detectors) {
     TableLayout<Measurement> layout =
         new TableLayout<Measurement>()
@@ -59,11 +59,11 @@ public final class MeasurementsFile {
   /**
    * Reads a table.
    *
-   * @throws InputException with its place, when a cell is missing or out of range
+   * @throws InputException with line and column, when a cell is missing or out of range
    */
   public static List<Measurement> read(Path file) {
     String pip = PipReading.of(file).column();
-    List<String> required = Stream.concat(PHYSICAL.stream(), Stream.of(pip)).toList();
+    List<String> required = Stream.concat(PHYSICAL_COLUMNS.stream(), Stream.of(pip)).toList();
     CsvRows table = rows(file, "a table of measurements", required);
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
@@ -73,8 +73,8 @@ public final class MeasurementsFile {
   }
 
   private static boolean isDetector(String column) {
-    return !PHYSICAL.contains(column)
-        && !CONDITIONS.contains(column)
+    return !PHYSICAL_COLUMNS.contains(column)
+        && !IGNORED_COLUMNS.contains(column)
         && Arrays.stream(PipReading.values()).noneMatch(pip -> pip.column().equals(column));
   }
 
@@ -94,21 +94,21 @@ public final class MeasurementsFile {
   }
 
   /**
-   * Reads confidences of any detector, which a user has measured: a table {@code
-   * image,q,d,z,confidence[,object][,pip]}. Without PIP, the pinhole camera's is taken. The
-   * detector is named like the file without its ending.
+   * Reads confidences that users have measured with their own detector, from a table {@code
+   * image,q,d,z,confidence[,object][,pip]}. Without a column of PIP, that of a pinhole camera is
+   * used. The detector has the name of the file without its ending.
    *
-   * @param camera that took the photos
-   * @throws InputException with its place, when a cell is missing or out of range
+   * @param camera the camera that took the photos
+   * @throws InputException with line and column, when a cell is missing or out of range
    */
-  public static List<Measurement> own(Path file, PhotoCamera camera) {
-    CsvRows table = rows(file, "a table of confidences", OWN);
+  public static List<Measurement> readUserTable(Path file, PhotoCamera camera) {
+    CsvRows table = rows(file, "a table of confidences", USER_COLUMNS);
     String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
     String detector = stem.replaceAll("[^A-Za-z0-9_]+", "-");
-    return table.rows().stream().map(row -> own(row, detector, camera)).toList();
+    return table.rows().stream().map(row -> userMeasurement(row, detector, camera)).toList();
   }
 
-  private static Measurement own(CsvRow row, String detector, PhotoCamera camera) {
+  private static Measurement userMeasurement(CsvRow row, String detector, PhotoCamera camera) {
     double size = metres(row, "q");
     double distance = metres(row, "d");
     double focalLength = metres(row, "z");
@@ -124,7 +124,7 @@ public final class MeasurementsFile {
   }
 
   private static CsvRows rows(Path file, String what, List<String> columns) {
-    CsvRows table = CsvReader.open(file, what).all(columns);
+    CsvRows table = CsvReader.open(file, what).readAll(columns);
     if (table.rows().isEmpty()) {
       throw new InputException(file + ":2:1: no rows, expected one for each photo");
     }
@@ -132,7 +132,7 @@ public final class MeasurementsFile {
   }
 
   static double metres(CsvRow row, String column) {
-    return row.number(column, Double.MIN_NORMAL, MAX, "metres above 0");
+    return row.number(column, Double.MIN_NORMAL, MAX_METRES, "metres above 0");
   }
 
   static double share(CsvRow row, String column) {

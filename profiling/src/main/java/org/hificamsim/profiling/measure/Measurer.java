@@ -26,17 +26,18 @@ import org.hificamsim.profiling.detector.Templates;
 import org.hificamsim.profiling.opencv.OpenCv;
 
 /**
- * Measures every photo of a data set. At most one photo per thread is in memory, and the templates'
- * features; what has been measured survives a kill (see {@link MeasurementJournal}).
+ * Measures every photo of a data set. At most one photo per thread is in memory, besides the
+ * features of the templates. A killed measurement can be resumed (see {@link MeasurementJournal}).
  */
 public final class Measurer {
+  /** The number of places at which a photo without objects is searched for each object. */
   private static final int PLACES = 8;
 
   private final Dataset dataset;
   private final MeasureSettings settings;
 
-  /** Sets of detectors that no thread uses just now: there are as many as threads at the most. */
-  private final Queue<List<ConfidenceSource>> free = new ConcurrentLinkedQueue<>();
+  /** Sets of detectors that no thread is using; there are at most as many sets as threads. */
+  private final Queue<List<ConfidenceSource>> idleDetectors = new ConcurrentLinkedQueue<>();
 
   public Measurer(Dataset dataset, MeasureSettings settings) {
     this.dataset = dataset;
@@ -44,29 +45,30 @@ public final class Measurer {
   }
 
   /**
-   * What became of a measurement.
+   * The outcome of a measurement.
    *
-   * @param resumed photos that an earlier, unfinished call had measured already
-   * @param threads that were used, as many as fit into the memory
+   * @param resumed the number of photos that an earlier, unfinished call had measured
+   * @param threads the number of threads that were used, limited by the memory
    * @param warnings each in one line
    */
   public record Outcome(int resumed, int threads, List<String> warnings) {}
 
   /**
-   * Measures all photos and writes {@code measurements.csv}; the same on any number of threads.
+   * Measures all photos and writes {@code measurements.csv}. The result does not depend on the
+   * number of threads.
    *
-   * @param wanted how many threads at most
-   * @throws org.hificamsim.core.InputException when a photo turns out unreadable, or larger than
-   *     the memory
+   * @param maxThreads the largest number of threads to use
+   * @throws org.hificamsim.core.InputException when a photo is unreadable or does not fit into the
+   *     memory
    */
-  public Outcome measure(int wanted, MeasureProgress watcher) {
+  public Outcome measure(int maxThreads, MeasureProgress watcher) {
     OpenCv.load();
     Memory need = Detectors.memoryNeed(settings.detectors());
-    int threads = Memory.free().threads(wanted, dataset.largestPicture(), need);
+    int threads = Memory.free().threads(maxThreads, dataset.largestPicture(), need);
     List<FeatureDetector> features = Detectors.features(settings.detectors());
     try (Templates templates = new Templates(dataset.templates(), features, threads)) {
-      free.clear(); // those of an earlier call have its templates
-      free.add(detectors(templates)); // a file that is no detector's is refused at once
+      idleDetectors.clear(); // sets of an earlier call use its templates
+      idleDetectors.add(detectors(templates)); // rejects an unsuitable network at once
       return measure(templates, threads, watcher);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -76,19 +78,20 @@ public final class Measurer {
   private Outcome measure(Templates templates, int threads, MeasureProgress watcher)
       throws IOException {
     try (OutputFolder folder = new OutputFolder(dataset.folder());
-        MeasurementJournal done = new MeasurementJournal(dataset, settings)) {
+        MeasurementJournal journal = new MeasurementJournal(dataset, settings)) {
       folder.claim(List.of(MeasurementsFile.NAME));
-      int resumed = done.count();
+      int resumed = journal.count();
       watcher.resume(resumed);
       List<Measurement> rows =
           Parallel.map(
               dataset.samples(),
               threads,
               photo ->
-                  done.get(photo)
+                  journal
+                      .get(photo)
                       .orElseGet(
                           () -> {
-                            Measurement row = done.add(measured(photo, templates));
+                            Measurement row = journal.add(measured(photo, templates));
                             watcher.advance();
                             return row;
                           }));
@@ -101,18 +104,18 @@ public final class Measurer {
       }
       MeasurementsFile.write(folder, settings.pip(), withRecall(rows));
       folder.commit(List.of());
-      done.finish();
+      journal.finish();
       return new Outcome(resumed, threads, warnings);
     }
   }
 
   private List<Measurement> withRecall(List<Measurement> rows) {
-    int[] heights = dataset.samples().stream().mapToInt(s -> s.patch().height()).toArray();
-    List<Measurement> all = rows;
+    int[] heights = dataset.samples().stream().mapToInt(photo -> photo.patch().height()).toArray();
+    List<Measurement> extended = rows;
     for (String detector : Detectors.boxes(settings.detectors())) {
-      all = Recall.with(all, heights, detector);
+      extended = Recall.with(extended, heights, detector);
     }
-    return all;
+    return extended;
   }
 
   private List<ConfidenceSource> detectors(Templates templates) {
@@ -135,32 +138,32 @@ public final class Measurer {
   }
 
   /**
-   * Looks at a photo with one detector after the other.
+   * Runs all detectors on a photo, one after the other.
    *
-   * @param shown whether the photo has the subjects
+   * @param shown whether the photo shows the subjects
    * @return the confidences of each subject, by column
    */
   private List<Map<String, Double>> confidences(
       Path file, List<Subject> subjects, boolean shown, Templates templates) {
     List<Map<String, Double>> all =
         subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
-    List<ConfidenceSource> kept = free.poll();
-    List<ConfidenceSource> detectors = kept == null ? detectors(templates) : kept;
+    List<ConfidenceSource> idle = idleDetectors.poll();
+    List<ConfidenceSource> detectors = idle == null ? detectors(templates) : idle;
     try (Photograph photo = new Photograph(file)) {
       for (ConfidenceSource detector : detectors) {
         List<Map<String, Double>> found =
-            photo.lookedAt(detector.name(), () -> detector.confidences(photo, subjects, shown));
+            photo.detect(detector.name(), () -> detector.confidences(photo, subjects, shown));
         for (int i = 0; i < all.size(); i++) {
           all.get(i).putAll(found.get(i));
         }
       }
     } finally {
-      free.add(detectors);
+      idleDetectors.add(detectors);
     }
     return all;
   }
 
-  /** Returns a warning where too few photos without the objects say anything. */
+  /** Writes the thresholds; returns a warning if there are too few photos without the objects. */
   private List<String> writeThresholds(
       List<Measurement> rows,
       Templates templates,
@@ -170,14 +173,14 @@ public final class Measurer {
       throws IOException {
     List<AlarmThreshold> thresholds = new ArrayList<>();
     double rate = settings.falseAlarms();
-    List<Map<String, Double>> without = withoutObjects(templates, threads, watcher);
+    List<Map<String, Double>> alarmRows = withoutObjects(templates, threads, watcher);
     for (String detector : rows.get(0).confidences().keySet()) {
       List<Double> with = rows.stream().map(row -> row.confidence(detector)).toList();
-      List<Double> alarms = without.stream().map(row -> row.get(detector)).toList();
+      List<Double> alarms = alarmRows.stream().map(row -> row.get(detector)).toList();
       thresholds.add(AlarmThreshold.of(detector, alarms, with, rate));
     }
     AlarmThreshold.write(folder, thresholds);
-    // Places in one photo are not independent.
+    // Places in one photo are not independent, so that only photos and objects count.
     int looks = dataset.negatives().size() * dataset.templates().size();
     if (looks * rate >= 1) {
       return List.of();
@@ -192,13 +195,13 @@ public final class Measurer {
   }
 
   /**
-   * What the detectors make of photos without any of the objects. Each photo is asked for each
+   * Returns the confidences in photos without any of the objects. Each photo is searched for each
    * object, at places and in sizes that the object has in the other photos.
    */
   private List<Map<String, Double>> withoutObjects(
       Templates templates, int threads, MeasureProgress watcher) {
     List<Subject> subjects =
-        dataset.templates().keySet().stream().flatMap(this::elsewhere).toList();
+        dataset.templates().keySet().stream().flatMap(this::subjectsElsewhere).toList();
     return Parallel.map(
             dataset.negatives(),
             threads,
@@ -212,12 +215,12 @@ public final class Measurer {
         .toList();
   }
 
-  private Stream<Subject> elsewhere(String object) {
-    List<LabelledPhoto> of =
-        dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
-    int places = Math.min(PLACES, of.size());
+  private Stream<Subject> subjectsElsewhere(String object) {
+    List<LabelledPhoto> photos =
+        dataset.samples().stream().filter(photo -> photo.object().equals(object)).toList();
+    int places = Math.min(PLACES, photos.size());
     return IntStream.range(0, places)
-        .mapToObj(i -> new Subject(object, of.get(i * of.size() / places).patch()));
+        .mapToObj(i -> new Subject(object, photos.get(i * photos.size() / places).patch()));
   }
 
   /** Receives the progress of a measurement; may be called from any thread. */
@@ -233,10 +236,10 @@ public final class Measurer {
   /**
    * How photos are measured.
    *
-   * @param detectors as they are asked for, in the order of the columns
-   * @param test which matches count
-   * @param pip which pixels are the object's
-   * @param falseAlarms the share of the photos without the object that may be taken for it, [0, 1)
+   * @param detectors their names, in the order of the columns
+   * @param test the test that matches have to pass
+   * @param pip which pixels count as the object
+   * @param falseAlarms the allowed share of false alarms in photos without the object, [0, 1)
    */
   public record MeasureSettings(
       List<String> detectors, RatioTest test, PipReading pip, double falseAlarms) {
@@ -244,7 +247,7 @@ public final class Measurer {
       detectors = List.copyOf(detectors);
     }
 
-    /** The columns that are filled photo by photo. */
+    /** Returns the columns that are filled photo by photo. */
     List<String> columns() {
       return detectors.stream().map(Detectors::column).toList();
     }

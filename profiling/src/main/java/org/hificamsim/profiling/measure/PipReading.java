@@ -14,9 +14,9 @@ import org.opencv.core.Core;
 
 /** Which pixels count as the object's in PIP. */
 public enum PipReading {
-  /** Those of the mask where there is one, else those of the patch. */
+  /** The pixels of the mask, or of the patch if there is no mask. */
   SILHOUETTE("pip"),
-  /** Those of the patch, a rectangle around the object, as in thesis 3.5. */
+  /** The pixels of the patch, a rectangle around the object, as in thesis 3.5. */
   RECTANGLE("pip_rectangle");
 
   private final String column;
@@ -25,12 +25,12 @@ public enum PipReading {
     this.column = column;
   }
 
-  /** The name of the column in {@code measurements.csv}, which says how it was counted. */
+  /** Returns the column in {@code measurements.csv}, whose name tells how pixels were counted. */
   String column() {
     return column;
   }
 
-  /** The ground truth: the share of the image that is the object's. */
+  /** Returns the true PIP: the share of the image that the object fills. */
   double pip(LabelledPhoto photo, PhotoCamera camera) {
     long set =
         this == RECTANGLE || photo.mask().isEmpty()
@@ -49,14 +49,14 @@ public enum PipReading {
     }
   }
 
-  /** The reading behind a table of measurements. */
+  /** Returns the reading that a table of measurements was made with. */
   static PipReading of(Path file) {
     return table(file).columns().contains(RECTANGLE.column) ? RECTANGLE : SILHOUETTE;
   }
 
   /**
-   * What was counted in a data set that has been measured: where no row has a mask, rectangles
-   * whatever was asked for.
+   * Returns the reading that a measured data set was made with. Without any mask it is {@link
+   * #RECTANGLE}, whatever was requested.
    */
   public static PipReading ofDataset(Path folder) {
     Path photos = folder.resolve(Dataset.TABLE);
@@ -68,6 +68,6 @@ public enum PipReading {
   }
 
   private static CsvRows table(Path file) {
-    return CsvReader.open(file, "a table of photos").all(List.of());
+    return CsvReader.open(file, "a table of photos").readAll(List.of());
   }
 }

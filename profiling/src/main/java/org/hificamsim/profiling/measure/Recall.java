@@ -6,9 +6,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Recall against the object's height in pixels: of the photos whose object is about as high, the
- * share in which a detector has found it. Photos are sorted by height and cut into ten groups of
- * one size; those of one height stay together.
+ * Computes recall by the object's height in pixels: the share of the photos with an object of about
+ * this height in which a detector has found it. Photos are sorted by height and divided into ten
+ * groups of equal size, but photos of equal height stay in one group.
  */
 final class Recall {
   private static final int GROUPS = 10;
@@ -16,13 +16,13 @@ final class Recall {
   private Recall() {}
 
   /**
-   * The rows with a column more.
+   * Returns the rows with an additional column of recall.
    *
-   * @param heights of the objects, pixels, in the order of the rows
+   * @param heights the heights of the objects in pixels, in the order of the rows
    */
   static List<Measurement> with(List<Measurement> rows, int[] heights, String detector) {
     int[] sorted = IntStream.of(heights).sorted().toArray();
-    int[] highest = // of each group
+    int[] groupMaxima =
         IntStream.rangeClosed(1, GROUPS)
             .map(group -> group * sorted.length / GROUPS)
             .filter(end -> end > 0)
@@ -30,7 +30,12 @@ final class Recall {
             .toArray();
     int[] groups =
         IntStream.of(heights)
-            .map(h -> IntStream.of(highest).filter(most -> most >= h).findFirst().orElseThrow())
+            .map(
+                height ->
+                    IntStream.of(groupMaxima)
+                        .filter(maximum -> maximum >= height)
+                        .findFirst()
+                        .orElseThrow())
             .toArray();
     Map<Integer, Double> recall =
         IntStream.range(0, groups.length)

@@ -5,18 +5,18 @@ import java.util.Deque;
 import org.opencv.core.Mat;
 
 /**
- * The native images of one piece of work, released together: Java's collector does not see their
- * size, so that waiting for it would fill the memory.
+ * Native images that are released together. Java's garbage collector does not know their size, so
+ * relying on it would fill the memory.
  */
 public final class Mats implements AutoCloseable {
   private final Deque<Mat> owned = new ArrayDeque<>();
 
-  /** A new, empty image that this owns. */
+  /** Creates an empty image that this object owns. */
   public Mat mat() {
     return own(new Mat());
   }
 
-  /** Takes over an image. */
+  /** Takes ownership of an image and returns it. */
   public <M extends Mat> M own(M mat) {
     owned.push(mat);
     return mat;

@@ -8,9 +8,8 @@ import java.util.List;
 import org.opencv.core.Core;
 
 /**
- * OpenCV's native library, loaded once: Debian's where it is installed in the version that the
- * classes ask for, else the one inside the jar from Maven Central, else the first on Java's library
- * path.
+ * Loads OpenCV's native library once: the one inside the jar from Maven Central, else Debian's,
+ * else the first on Java's library path.
  */
 public final class OpenCv {
   private static final Path DEBIAN = Path.of("/usr/lib/jni");
@@ -18,7 +17,7 @@ public final class OpenCv {
 
   private OpenCv() {}
 
-  /** Reported in one line, with what helps. */
+  /** Reports in one line that OpenCV does not load, and how to install it. */
   static final class OpenCvMissingException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -32,42 +31,42 @@ public final class OpenCv {
   }
 
   /**
-   * Loads the library where that has not been done.
+   * Loads the library unless it is loaded already.
    *
-   * @throws OpenCvMissingException when there is none that loads
+   * @throws OpenCvMissingException when no library loads
    */
   public static synchronized void load() {
     if (origin == null) {
       try {
-        origin = firstThatLoads(sources());
+        origin = loadFirst(sources());
       } catch (NoClassDefFoundError e) {
         throw new OpenCvMissingException("its classes are not on the class path");
       }
-      // The work is spread over images; one thread each keeps results and memory the same.
+      // Images are processed in parallel; one thread for each keeps results and memory constant.
       Core.setNumThreads(1);
     }
   }
 
-  /** Which OpenCV this is and where it came from, as in {@code 4.6.0 (org.openpnp:opencv)}. */
+  /** Returns the version and source of OpenCV, as in {@code 4.6.0 (org.openpnp:opencv)}. */
   public static synchronized String version() {
     load();
     return Core.VERSION + " (" + origin + ")";
   }
 
-  /** One way to load the library. */
-  interface Way {
+  /** Loads the library. */
+  interface Loader {
     void load() throws Exception;
   }
 
-  /** A way to load and what to call it. */
-  record Source(String name, Way way) {}
+  /** A source of the library, by its name in messages. */
+  record Source(String name, Loader loader) {}
 
-  /** Tries one source after the other; the name of the one that loads. */
-  static String firstThatLoads(List<Source> sources) {
+  /** Tries one source after the other; returns the name of the first that loads. */
+  static String loadFirst(List<Source> sources) {
     List<String> reasons = new ArrayList<>();
     for (Source source : sources) {
       try {
-        source.way().load();
+        source.loader().load();
         return source.name();
       } catch (Exception | LinkageError e) {
         reasons.add(source.name() + ": " + oneLine(e));
@@ -80,11 +79,12 @@ public final class OpenCv {
     String file = System.mapLibraryName(Core.NATIVE_LIBRARY_NAME);
     return List.of(
         new Source("org.openpnp:opencv", OpenCv::loadFromJar),
-        new Source("Debian's libopencv-java", () -> System.load(existing(DEBIAN.resolve(file)))),
+        new Source(
+            "Debian's libopencv-java", () -> System.load(requireExists(DEBIAN.resolve(file)))),
         new Source("java.library.path", () -> System.loadLibrary(Core.NATIVE_LIBRARY_NAME)));
   }
 
-  private static String existing(Path library) {
+  private static String requireExists(Path library) {
     if (!Files.exists(library)) {
       throw new IllegalStateException("no " + library);
     }

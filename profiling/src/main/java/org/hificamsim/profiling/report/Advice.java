@@ -8,40 +8,45 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.report.ModelScores.DetectionAccuracy;
 
-/** What the report says of the data set's own numbers: what to take, and how to read the tables. */
+/**
+ * Writes the report's text on the data set's own numbers: recommendations, and how to read the
+ * tables.
+ */
 final class Advice {
   private Advice() {}
 
-  /** The one sentence that says which model to take. */
+  /** Returns the sentence that recommends a model. */
   static String headline(FitResult result) {
     return Texts.format(
         "%s of %s. %s",
         Texts.counted(result.measurements().size(), "photo"),
         Texts.counted(result.byObject().size(), "object"),
-        first(result).sentence());
+        best(result).sentence());
   }
 
-  /** The detector of which most is explained. */
-  static Recommendation first(FitResult result) {
-    List<Recommendation> all = Recommendation.all(result);
-    return all.stream()
-        .filter(one -> Double.isFinite(one.r2()))
+  /** Returns the recommendation that explains the largest share of the confidence. */
+  static Recommendation best(FitResult result) {
+    List<Recommendation> recommendations = Recommendation.all(result);
+    return recommendations.stream()
+        .filter(recommendation -> Double.isFinite(recommendation.r2()))
         .max(Comparator.comparingDouble(Recommendation::r2))
-        .orElse(all.get(0));
+        .orElse(recommendations.get(0));
   }
 
-  /** What to take of the other detectors, and how PIP grows. */
+  /**
+   * Returns the recommendations for the other detectors, and how PIP grows with the focal length.
+   */
   static List<String> reasons(FitResult result) {
-    Recommendation first = first(result);
+    Recommendation best = best(result);
     List<String> reasons = new ArrayList<>();
     Recommendation.all(result).stream()
-        .filter(one -> !one.detector().equals(first.detector()))
-        .forEach(one -> reasons.add(one.sentence()));
+        .filter(recommendation -> !recommendation.detector().equals(best.detector()))
+        .forEach(recommendation -> reasons.add(recommendation.sentence()));
     reasons.add(Recommendation.lens(result));
     return reasons;
   }
 
-  /** What was left out. */
+  /** Describes the groups that the cross-validation leaves out. */
   static String unseen(FitResult result) {
     return result.unseen().unit().equals("object")
         ? "Unseen: each object's photos are predicted by f and g fitted without that object, since"
@@ -50,7 +55,7 @@ final class Advice {
             + " what another object has to expect is not known from one.";
   }
 
-  /** On detect or not detect. */
+  /** Describes how well models decide between detected and not detected. */
   static String decisions(FitResult result) {
     StringBuilder text =
         new StringBuilder(

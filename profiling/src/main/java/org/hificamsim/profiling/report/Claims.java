@@ -31,7 +31,7 @@ final class Claims {
       new TreeMap<>(Map.of("lin", "4.5.1", "sr", "4.5.2", "svr-lin", "4.5.3", "svr-rbf", "4.5.3"));
   private static final List<String> METHODS = List.of("svr-rbf", "lin", "sr");
 
-  /** How far from a published share yours may be to count as the same, as in Table 8.1. */
+  /** The largest difference from a published share that counts as reproduced, as in Table 8.1. */
   private static final double TOLERANCE = 0.05;
 
   private static final double ROUNDING = 1e-9;
@@ -39,36 +39,36 @@ final class Claims {
   private final FitResult result;
   private final List<Claim> all = new ArrayList<>();
 
-  /** All that concern the detectors that were measured, in the order of the text. */
+  /** Judges all statements on the measured detectors, in the order of the text. */
   Claims(FitResult result) {
     this.result = result;
     List<String> detectors =
         result.detectors().stream()
             .filter(detector -> !PublishedTables.groundTruthLine(detector).isEmpty())
             .toList();
-    features();
+    addFeatures();
     detectors(detectors);
   }
 
-  /** Chapter 4. */
-  private void features() {
+  /** Judges the statements of chapter 4. */
+  private void addFeatures() {
     double[] responses = Measurement.responses(result.measurements());
-    share("4.3", "The skewness of -log10(PIP)", -0.009, Variable.skewness(responses));
+    addShare("4.3", "The skewness of -log10(PIP)", -0.009, Variable.skewness(responses));
     SECTIONS.forEach(
         (f, section) ->
-            share(
+            addShare(
                 section,
                 "What " + f + " captures of -log10(PIP), in its best fold",
                 number(PublishedTables.feature(f), "r2_best"),
                 StatUtils.max(result.feature(f).validation().folds())));
     SECTIONS.forEach(
         (f, section) ->
-            share(
+            addShare(
                 section,
                 "What " + f + " captures of -log10(PIP), in the mean of its folds",
                 number(PublishedTables.feature(f), "r2_cv_mean"),
                 result.feature(f).validation().mean()));
-    order(
+    addOrder(
         "4.6",
         "Of the three methods, which predicts PIP best",
         METHODS,
@@ -76,17 +76,17 @@ final class Claims {
         f -> result.feature(f).validation().mean());
   }
 
-  /** Chapters 5, 6 and 9. */
+  /** Judges the statements of chapters 5, 6 and 9. */
   private void detectors(List<String> detectors) {
     for (String detector : detectors) {
-      share(
+      addShare(
           "5.4 to 5.6",
           "What measured PIP captures of the confidence of " + detector,
           number(PublishedTables.groundTruthLine(detector), "r2"),
           r2(detector, FitResult.GROUND_TRUTH));
     }
     if (detectors.size() > 1) {
-      order(
+      addOrder(
           "5.7",
           "Which detector's confidence PIP captures best",
           detectors,
@@ -94,14 +94,14 @@ final class Claims {
           detector -> r2(detector, FitResult.GROUND_TRUTH));
     }
     for (String detector : detectors) {
-      share(
+      addShare(
           "6.1, Table 6.1",
           "What g(f_lin) captures of the confidence of " + detector,
           number(PublishedTables.line(detector, "lin"), "r2"),
           r2(detector, "lin"));
     }
     for (String detector : detectors) {
-      order(
+      addOrder(
           "6.1, Table 6.1",
           "Which f captures the confidence of " + detector + " best",
           METHODS,
@@ -109,14 +109,14 @@ final class Claims {
           f -> r2(detector, f));
     }
     for (String detector : detectors) {
-      share(
+      addShare(
           "6.2, Table 6.2",
           "What Eq 6.2 captures of the confidence of " + detector,
           number(PublishedTables.camSimLine(detector), "r2"),
           r2(detector, FitResult.CAMSIM));
     }
     for (String detector : detectors) {
-      order(
+      addOrder(
           "6.2",
           "Whether g(f_lin) captures more of " + detector + " than Eq 6.2",
           "g(f_lin) > Eq 6.2",
@@ -126,7 +126,7 @@ final class Claims {
     }
     if (detectors.contains("orb")) {
       double best = METHODS.stream().mapToDouble(f -> r2("orb", f)).max().orElseThrow();
-      share(
+      addShare(
           "9.1",
           "What the best f captures less of the confidence of orb than measured PIP",
           0.06,
@@ -134,52 +134,52 @@ final class Claims {
     }
   }
 
-  /** In the order of the text. */
+  /** Returns the claims in the order of the text. */
   List<Claim> all() {
     return all;
   }
 
-  /** Writes them as a table. */
+  /** Writes the claims as a table. */
   void write(OutputFolder folder) throws IOException {
     folder.write(FILE, COLUMNS.csv(all));
   }
 
-  /** What a line on some predictor captures of a detector's confidence. */
+  /** Returns the R2 of a detector's line on a predictor. */
   private double r2(String detector, String on) {
     return result.line(detector, on).r2();
   }
 
-  /** Whether a share is as published. */
-  static boolean isNear(double distance) {
+  /** Whether a difference from a published share counts as reproduced. */
+  static boolean isReproduced(double distance) {
     return Math.abs(distance) <= TOLERANCE + ROUNDING;
   }
 
-  /** That a share has a value. */
-  private void share(String source, String text, double published, double yours) {
+  /** Adds a claim on the value of a share. */
+  private void addShare(String source, String text, double published, double yours) {
     all.add(
         new Claim(
             source,
             text,
             Texts.format("%.2f", published),
             Texts.format("%.2f", yours),
-            isNear(yours - published)));
+            isReproduced(yours - published)));
   }
 
-  /** That things stand in an order, highest first. */
-  private void order(
+  /** Adds a claim on an order of names, highest first. */
+  private void addOrder(
       String source,
       String text,
       List<String> names,
       ToDoubleFunction<String> published,
       ToDoubleFunction<String> yours) {
-    order(source, text, inOrder(names, published), inOrder(names, yours));
+    addOrder(source, text, inOrder(names, published), inOrder(names, yours));
   }
 
-  private void order(String source, String text, String published, String yours) {
+  private void addOrder(String source, String text, String published, String yours) {
     all.add(new Claim(source, text, published, yours, published.equals(yours)));
   }
 
-  /** The names, highest first. */
+  /** Returns the names in order of their values, highest first. */
   private static String inOrder(List<String> names, ToDoubleFunction<String> value) {
     return names.stream()
         .sorted(Comparator.comparingDouble(value).reversed())
@@ -191,11 +191,11 @@ final class Claims {
   }
 
   /**
-   * Something that chapters 4 to 6 say, and what it is on the data set at hand.
+   * A statement of the thesis, and the corresponding result on this data set.
    *
-   * @param source section or table of the thesis
-   * @param published the number or order that it says
-   * @param yours the same here
+   * @param source the section or table of the thesis
+   * @param published the published number or order
+   * @param yours the number or order on this data set
    */
   record Claim(String source, String text, String published, String yours, boolean reproduced) {
     String verdict() {

@@ -17,22 +17,24 @@ import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.measure.PipReading;
 
 /**
- * Writes {@code report.html}, a page in one file, and its pictures once more as files for papers.
- * Its text is the resource {@code report.txt}: headings, paragraphs, and in braces what is put
- * there. Your numbers come first; the thesis's tables, with both, follow.
+ * Writes {@code report.html}, a page in one file, and its pictures as separate files for papers.
+ * The resource {@code report.txt} is its template of headings, paragraphs, and names of parts in
+ * braces. Your numbers come first; the tables of the thesis, with both numbers, follow.
  */
 public final class FitReport {
-  /** The page. */
+  /** The file name of the report. */
   public static final String REPORT = "report.html";
 
   private static final Map<String, String> DETECTOR_FIGURES =
       Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
 
   private static final Pattern PART = Pattern.compile("\\{(figure (.*)|(.*))\\}(?: (.*))?");
-  // The heading of what is left out where there is none.
-  private static final String SCATTERS = "# How confidences scatter, and how good the chances are";
 
-  /** Something of the report that is made of the fit. */
+  /** The heading of a section that is left out if no model is recommended. */
+  private static final String SCATTER_HEADING =
+      "# How confidences scatter, and how good the chances are";
+
+  /** Adds a part of the report that depends on the fit. */
   private interface Part {
     void add() throws IOException;
   }
@@ -58,13 +60,13 @@ public final class FitReport {
   }
 
   /**
-   * Writes everything that a fit leaves in the folder of its data set, all files or none; a model
-   * that is refused loses the file of an earlier fit.
+   * Writes all files of a fit to the folder of its data set, or none. Files of earlier models that
+   * are now rejected are deleted.
    *
    * @param pip how PIP was counted
-   * @param name of the data set
-   * @param prefix of the models' names, before a colon
-   * @return how many models were written
+   * @param name the name of the data set
+   * @param prefix the prefix of the models' names, before a colon
+   * @return the number of models written
    */
   public static int write(Path folder, FitResult result, PipReading pip, String name, String prefix)
       throws IOException {
@@ -84,7 +86,7 @@ public final class FitReport {
     for (String block : template.split("\n\n")) {
       String text = block.strip().replace('\n', ' ');
       if (text.startsWith("# ")) {
-        leftOut = text.equals(SCATTERS) && own.recommended().isEmpty();
+        leftOut = text.equals(SCATTER_HEADING) && own.recommended().isEmpty();
       }
       if (!leftOut) {
         add(text, parts);
@@ -108,7 +110,7 @@ public final class FitReport {
     }
   }
 
-  /** What the template names in braces. */
+  /** Returns the parts that the template names in braces. */
   private Map<String, Part> parts() {
     Map<String, Part> parts = new HashMap<>();
     parts.put("headline", () -> page.paragraph(Advice.headline(result)));

@@ -15,20 +15,21 @@ import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.PipReading;
 
 /**
- * The six real photos of Figure 3.7, a ball at 1 m, as a check of every f; no fit has seen them.
- * The thesis does not say how big the ball is: {@value #BALL} m is a football's diameter. It counts
- * the rectangle around the ball; the ball itself is the disc within.
+ * The six real photos of Figure 3.7, a ball at 1 m, on which every f is tested. The thesis does not
+ * give the size of the ball; {@value #BALL} m is the diameter of a football. Its PIP counts the
+ * rectangle around the ball; the ball itself is the inscribed disc.
  *
- * @param reading how the data were counted that the f were fitted to, and so how the ball is
+ * @param reading how PIP was counted in the data of the fits, and is counted here
  */
 record HeldOut(PipReading reading, List<Measurement> photos) {
-  /** Metres. */
+  /** The diameter of the ball, metres. */
   private static final double BALL = 0.22;
 
-  private static final double DISC = Math.PI / 4;
+  /** The share of the rectangle around the ball that the disc fills. */
+  private static final double DISC_SHARE = Math.PI / 4;
 
   static HeldOut of(PipReading reading) {
-    double share = reading == PipReading.SILHOUETTE ? DISC : 1;
+    double share = reading == PipReading.SILHOUETTE ? DISC_SHARE : 1;
     return new HeldOut(
         reading, PublishedTables.ball().stream().map(row -> photo(row, share)).toList());
   }
@@ -45,15 +46,15 @@ record HeldOut(PipReading reading, List<Measurement> photos) {
   }
 
   /**
-   * What is said of the ball, as measured or as an f predicts it.
+   * A row of the table: the PIP of the ball as measured or as an f predicts it.
    *
-   * @param rmse root of the mean squared error, of -log10(PIP)
-   * @param bias the mean error of that
-   * @param pips of each photo
+   * @param rmse the root of the mean squared error of -log10(PIP)
+   * @param bias the mean error of -log10(PIP)
+   * @param pips the PIP of each photo
    */
   private record Row(String f, String rmse, String bias, List<Double> pips) {}
 
-  /** The photos, and what every f says of them. */
+  /** Adds the table of measured and predicted PIPs. */
   void table(HtmlPage page, FitResult result) {
     TableLayout<Row> layout =
         new TableLayout<Row>().with("f", Row::f).with("RMSE", Row::rmse).with("bias", Row::bias);
@@ -81,7 +82,7 @@ record HeldOut(PipReading reading, List<Measurement> photos) {
         photos.stream().map(f.fit()::pip).toList());
   }
 
-  /** How to read the table. */
+  /** Returns the explanation of the table. */
   String remark() {
     return "In these photos PIP grows with the focal length to the power 1.32, not 2 as a pinhole"
         + " camera's would, so that no f that is true to optics fits them all. The ball's size is"

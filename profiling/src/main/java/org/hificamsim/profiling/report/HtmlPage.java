@@ -40,7 +40,7 @@ img { max-width: 100%; border: 1px solid #eee }
     body.append("</table>\n");
   }
 
-  /** A picture that is a part of the page, so that the page is one file. */
+  /** Adds a picture that is embedded, so that the page is one file. */
   void figure(byte[] png, String caption) {
     body.append("<figure><img src=\"data:image/png;base64,")
         .append(Base64.getEncoder().encodeToString(png))

@@ -14,22 +14,19 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
- * How well a model of a detector predicts the confidence of objects that it has not seen.
+ * How well a model of a detector predicts the confidence for unseen objects.
  *
- * @param fit its g; {@code geometric}'s value never varies, so that it predicts the mean of what it
- *     has seen
- * @param accuracy how often it puts what it has not seen on the right side of the threshold
- *     (balanced)
+ * @param fit the fit of g; for {@code geometric} it always predicts the mean of the seen
+ *     confidences
+ * @param accuracy the balanced accuracy of detect or not detect on unseen photos
  */
-record ModelScores(String detector, String model, ShapeFit fit, boolean refused, double accuracy) {
-  /** The mean of the confidences, whatever the PIP. */
+record ModelScores(String detector, String model, ShapeFit fit, boolean rejected, double accuracy) {
+  /** A shape that is the mean of the confidences, whatever the PIP. */
   private static final DetectorShape MEAN =
       new DetectorShape(
           "mean", (pip, y) -> new DetectorLine(0, Arrays.stream(y).average().orElseThrow()));
 
-  /**
-   * The models of one detector: what CamSim has first, the plainest before others, then every f.
-   */
+  /** Returns the models of one detector: CamSim's, the simplest first, then every f. */
   static List<ModelScores> of(FitResult result, String detector) {
     ShapeFit mean = onValues(result, detector, MEAN, result.measuredPip());
     ShapeFit camSim =
@@ -39,17 +36,17 @@ record ModelScores(String detector, String model, ShapeFit fit, boolean refused,
     all.add(of(result, detector, FitResult.CAMSIM, camSim, false));
     for (FeatureResult f : result.features()) {
       DetectorFit g = result.model(detector, f.name());
-      all.add(of(result, detector, f.name(), g.chosen(), g.refused()));
+      all.add(of(result, detector, f.name(), g.chosen(), g.rejected()));
     }
     return all;
   }
 
   private static ModelScores of(
-      FitResult result, String detector, String model, ShapeFit fit, boolean refused) {
+      FitResult result, String detector, String model, ShapeFit fit, boolean rejected) {
     double accuracy =
         DetectionAccuracy.of(result, detector)
             .accuracy(result.confidences(detector), fit.predicted());
-    return new ModelScores(detector, model, fit, refused, accuracy);
+    return new ModelScores(detector, model, fit, rejected, accuracy);
   }
 
   private static ShapeFit onValues(
@@ -63,15 +60,15 @@ record ModelScores(String detector, String model, ShapeFit fit, boolean refused,
   }
 
   /**
-   * Detect or not detect: whether a model puts a photo on the side of a threshold on which the
-   * measured confidence lies.
+   * The accuracy of detect or not detect: whether the predicted and the measured confidence lie on
+   * the same side of a threshold.
    *
-   * @param threshold confidence from which a photo counts as detected
+   * @param threshold the least confidence that counts as detected
    */
   record DetectionAccuracy(double threshold) {
     /**
-     * By the detector's own threshold, else by the one that {@code --detect chance} would take: g
-     * at 0, and the scatter about g.
+     * Uses the detector's own threshold, or that of the detection rule chance: g at 0 and the
+     * scatter about g.
      */
     static DetectionAccuracy of(FitResult result, String detector) {
       Double own = result.thresholds().get(detector);
@@ -84,25 +81,25 @@ record ModelScores(String detector, String model, ShapeFit fit, boolean refused,
       return new DetectionAccuracy(scatter.threshold(Chance.DEFAULT_ALPHA));
     }
 
-    /** The share of the photos that are detected. */
+    /** Returns the share of the photos that are detected. */
     double detected(double[] measured) {
-      return share(measured, measured, true) / (double) measured.length;
+      return countOnSide(measured, measured, true) / (double) measured.length;
     }
 
     /**
-     * Balanced accuracy: the mean of the shares of the detected and of the undetected that are
-     * predicted rightly, one half for a guess; NaN where all photos are of one kind.
+     * Returns the balanced accuracy: the mean of the shares of detected and of undetected photos
+     * that are predicted correctly, one half for a guess; NaN if all photos are of one kind.
      */
     double accuracy(double[] measured, double[] predicted) {
-      int detected = share(measured, measured, true);
+      int detected = countOnSide(measured, measured, true);
       int undetected = measured.length - detected;
-      double hits = share(measured, predicted, true) / (double) detected;
-      double rejections = share(measured, predicted, false) / (double) undetected;
+      double hits = countOnSide(measured, predicted, true) / (double) detected;
+      double rejections = countOnSide(measured, predicted, false) / (double) undetected;
       return (hits + rejections) / 2;
     }
 
-    /** How many are on this side in both. */
-    private int share(double[] measured, double[] predicted, boolean side) {
+    /** Returns the number of photos on this side of the threshold in both. */
+    private int countOnSide(double[] measured, double[] predicted, boolean side) {
       int count = 0;
       for (int i = 0; i < measured.length; i++) {
         count += measured[i] >= threshold == side && predicted[i] >= threshold == side ? 1 : 0;

@@ -24,9 +24,9 @@ import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.report.ModelScores.DetectionAccuracy;
 
-/** The tables of the data set's own numbers. */
+/** Adds the tables of the data set's own numbers to the report. */
 final class OwnTables {
-  static final String BEFORE = "constant, false alarms count";
+  static final String FORMER_SCATTER = "constant, false alarms count";
 
   private final FitResult result;
 
@@ -34,10 +34,10 @@ final class OwnTables {
     this.result = result;
   }
 
-  /** Something of a detector's. */
-  private record Row<T>(String detector, T of) {}
+  /** A row of a table: a value of a detector. */
+  private record Row<T>(String detector, T value) {}
 
-  /** What to take. */
+  /** Adds the recommended models. */
   void recommendations(HtmlPage page) {
     page.table(
         new TableLayout<FittedModel>()
@@ -52,7 +52,7 @@ final class OwnTables {
         recommended());
   }
 
-  /** Every shape of g on measured PIP. */
+  /** Adds every shape of g on measured PIP. */
   void shapes(HtmlPage page) {
     Function<String, Stream<Row<ShapeFit>>> ofDetector =
         detector ->
@@ -61,12 +61,12 @@ final class OwnTables {
     page.table(
         new TableLayout<Row<ShapeFit>>()
             .with("detector", Row::detector)
-            .with("g", row -> row.of().shape())
-            .with("R2", row -> fixed(row.of().scores().r2(), 3))
-            .with("R2, unseen", row -> fixed(row.of().unseen().r2(), 3))
-            .with("RMSE, unseen", row -> fixed(row.of().unseen().rmse(), 4))
-            .with("", row -> row.of().equals(onMeasuredPip(row.detector())) ? "chosen" : "")
-            .with("curve", row -> row.of().g().equation()),
+            .with("g", row -> row.value().shape())
+            .with("R2", row -> fixed(row.value().scores().r2(), 3))
+            .with("R2, unseen", row -> fixed(row.value().unseen().r2(), 3))
+            .with("RMSE, unseen", row -> fixed(row.value().unseen().rmse(), 4))
+            .with("", row -> row.value().equals(onMeasuredPip(row.detector())) ? "chosen" : "")
+            .with("curve", row -> row.value().g().equation()),
         result.detectors().stream().flatMap(ofDetector).toList());
   }
 
@@ -74,28 +74,30 @@ final class OwnTables {
     return result.model(detector, FitResult.GROUND_TRUTH).chosen();
   }
 
-  /** Whether the confidence of each detector rises at all. */
+  /** Adds whether the confidence of each detector rises with PIP. */
   void slopes(HtmlPage page) {
     page.table(
         new TableLayout<Row<RisingSlope>>()
             .with("detector", Row::detector)
-            .with("slope on PIP", row -> significant(row.of().slope()))
-            .with("95% interval", row -> span(row.of().low(), row.of().high()))
-            .with("rises", row -> rises(row.of())),
+            .with("slope on PIP", row -> significant(row.value().slope()))
+            .with("95% interval", row -> span(row.value().low(), row.value().high()))
+            .with("rises", row -> rises(row.value())),
         result.detectors().stream()
-            .map(d -> new Row<>(d, result.model(d, FitResult.GROUND_TRUTH).slope()))
+            .map(
+                detector ->
+                    new Row<>(detector, result.model(detector, FitResult.GROUND_TRUTH).slope()))
             .toList());
   }
 
-  /** Whether a confidence rises, in a word or two. */
+  /** Returns a few words on whether a confidence rises. */
   static String rises(RisingSlope slope) {
-    if (!slope.sure()) {
+    if (!slope.significant()) {
       return "not surely: refused";
     }
     return slope.low() > 0 ? "surely" : "surely with the logarithm";
   }
 
-  /** Every f. */
+  /** Adds every f. */
   void features(HtmlPage page) {
     page.table(
         new TableLayout<FeatureResult>()
@@ -113,66 +115,72 @@ final class OwnTables {
     return fixed(validation.map(CrossValidation::r2).orElse(Double.NaN), 3);
   }
 
-  /** Every model g(f), and before them what CamSim has. */
+  /** Adds every model g(f), after those of CamSim. */
   void models(HtmlPage page) {
     page.table(
         new TableLayout<ModelScores>()
-            .with("model", one -> one.detector() + "-" + one.model())
-            .with("g", one -> one.fit().shape())
-            .with("R2", one -> fixed(one.fit().scores().r2(), 3))
-            .with("R2, unseen", one -> fixed(one.fit().unseen().r2(), 3))
-            .with("detect or not, unseen", one -> fixed(one.accuracy(), 3))
-            .with("", one -> one.refused() ? "refused" : ""),
+            .with("model", scores -> scores.detector() + "-" + scores.model())
+            .with("g", scores -> scores.fit().shape())
+            .with("R2", scores -> fixed(scores.fit().scores().r2(), 3))
+            .with("R2, unseen", scores -> fixed(scores.fit().unseen().r2(), 3))
+            .with("detect or not, unseen", scores -> fixed(scores.accuracy(), 3))
+            .with("", scores -> scores.rejected() ? "refused" : ""),
         result.detectors().stream()
             .flatMap(detector -> ModelScores.of(result, detector).stream())
             .toList());
   }
 
-  /** A scatter of a model, and what its chances are worth. */
-  private record ScatterRow(String model, String scatter, Reliability of, boolean taken) {}
+  /** A row of a table: a scatter of a model, and the reliability of its chances. */
+  private record ScatterRow(
+      String model, String scatter, Reliability reliability, boolean chosen) {}
 
-  /** How good the chances are that follow from each kind of scatter, for the recommended models. */
+  /** Adds the reliability of chances for each kind of scatter of the recommended models. */
   void scatters(HtmlPage page) {
     List<ScatterRow> rows = new ArrayList<>();
     for (FittedModel model : recommended()) {
       DetectorFit fit = model.fit();
-      rows.add(new ScatterRow(model.name(), BEFORE, before(fit), false));
-      for (ScatterFit one : fit.scatters()) {
-        boolean taken = one.equals(fit.drawnFrom());
-        rows.add(new ScatterRow(model.name(), text(one), one.calibration(), taken));
+      rows.add(new ScatterRow(model.name(), FORMER_SCATTER, formerReliability(fit), false));
+      for (ScatterFit scatter : fit.scatters()) {
+        boolean chosen = scatter.equals(fit.drawnFrom());
+        rows.add(new ScatterRow(model.name(), text(scatter), scatter.calibration(), chosen));
       }
     }
     page.table(
         new TableLayout<ScatterRow>()
             .with("model", ScatterRow::model)
             .with("scatter", ScatterRow::scatter)
-            .with("expected, %", row -> fixed(100 * row.of.all().expected(), 1))
-            .with("measured, %", row -> fixed(100 * row.of.all().detected(), 1))
-            .with("error, points", row -> fixed(100 * row.of.all().error(), 1))
-            .with("worst fifth, points", row -> fixed(100 * row.of.worstFifth(), 1))
-            .with("log loss", row -> fixed(row.of.logLoss(), 3))
-            .with("", row -> row.taken ? "taken" : ""),
+            .with("expected, %", row -> fixed(100 * row.reliability.all().expected(), 1))
+            .with("measured, %", row -> fixed(100 * row.reliability.all().detected(), 1))
+            .with("error, points", row -> fixed(100 * row.reliability.all().error(), 1))
+            .with("worst fifth, points", row -> fixed(100 * row.reliability.worstFifth(), 1))
+            .with("log loss", row -> fixed(row.reliability.logLoss(), 3))
+            .with("", row -> row.chosen ? "taken" : ""),
         rows);
   }
 
   List<FittedModel> recommended() {
-    return Recommendation.all(result).stream().flatMap(one -> one.model().stream()).toList();
+    return Recommendation.all(result).stream()
+        .flatMap(recommendation -> recommendation.model().stream())
+        .toList();
   }
 
-  /** One number, with false alarms for detections: how {@code --detect chance} was before. */
-  static Reliability before(DetectorFit fit) {
+  /**
+   * Returns the reliability of the former detection rule chance: a constant scatter, with false
+   * alarms counted as detections.
+   */
+  static Reliability formerReliability(DetectorFit fit) {
     return fit.scatters().get(0).calibration().withFalseAlarms(Chance.DEFAULT_ALPHA);
   }
 
-  private static String text(ScatterFit one) {
-    return one.name()
-        + (one.residuals().grow()
+  private static String text(ScatterFit scatter) {
+    return scatter.name()
+        + (scatter.residuals().grow()
             ? ": "
-                + fixed(one.residuals().least(), 4)
+                + fixed(scatter.residuals().least(), 4)
                 + " + "
-                + fixed(one.residuals().growth(), 3)
+                + fixed(scatter.residuals().growth(), 3)
                 + " (g - g(0))"
-            : ": " + fixed(one.residuals().rmse(), 4));
+            : ": " + fixed(scatter.residuals().rmse(), 4));
   }
 
   private double accuracy(FittedModel model) {
@@ -180,7 +188,7 @@ final class OwnTables {
         .accuracy(result.confidences(model.detector()), model.chosen().predicted());
   }
 
-  /** What each object adds to the confidence. */
+  /** Adds how far the confidences of each object lie above g. */
   void objects(HtmlPage page) {
     TableLayout<List<Measurement>> layout =
         new TableLayout<List<Measurement>>()
@@ -188,12 +196,12 @@ final class OwnTables {
             .with("size, m", photos -> significant(photos.get(0).size()))
             .with("photos", List::size);
     for (String detector : result.detectors()) {
-      layout.with(detector + " above g", photos -> fixed(above(photos, detector), 3));
+      layout.with(detector + " above g", photos -> fixed(meanAboveModel(photos, detector), 3));
     }
     page.table(layout, List.copyOf(result.byObject().values()));
   }
 
-  private double above(List<Measurement> photos, String detector) {
+  private double meanAboveModel(List<Measurement> photos, String detector) {
     ShapeFit g = onMeasuredPip(detector);
     return photos.stream()
         .mapToDouble(photo -> photo.confidence(detector) - g.g().confidence(photo.pip()))

@@ -24,12 +24,12 @@ import org.hificamsim.profiling.measure.Measurement;
 import org.knowm.xchart.Histogram;
 import smile.stat.distribution.KernelDensity;
 
-/** The figures of chapters 4 to 6, and those of the data set's own numbers. */
+/** Draws the figures of chapters 4 to 6, and those of the data set's own numbers. */
 final class ReportFigures {
   private static final Color DOTS = Palette.pale(Palette.BLACK, 0.6);
   private static final int WIDTH = 300;
   private static final int HEIGHT = 230;
-  private static final int PANELS_A_ROW = 3;
+  private static final int PANELS_PER_ROW = 3;
   private static final int BINS = 30;
   private static final int MAX_NAMED = 16;
   private static final int CURVE_POINTS = 60;
@@ -43,14 +43,14 @@ final class ReportFigures {
     this.responses = Measurement.responses(result.measurements());
   }
 
-  /** A figure of the thesis with these photos, by its number. */
+  /** Draws a figure of the thesis from these photos, by its number. */
   Figure figure(String number, String title) {
     double[] pip = result.measuredPip();
     return switch (number) {
-      case "4.1" -> // the distributions of the variables
+      case "4.1" ->
           grid(title, Variable.of(result).stream().map(ReportFigures::histogram).toList());
       case "4.2" -> grid(title, List.of(density("PIP", pip), density("-log10(PIP)", responses)));
-      case "4.3" -> // multiple linear regression before and after the transformation
+      case "4.3" ->
           grid(
               title,
               List.of(
@@ -65,7 +65,7 @@ final class ReportFigures {
       case "4.4" -> grid(title, List.of(residuals("lin")));
       case "4.5" -> grid(title, List.of(residuals("sr")));
       case "4.7" -> grid(title, List.of(residuals("svr-lin"), residuals("svr-rbf")));
-      case "6.1" -> // each detector on each predicted PIP
+      case "6.1" ->
           grid(
               title,
               result.detectors().stream()
@@ -85,7 +85,7 @@ final class ReportFigures {
   }
 
   private static Figure grid(String title, List<XyPanel> panels) {
-    int columns = Math.min(PANELS_A_ROW, panels.size() == 4 ? 2 : panels.size());
+    int columns = Math.min(PANELS_PER_ROW, panels.size() == 4 ? 2 : panels.size());
     return new Figure(title, "", List.of(), panels, columns, WIDTH, HEIGHT);
   }
 
@@ -93,7 +93,7 @@ final class ReportFigures {
     return new XyPanel(title, x, y).cloud();
   }
 
-  /** A dot for each photo, and a line from the first to the last. */
+  /** Draws a dot for each photo, and a line over the range of x. */
   private static XyPanel scatter(
       String title,
       String xTitle,
@@ -122,7 +122,10 @@ final class ReportFigures {
         .thin(new Curve(x, y), Palette.BLUE);
   }
 
-  /** With Gaussian kernels and Scott's bandwidth; of a copy, since Smile sorts what it is given. */
+  /**
+   * Draws a density with Gaussian kernels and Scott's bandwidth. Smile sorts its argument, so we
+   * pass a copy.
+   */
   private static XyPanel density(String title, double[] values) {
     double width = Math.max(Variable.sd(values) * StrictMath.pow(values.length, -0.2), 1e-9);
     double from = StatUtils.min(values) - 3 * width;
@@ -133,7 +136,7 @@ final class ReportFigures {
         .dots(new Curve(values, new double[values.length]), DOTS);
   }
 
-  /** What multiple linear regression of PIP itself predicts. */
+  /** Returns the predictions of a multiple linear regression of PIP itself. */
   private double[] linearOnPip() {
     double[][] x = Measurement.predictors(result.measurements());
     double[] fit =
@@ -145,7 +148,7 @@ final class ReportFigures {
         .toArray();
   }
 
-  /** The residuals of held-out predictions. */
+  /** Draws the residuals of held-out predictions. */
   private XyPanel residuals(String f) {
     double[] predicted = result.feature(f).validation().predicted();
     return residuals(f, "predicted -log10(PIP)", responses, predicted);
@@ -157,7 +160,7 @@ final class ReportFigures {
     return scatter(title, label, "residual", predicted, errors, x -> 0);
   }
 
-  /** Figures 5.3, 5.5 and 5.7: a detector's line on measured PIP, and its residuals. */
+  /** Draws a detector's line on measured PIP and its residuals (Figures 5.3, 5.5 and 5.7). */
   Figure detector(String detector, String title) {
     DetectorModel line = result.line(detector, FitResult.GROUND_TRUTH).line();
     return grid(
@@ -171,7 +174,7 @@ final class ReportFigures {
                 at(result.measuredPip(), line::confidence))));
   }
 
-  /** A detector's confidences, and its line on some predictor. */
+  /** Draws a detector's confidences and its line on a predictor. */
   private XyPanel fitted(String detector, String on, String label) {
     DetectorModel line = result.line(detector, on).line();
     return scatter(
@@ -183,7 +186,7 @@ final class ReportFigures {
         line::confidence);
   }
 
-  /** A detector's confidence by measured PIP, object by object, with the chosen g. */
+  /** Draws a detector's confidence by measured PIP, coloured by object, with the chosen g. */
   Figure objects(String detector) {
     XyPanel panel = panel("", "PIP (logarithmic)", "confidence");
     panel.getStyler().setXAxisLogarithmic(true);
@@ -211,8 +214,8 @@ final class ReportFigures {
   }
 
   /**
-   * Reliability: in fifths of the photos, how many are detected over how many are expected to be;
-   * before false alarms were taken off, and as the scatter that is taken has it.
+   * Draws the detected over the expected share in fifths of the photos, for the former and the
+   * chosen scatter.
    */
   static Figure reliability(List<FittedModel> models) {
     return new Figure(
@@ -228,17 +231,18 @@ final class ReportFigures {
   }
 
   private static XyPanel reliability(FittedModel model) {
-    double[] equal = {0, 1};
+    double[] diagonal = {0, 1};
     XyPanel panel = panel(model.name(), "expected share", "detected share");
-    panel.straight(new Curve(equal, equal), DOTS);
-    fifths(panel, OwnTables.before(model.fit()), Palette.ORANGE);
+    panel.straight(new Curve(diagonal, diagonal), DOTS);
+    fifths(panel, OwnTables.formerReliability(model.fit()), Palette.ORANGE);
     fifths(panel, model.fit().drawnFrom().calibration(), Palette.BLUE);
     return panel;
   }
 
-  private static void fifths(XyPanel panel, Reliability of, Color color) {
+  private static void fifths(XyPanel panel, Reliability reliability, Color color) {
     panel.dots(
-        Curve.of(of.fifths(), Reliability.Part::expected, Reliability.Part::detected), color);
+        Curve.of(reliability.fifths(), Reliability.Part::expected, Reliability.Part::detected),
+        color);
   }
 
   private static double[] logarithmic(double[] ends) {

@@ -18,7 +18,7 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
 import org.hificamsim.profiling.report.Claims.Claim;
 
-/** The thesis's tables: yours, and in brackets what is published. */
+/** Adds the tables of the thesis with your numbers, and the published ones in brackets. */
 final class ThesisTables {
   private final FitResult result;
 
@@ -26,61 +26,68 @@ final class ThesisTables {
     this.result = result;
   }
 
-  /** Table 4.1. */
+  /** Adds Table 4.1. */
   void variables(HtmlPage page) {
     page.table(
         new TableLayout<Variable>()
             .with("variable", Variable::name)
-            .with("mean", one -> beside(one, StatUtils.mean(one.values()), 3, "mean"))
-            .with("SD", one -> beside(one, Variable.sd(one.values()), 3, "sd"))
-            .with("min", one -> beside(one, StatUtils.min(one.values()), 5, "min"))
-            .with("max", one -> beside(one, StatUtils.max(one.values()), 3, "max"))
-            .with("skewness", one -> beside(one, Variable.skewness(one.values()), 2, "skewness")),
+            .with("mean", variable -> cell(variable, StatUtils.mean(variable.values()), 3, "mean"))
+            .with("SD", variable -> cell(variable, Variable.sd(variable.values()), 3, "sd"))
+            .with("min", variable -> cell(variable, StatUtils.min(variable.values()), 5, "min"))
+            .with("max", variable -> cell(variable, StatUtils.max(variable.values()), 3, "max"))
+            .with(
+                "skewness",
+                variable -> cell(variable, Variable.skewness(variable.values()), 2, "skewness")),
         Variable.of(result));
   }
 
-  private static String beside(Variable one, double value, int digits, String column) {
-    return withPublished(value, digits, PublishedTables.variable(one.id()), column);
+  private static String cell(Variable variable, double value, int digits, String column) {
+    return withPublished(value, digits, PublishedTables.variable(variable.id()), column);
   }
 
-  /** Table 4.2, with every f. */
+  /** Adds Table 4.2, with every f. */
   void features(HtmlPage page) {
     page.table(
         new TableLayout<FeatureResult>()
             .with("f", FeatureResult::name)
-            .with("MSE", f -> withPublished(f.scores().mse(), 3, theirs(f), "mse"))
-            .with("R2", f -> withPublished(f.scores().r2(), 3, theirs(f), "r2_best"))
+            .with("MSE", f -> withPublished(f.scores().mse(), 3, publishedRow(f), "mse"))
+            .with("R2", f -> withPublished(f.scores().r2(), 3, publishedRow(f), "r2_best"))
             .with("RMSE", f -> fixed(f.scores().rmse(), 3))
             .with("SSE", f -> fixed(f.scores().sse(), 2))
             .with("R2 of folds", ThesisTables::folds)
             .with("yours", f -> f.fit().equation())
-            .with("published equation", f -> published(theirs(f), "equation")),
+            .with("published equation", f -> published(publishedRow(f), "equation")),
         result.features());
   }
 
-  private static Map<String, String> theirs(FeatureResult f) {
+  private static Map<String, String> publishedRow(FeatureResult f) {
     return PublishedTables.feature(f.name());
   }
 
   private static String folds(FeatureResult f) {
     String yours = fixed(f.validation().mean(), 3) + " +- " + fixed(f.validation().deviation(), 3);
-    Map<String, String> theirs = theirs(f);
-    return theirs.isEmpty()
+    Map<String, String> publishedRow = publishedRow(f);
+    return publishedRow.isEmpty()
         ? yours
-        : yours + " (" + theirs.get("r2_cv_mean") + " +- " + theirs.get("r2_cv_sd") + ")";
+        : yours
+            + " ("
+            + publishedRow.get("r2_cv_mean")
+            + " +- "
+            + publishedRow.get("r2_cv_sd")
+            + ")";
   }
 
-  private record CoefficientRow(String f, Coefficient of) {}
+  private record CoefficientRow(String f, Coefficient coefficient) {}
 
-  /** Coefficients with standard errors and intervals. */
+  /** Adds coefficients with standard errors and intervals. */
   void coefficients(HtmlPage page) {
     page.table(
         new TableLayout<CoefficientRow>()
             .with("f", CoefficientRow::f)
-            .with("coefficient", row -> row.of.name())
-            .with("value", row -> significant(row.of.value()))
-            .with("standard error", row -> significant(row.of.error()))
-            .with("95% interval", row -> span(row.of.low(), row.of.high())),
+            .with("coefficient", row -> row.coefficient.name())
+            .with("value", row -> significant(row.coefficient.value()))
+            .with("standard error", row -> significant(row.coefficient.error()))
+            .with("95% interval", row -> span(row.coefficient.low(), row.coefficient.high())),
         result.features().stream()
             .flatMap(f -> f.fit().coefficients().stream().map(c -> new CoefficientRow(f.name(), c)))
             .toList());
@@ -89,7 +96,7 @@ final class ThesisTables {
   /** A line fitted to a detector's confidences, and the published one. */
   private record LineRow(String name, LineFit fit, Map<String, String> published) {}
 
-  /** Eqs 5.2 to 5.4. */
+  /** Adds the lines of Eqs 5.2 to 5.4. */
   void detectors(HtmlPage page) {
     lines(
         page,
@@ -103,7 +110,7 @@ final class ThesisTables {
                         PublishedTables.groundTruthLine(detector))));
   }
 
-  /** Table 6.1, with every f. */
+  /** Adds Table 6.1, with every f. */
   void combinations(HtmlPage page) {
     lines(
         page,
@@ -118,7 +125,7 @@ final class ThesisTables {
         detector + "-" + f, result.line(detector, f), PublishedTables.line(detector, f));
   }
 
-  /** Table 6.2. */
+  /** Adds Table 6.2. */
   void camSim(HtmlPage page) {
     lines(
         page,
@@ -146,7 +153,7 @@ final class ThesisTables {
         rows.toList());
   }
 
-  /** What chapters 4 to 6 say, judged. */
+  /** Adds the verdicts on the statements of chapters 4 to 6. */
   static void claims(HtmlPage page, List<Claim> claims) {
     page.table(
         new TableLayout<Claim>()

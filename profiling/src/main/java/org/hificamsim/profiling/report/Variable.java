@@ -27,14 +27,14 @@ record Variable(String id, String name, String unit, double[] values) {
         id, name, unit, result.measurements().stream().mapToDouble(variable).toArray());
   }
 
-  /** The standard deviation. */
+  /** Returns the standard deviation. */
   static double sd(double[] values) {
     return new StandardDeviation().evaluate(values);
   }
 
   /**
-   * By thesis 4.2's formula, {@code sum (x - mean)^3 / ((n - 1) v^(3/2))}; its exponent is printed
-   * as 2/3.
+   * Returns the skewness by the formula of thesis 4.2, {@code sum (x - mean)^3 / ((n - 1)
+   * v^(3/2))}; its exponent is misprinted as 2/3.
    */
   static double skewness(double[] values) {
     double mean = StatUtils.mean(values);

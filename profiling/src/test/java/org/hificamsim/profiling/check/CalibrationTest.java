@@ -13,10 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Made cameras: what they see where, and back. */
+/** Projects points with synthetic cameras, and back to the ground. */
 class CalibrationTest {
   @Test
-  void aLevelCameraSeesAsAPinholeDoes() {
+  void levelCameraProjectsLikeAPinhole() {
     Calibration camera = MadeCameras.at(5, 0, MadeCameras.LENS);
     Pixel foot = camera.project(new Vector3D(2, 20, 0));
     assertEquals(384 + 6 * 1.25 / 0.01 * 2 / 20, foot.u(), 1e-9);
@@ -28,7 +28,7 @@ class CalibrationTest {
   }
 
   @Test
-  void aTurnIsMadeAboutXFirstThenYThenZ() {
+  void rotatesAboutXThenYThenZ() {
     Lens plain = new Lens(1, 0, 1, 1, 1, 0, 0);
     Vector3D away = new Vector3D(0, 0, 5);
     double quarter = Math.PI / 2;
@@ -45,7 +45,7 @@ class CalibrationTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.005, -0.002})
-  void whatIsSeenAtAPixelIsWhereItWasPut(double kappa1) {
+  void groundInvertsProjection(double kappa1) {
     Calibration camera = MadeCameras.at(6, 15, MadeCameras.bent(kappa1));
     for (double x = -6; x <= 6; x += 1.5) {
       for (double y = 12; y <= 40; y += 4) {
@@ -59,16 +59,16 @@ class CalibrationTest {
   }
 
   @Test
-  void distortionMovesWhatIsFarFromTheCentre() {
+  void distortionMovesPointsFarFromTheCentre() {
     Calibration bent = MadeCameras.at(5, 0, MadeCameras.bent(0.01));
     Pixel seen = bent.project(new Vector3D(8, 20, 5));
-    double r = (seen.u() - 384) * 0.01 / 1.25; // millimetres
+    double r = (seen.u() - 384) * 0.01 / 1.25; // in millimetres
     assertEquals(6.0 * 8 / 20, r * (1 + 0.01 * r * r), 1e-9);
   }
 
   @ParameterizedTest
   @CsvSource({"1, 1", "0.001, 1", "1, -3.5", "0.01, 0.02"})
-  void aMatrixIsTheSameCameraInAnyScaleAndUnit(double metres, double scale) {
+  void matrixScaleAndUnitDoNotMatter(double metres, double scale) {
     Calibration camera = MadeCameras.at(6, 15, MadeCameras.LENS);
     Calibration matrix =
         Calibration.matrix(MadeCameras.matrix(6, 15, metres, scale), metres, MadeCameras.PICTURE);
@@ -83,7 +83,7 @@ class CalibrationTest {
   }
 
   @Test
-  void aMatrixThatIsNoCameraIsRefused() {
+  void rejectsSingularMatrix() {
     double[] flat = {1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 1, 1};
     InputException refused =
         assertThrows(InputException.class, () -> Calibration.matrix(flat, 1, MadeCameras.PICTURE));

@@ -4,7 +4,7 @@ import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.profiling.check.Calibration.Lens;
 import org.hificamsim.profiling.check.Calibration.Size;
 
-/** Cameras of our own making, whose every number is known. */
+/** Synthetic cameras with known parameters. */
 final class MadeCameras {
   static final Size PICTURE = new Size(768, 576);
 
@@ -25,12 +25,12 @@ final class MadeCameras {
     return Calibration.tsai(new Vector3D(rx, 0, 0), shift, lens, PICTURE);
   }
 
-  /** The same lens, bent. */
+  /** Returns the same lens with distortion. */
   static Lens bent(double kappa1) {
     return new Lens(6, kappa1, 0.01, 0.012, 1.25, 384, 288);
   }
 
-  /** The matrix of such a camera, whose world has so many metres to a unit. */
+  /** Returns the matrix of such a camera for a world whose unit has this many metres. */
   static double[] matrix(double height, double tilt, double metres, double scale) {
     double[] p = new double[12];
     Vector3D shift = homogeneous(height, tilt, Vector3D.ZERO);
@@ -45,7 +45,7 @@ final class MadeCameras {
     return p;
   }
 
-  /** (u w, v w, w) of a point, by the pinhole's own formula. */
+  /** Returns (u w, v w, w) of a point by the pinhole formula. */
   private static Vector3D homogeneous(double height, double tilt, Vector3D point) {
     double down = Math.toRadians(tilt);
     double above = point.getZ() - height;

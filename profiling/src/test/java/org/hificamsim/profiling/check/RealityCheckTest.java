@@ -17,33 +17,33 @@ import org.hificamsim.profiling.check.MotSightings.Sighting;
 import org.hificamsim.tracks.format.MotFile;
 import org.junit.jupiter.api.Test;
 
-/** Boxes of a made camera, with errors that are known. */
+/** Checks boxes of a synthetic camera with known errors. */
 class RealityCheckTest {
   private static final Size BODY = new Size(0.5, 1.75);
   private static final Calibration TILTED = MadeCameras.at(6, 15, MadeCameras.bent(0.004));
 
   @Test
-  void boxesAsTheCalibrationHasThemHaveNoError() {
+  void calibratedBoxesHaveNoError() {
     RealityCheck check = check(TILTED, i -> 0);
-    for (ErrorSummary one : check.overall()) {
-      if (one.rung().equals("calibration")) {
-        assertEquals(0, one.median(), 1e-12);
-        assertEquals(0, one.bias(), 1e-12);
-        assertEquals(200, one.boxes());
+    for (ErrorSummary summary : check.overall()) {
+      if (summary.rung().equals("calibration")) {
+        assertEquals(0, summary.median(), 1e-12);
+        assertEquals(0, summary.bias(), 1e-12);
+        assertEquals(200, summary.boxes());
       }
     }
     assertEquals(0, check.footError(), 1e-9);
   }
 
   @Test
-  void heightsAndATiltPredictWhatTheCalibrationDoesAndAFlatWorldDoesNot() {
+  void heightsEqualCalibrationButFlatWorldDoesNot() {
     RealityCheck check = check(MadeCameras.at(6, 15, MadeCameras.LENS), i -> 0);
     assertEquals(0, of(check, "heights", "height").ninety(), 0.005);
     assertTrue(of(check, "flat", "height").median() > 0.03);
   }
 
   @Test
-  void aKnownBiasIsFound() {
+  void findsKnownBias() {
     ErrorSummary height = of(check(TILTED, i -> 0.05), "calibration", "height");
     assertEquals(0.05, height.median(), 1e-9);
     assertEquals(0.05, height.ninety(), 1e-9);
@@ -53,7 +53,7 @@ class RealityCheckTest {
   }
 
   @Test
-  void theQuantilesOfAKnownNoiseAreFound() {
+  void findsQuantilesOfKnownNoise() {
     ErrorSummary height =
         of(check(TILTED, i -> -0.2 + 0.4 * (i + 0.5) / 200), "calibration", "height");
     assertEquals(0.1, height.median(), 0.002, "evenly from -20 to 20 %");
@@ -62,7 +62,7 @@ class RealityCheckTest {
   }
 
   @Test
-  void aFlatWorldIsRightOnTheAxisOfALevelCameraAndShortBesideIt() {
+  void flatWorldIsExactOnlyOnTheAxis() {
     Calibration level = MadeCameras.at(1.5, 0, MadeCameras.LENS);
     List<Sighting> sightings =
         List.of(sighting(level, 0, 20, 0), sighting(level, 15, 20, 0), sighting(level, 0, 10, 0));
@@ -76,7 +76,7 @@ class RealityCheckTest {
   }
 
   @Test
-  void errorsGrowWithTheDistanceWhereTheyDo() {
+  void reportsErrorsThatGrowWithDistance() {
     List<Sighting> sightings = new ArrayList<>();
     for (int i = 0; i < 100; i++) {
       double y = 10 + 0.3 * i;
@@ -84,7 +84,9 @@ class RealityCheckTest {
     }
     List<ErrorSummary> bands =
         RealityCheck.of(sightings, TILTED, BODY).byDistance().stream()
-            .filter(one -> one.rung().equals("calibration") && one.quantity().equals("height"))
+            .filter(
+                summary ->
+                    summary.rung().equals("calibration") && summary.quantity().equals("height"))
             .toList();
     assertEquals(100, bands.stream().mapToInt(ErrorSummary::boxes).sum(), "each in one band");
     assertTrue(bands.size() > 3 && bands.size() <= 9, bands.size() + " bands");
@@ -95,13 +97,16 @@ class RealityCheckTest {
   }
 
   @Test
-  void positionsInAnotherUnitAreRefused() {
+  void rejectsPositionsInAnotherUnit() {
     List<Sighting> off =
-        sightings(TILTED, i -> 0).stream().map(one -> moved(one, new Vector3D(0, 15, 0))).toList();
+        sightings(TILTED, i -> 0).stream()
+            .map(sighting -> moved(sighting, new Vector3D(0, 15, 0)))
+            .toList();
     InputException other =
         assertThrows(InputException.class, () -> RealityCheck.of(off, TILTED, BODY));
     assertTrue(other.getMessage().contains("maybe unit or calibration_unit"), other.getMessage());
-    List<Sighting> behind = off.stream().map(one -> moved(one, new Vector3D(0, -500, 0))).toList();
+    List<Sighting> behind =
+        off.stream().map(sighting -> moved(sighting, new Vector3D(0, -500, 0))).toList();
     assertTrue(
         assertThrows(InputException.class, () -> RealityCheck.of(behind, TILTED, BODY))
             .getMessage()
@@ -110,7 +115,7 @@ class RealityCheckTest {
 
   private static ErrorSummary of(RealityCheck check, String rung, String quantity) {
     return check.overall().stream()
-        .filter(one -> one.rung().equals(rung) && one.quantity().equals(quantity))
+        .filter(summary -> summary.rung().equals(rung) && summary.quantity().equals(quantity))
         .findFirst()
         .orElseThrow();
   }
@@ -119,7 +124,7 @@ class RealityCheckTest {
     return RealityCheck.of(sightings(camera, error), camera, BODY);
   }
 
-  /** Two hundred, evenly over a strip of ground. */
+  /** Returns two hundred sightings, evenly over a strip of ground. */
   private static List<Sighting> sightings(Calibration camera, IntToDoubleFunction error) {
     return IntStream.range(0, 200)
         .mapToObj(
@@ -127,7 +132,9 @@ class RealityCheckTest {
         .toList();
   }
 
-  /** A box that is by so much smaller than predicted that the prediction has this error. */
+  /**
+   * Returns a sighting whose box is smaller than predicted, so that the prediction has this error.
+   */
   private static Sighting sighting(Calibration camera, double x, double y, double error) {
     Vector3D foot = new Vector3D(x, y, 0);
     Size predicted = SizeModel.CALIBRATION.size(camera, foot, BODY);
@@ -141,7 +148,7 @@ class RealityCheckTest {
     return new Sighting(box, foot);
   }
 
-  private static Sighting moved(Sighting one, Vector3D by) {
-    return new Sighting(one.box(), one.foot().add(by));
+  private static Sighting moved(Sighting sighting, Vector3D by) {
+    return new Sighting(sighting.box(), sighting.foot().add(by));
   }
 }

@@ -38,7 +38,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void readsWhatTheTableSays() throws IOException {
+  void readsTheTable() throws IOException {
     LabelledPhoto sample = sample(ROW + "masks/a.png");
     assertEquals("ball", sample.object());
     assertEquals(0.22, sample.size());
@@ -77,7 +77,7 @@ class DatasetReaderTest {
 
   @ParameterizedTest
   @CsvSource({"50, 0", "50000, 1"})
-  void focalLengthOfNoLensInThePhotoIsRefused(int millimetres, int over) throws IOException {
+  void rejectsImpossibleFocalLengthInExif(int millimetres, int over) throws IOException {
     Photos.writeWithFocalLength(folder.resolve("images/exif.jpg"), 60, 40, millimetres, over);
     List<String> problems = problems("images/exif.jpg,ball,0.22,1,,10,10,20,30,");
     assertEquals(1, problems.size(), problems.toString());
@@ -86,7 +86,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void boxThatIsRoundedApartStaysWithinThePicture() throws IOException {
+  void roundedBoxStaysWithinThePicture() throws IOException {
     Files.writeString(
         folder.resolve("coco.json"),
         """
@@ -97,7 +97,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void tablesOfSpreadsheetsAreRead() throws IOException {
+  void readsTablesOfSpreadsheets() throws IOException {
     String row = "images/a.jpg;ball;0,22;1;0,085;10;10;20;30;";
     Files.writeString(
         folder.resolve("dataset.csv"), "\uFEFF" + HEADER.replace(',', ';') + "\r\n" + row + "\r\n");
@@ -107,7 +107,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void photosMayBeUprightAmongLevelOnes() throws IOException {
+  void photosMayBePortraitOrLandscape() throws IOException {
     Photos.write(folder.resolve("images/upright.png"), 40, 60);
     assertEquals(
         new Patch(5, 25, 30, 35),
@@ -119,7 +119,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void photoThatItsCameraTurnedIsReadAsItIsShown() throws IOException {
+  void readsRotatedPhotoAsDisplayed() throws IOException {
     Photos.writeTurned(folder.resolve("images/turned.jpg"), 60, 40);
     assertEquals(
         new Patch(5, 25, 30, 35),
@@ -133,7 +133,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void photosWithoutTheObjectsAreOfTheCamerasSize() throws IOException {
+  void readsNegativesAndRejectsOtherSizes() throws IOException {
     Photos.write(folder.resolve("negatives/b.png"), 40, 60);
     Photos.write(folder.resolve("negatives/a.jpg"), 60, 40);
     Files.writeString(folder.resolve("negatives/notes.txt"), "not a photo");
@@ -175,7 +175,7 @@ class DatasetReaderTest {
         "images/a.jpg,ball,0.22,1,0.085,10,10,20,30,no.png | mask is 'no.png'",
         "images/a.jpg,ball,0.22 | the row has 3 cells, expected 10",
       })
-  void faultIsToldWithItsRow(String row, String words) throws IOException {
+  void reportsErrorsWithTheirRow(String row, String words) throws IOException {
     List<String> problems = problems(row);
     assertEquals(1, problems.size(), problems.toString());
     assertTrue(problems.get(0).startsWith(folder.resolve("dataset.csv") + ":2:"), problems.get(0));
@@ -183,7 +183,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void everyProblemOfEveryRowIsReported() throws IOException {
+  void reportsEveryProblemOfEveryRow() throws IOException {
     List<String> problems =
         problems(
             "images/none.jpg,ball,0,1,0.085,10,10,20,30,",
@@ -196,7 +196,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void folderWithoutItsFilesIsReportedInOneLine() throws IOException {
+  void reportsMissingFilesInOneLine() throws IOException {
     Files.delete(folder.resolve("camera.json"));
     List<String> problems = problems(ROW);
     assertEquals(1, problems.size());
@@ -204,7 +204,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void tableWithoutAColumnOrARowIsReportedInOneLine() throws IOException {
+  void reportsMissingColumnsAndRowsInOneLine() throws IOException {
     table(HEADER.replace("size_m", "size"), ROW);
     assertTrue(
         DatasetReader.read(folder).problems().get(0).contains("expected image,object,size_m,"));

@@ -24,13 +24,13 @@ public final class Photos {
     writeWithFocalLength(file, width, height, millimetres, 1);
   }
 
-  /** The same with any denominator. */
+  /** Writes a JPEG whose EXIF has a focal length as a fraction. */
   public static void writeWithFocalLength(
       Path file, int width, int height, int millimetres, int over) throws IOException {
     writeWithExif(file, width, height, exif(millimetres, over));
   }
 
-  /** Writes a JPEG that is to be shown turned by a quarter. */
+  /** Writes a JPEG whose EXIF rotates it by a quarter turn. */
   public static void writeTurned(Path file, int width, int height) throws IOException {
     ByteBuffer tiff = ByteBuffer.allocate(26);
     tiff.put(new byte[] {'M', 'M', 0, 42}).putInt(8);
@@ -54,7 +54,10 @@ public final class Photos {
     return bytes.toByteArray();
   }
 
-  /** An APP1 segment: a TIFF header, one directory that points at the EXIF directory, and that. */
+  /**
+   * Returns an APP1 segment: a TIFF header, a directory that points to the EXIF directory, and
+   * that.
+   */
   private static byte[] exif(int millimetres, int over) {
     ByteBuffer tiff = ByteBuffer.allocate(52);
     tiff.put(new byte[] {'M', 'M', 0, 42}).putInt(8);

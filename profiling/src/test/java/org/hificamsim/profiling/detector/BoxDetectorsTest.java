@@ -26,7 +26,7 @@ import org.opencv.core.Rect;
 import org.opencv.core.Scalar;
 import org.opencv.imgcodecs.Imgcodecs;
 
-/** Detectors that find boxes, each on a picture drawn for it. */
+/** Tests box detectors on pictures drawn for them. */
 class BoxDetectorsTest {
   private static final Scalar RED = new Scalar(0, 0, 255);
   private static final Scalar BLUE = new Scalar(255, 0, 0);
@@ -39,7 +39,7 @@ class BoxDetectorsTest {
   }
 
   @Test
-  void networkFindsItsClassAndNoOther() throws IOException {
+  void networkFindsOnlyItsClass() throws IOException {
     Path network = folder.resolve("tiny.onnx");
     Files.write(network, TinyOnnx.network());
     Path photo =
@@ -57,7 +57,7 @@ class BoxDetectorsTest {
   }
 
   @Test
-  void networkWithoutTheClassIsRefused() throws IOException {
+  void rejectsNetworkWithoutTheClass() throws IOException {
     Path network = folder.resolve("tiny.onnx");
     Files.write(network, TinyOnnx.network());
     Path photo = picture(128, 96, RED, canvas -> {});
@@ -70,7 +70,7 @@ class BoxDetectorsTest {
   }
 
   @Test
-  void fileThatIsNoNetworkIsRefusedInOneLine() throws IOException {
+  void rejectsFileWithoutANetworkInOneLine() throws IOException {
     Path network = folder.resolve("no.onnx");
     Files.writeString(network, "no network");
     String message =
@@ -85,7 +85,7 @@ class BoxDetectorsTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"yolo", "haar:nix", "onnx:FILE:class=x", "onnx:FILE:size=4", "onnx:FILE:nix=1"})
-  void wrongDetectorsAreToldWithWhatIsExpected(String name) throws IOException {
+  void rejectsWrongDetectorsWithWhatWasExpected(String name) throws IOException {
     Path network = folder.resolve("some.onnx");
     Files.write(network, TinyOnnx.network());
     String text = name.replace("FILE", network.toString());
@@ -95,7 +95,7 @@ class BoxDetectorsTest {
   }
 
   @Test
-  void answersOfOlderNetworksAreRead() {
+  void readsOutputOfOlderYoloNetworks() {
     OnnxDetector.Network second = new OnnxDetector.Network(Path.of("x.onnx"), 1, 100, 0.25);
     Mat answer = new Mat(new int[] {1, 8, 7}, CvType.CV_32F, new Scalar(0));
     answer.put(new int[] {0, 2, 0}, new float[] {50, 40, 20, 10, 0.8f, 0.1f, 0.9f});
@@ -106,7 +106,7 @@ class BoxDetectorsTest {
   }
 
   @Test
-  void answersWithCornersAreRead() {
+  void readsOutputOfSsdNetworks() {
     OnnxDetector.Network third = new OnnxDetector.Network(Path.of("x.onnx"), 2, 100, 0.25);
     Mat answer = new Mat(new int[] {1, 1, 2, 7}, CvType.CV_32F, new Scalar(0));
     answer.put(new int[] {0, 0, 0, 0}, new float[] {0, 1, 0.9f, 0, 0, 1, 1});

@@ -28,7 +28,7 @@ class DetectorsTest {
 
   @ParameterizedTest
   @EnumSource
-  void findsAPictureInItselfAndNotInAnother(FeatureDetector detector) {
+  void findsPictureOnlyInItself(FeatureDetector detector) {
     try (Mats mats = new Mats();
         Features template = detector.extractor().features(mats.own(blocks(1)));
         Features other = detector.extractor().features(mats.own(blocks(2)))) {
@@ -43,7 +43,7 @@ class DetectorsTest {
 
   @ParameterizedTest
   @EnumSource
-  void plainPictureHasNoFeaturesAndNoConfidence(FeatureDetector detector) {
+  void plainPictureHasNoFeatures(FeatureDetector detector) {
     try (Mats mats = new Mats();
         Features nothing =
             detector
@@ -68,7 +68,7 @@ class DetectorsTest {
   }
 
   @Test
-  void metricsDifferForBitsAlone() {
+  void metricsDifferOnlyForBinaryDescriptors() {
     assertEquals(Core.NORM_HAMMING, new RatioTest(Metric.HAMMING, 0.8).norm(true));
     assertEquals(Core.NORM_L2, new RatioTest(Metric.HAMMING, 0.8).norm(false));
     assertEquals(Core.NORM_L2, RatioTest.THESIS.norm(true));
@@ -79,14 +79,14 @@ class DetectorsTest {
   }
 
   @Test
-  void unknownDetectorIsRefusedWithTheNamesThatThereAre() {
+  void rejectsUnknownDetectorAndListsKnownOnes() {
     assertTrue(
         assertThrows(InputException.class, () -> Detectors.column("brisk"))
             .getMessage()
             .contains("'brisk', expected some of orb, sift, surf"));
   }
 
-  /** Random grey blocks. */
+  /** Returns a picture of random grey blocks. */
   private static Mat blocks(int seed) {
     Mat large = new Mat();
     try (Mats mats = new Mats()) {
@@ -98,7 +98,7 @@ class DetectorsTest {
     return large;
   }
 
-  /** By all matches, wherever they are. */
+  /** Computes the confidence from all matches, wherever they are. */
   private static double confidence(RatioTest test, Features template, Features photo) {
     return MatchReading.ANYWHERE.confidence(
         template, photo, test.matches(template, photo), new Patch(0, 0, 1, 1));

@@ -26,7 +26,7 @@ class MatchReadingTest {
     OpenCv.load();
   }
 
-  /** 40 matches shrink the template onto the patch; 30 are anywhere outside; the rest is lost. */
+  /** Creates 40 matches that shrink the template onto the patch, and 30 at random outside it. */
   private void scatter() {
     SplittableRandom random = new SplittableRandom(7);
     for (int i = 0; i < FEATURES; i++) {
@@ -44,7 +44,7 @@ class MatchReadingTest {
   }
 
   @Test
-  void placeAndGeometryLeaveOutFalseMatches() {
+  void locatedAndRansacIgnoreFalseMatches() {
     scatter();
     assertEquals(0.7, confidence(MatchReading.ANYWHERE, PATCH));
     assertEquals(0.4, confidence(MatchReading.LOCATED, PATCH));
@@ -52,7 +52,7 @@ class MatchReadingTest {
   }
 
   @Test
-  void placeIsAskedOfThePatchAndGeometryIsNot() {
+  void onlyLocatedDependsOnThePatch() {
     scatter();
     Patch elsewhere = new Patch(0, 0, 50, 50);
     assertEquals(0, confidence(MatchReading.LOCATED, elsewhere));
@@ -60,7 +60,7 @@ class MatchReadingTest {
   }
 
   @Test
-  void fewerMatchesThanAHomographyHasPointsAreNone() {
+  void ransacNeedsFourMatches() {
     scatter();
     matches.subList(3, matches.size()).clear();
     assertEquals(0, confidence(MatchReading.RANSAC, PATCH));
@@ -69,7 +69,7 @@ class MatchReadingTest {
   }
 
   @Test
-  void namesSayWhichMatchesCount() {
+  void detectorNamesSelectTheReading() {
     assertEquals(MatchReading.ANYWHERE, MatchReading.of("orb"));
     assertEquals(MatchReading.LOCATED, MatchReading.of("sift-located"));
     assertEquals(MatchReading.RANSAC, MatchReading.of("surf-ransac"));

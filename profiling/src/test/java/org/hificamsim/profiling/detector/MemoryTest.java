@@ -14,7 +14,7 @@ class MemoryTest {
   private final Memory free = new Memory(10e9, 4e9);
 
   @Test
-  void asManyThreadsAsPhotosFitIntoTheMemory() {
+  void limitsThreadsToPhotosThatFit() {
     assertEquals(8, free.threads(8, MEGAPIXEL, SIFT));
     assertEquals(1, free.threads(8, 18 * MEGAPIXEL, SIFT));
     assertEquals(3, free.threads(8, 10 * MEGAPIXEL, SIFT));
@@ -22,7 +22,7 @@ class MemoryTest {
   }
 
   @Test
-  void photosThatDoNotFitOnceAreRefusedWithWhatTheyNeed() {
+  void rejectsPhotosLargerThanTheMemory() {
     String message =
         assertThrows(InputException.class, () -> free.threads(2, 48 * MEGAPIXEL, SIFT))
             .getMessage();
@@ -30,7 +30,7 @@ class MemoryTest {
   }
 
   @Test
-  void thisMachineHasRoomForASmallPhoto() {
+  void smallPhotoFitsIntoFreeMemory() {
     assertEquals(1, Memory.free().threads(1, MEGAPIXEL / 100, SIFT));
   }
 }

@@ -20,11 +20,11 @@ class PhotographTest {
 
   @ParameterizedTest
   @MethodSource("failures")
-  void pictureThatFillsTheMemoryIsNamedWithItsDetector(Throwable failure) {
+  void memoryErrorsNamePictureAndDetector(Throwable failure) {
     Photograph photo = new Photograph(Path.of("large.jpg"));
-    InputException told =
-        assertThrows(InputException.class, () -> photo.lookedAt("sift", () -> thrown(failure)));
-    String message = told.getMessage();
+    InputException error =
+        assertThrows(InputException.class, () -> photo.detect("sift", () -> thrown(failure)));
+    String message = error.getMessage();
     assertTrue(message.startsWith("large.jpg: sift fails"), message);
     assertTrue(message.contains("(Failed to allocate 5e9 bytes)"), message);
     assertEquals(1, message.lines().count());

@@ -12,7 +12,7 @@ import java.util.Arrays;
  * form [1, 4 + 2, cells] of YOLO version 8.
  */
 final class TinyOnnx {
-  /** Pixels of its input a side. */
+  /** The width and height of its input, pixels. */
   static final int SIZE = 64;
 
   private static final int CELL = 8;
@@ -41,7 +41,9 @@ final class TinyOnnx {
     return new TinyOnnx().number(1, 6).message(8, opset).message(7, graph).bytes.toByteArray();
   }
 
-  /** The mean of a cell's red less half of green and blue, and of its blue likewise. */
+  /**
+   * The mean over a cell of red minus half of green and blue, and of blue minus half of the others.
+   */
   private static float[] weights() {
     float[] weights = new float[ANSWERS * 3 * CELL * CELL];
     float share = 1f / (CELL * CELL);
@@ -55,7 +57,7 @@ final class TinyOnnx {
     return weights;
   }
 
-  /** Each cell's centre, and twice its size. */
+  /** Returns the centre of each cell and twice its size. */
   private static float[] places() {
     float[] places = new float[ANSWERS * CELLS * CELLS];
     for (int i = 0; i < CELLS * CELLS; i++) {

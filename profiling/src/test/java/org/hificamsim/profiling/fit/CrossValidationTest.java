@@ -29,7 +29,7 @@ class CrossValidationTest {
   }
 
   @Test
-  void everyRowIsPredictedOnceByAFitThatHasNotSeenIt() {
+  void predictsEveryRowOnceByAFitWithoutIt() {
     List<Set<Measurement>> trained = new ArrayList<>();
     FeatureRegression spy =
         new FeatureRegression(
@@ -49,7 +49,7 @@ class CrossValidationTest {
   }
 
   @Test
-  void theSeedDealsTheFolds() {
+  void seedDeterminesTheFolds() {
     FeatureRegression line = FeatureRegression.linear();
     double[] first = folds(line, data, 1).predicted();
     assertArrayEquals(first, folds(line, data, 1).predicted());
@@ -57,7 +57,7 @@ class CrossValidationTest {
   }
 
   @Test
-  void foldsTellHowMuchALineCaptures() {
+  void foldsMeasureHowMuchALineExplains() {
     CrossValidation validation = folds(FeatureRegression.linear(), data, 0);
     // Var(0.2 d) is 0.33, the noise's 0.09.
     assertEquals(0.33 / 0.42, validation.mean(), 0.05);
@@ -65,7 +65,7 @@ class CrossValidationTest {
   }
 
   @Test
-  void tooFewRowsAreRefused() {
+  void rejectsTooFewRows() {
     FitSettings settings =
         new FitSettings(
             5,

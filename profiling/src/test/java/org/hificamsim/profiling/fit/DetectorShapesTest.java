@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Every shape of g against scipy and scikit-learn. With the twelve rows below as {@code p} and
- * {@code y}, and {@code e = np.exp}:
+ * Compares every shape of g with SciPy and scikit-learn. With the twelve rows below as {@code p}
+ * and {@code y}, and {@code e = np.exp}:
  *
  * <pre>
  * fit = lambda f, s: least_squares(lambda t: f(t) - y, s, xtol=1e-15, ftol=1e-15, gtol=1e-15)
@@ -36,7 +36,7 @@ class DetectorShapesTest {
   };
 
   @Test
-  void saturatingExponentialIsScipys() {
+  void saturatingExponentialEqualsSciPy() {
     SaturatingExponential g = (SaturatingExponential) fit("saturating-exponential");
     assertEquals(0.006337526114639778, g.floor(), 1e-6);
     assertEquals(0.5326321227675134, g.rise(), 1e-6);
@@ -45,7 +45,7 @@ class DetectorShapesTest {
   }
 
   @Test
-  void hillCurveIsScipys() {
+  void hillCurveEqualsSciPy() {
     HillCurve g = (HillCurve) fit("hill");
     assertEquals(0.028054137250032012, g.floor(), 1e-5);
     assertEquals(0.5323594114073175, g.rise(), 1e-5);
@@ -55,7 +55,7 @@ class DetectorShapesTest {
   }
 
   @Test
-  void logisticCurveIsScipys() {
+  void logisticCurveEqualsSciPy() {
     LogisticCurve g = (LogisticCurve) fit("logistic");
     assertEquals(0.09580887066914413, g.half(), 1e-5);
     assertEquals(0.6639077627877461, g.exponent(), 1e-5);
@@ -63,7 +63,7 @@ class DetectorShapesTest {
   }
 
   @Test
-  void isotonicCurveIsScikitLearns() {
+  void isotonicCurveEqualsScikitLearn() {
     DetectorModel g = fit("isotonic");
     double[] expected = {
       0.025, 0.025, 0.055, 0.055, 0.14, 0.17, 0.30, 0.33, 0.47, 0.51, 0.51, 0.55
@@ -73,9 +73,11 @@ class DetectorShapesTest {
     }
   }
 
-  /** Two rows of 0.02, in any order of confidence; by {@code IsotonicRegression}, too. */
+  /**
+   * Checks two rows with a PIP of 0.02 in both orders, with values from {@code IsotonicRegression}.
+   */
   @Test
-  void equalSharesOfTheImageHaveOneConfidence() {
+  void averagesConfidencesOfEqualPips() {
     double[] pip = {0.01, 0.02, 0.02, 0.03, 0.05, 0.04};
     double[] confidence = {0.3, 0.1, 0.7, 0.2, 0.9, 0.95};
     DetectorModel g = DetectorShape.of("isotonic").fit(pip, confidence);
@@ -88,7 +90,7 @@ class DetectorShapesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"saturating-exponential", "hill", "logistic", "isotonic"})
-  void fallingConfidencesMakeNoFallingModel(String shape) {
+  void fallingConfidencesGiveNoFallingModel(String shape) {
     double[] falling = Arrays.stream(CONFIDENCE).map(c -> 0.6 - c).toArray();
     DetectorModel g = DetectorShape.of(shape).fit(PIP, falling);
     double before = g.confidence(0);
@@ -100,7 +102,7 @@ class DetectorShapesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"line", "saturating-exponential", "hill", "logistic", "isotonic"})
-  void oneShareOfTheImageGivesOneConfidence(String shape) {
+  void fitsDataWithOnePip(String shape) {
     double[] same = new double[CONFIDENCE.length];
     Arrays.fill(same, 0.05);
     double mean = Arrays.stream(CONFIDENCE).average().orElseThrow();
@@ -109,7 +111,7 @@ class DetectorShapesTest {
   }
 
   @Test
-  void unknownShapeIsRefusedWithTheKnownOnes() {
+  void rejectsUnknownShapeAndListsKnownOnes() {
     InputException refused = assertThrows(InputException.class, () -> DetectorShape.of("spline"));
     assertTrue(refused.getMessage().contains("'spline'"), refused.getMessage());
     assertTrue(refused.getMessage().contains("line, logistic"), refused.getMessage());

@@ -21,7 +21,7 @@ import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 
-/** What is left out is not seen; objects count, not rows; noise is no detector. */
+/** Tests that validations use unseen objects, and that detectors of noise are rejected. */
 class HonestValidationTest {
   private static final FitSettings QUICK =
       new FitSettings(
@@ -32,9 +32,11 @@ class HonestValidationTest {
           Optional.empty(),
           Map.of());
 
-  /** The first shape that is refused would be the one that sees what it is judged by. */
+  /**
+   * Records the rows of each fit, and checks that no row is predicted by a fit that has seen it.
+   */
   @Test
-  void everyRowIsPredictedByAFitWithoutItsObject() {
+  void predictsEveryRowByAFitWithoutItsObject() {
     List<Measurement> rows = new Photos().detector("d", p -> p).take(1);
     Groups objects = Groups.byObject(rows);
     assertEquals(8, objects.count());
@@ -59,18 +61,18 @@ class HonestValidationTest {
   }
 
   @Test
-  void groupsOfOneLensAndFoldsHoldEveryRowOnce() {
+  void groupsContainEveryRowOnce() {
     List<Measurement> rows = new Photos().detector("d", p -> p).take(1);
     for (Groups groups : List.of(Groups.byLens(rows), Groups.folds(rows.size(), 7, 3))) {
-      List<Integer> all =
+      List<Integer> sortedRows =
           groups.rows().stream().flatMapToInt(IntStream::of).sorted().boxed().toList();
-      assertEquals(IntStream.range(0, rows.size()).boxed().toList(), all, groups.unit());
+      assertEquals(IntStream.range(0, rows.size()).boxed().toList(), sortedRows, groups.unit());
     }
     assertEquals(4, Groups.byLens(rows).count());
   }
 
   @Test
-  void simplestShapeWithinOneStandardErrorOfTheBestIsTaken() {
+  void choosesSimplestShapeWithinOneStandardError() {
     // Errors of each object: the second is best; the first is worse by 1, 1, 1, 1 (surely), then by
     // 2, -1, 1, 0: mean 0.5, standard error of the mean sqrt(5/3/4) = 0.645.
     double[] best = {5, 9, 1, 3};
@@ -82,7 +84,7 @@ class HonestValidationTest {
   }
 
   @Test
-  void aCurveThatSaturatesIsChosenWhereItIsOneAndALineWhereItIsALine() {
+  void choosesSaturatingCurveOrLineByTheData() {
     List<Measurement> rows =
         new Photos()
             .detector("saturates", p -> 0.05 + 0.7 * (1 - Math.exp(-p / 0.01)))
@@ -99,7 +101,7 @@ class HonestValidationTest {
   }
 
   @Test
-  void aShapeThatIsAskedForIsTaken() {
+  void usesTheRequestedShape() {
     FitSettings asked =
         new FitSettings(
             5,
@@ -113,13 +115,13 @@ class HonestValidationTest {
     assertEquals("isotonic", result.model("d", "power").chosen().shape());
   }
 
-  /** The truth: 0.05 and 0.02 over 200 objects of 40 rows. */
+  /** The true values are 0.05 and 0.02, for 200 objects of 40 rows. */
   @Test
-  void scatterBetweenObjectsIsToldFromThatWithin() {
+  void separatesScatterBetweenAndWithinObjects() {
     Random random = new Random(4);
     List<Measurement> rows =
         new Photos().objects(200).detector("d", p -> 0.5).scatter(0.05, 0.02).take(5);
-    double[] residuals = rows.stream().mapToDouble(m -> m.confidence("d") - 0.5).toArray();
+    double[] residuals = rows.stream().mapToDouble(photo -> photo.confidence("d") - 0.5).toArray();
     ObjectScatter scatter = ObjectScatter.of(residuals, Groups.byObject(rows));
     assertEquals(0.05, scatter.between(), 0.006);
     assertEquals(0.02, scatter.within(), 0.001);
@@ -128,9 +130,11 @@ class HonestValidationTest {
     assertEquals(0, ObjectScatter.of(alike, Groups.byObject(rows)).between(), 0.1);
   }
 
-  /** By hand: means 1 and 4, so MSB 4.5 * 2 = 9 (1 and 4 about 2.5, two rows each), MSW 1. */
+  /**
+   * Computed by hand: means 1 and 4, so MSB 4.5 * 2 = 9 (1 and 4 about 2.5, two rows each), MSW 1.
+   */
   @Test
-  void scatterIsThatOfAnAnalysisOfVariance() {
+  void scatterEqualsAnalysisOfVariance() {
     Groups objects = new Groups("object", List.of(new int[] {0, 1}, new int[] {2, 3}));
     double half = Math.sqrt(0.5);
     double[] residuals = {1 - half, 1 + half, 4 - half, 4 + half};
@@ -140,7 +144,7 @@ class HonestValidationTest {
   }
 
   @Test
-  void intervalByObjectsIsWiderWhereObjectsDiffer() {
+  void differingObjectsWidenTheInterval() {
     Random random = new Random(6);
     List<Measurement> rows = new Photos().detector("d", p -> p).take(7);
     Groups objects = Groups.byObject(rows);
@@ -156,34 +160,34 @@ class HonestValidationTest {
     Coefficient rowsAlone = LineFit.of(pip, y).slope();
     assertTrue(slope.high() - slope.low() > 3 * (rowsAlone.high() - rowsAlone.low()));
     assertTrue(slope.low() < slope.slope() && slope.slope() < slope.high());
-    assertTrue(slope.sure());
+    assertTrue(slope.significant());
   }
 
   @Test
-  void noiseIsNoDetector() {
+  void rejectsNoise() {
     int refused = 0;
     for (int seed = 0; seed < 40; seed++) {
       List<Measurement> rows =
           new Photos().detector("noise", p -> 0.1).scatter(0.03, 0.05).take(seed);
       double[] pip = rows.stream().mapToDouble(Measurement::pip).toArray();
-      double[] y = rows.stream().mapToDouble(m -> m.confidence("noise")).toArray();
-      refused += RisingSlope.of(pip, y, Groups.byObject(rows), seed).sure() ? 0 : 1;
+      double[] y = rows.stream().mapToDouble(photo -> photo.confidence("noise")).toArray();
+      refused += RisingSlope.of(pip, y, Groups.byObject(rows), seed).significant() ? 0 : 1;
     }
     assertTrue(refused >= 36, "refused " + refused + " of 40");
   }
 
   @Test
-  void confidencesThatNeverVaryAreNoDetectorAndExplainNothing() {
+  void rejectsConstantConfidences() {
     List<Measurement> rows =
         new Photos().objects(4).detector("constant", p -> 0.1 + 0.2).scatter(0, 0).take(1);
     FitResult result = new Fitting(QUICK).fit(Photos.CAMERA, rows, 2);
-    assertTrue(result.model("constant", "power").refused());
+    assertTrue(result.model("constant", "power").rejected());
     assertTrue(Double.isNaN(result.line("constant", "power").r2()));
     assertTrue(Double.isNaN(result.model("constant", "power").chosen().unseen().r2()));
   }
 
   @Test
-  void detectorThatRisesAtOnceAndThenNoMoreIsOne() {
+  void acceptsDetectorThatSaturatesEarly() {
     List<Measurement> rows =
         new Photos()
             .objects(5)
@@ -191,7 +195,7 @@ class HonestValidationTest {
             .scatter(0.03, 0.03)
             .take(3);
     FitResult result = new Fitting(QUICK).fit(Photos.CAMERA, rows, 2);
-    assertFalse(result.model("yolo", "pinhole").refused());
+    assertFalse(result.model("yolo", "pinhole").rejected());
     assertTrue(result.model("yolo", "pinhole").chosen().unseen().r2() > 0.8);
   }
 }

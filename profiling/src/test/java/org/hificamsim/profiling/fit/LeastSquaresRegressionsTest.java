@@ -37,7 +37,7 @@ class LeastSquaresRegressionsTest {
   }
 
   @Test
-  void standardErrorIsTheNoiseOverTheSpread() {
+  void standardErrorFollowsNoiseAndSpread() {
     List<Measurement> data = Synthetic.of((q, d, z) -> 0.2 * d + 5, NOISE, 1);
     Coefficient d = FeatureRegression.linear().fit(data).coefficients().get(2);
     // 480 distances 1 to 10: the sum of squares about their mean is 48 * 82.5.
@@ -60,17 +60,17 @@ class LeastSquaresRegressionsTest {
   }
 
   @Test
-  void powerLawOfOneObjectOrOneLensKeepsThePinholesExponent() {
+  void powerLawOfOneLensKeepsThePinholeExponent() {
     Synthetic.Law law =
         (q, d, z) ->
             -(Math.log10(3000) + 2 * Math.log10(z) + 2 * Math.log10(q)) + 1.9 * Math.log10(d);
     List<Measurement> all = Synthetic.of(law, 0.05, 3);
-    List<Measurement> object = all.stream().filter(o -> o.size() == 0.3).toList();
+    List<Measurement> object = all.stream().filter(photo -> photo.size() == 0.3).toList();
     PowerLawAbstraction one = (PowerLawAbstraction) FeatureRegression.power().fit(object).f();
     assertEquals(2, one.b());
     assertEquals(2, one.a(), 0.1);
     assertEquals(1.9, one.e(), 0.1);
-    List<Measurement> lens = all.stream().filter(o -> o.focalLength() == 0.05).toList();
+    List<Measurement> lens = all.stream().filter(photo -> photo.focalLength() == 0.05).toList();
     PowerLawAbstraction fixed = (PowerLawAbstraction) FeatureRegression.power().fit(lens).f();
     assertEquals(2, fixed.a());
     assertEquals(2, fixed.b(), 0.1);
@@ -85,8 +85,8 @@ class LeastSquaresRegressionsTest {
     List<Measurement> all = Synthetic.of((q, d, z) -> 4 - 2 * q + 0.2 * d - 15 * z, 0.05, 3);
     for (List<Measurement> rows :
         List.of(
-            all.stream().filter(o -> o.size() == 0.3).toList(),
-            all.stream().filter(o -> o.focalLength() == 0.05).toList())) {
+            all.stream().filter(photo -> photo.size() == 0.3).toList(),
+            all.stream().filter(photo -> photo.focalLength() == 0.05).toList())) {
       for (FeatureRegression regression :
           List.of(
               FeatureRegression.linear(),
@@ -95,7 +95,7 @@ class LeastSquaresRegressionsTest {
         FittedFeature fit = regression.fit(rows);
         double[] observed = rows.stream().mapToDouble(Measurement::response).toArray();
         double[] predicted = rows.stream().mapToDouble(fit::response).toArray();
-        // svr-lin weighs z by metres, and so hardly at all, as the thesis's does.
+        // svr-lin hardly uses z, whose values in metres are small, as in the thesis.
         double least = regression.name().equals("svr-lin") ? 0.5 : 0.9;
         assertTrue(FitScores.of(observed, predicted).r2() > least, regression.name());
       }
@@ -103,7 +103,7 @@ class LeastSquaresRegressionsTest {
   }
 
   @Test
-  void detectorLineIsRecoveredWithItsErrors() {
+  void recoversDetectorLineWithItsErrors() {
     double[] x = {0, 0.1, 0.2, 0.3, 0.4};
     double[] y = {0.03, 0.07, 0.14, 0.19, 0.24};
     LineFit fit = LineFit.of(x, y);
@@ -117,7 +117,7 @@ class LeastSquaresRegressionsTest {
   }
 
   @Test
-  void lineOnWhatNeverVariesIsTheMean() {
+  void lineOnConstantPipIsTheMean() {
     LineFit fit = LineFit.of(new double[] {1, 1, 1}, new double[] {0.1, 0.2, 0.6});
     assertEquals(0, fit.slope().value());
     assertEquals(0.3, fit.intercept().value(), 1e-15);
@@ -125,7 +125,7 @@ class LeastSquaresRegressionsTest {
   }
 
   @Test
-  void dataThatDetermineNothingAreRefused() {
+  void rejectsDataThatDetermineNoFit() {
     List<Measurement> same = java.util.Collections.nCopies(20, Synthetic.photo(0.3, 5, 0.05, 0.01));
     for (FeatureRegression regression :
         List.of(

@@ -9,9 +9,9 @@ import java.util.function.DoubleUnaryOperator;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
-/** Measurements whose truth is known: a pinhole camera, a g, objects that differ, and noise. */
+/** Synthetic measurements of a pinhole camera, with a known g, differing objects and noise. */
 public final class Photos {
-  /** The thesis's camera. */
+  /** The camera of the thesis. */
   public static final PhotoCamera CAMERA = new PhotoCamera(0.0224, 0.015, 1296, 864);
 
   private final Map<String, DoubleUnaryOperator> detectors = new LinkedHashMap<>();
@@ -20,32 +20,32 @@ public final class Photos {
   private double between;
   private double within = 0.01;
 
-  /** A detector with this g. */
+  /** Adds a detector with this g. */
   public Photos detector(String name, DoubleUnaryOperator g) {
     detectors.put(name, g);
     return this;
   }
 
-  /** How many objects. */
+  /** Sets the number of objects. */
   public Photos objects(int count) {
     objects = count;
     return this;
   }
 
-  /** Which focal lengths. */
+  /** Sets the focal lengths. */
   public Photos lenses(double... lengths) {
     lenses = lengths.clone();
     return this;
   }
 
-  /** Standard deviations between objects and within one. */
+  /** Sets the standard deviations between objects and within one. */
   public Photos scatter(double betweenObjects, double withinObjects) {
     between = betweenObjects;
     within = withinObjects;
     return this;
   }
 
-  /** The photos, ten distances of each object and lens; those that overfill the image are cut. */
+  /** Returns the photos at ten distances for each object and lens; PIP is at most 1. */
   public List<Measurement> take(long seed) {
     Random random = new Random(seed);
     List<Measurement> photos = new ArrayList<>();
@@ -74,7 +74,7 @@ public final class Photos {
     return photos;
   }
 
-  /** A photo with another confidence of the detector d. */
+  /** Returns a photo with another confidence of detector d. */
   public static Measurement with(Measurement photo, double confidence) {
     return new Measurement(
         photo.image(),

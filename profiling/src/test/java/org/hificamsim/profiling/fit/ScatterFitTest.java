@@ -12,7 +12,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.hifi.Residuals;
 import org.junit.jupiter.api.Test;
 
-/** How confidences scatter is found where it is known, and its chances are what happens. */
+/** Checks that a known scatter is estimated, with calibrated chances of a detection. */
 class ScatterFitTest {
   private static final int OBJECTS = 40;
   private static final int PHOTOS = 50;
@@ -26,10 +26,10 @@ class ScatterFitTest {
       new Groups(
           "object",
           IntStream.range(0, OBJECTS)
-              .mapToObj(o -> IntStream.range(o * PHOTOS, (o + 1) * PHOTOS).toArray())
+              .mapToObj(object -> IntStream.range(object * PHOTOS, (object + 1) * PHOTOS).toArray())
               .toList());
 
-  /** The truth: confidence 0.05 + 0.4 p, and a scatter of least + growth * 0.4 p. */
+  /** Confidences are 0.05 + 0.4 p with a scatter of least + growth * 0.4 p. */
   private List<ScatterFit> fits(double least, double growth) {
     double[] y =
         Arrays.stream(pip)
@@ -41,7 +41,7 @@ class ScatterFitTest {
   }
 
   @Test
-  void aScatterThatGrowsIsFoundAndItsChancesAreWhatHappens() {
+  void findsGrowingScatterWithCalibratedChances() {
     List<ScatterFit> fits = fits(0.01, 0.3);
     Residuals growing = fits.get(1).residuals();
     assertEquals(0.01, growing.least(), 0.001);
@@ -56,7 +56,7 @@ class ScatterFitTest {
   }
 
   @Test
-  void aConstantScatterIsOneNumberInBoth() {
+  void bothKindsFindConstantScatter() {
     List<ScatterFit> fits = fits(0.05, 0);
     assertEquals(0.05, fits.get(0).residuals().least(), 0.002);
     assertFalse(fits.get(0).residuals().grow());
@@ -66,7 +66,7 @@ class ScatterFitTest {
   }
 
   @Test
-  void whatAnObjectScattersByIsOfTheOthers() {
+  void calibratesEachObjectByTheOthers() {
     double[] y = new double[pip.length];
     Arrays.setAll(y, i -> 0.05 + 0.4 * pip[i] + random.nextGaussian() * (i < PHOTOS ? 0.5 : 0.01));
     ShapeFit g =
@@ -79,7 +79,7 @@ class ScatterFitTest {
   }
 
   @Test
-  void aCalibrationComparesChancesWithWhatHappened() {
+  void calibrationComparesChancesWithDetections() {
     double[] chances = {0.9, 0.1, 0.2, 0.8, 0.5, 0.5, 0.3, 0.7, 0.4, 0.6};
     double[] detected = {1, 0, 0, 1, 1, 0, 0, 1, 1, 1};
     Reliability all = new Reliability(chances, detected);

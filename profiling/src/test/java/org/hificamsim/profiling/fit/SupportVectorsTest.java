@@ -28,7 +28,7 @@ class SupportVectorsTest {
 
   @TempDir Path folder;
 
-  /** A row of the golden file: the data, and LIBSVM's predictions. */
+  /** A row of the reference file: the data and LIBSVM's predictions. */
   private record Golden(Measurement row, double linear, double rbf) {}
 
   @Test
@@ -46,7 +46,7 @@ class SupportVectorsTest {
   }
 
   @Test
-  void modelFileGivesWhatSmileGives() throws IOException {
+  void modelFilePredictsTheSameAsSmile() throws IOException {
     List<Measurement> rows = rows(golden());
     KernelMachine<double[]> machine = SupportVectors.rbfMachine(rows, SupportVectorSettings.THESIS);
     double[][] scaled = SupportVectors.scaled(rows);
@@ -72,7 +72,7 @@ class SupportVectorsTest {
   }
 
   @Test
-  void linearMachineRecoversALineThatItsPenaltyAllows() {
+  void linearMachineRecoversALine() {
     List<Measurement> data = Synthetic.of((q, d, z) -> -2 * q + 0.2 * d + 3, 0.05, 5);
     LinearAbstraction f =
         (LinearAbstraction) SupportVectors.linear(SupportVectorSettings.THESIS).fit(data).f();
@@ -82,7 +82,7 @@ class SupportVectorsTest {
   }
 
   @Test
-  void rbfMachineFollowsABendThatALineCannot() {
+  void rbfMachineFitsACurve() {
     List<Measurement> data =
         Synthetic.of((q, d, z) -> 3 - 2 * Math.log10(z * q / d / 0.02), 0.05, 6);
     double line = r2(FeatureRegression.linear(), data);

@@ -14,7 +14,7 @@ class SymbolicRegressionTest {
   private static final SymbolicSettings SMALL = new SymbolicSettings(500, 25, 0.001, 4, 1);
 
   @Test
-  void findsALawOfItsOwnOperations() {
+  void findsALawFromItsOperations() {
     List<Measurement> data = Synthetic.of((q, d, z) -> d * q + d / 2, 0.02, 2);
     FittedFeature fit = new SymbolicRegression(SMALL).fit(data);
     double[] observed = data.stream().mapToDouble(Measurement::response).toArray();
@@ -24,7 +24,7 @@ class SymbolicRegressionTest {
   }
 
   @Test
-  void isTheSameForTheSameSeedAlone() {
+  void onlyEqualSeedsGiveEqualFormulas() {
     List<Measurement> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z, 0.1, 2);
     SymbolicSettings few = new SymbolicSettings(100, 5, 0.001, 4, 1);
     SymbolicSettings other = new SymbolicSettings(100, 5, 0.001, 5, 1);
@@ -33,7 +33,7 @@ class SymbolicRegressionTest {
     assertTrue(!first.equals(new SymbolicRegression(other).fit(data).equation()));
   }
 
-  /** A pinhole camera's law, which no short formula of + - * / is. */
+  /** Fits the law of a pinhole camera, which no short formula of + - * / equals. */
   @Test
   void restartsMakeSeedsMatterLess() {
     List<Measurement> data =
@@ -67,7 +67,7 @@ class SymbolicRegressionTest {
   }
 
   @Test
-  void costlyNodesMakeShortFormulas() {
+  void highParsimonyGivesShortFormulas() {
     List<Measurement> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z - 2 * q, 0.1, 2);
     int free = length(data, 0);
     int costly = length(data, 0.1);
@@ -75,7 +75,7 @@ class SymbolicRegressionTest {
   }
 
   @Test
-  void formulaPrintsWhatItComputes() {
+  void printedFormulaHasTheSameValues() {
     Formula q = new Formula.Variable("q", 0);
     Formula d = new Formula.Variable("d", 1);
     Formula z = new Formula.Variable("z", 2);
@@ -97,7 +97,7 @@ class SymbolicRegressionTest {
   }
 
   @Test
-  void formulaFoldsConstantsButNoDivisionByZero() {
+  void foldsConstantsExceptDivisionByZero() {
     Formula one = new Formula.Constant(1);
     assertEquals("2", Formula.Operation.of('+', one, one).text());
     assertEquals("1/0", Formula.Operation.of('/', one, new Formula.Constant(0)).text());

@@ -13,12 +13,12 @@ final class Synthetic {
 
   private Synthetic() {}
 
-  /** A law's {@code -log10(PIP)}. */
+  /** Computes {@code -log10(PIP)} by a law. */
   interface Law {
     double response(double q, double d, double z);
   }
 
-  /** 480 observations of a law with normal noise of this standard deviation. */
+  /** Returns 480 observations of a law with normal noise of this standard deviation. */
   static List<Measurement> of(Law law, double noise, long seed) {
     Random random = new Random(seed);
     List<Measurement> observations = new ArrayList<>();
@@ -33,7 +33,7 @@ final class Synthetic {
     return observations;
   }
 
-  /** A photo of which no confidences are known. */
+  /** Returns a photo without confidences. */
   static Measurement photo(double size, double distance, double focalLength, double pip) {
     return new Measurement("photo", "object", size, distance, focalLength, pip, Map.of());
   }

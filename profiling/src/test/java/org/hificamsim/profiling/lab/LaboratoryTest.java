@@ -34,18 +34,18 @@ class LaboratoryTest {
 
   @TempDir Path folder;
 
-  /** The small laboratory, rendered by one thread. */
+  /** The small laboratory, rendered with one thread. */
   @TempDir static Path small;
 
   private static final AtomicInteger PHOTOS = new AtomicInteger();
 
   @BeforeAll
-  static void renderTheSmallOne() {
+  static void renderSmallLaboratory() {
     new Laboratory(SMALL).render(small, 1, PHOTOS::incrementAndGet);
   }
 
   @Test
-  void isTheSameOnAnyNumberOfThreads() throws IOException {
+  void rendersTheSameOnAnyNumberOfThreads() throws IOException {
     new Laboratory(SMALL).render(folder, 3, () -> {});
     assertEquals(16, PHOTOS.get());
     List<Path> files = files(small);
@@ -76,7 +76,7 @@ class LaboratoryTest {
     assertTrue(ratio < Math.pow((1 + 2.5 * 0.3) / (1 - 2.5 * 0.3), 1 / 2.2), "ratio " + ratio);
   }
 
-  /** No imperfection at all but the light's. */
+  /** Returns settings without imperfections except lighting. */
   private static LabSettings bare(
       long seed,
       double scale,
@@ -95,7 +95,7 @@ class LaboratoryTest {
   }
 
   @Test
-  void everyPhotographIsNamedWithItsSourceAndLicence() throws IOException {
+  void listsSourceAndLicenceOfEveryPhotograph() throws IOException {
     String sources =
         new String(
             LaboratoryTest.class.getResourceAsStream("photos/SOURCES.md").readAllBytes(),
@@ -121,7 +121,7 @@ class LaboratoryTest {
   }
 
   @Test
-  void anotherSeedGivesOtherPhotos() throws IOException {
+  void otherSeedGivesOtherPhotos() throws IOException {
     LabSettings other = SmallLab.settings(4, 0.05, List.of(0.050), List.of(4.0), 1);
     LabSettings same = SmallLab.settings(3, 0.05, List.of(0.050), List.of(4.0), 1);
     new Laboratory(other).render(folder.resolve("other"), 1, () -> {});
@@ -134,12 +134,15 @@ class LaboratoryTest {
   }
 
   @Test
-  void idealCamerasMaskIsThePinholesArea() {
+  void idealCameraMaskHasThePinholeArea() {
     Dataset dataset = rendered(bare(3, 0.25, LENGTHS, DISTANCES, 4, 0));
     int compared = 0;
     for (LabelledPhoto sample : dataset.samples()) {
       LabObject object =
-          LabObject.ALL.stream().filter(o -> o.name().equals(sample.object())).findFirst().get();
+          LabObject.ALL.stream()
+              .filter(candidate -> candidate.name().equals(sample.object()))
+              .findFirst()
+              .get();
       double scale = sample.focalLength() / sample.distance();
       double area = object.size() * object.height() * (object.round() ? Math.PI / 4 : 1);
       double expected = scale * scale * area / (Sensor.WIDTH * Sensor.HEIGHT);
@@ -156,7 +159,7 @@ class LaboratoryTest {
   }
 
   @Test
-  void objectsLargerThanTheFrameAreDroppedAndCounted() throws IOException {
+  void dropsAndCountsObjectsLargerThanTheFrame() throws IOException {
     LabSettings close = SmallLab.settings(0, 0.05, List.of(0.085), List.of(1.0), 8);
     Laboratory.PhotoCount outcome = new Laboratory(close).render(folder, 1, () -> {});
     // 85 mm at 1 m shows 0.176 m of height: three of the eight objects fit.

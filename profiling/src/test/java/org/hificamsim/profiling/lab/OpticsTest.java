@@ -14,7 +14,7 @@ import org.opencv.core.MatOfDouble;
 import org.opencv.core.Point;
 import org.opencv.core.Scalar;
 
-/** The camera's physics, each part against what can be worked out by hand. */
+/** Compares each part of the camera's physics with values computed by hand. */
 class OpticsTest {
   private static final Pinhole CAMERA = new Pinhole(0.05, 0.0224, 0.015, 1296, 864, 10);
 
@@ -33,7 +33,7 @@ class OpticsTest {
   }
 
   @Test
-  void circleOfConfusionIsTheThinLenss() {
+  void circleOfConfusionFollowsTheThinLens() {
     FocusedLens lens = new FocusedLens(0.085, 5.6, 2);
     assertEquals(0, lens.circleOfConfusion(2));
     // 85/5.6 mm * 10/12 * 0.085/1.915
@@ -44,7 +44,7 @@ class OpticsTest {
   }
 
   @Test
-  void blurSpreadsAPointOverADiscAndKeepsItsLight() {
+  void blurSpreadsAPointAndKeepsItsLight() {
     for (double diameter : new double[] {3, 9, 40}) {
       try (Mats mats = new Mats()) {
         Mat image = mats.own(Mat.zeros(161, 161, CvType.CV_32F));
@@ -88,7 +88,7 @@ class OpticsTest {
   }
 
   @Test
-  void lensesBarrelWhenWideAndPincushionWhenLong() {
+  void wideLensesBarrelAndLongLensesPincushion() {
     assertTrue(RadialDistortion.at(0.010, 1).k() > 0.04);
     assertEquals(0, RadialDistortion.at(0.035, 1).k(), 1e-12);
     assertTrue(RadialDistortion.at(0.085, 1).k() < 0);

@@ -27,7 +27,7 @@ class FalseAlarmsTest {
   @TempDir Path folder;
 
   @Test
-  void thresholdLetsTheRateThroughAndNoMore() {
+  void thresholdBoundsTheRateOfFalseAlarms() {
     AlarmThreshold five = AlarmThreshold.of("orb", WITHOUT, List.of(0.5, 0.094, 0.0961, 0.2), 0.05);
     assertEquals((0.094 + 0.095) / 2, five.threshold(), 0.001);
     assertTrue(five.falseAlarms() <= 0.05, five.toString());
@@ -38,7 +38,7 @@ class FalseAlarmsTest {
   }
 
   @Test
-  void detectorThatCannotTellIsLeftWithoutDetections() {
+  void uselessDetectorDetectsNothing() {
     AlarmThreshold blind = AlarmThreshold.of("orb", WITHOUT, List.of(0.01, 0.02), 0.01);
     assertTrue(blind.threshold() > 0.098);
     assertEquals(0, blind.recall());
@@ -48,12 +48,12 @@ class FalseAlarmsTest {
     assertEquals(0.5, silent.recall());
   }
 
-  /** Photos of one object are without the others. */
+  /** Photos of one object serve as photos without the others. */
   @Test
-  void photosWithoutTheObjectsSetTheThresholds() throws IOException {
-    Dataset all = SmallLab.render(folder);
+  void photosWithoutObjectsDetermineThresholds() throws IOException {
+    Dataset complete = SmallLab.render(folder);
     Files.createDirectories(folder.resolve("negatives"));
-    List<LabelledPhoto> matchboxes = of(all, "matchbox");
+    List<LabelledPhoto> matchboxes = photosOf(complete, "matchbox");
     for (LabelledPhoto sample : matchboxes) {
       Path copy = folder.resolve("negatives").resolve(sample.file().getFileName().toString());
       Files.copy(sample.file(), copy);
@@ -63,7 +63,7 @@ class FalseAlarmsTest {
         new Dataset(
             folder,
             read.camera(),
-            of(all, "ball"),
+            photosOf(complete, "ball"),
             Map.of("ball", read.templates().get("ball")),
             read.negatives());
     List<String> detectors = List.of("orb", "orb-located", "orb-ransac");
@@ -86,7 +86,7 @@ class FalseAlarmsTest {
     assertEquals(Map.of(), AlarmThreshold.read(folder));
   }
 
-  private static List<LabelledPhoto> of(Dataset dataset, String object) {
+  private static List<LabelledPhoto> photosOf(Dataset dataset, String object) {
     return dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
   }
 }

@@ -20,7 +20,7 @@ class MeasurementsFileTest {
   @TempDir Path folder;
 
   @Test
-  void withoutPipThePinholeCamerasIsTaken() throws IOException {
+  void missingPipIsThatOfThePinholeCamera() throws IOException {
     List<Measurement> rows =
         read("image,q,d,z,confidence\na.jpg,0.5,10,0.05,0.8\nb.jpg,2,1,0.05,0.9\n");
     assertEquals(2, rows.size());
@@ -31,14 +31,14 @@ class MeasurementsFileTest {
   }
 
   @Test
-  void pipAndObjectsAreReadWhereTheyAre() throws IOException {
+  void readsOptionalPipAndObjects() throws IOException {
     Measurement row = read("image;q;d;z;confidence;object;pip\na;0,5;10;0,05;1;car;0,2\n").get(0);
     assertEquals("car", row.object());
     assertEquals(0.2, row.pip());
   }
 
   @Test
-  void faultIsToldWithItsPlace() {
+  void reportsErrorsWithLineAndColumn() {
     String message =
         assertThrows(InputException.class, () -> read("image,q,d,z,confidence\na,1,1,0.05,80\n"))
             .getMessage();
@@ -52,6 +52,6 @@ class MeasurementsFileTest {
   private List<Measurement> read(String table) throws IOException {
     Path file = folder.resolve("my yolo.csv");
     Files.writeString(file, table);
-    return MeasurementsFile.own(file, CAMERA);
+    return MeasurementsFile.readUserTable(file, CAMERA);
   }
 }

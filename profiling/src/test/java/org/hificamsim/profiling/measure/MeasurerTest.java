@@ -41,10 +41,10 @@ class MeasurerTest {
   @TempDir static Path folder;
   private static Dataset dataset;
 
-  /** Some photos of every object, for what takes its time. */
+  /** Some photos of every object, for slow tests. */
   private static Dataset some;
 
-  /** Their table by all detectors, measured by one thread. */
+  /** Their table for all detectors, measured with one thread. */
   private static String measured;
 
   @BeforeAll
@@ -63,14 +63,14 @@ class MeasurerTest {
   }
 
   @Test
-  void givesTheSameOnAnyNumberOfThreads() throws IOException {
+  void measuresTheSameOnAnyNumberOfThreads() throws IOException {
     new Measurer(some, PLAIN).measure(3, () -> {});
     assertEquals(measured, table());
     assertEquals(some.samples().size() + 1, measured.lines().count());
   }
 
   @Test
-  void goesOnWhereAKilledCallStopped() throws IOException {
+  void resumesKilledMeasurement() throws IOException {
     AtomicInteger seen = new AtomicInteger();
     assertThrows(
         IllegalStateException.class,
@@ -92,7 +92,7 @@ class MeasurerTest {
   }
 
   @Test
-  void otherSettingsDoNotResumeIt() throws IOException {
+  void doesNotResumeWithOtherSettings() throws IOException {
     AtomicInteger seen = new AtomicInteger();
     assertThrows(
         IllegalStateException.class,
@@ -110,7 +110,7 @@ class MeasurerTest {
   }
 
   @Test
-  void pipIsTheMasksShareAndElseThePatchs() {
+  void pipCountsTheMaskOrElseThePatch() {
     new Measurer(dataset, ORB).measure(2, () -> {});
     List<Measurement> masked = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     List<LabelledPhoto> bare = dataset.samples().stream().map(MeasurerTest::unmasked).toList();
@@ -125,7 +125,7 @@ class MeasurerTest {
   }
 
   @Test
-  void pipOfRectanglesIsThePatchsShareAndSaysSoInTheTable() throws IOException {
+  void rectanglePipCountsThePatchInItsOwnColumn() throws IOException {
     MeasureSettings rectangles =
         new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE, 0.01);
     new Measurer(dataset, rectangles).measure(2, () -> {});
@@ -141,8 +141,7 @@ class MeasurerTest {
   }
 
   @Test
-  void aDataSetWithoutMasksHasRectanglesWhateverItsColumnIsCalled(@TempDir Path other)
-      throws IOException {
+  void dataSetWithoutMasksHasRectanglePip(@TempDir Path other) throws IOException {
     String measured = "image,object,size_m,distance_m,focal_length_m,pip,orb\n";
     Files.writeString(other.resolve(MeasurementsFile.NAME), measured + "a,b,0.1,1,0.01,0.5,0.2\n");
     assertEquals(PipReading.SILHOUETTE, PipReading.ofDataset(other));
@@ -153,7 +152,7 @@ class MeasurerTest {
   }
 
   @Test
-  void drawsMatchesAndMeasuresNothingAgain() throws IOException {
+  void drawsMatchesWithoutMeasuringAgain() throws IOException {
     Files.writeString(folder.resolve(MeasurementsFile.NAME), "kept");
     String image = dataset.samples().get(0).image();
     assertEquals(1, new MatchPictures(dataset, ORB).draw(List.of(image)));
@@ -163,34 +162,34 @@ class MeasurerTest {
   }
 
   @Test
-  void countsWhatAnEarlierCallHasMeasuredOnceAndBefore() {
-    List<String> told = new ArrayList<>();
+  void reportsResumedPhotosOnceAndFirst() {
+    List<String> events = new ArrayList<>();
     MeasureProgress watcher =
         new MeasureProgress() {
           @Override
           public void advance() {
-            told.add("one");
-            if (told.size() == 6) {
+            events.add("one");
+            if (events.size() == 6) {
               throw new IllegalStateException("killed");
             }
           }
 
           @Override
           public void resume(long photos) {
-            told.add("resumed " + photos);
+            events.add("resumed " + photos);
           }
         };
     Measurer measurer = new Measurer(dataset, ORB);
     assertThrows(IllegalStateException.class, () -> measurer.measure(1, watcher));
-    told.clear();
-    told.addAll(Collections.nCopies(10, "earlier"));
+    events.clear();
+    events.addAll(Collections.nCopies(10, "earlier"));
     measurer.measure(1, watcher);
-    assertEquals("resumed 5", told.get(10));
-    assertEquals(dataset.samples().size() - 5, told.size() - 11);
+    assertEquals("resumed 5", events.get(10));
+    assertEquals(dataset.samples().size() - 5, events.size() - 11);
   }
 
   @Test
-  void templateWithoutFeaturesIsWarnedOf() throws IOException {
+  void warnsOfTemplateWithoutFeatures() throws IOException {
     Path blank = folder.resolve("blank.png");
     Photos.write(blank, 60, 60);
     Map<String, Path> templates = new LinkedHashMap<>(dataset.templates());
@@ -205,7 +204,7 @@ class MeasurerTest {
 
   @ParameterizedTest
   @CsvSource({"100, 100 times smaller", "0.01, 100 times larger"})
-  void aWrongUnitOfAllPhotosIsWarnedOfInOneLine(double factor, String words) {
+  void warnsOfWrongUnitOfAllPhotosInOneLine(double factor, String words) {
     List<LabelledPhoto> wrong = dataset.samples().stream().map(s -> scaled(s, factor)).toList();
     List<String> warnings = measured(wrong).warnings();
     assertEquals(1, warnings.size(), warnings.toString());
@@ -216,7 +215,7 @@ class MeasurerTest {
   }
 
   @Test
-  void aWrongUnitOfOnePhotoIsWarnedOfByItsName() {
+  void warnsOfWrongUnitOfOnePhotoByName() {
     List<LabelledPhoto> wrong = new ArrayList<>(dataset.samples());
     wrong.set(3, scaled(wrong.get(3), 100));
     List<String> warnings = measured(wrong).warnings();
@@ -226,7 +225,7 @@ class MeasurerTest {
   }
 
   @Test
-  void pictureThatIsCutShortInsideIsRefusedByName() throws IOException {
+  void rejectsTruncatedPictureByName() throws IOException {
     Path cut = folder.resolve("images/cut.jpg");
     byte[] whole = Files.readAllBytes(dataset.samples().get(0).file());
     byte[] half = Arrays.copyOf(whole, whole.length / 2);
@@ -278,7 +277,7 @@ class MeasurerTest {
   }
 
   @Test
-  void measurementsThatAreNoneAreToldWithTheirPlace() throws IOException {
+  void reportsWrongMeasurementsWithTheirPlace() throws IOException {
     Path file = folder.resolve("broken.csv");
     Files.writeString(
         file,
@@ -292,7 +291,7 @@ class MeasurerTest {
   }
 
   @Test
-  void columnsOfConditionsInOlderTablesAreNoDetectors() throws IOException {
+  void ignoresConditionColumnsOfOlderTables() throws IOException {
     Path file = folder.resolve("older.csv");
     Files.writeString(
         file,

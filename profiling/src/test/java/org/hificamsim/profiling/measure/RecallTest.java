@@ -9,9 +9,9 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class RecallTest {
-  /** Heights 1 to 100; found from 51 on, and below at every tenth. */
+  /** Heights are 1 to 100; objects are found from 51 on, and every tenth below. */
   @Test
-  void isTheShareFoundAmongObjectsOfAboutThatHeight() {
+  void recallIsTheShareFoundAtSimilarHeight() {
     List<Measurement> rows = new ArrayList<>();
     int[] heights = new int[100];
     for (int i = 0; i < 100; i++) {

@@ -21,7 +21,7 @@ class OpenCvTest {
           });
 
   @Test
-  void loadsHereAndSaysFromWhere() {
+  void loadsOpenCvAndReportsItsSource() {
     OpenCv.load();
     assertTrue(OpenCv.version().matches("\\d.* \\(.+\\)"), OpenCv.version());
     assertEquals(1, Core.getNumThreads());
@@ -29,14 +29,14 @@ class OpenCvTest {
 
   @Test
   void takesTheFirstSourceThatLoads() {
-    assertEquals("good", OpenCv.firstThatLoads(List.of(FAILS, LOADS, FAILS)));
+    assertEquals("good", OpenCv.loadFirst(List.of(FAILS, LOADS, FAILS)));
   }
 
   @Test
-  void tellsWhatWasTriedInOneLineWhenNothingLoads() {
+  void reportsAllFailedSourcesInOneLine() {
     List<OpenCv.Source> sources = List.of(FAILS, FAILS);
     String message =
-        assertThrows(OpenCv.OpenCvMissingException.class, () -> OpenCv.firstThatLoads(sources))
+        assertThrows(OpenCv.OpenCvMissingException.class, () -> OpenCv.loadFirst(sources))
             .getMessage();
     assertTrue(message.contains("(bad: wrong machine; bad: wrong machine)"), message);
     assertFalse(message.contains("\n"));

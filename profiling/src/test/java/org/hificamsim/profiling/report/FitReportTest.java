@@ -43,7 +43,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is fitted, written and told of 160 made-up photos. */
+/** Fits 160 synthetic photos and checks the report. */
 class FitReportTest {
   private static final FitSettings SETTINGS =
       new FitSettings(
@@ -68,7 +68,7 @@ class FitReportTest {
   }
 
   @Test
-  void holdsEveryTableAndFigure() throws IOException {
+  void containsEveryTableAndFigure() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
     assertTrue(page.contains("test &amp; trial"));
     for (String table : List.of("Table 4.1", "Table 4.2", "Table 6.1", "Table 6.2", "3.7")) {
@@ -86,9 +86,9 @@ class FitReportTest {
   }
 
   @Test
-  void isOneFileThatAsksForNoOther() throws IOException {
+  void reportIsOneSelfContainedFile() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
-    assertFalse(page.contains(".png\""), "a picture beside the page");
+    assertFalse(page.contains(".png\""), "the page refers to a picture file");
     assertFalse(page.contains("http"), "a page elsewhere");
     long pictures =
         page.lines().mapToLong(line -> line.split("data:image/png", -1).length - 1).sum();
@@ -96,7 +96,7 @@ class FitReportTest {
   }
 
   @Test
-  void yourNumbersComeBeforeTheThesisAndSayWhatToTake() throws IOException {
+  void ownNumbersAndRecommendationComeFirst() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
     String first = page.substring(0, page.indexOf("<table>"));
     assertTrue(first.contains("-pinhole: on objects that it has not seen"), first);
@@ -107,7 +107,7 @@ class FitReportTest {
   }
 
   @Test
-  void theChancesAreJudgedOnUnseenPhotosAndTheLensIsYours() throws IOException {
+  void judgesChancesOnUnseenPhotos() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
     assertTrue(page.contains("constant, false alarms count"), "before");
     assertTrue(page.contains("log loss"), "and what is taken by");
@@ -121,13 +121,13 @@ class FitReportTest {
   }
 
   @Test
-  void intervalThatIsNotKnownIsADash() {
+  void showsUnknownIntervalAsDash() {
     assertEquals("-", CellText.span(Double.NaN, Double.NaN));
     assertEquals("-1.00 to 2.50", CellText.span(-1, 2.5));
   }
 
   @Test
-  void whatRisesWithTheLogarithmAloneSaysSo() {
+  void saysIfOnlyTheLogarithmRises() {
     assertEquals("surely", OwnTables.rises(new RisingSlope(0.2, 0.1, 0.3, true)));
     assertEquals(
         "surely with the logarithm", OwnTables.rises(new RisingSlope(0.2, -0.1, 0.3, true)));
@@ -135,9 +135,9 @@ class FitReportTest {
   }
 
   @Test
-  void everyFOfTheTableIsInFigure61AndInTheLadder() {
+  void figure61AndModelScoresContainEveryF() {
     for (String f : List.of("pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf")) {
-      assertTrue(result.features().stream().anyMatch(one -> one.name().equals(f)), f);
+      assertTrue(result.features().stream().anyMatch(feature -> feature.name().equals(f)), f);
       assertTrue(
           ModelScores.of(result, "orb").stream().anyMatch(step -> step.model().equals(f)), f);
     }
@@ -145,7 +145,7 @@ class FitReportTest {
   }
 
   @Test
-  void zeroHasNoSignAndOnePhotoIsOne() {
+  void formatsNumbersNearZeroAndCounts() {
     assertEquals("0.000", CellText.fixed(-1e-9, 3));
     assertEquals("-0.001", CellText.fixed(-1e-3, 3));
     assertEquals("0", CellText.fixed(-0.0, 0));
@@ -154,7 +154,7 @@ class FitReportTest {
   }
 
   @Test
-  void aFigureIsTheSameWhateverWasDrawnBeforeIt() {
+  void figuresDoNotDependOnEarlierFigures() {
     ReportFigures figures = new ReportFigures(result);
     byte[] residuals = png(figures.figure("4.4", "residuals"));
     figures.figure("4.2", "densities");
@@ -165,9 +165,11 @@ class FitReportTest {
     return FigureFile.draw(figure, Optional.empty()).files().get(0);
   }
 
-  /** By hand: 3 detected, of which 2 are told; 2 not, of which 1 is. */
+  /**
+   * Computed by hand: 2 of 3 detected photos and 1 of 2 undetected ones are predicted correctly.
+   */
   @Test
-  void decisionsAreJudgedAlikeForBothKinds() {
+  void accuracyIsBalanced() {
     DetectionAccuracy decisions = new DetectionAccuracy(0.5);
     double[] measured = {0.9, 0.5, 0.7, 0.1, 0.2};
     double[] predicted = {0.6, 0.4, 0.5, 0.9, 0.1};
@@ -177,7 +179,7 @@ class FitReportTest {
   }
 
   @Test
-  void detectorThatTheThesisDoesNotHaveStandsAlone() throws IOException {
+  void reportsDetectorsWithoutPublishedNumbers() throws IOException {
     List<Measurement> rows =
         new Photos().detector("onnx-tiny-0", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
@@ -190,18 +192,18 @@ class FitReportTest {
     assertFalse(words(text).contains("NaN"));
   }
 
-  /** Enough for what does not need the statistics of many. */
+  /** Few photos, for tests that do not depend on statistics. */
   private static Photos few() {
     return new Photos().objects(4).lenses(0.010, 0.050);
   }
 
-  /** A page without its pictures, whose bytes may spell anything. */
+  /** Returns a page without its embedded pictures, whose bytes may contain any text. */
   private static String words(String page) {
     return page.replaceAll("base64,[^\"]*", "");
   }
 
   @Test
-  void noiseIsSaidToBeNoDetector() throws IOException {
+  void reportsNoiseAsRejected() throws IOException {
     List<Measurement> rows = few().detector("noise", p -> 0.2).scatter(0.02, 0.05).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("noise"));
@@ -217,7 +219,7 @@ class FitReportTest {
   }
 
   @Test
-  void oneObjectAndOneLensMakeAReport() throws IOException {
+  void reportsOneObjectAndOneLens() throws IOException {
     List<Measurement> rows =
         new Photos().objects(1).lenses(0.05).detector("orb", p -> 0.1 + 0.5 * p).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
@@ -228,7 +230,7 @@ class FitReportTest {
   }
 
   @Test
-  void putsThePublishedNumbersBesideYours() throws IOException {
+  void showsPublishedNumbersNextToOwn() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
     for (String number : List.of("(0.77)", "(5.97)", "(0.71)", "(8.79)", "0.835", "-18.82*z")) {
       assertTrue(page.contains(number), number);
@@ -236,7 +238,7 @@ class FitReportTest {
   }
 
   @Test
-  void everyModelFileGivesTheFittedConfidence() {
+  void everyModelFilePredictsTheFittedConfidence() {
     ZoomLevel zoom = new ZoomLevel(5, 2.5, 7.5, Double.NaN, 2 * Math.PI);
     for (String detector : result.detectors()) {
       for (String f : List.of("lin", "svr-lin", "svr-rbf", "sr", "power", "pinhole")) {
@@ -275,18 +277,18 @@ class FitReportTest {
   }
 
   @Test
-  void camSimsConfidenceGrowsWithTheFocalLengthInReversedOrder() {
+  void camSimConfidenceGrowsWithTheFocalLength() {
     double[] values = result.predictor(FitResult.CAMSIM);
     for (int i = 0; i < values.length; i++) {
       double z = result.measurements().get(i).focalLength();
-      // Four zooms: 10, 24, 50 and 85 mm; 85 mm gets what the radius 10 of 85 gives.
+      // Four zooms: 10, 24, 50 and 85 mm; 85 mm gets the confidence of radius 10 out of 85.
       double radius = z == 0.085 ? 0.010 : z == 0.050 ? 0.024 : z == 0.024 ? 0.050 : 0.085;
       assertEquals(0.95 * (1 - radius / 0.085) - 0.15, values[i], 1e-12);
     }
   }
 
   @Test
-  void modelsBeginWithNothingAndFindTheLaw() {
+  void scoresCamSimModelsBeforeEveryF() {
     List<ModelScores> steps = ModelScores.of(result, "orb");
     assertEquals(
         List.of(
@@ -300,17 +302,19 @@ class FitReportTest {
   }
 
   @Test
-  void heldOutPhotosDoNotFollowThePinhole() {
+  void realPhotosDoNotFollowThePinhole() {
     HeldOut heldOut = HeldOut.of(PipReading.RECTANGLE);
     assertEquals(6, heldOut.photos().size());
     SimpleRegression line = new SimpleRegression();
-    heldOut.photos().forEach(o -> line.addData(Math.log(o.focalLength()), Math.log(o.pip())));
+    heldOut
+        .photos()
+        .forEach(photo -> line.addData(Math.log(photo.focalLength()), Math.log(photo.pip())));
     assertEquals(1.316, line.getSlope(), 0.001);
     assertTrue(heldOut.remark().contains("to the power 1.32,"), heldOut.remark());
   }
 
   @Test
-  void theBallIsCountedAsThePhotosAre() throws IOException {
+  void countsTheBallLikeThePhotos() throws IOException {
     HeldOut rectangles = HeldOut.of(PipReading.RECTANGLE);
     HeldOut silhouettes = HeldOut.of(PipReading.SILHOUETTE);
     assertEquals(
@@ -325,13 +329,13 @@ class FitReportTest {
   }
 
   @Test
-  void judgesWhatChapters4To6Say() throws IOException {
+  void judgesStatementsOfChapters4To6() throws IOException {
     List<Claim> claims = new Claims(result).all();
     assertEquals(1 + 4 + 4 + 1 + 4 + 3 + 3 + 3 + 3 + 1, claims.size());
     List<String> columns = List.of("source", "claim", "published", "value", "verdict");
     assertEquals(
         claims.size(),
-        CsvReader.open(folder.resolve(Claims.FILE), "claims").all(columns).rows().size());
+        CsvReader.open(folder.resolve(Claims.FILE), "claims").readAll(columns).rows().size());
     List<String> published = claims.stream().map(Claim::published).toList();
     assertTrue(published.containsAll(List.of("0.86", "0.73", "0.92", "0.60", "0.09")));
     assertTrue(published.containsAll(List.of("svr-rbf > lin > sr", "orb > surf > sift")));
@@ -343,14 +347,14 @@ class FitReportTest {
   }
 
   @Test
-  void aShareIsReproducedUpToFiveHundredths() {
-    assertTrue(Claims.isNear(0.65 - 0.60));
-    assertFalse(Claims.isNear(0.66 - 0.60));
+  void sharesWithinFiveHundredthsAreReproduced() {
+    assertTrue(Claims.isReproduced(0.65 - 0.60));
+    assertFalse(Claims.isReproduced(0.66 - 0.60));
   }
 
   /** SSE / (1 - R2) is the variation of one detector's confidences, whatever the predictor. */
   @Test
-  void publishedSharesAndErrorsGoTogetherButForOrbOnMeasuredPip() {
+  void publishedScoresAreConsistentExceptOrbOnMeasuredPip() {
     for (String detector : List.of("orb", "sift", "surf")) {
       double total = total(PublishedTables.line(detector, "lin"));
       for (Map<String, String> row :
@@ -370,7 +374,7 @@ class FitReportTest {
   }
 
   @Test
-  void publishedTablesAreTheReferences() throws IOException {
+  void publishedTablesEqualTheReferences() throws IOException {
     try (Stream<Path> files = Files.list(Reference.file("published"))) {
       List<Path> tables = files.toList();
       assertEquals(6, tables.size());
@@ -384,7 +388,7 @@ class FitReportTest {
   }
 
   @Test
-  void skewnessIsZeroForSymmetryAndPositiveForATail() {
+  void skewnessIsZeroOnlyForSymmetry() {
     assertEquals(0, Variable.skewness(new double[] {1, 2, 3}), 1e-12);
     // Mean 1, v = 4: (3 * (-1)^3 + 3^3) / (3 * 8)
     assertEquals(1, Variable.skewness(new double[] {0, 0, 0, 4}), 1e-12);
