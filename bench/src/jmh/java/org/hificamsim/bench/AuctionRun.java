@@ -29,7 +29,12 @@ public final class AuctionRun {
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     RunPlan plan =
         new RunPlan(
-            CamSimScenario.as(read, settings), detection, "zoom-out", Scenario.MAX_STEPS, 0, 1);
+            CamSimScenario.withQuirks(read, settings),
+            detection,
+            "zoom-out",
+            Scenario.MAX_STEPS,
+            0,
+            1);
     return NetworkRun.of(plan, settings, catalogue);
   }
 }

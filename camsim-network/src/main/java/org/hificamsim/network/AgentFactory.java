@@ -22,42 +22,42 @@ import org.hificamsim.network.bandit.CameraBandit;
 import org.hificamsim.network.bandit.ScheduleSwitch;
 import org.hificamsim.network.bandit.ZoomBandit;
 
-/** Makes agents, and their bandits, as scenario and settings ask for them. */
+/** Creates agents and their bandits from the scenario and the settings. */
 final class AgentFactory {
   private final World world;
   private final NetworkSettings settings;
   private final Random random;
-  private final int fromFile;
+  private final int camerasInFile;
   private final List<CameraRole> roles = new ArrayList<>();
-  private final InitialLinks graph;
+  private final InitialLinks initialLinks;
   private final boolean graphIsStatic;
 
   /**
-   * Reads the roles of all cameras that there will ever be.
+   * Reads the roles of all cameras, including those that events will add.
    *
-   * @param random draws for bandits
-   * @throws InputException when a name is not known, or something that it needs is missing
+   * @param random the source of random numbers for bandits
+   * @throws InputException if a name is unknown or a required attribute is missing
    */
   AgentFactory(World world, NetworkSettings settings, Random random) {
     this.world = world;
     this.settings = settings;
     this.random = random;
-    fromFile = world.scenario().cameras().size();
+    camerasInFile = world.scenario().cameras().size();
     readRoles();
-    Optional<VisionGraph> inFile = world.scenario().visionGraph();
-    graph =
+    Optional<VisionGraph> visionGraph = world.scenario().visionGraph();
+    initialLinks =
         new InitialLinks(
             IntStream.range(0, roles.size()).mapToObj(world.cameras()::name).toList(),
-            inFile.filter(used -> settings.graph() != GraphUse.IGNORED));
-    graphIsStatic = settings.graph().isStatic(inFile.map(VisionGraph::isStatic).orElse(false));
+            settings.graph() == GraphUse.IGNORED ? Optional.empty() : visionGraph);
+    graphIsStatic = settings.graph().isStatic(visionGraph.map(VisionGraph::isStatic).orElse(false));
   }
 
   private void readRoles() {
     int strategies = settings.strategies().size();
-    if (strategies > Math.max(1, fromFile)) {
+    if (strategies > Math.max(1, camerasInFile)) {
       throw InputException.of(
           "there are %s strategies, expected one, or one for each of the %s cameras",
-          strategies, fromFile);
+          strategies, camerasInFile);
     }
     RoleReader reader = new RoleReader(settings, world.scenario().inCoverageDialect());
     for (int camera = 0; camera < world.cameras().count(); camera++) {
@@ -66,47 +66,49 @@ final class AgentFactory {
           (attribute, expected) ->
               InputException.of("camera '%s': %s: expected %s", name, attribute, expected);
       CameraSpec spec = world.cameraSpec(camera);
-      roles.add(reader.read(spec, camera >= fromFile, fault));
+      roles.add(reader.read(spec, camera >= camerasInFile, fault));
     }
   }
 
-  /** Makes the agent of a camera. */
+  /** Creates the agent of a camera. */
   Agent agent(int camera, Agent.Shared shared) {
     CameraRole role = roles.get(camera);
     AuctionSchedule schedule =
         new AuctionSchedule(role.schedule(), world.targets(), settings.historicalParameters());
-    Links links = asksAlways(role) ? Links.UNREAD : links(camera, role, schedule);
-    return new Agent(camera, role.limit(), schedule, role.comm().policy(), links, shared);
+    Links links = alwaysAsksAll(role) ? Links.UNREAD : links(camera, role, schedule);
+    return new Agent(camera, role.limit(), schedule, role.communication().policy(), links, shared);
   }
 
-  /** Whether a camera asks all neighbours as long as it runs, whatever its links. */
-  private static boolean asksAlways(CameraRole role) {
-    return role.comm().policy() == CommunicationPolicy.BROADCAST && role.bandit().isEmpty();
+  /** Returns whether a camera asks all its neighbours throughout the run, whatever its links. */
+  private static boolean alwaysAsksAll(CameraRole role) {
+    return role.communication().policy() == CommunicationPolicy.BROADCAST
+        && role.bandit().isEmpty();
   }
 
   private Links links(int camera, CameraRole role, AuctionSchedule schedule) {
     return role.schedule().isHistorical() && settings.historicalParameters().classification()
         ? Links.byCategory(
-            graph.names(), settings.historicalParameters().categories(), schedule::category)
+            initialLinks.names(), settings.historicalParameters().categories(), schedule::category)
         : links(camera, role);
   }
 
   private Links links(int camera, CameraRole role) {
     List<Integer> initial =
-        camera < fromFile
-            ? graph.of(world.cameras().name(camera), hasReverseLinks(camera))
+        camera < camerasInFile
+            ? initialLinks.of(world.cameras().name(camera), hasReverseLinks(camera))
             : List.of();
-    boolean byGraph = graphIsStatic && !settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
-    return Links.plain(graph.names(), initial, byGraph || role.comm().freezesLinks());
+    boolean frozenByGraph = graphIsStatic && !settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
+    return Links.plain(
+        initialLinks.names(), initial, frozenByGraph || role.communication().freezesLinks());
   }
 
-  /** Whether a camera is linked to those that list it, too. */
+  /** Returns whether a camera is also linked to the cameras that list it as a neighbour. */
   private boolean hasReverseLinks(int camera) {
-    boolean byPolicy = camera > 0 && settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
-    return byPolicy ? roles.get(camera - 1).comm().isFix() : graphIsStatic;
+    boolean decidedByPolicy = camera > 0 && settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
+    return decidedByPolicy ? roles.get(camera - 1).communication().isFix() : graphIsStatic;
   }
 
-  /** Makes the bandit of a camera, which draws its first numbers. */
+  /** Creates the bandit of a camera; this draws the first rewards of its arms. */
   CameraBandit bandit(Agent agent) {
     CameraRole role = roles.get(agent.camera());
     if (role.bandit().isEmpty()) {

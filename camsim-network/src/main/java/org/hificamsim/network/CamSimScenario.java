@@ -15,16 +15,16 @@ import org.hificamsim.core.scenario.spec.Headings;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
-/** Reads a scenario file as CamSim would: its order of a step, its ranges, its movements. */
+/** Reads a scenario file with CamSim's order of a step, ranges and movements. */
 public final class CamSimScenario {
   private CamSimScenario() {}
 
   /**
    * Reads the file.
    *
-   * @param movement of all objects, a class name; null for that of the file
-   * @param zooming whether the file's zoom list counts, which CamSim ignores
-   * @throws InputException when the file, or what is asked for, is wrong
+   * @param movement the class name of the movement of all objects; null for those of the file
+   * @param zooming whether to keep the zoom list of the file, which CamSim ignores
+   * @throws InputException if the file is invalid, or an object has no path for its movement
    */
   public static Scenario read(
       Path file,
@@ -51,42 +51,42 @@ public final class CamSimScenario {
     if (movement != null) {
       scenario = scenario.withMovement(movement);
     }
-    Scenario read = as(scenario, settings);
+    Scenario read = withQuirks(scenario, settings);
     requirePaths(read, movement == null ? file.toString() : "-m '" + movement + "'");
     return read;
   }
 
   /**
-   * The scenario with the quirks of movement that are asked for. Where a zoom list counts,
-   * waypoints are the coverage study's, at their own speed.
+   * Applies the quirks of movement that the settings ask for. A scenario with a zoom list keeps the
+   * waypoints of the coverage study, which have speeds of their own.
    */
-  public static Scenario as(Scenario scenario, NetworkSettings settings) {
+  public static Scenario withQuirks(Scenario scenario, NetworkSettings settings) {
     Scenario read = scenario;
     if (!settings.has(Quirk.EVENT_MOVE_IGNORED)) {
-      read = read.withTargets(CamSimScenario::withAlias);
+      read = read.withTargets(CamSimScenario::withMovementFromMove);
     }
     return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING) && !scenario.inCoverageDialect()
-        ? read.withTargets(target -> withSwap(target, scenario.headings()))
+        ? read.withTargets(target -> withHeadingAsSpeed(target, scenario.headings()))
         : read;
   }
 
-  /** An event's {@code move} names its movement where {@code fqName} does not. */
-  private static TargetSpec withAlias(TargetSpec target) {
-    String alias = target.extras().getOrDefault("move", "");
+  /** Takes the movement of an added object from {@code move} if {@code fqName} is missing. */
+  private static TargetSpec withMovementFromMove(TargetSpec target) {
+    String movement = target.extras().getOrDefault("move", "");
     return target.origin() == TargetSpec.Origin.EVENT && target.get(TargetSpec.MOVE).isEmpty()
-        ? target.withMovement(alias)
+        ? target.withMovement(movement)
         : target;
   }
 
-  /** Speed becomes the heading in radians where a class name leads to waypoints. */
-  private static TargetSpec withSwap(TargetSpec target, Headings headings) {
-    boolean throughClassName = !target.get(TargetSpec.MOVE).isEmpty();
-    return throughClassName && target.movement().equals("Waypoints")
+  /** Sets the speed to the heading in radians if a class name selects the waypoints. */
+  private static TargetSpec withHeadingAsSpeed(TargetSpec target, Headings headings) {
+    boolean namedByClass = !target.get(TargetSpec.MOVE).isEmpty();
+    return namedByClass && target.movement().equals("Waypoints")
         ? target.with(TargetSpec.SPEED, headings.radians(target.heading()))
         : target;
   }
 
-  /** An error, which {@code source} is to blame for, where a path is to be followed without one. */
+  /** Requires a path for every object that follows one; errors begin with {@code source}. */
   private static void requirePaths(Scenario scenario, String source) {
     scenario
         .everyTarget()
@@ -115,7 +115,7 @@ public final class CamSimScenario {
       missing.add("ai_algorithm, taken as Active");
     }
     if (!named
-        && settings.comm().isEmpty()
+        && settings.communication().isEmpty()
         && lacks(scenario, camera -> camera.find(CameraSpec.COMM).isEmpty())) {
       missing.add("comm, taken as 0");
     }

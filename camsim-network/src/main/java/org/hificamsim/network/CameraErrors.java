@@ -5,10 +5,10 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 
 /**
- * Cameras that fail by chance, and those that come back (behaviour 7, step 4; quirks Q6, Q15, Q18).
+ * Random failures of cameras, and their ends (behaviour 7, step 4; quirks Q6, Q15, Q18).
  *
- * <p>A duration of 0 brings a camera back that failed for some steps before, but not one that an
- * event switched off for ever.
+ * <p>A duration of 0 brings a camera back that has failed for a limited time, but not one that an
+ * event has switched off for ever.
  */
 final class CameraErrors {
   private static final int FOR_EVER = -1;
@@ -19,8 +19,8 @@ final class CameraErrors {
   private final Random random;
   private final int errorLevel;
   private final int resetLevel;
-  private final boolean comeBack;
-  private final boolean[] forEver;
+  private final boolean failuresEnd;
+  private final boolean[] offForEver;
   private final int[] stepsLeft;
 
   CameraErrors(World world, NetworkSettings settings, Random random) {
@@ -28,25 +28,25 @@ final class CameraErrors {
     this.random = random;
     errorLevel = settings.errorLevel();
     resetLevel = settings.resetLevel();
-    comeBack = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
-    forEver = new boolean[world.cameras().count()];
+    failuresEnd = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
+    offForEver = new boolean[world.cameras().count()];
     stepsLeft = new int[world.cameras().count()];
   }
 
-  /** Notes that an event switched a camera off. */
-  void failed(int camera, int duration) {
-    forEver[camera] |= duration == FOR_EVER;
+  /** Records that an event has switched a camera off. */
+  void switchedOff(int camera, int duration) {
+    offForEver[camera] |= duration == FOR_EVER;
     stepsLeft[camera] = duration;
   }
 
   /**
-   * Draws who fails in this step. CamSim draws a number in any case; below level 0, where the draws
-   * decide about nothing, none is drawn here.
+   * Draws which camera fails in this step. CamSim always draws a number; here nothing is drawn
+   * below level 0, where the draw has no effect.
    *
    * @return whether a camera has forgotten its neighbours
    */
   boolean step(Agent[] agents, int cameras) {
-    if (comeBack) {
+    if (failuresEnd) {
       countDown(cameras);
     }
     if (errorLevel < 0 || random.nextInt(PERCENT) > errorLevel || cameras == 0) {
@@ -54,8 +54,9 @@ final class CameraErrors {
     }
     int camera = random.nextInt(cameras);
     int duration = random.nextInt(DURATIONS);
-    if (!forEver[camera]) {
-      stepsLeft[camera] = duration - 1; // this step's count is over
+    if (!offForEver[camera]) {
+      // countDown has already run in this step.
+      stepsLeft[camera] = duration - 1;
       world.switchCamera(camera, duration == 0);
     }
     boolean forgets = random.nextInt(PERCENT) > resetLevel;
@@ -67,7 +68,7 @@ final class CameraErrors {
 
   private void countDown(int cameras) {
     for (int camera = 0; camera < cameras; camera++) {
-      if (!world.cameras().online(camera) && !forEver[camera] && stepsLeft[camera]-- <= 0) {
+      if (!world.cameras().online(camera) && !offForEver[camera] && stepsLeft[camera]-- <= 0) {
         world.switchCamera(camera, true);
       }
     }

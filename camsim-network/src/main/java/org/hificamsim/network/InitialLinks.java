@@ -7,15 +7,16 @@ import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.scenario.spec.VisionGraph;
 
-/** The links that a scenario's vision graph gives cameras to start with (behaviour 3.6). */
+/** The links that the vision graph of a scenario gives cameras at the start (behaviour 3.6). */
 final class InitialLinks {
   private final Map<String, Integer> numbers = new LinkedHashMap<>();
   private final Map<String, List<String>> neighbours;
 
   /**
-   * Links between names.
+   * Numbers the cameras, then the other names of the graph.
    *
-   * @param cameras all names of cameras, in their order
+   * @param cameras the names of all cameras, in order
+   * @param graph the vision graph; empty for no links
    */
   InitialLinks(List<String> cameras, Optional<VisionGraph> graph) {
     cameras.forEach(this::number);
@@ -24,15 +25,15 @@ final class InitialLinks {
     neighbours.keySet().forEach(this::number);
   }
 
-  /** The number of names: cameras, then names in the graph alone. */
+  /** The number of names: cameras, then names that only the graph has. */
   int names() {
     return numbers.size();
   }
 
   /**
-   * The names that a camera is linked to.
+   * Returns the numbers of the names that a camera is linked to.
    *
-   * @param reverse whether the cameras that list this one count too
+   * @param reverse whether to include the cameras that list this one
    */
   List<Integer> of(String camera, boolean reverse) {
     List<Integer> links = new ArrayList<>();

@@ -46,21 +46,30 @@ public final class Network implements Cooperation, WorldObserver {
   private final Agent.Shared shared;
   private final Agent[] agents;
   private final CameraBandit[] bandits;
-  private final IntConsumer[] turns; // of each camera in a step
-  private boolean alike = true; // whether all receive all that one sends, and count none of it
-  private int added;
-  private int appeared;
+
+  /** The phases of a step, in order; in each, every camera that is online has its turn. */
+  private final IntConsumer[] phases;
+
+  /**
+   * Whether a broadcast reaches all other online cameras and none of them counts it. Such a
+   * broadcast is handled for all cameras at once.
+   */
+  private boolean broadcastsReachAll = true;
+
+  private int addedCameras;
+  private int appearedTargets;
   private long step;
-  private StepFigures last;
+  private StepFigures lastFigures;
   private StepFigures total = StepFigures.NONE;
 
   /**
-   * The network at its start; it listens to the events of the world from now on. Its random streams
-   * are seeded with the run's seed, as the world's are (behaviour 4.1).
+   * Creates a network and registers it as an observer of the world. Its random streams have the
+   * seed of the run, as those of the world do (behaviour 4.1).
    *
-   * @param world before its first step
+   * @param world the world before its first step
    * @param detection gives the confidences for bids, utility and handovers
-   * @throws org.hificamsim.core.InputException when a camera asks for what does not exist
+   * @throws org.hificamsim.core.InputException if a camera names a schedule, policy or bandit that
+   *     does not exist
    */
   public Network(World world, Detection detection, NetworkSettings settings, long seed) {
     cameras = world.cameras();
@@ -73,13 +82,13 @@ public final class Network implements Cooperation, WorldObserver {
     factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
     bandits = new CameraBandit[cameras.count()];
-    turns =
+    phases =
         new IntConsumer[] {
           this::choose,
           camera -> agents[camera].advertise(),
           camera -> agents[camera].bid(),
-          this::settle,
-          camera -> tally.count(agents[camera])
+          this::settleAndLearn,
+          camera -> tally.addUtility(agents[camera])
         };
     searches = new Searches(cameras, world.targets().count());
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
@@ -97,8 +106,8 @@ public final class Network implements Cooperation, WorldObserver {
             new Random(seed),
             settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::of : null,
             !settings.has(Quirk.MISPRICED_SALES));
-    world.scenario().cameras().forEach(camera -> cameraAdded(added));
-    world.scenario().targets().forEach(target -> targetAppeared(appeared));
+    world.scenario().cameras().forEach(camera -> cameraAdded(addedCameras));
+    world.scenario().targets().forEach(target -> targetAppeared(appearedTargets));
     world.observe(this);
   }
 
@@ -107,10 +116,10 @@ public final class Network implements Cooperation, WorldObserver {
     queue.connect(network, network.channel());
   }
 
-  /** Failures by chance. */
+  /** Draws random failures. */
   @Override
   public void prepare() {
-    alike &= !errors.step(agents, added);
+    broadcastsReachAll &= !errors.step(agents, addedCameras);
   }
 
   @Override
@@ -123,30 +132,30 @@ public final class Network implements Cooperation, WorldObserver {
     sightings.look(step, observation.detected(), observation.coverage());
   }
 
-  /** Auctions and statistics. */
+  /** Runs the auctions and adds up the figures of the step. */
   @Override
   public void cooperate() {
     tally.begin();
     queue.deliver(receiver);
-    for (IntConsumer turn : turns) {
-      for (int camera = 0; camera < added; camera++) {
+    for (IntConsumer phase : phases) {
+      for (int camera = 0; camera < addedCameras; camera++) {
         if (cameras.online(camera)) {
-          turn.accept(camera);
+          phase.accept(camera);
           queue.deliver(receiver);
         }
       }
     }
-    last = tally.end(step++);
-    total = total.plus(last);
+    lastFigures = tally.end(step++);
+    total = total.plus(lastFigures);
   }
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
     boolean toAll = to == MessageQueue.NEIGHBOURS;
-    if (toAll && alike) {
+    if (toAll && broadcastsReachAll) {
       return searches.receiveAll(kind, from, target);
     }
     int receivers = 0;
-    for (int camera = toAll ? 0 : to; camera < (toAll ? added : to + 1); camera++) {
+    for (int camera = toAll ? 0 : to; camera < (toAll ? addedCameras : to + 1); camera++) {
       if (agents[from].reaches(camera)) {
         agents[camera].receive(kind, from, target, value);
         receivers++;
@@ -161,23 +170,23 @@ public final class Network implements Cooperation, WorldObserver {
     }
   }
 
-  /** Settles, then learns and counts (behaviour 7, step 8). */
-  private void settle(int camera) {
+  /** Settles auctions, then learns and adds up figures (behaviour 7, step 8). */
+  private void settleAndLearn(int camera) {
     Agent agent = agents[camera];
     double earned = bandits[camera].earned(figures);
-    int sent = agent.sent();
-    agent.settle();
+    int attempts = agent.attempts();
+    agent.settleAuctions();
     figures.measure(agent);
-    bandits[camera].learn(earned, sent, figures);
-    tally.settled(agent, earned, sent);
+    bandits[camera].learn(earned, attempts, figures);
+    tally.addCamera(agent, earned, attempts);
   }
 
-  /** How many bits all messages had that were sent so far. */
+  /** The number of bits of all messages sent so far. */
   public long bits() {
     return queue.bits();
   }
 
-  /** What the steps so far add up to. */
+  /** The sums over all steps so far. */
   public StepFigures total() {
     return total;
   }
@@ -197,10 +206,10 @@ public final class Network implements Cooperation, WorldObserver {
 
   /** The figures of the last step. */
   public StepFigures figures() {
-    return last;
+    return lastFigures;
   }
 
-  /** The targets that a camera owns, in the order in which it goes through them. */
+  /** The targets that a camera owns, in the order in which it advertises them. */
   public List<Integer> owned(int camera) {
     return agents[camera] == null ? List.of() : List.copyOf(agents[camera].owned());
   }
@@ -210,32 +219,37 @@ public final class Network implements Cooperation, WorldObserver {
     return sightings;
   }
 
-  /** A new camera knows all cameras; those that are online get to know it (behaviour 8.1). */
+  /**
+   * Makes all cameras neighbours of the new one, and it a neighbour of those online (behaviour
+   * 8.1).
+   */
   @Override
   public void cameraAdded(int camera) {
     agents[camera] = factory.agent(camera, shared);
     bandits[camera] = factory.bandit(agents[camera]);
-    alike &= agents[camera].schedule() != ScheduleKind.BANDIT_ZOOM;
+    broadcastsReachAll &= agents[camera].schedule() != ScheduleKind.BANDIT_ZOOM;
     for (int other = 0; other < camera; other++) {
-      alike &= cameras.online(other);
-      agents[camera].meet(other);
+      broadcastsReachAll &= cameras.online(other);
+      agents[camera].addNeighbour(other);
       if (cameras.online(other)) {
-        agents[other].meet(camera);
+        agents[other].addNeighbour(camera);
       }
     }
-    added = camera + 1;
+    addedCameras = camera + 1;
   }
 
   @Override
   public void cameraFailed(int camera, int duration) {
-    errors.failed(camera, duration);
+    errors.switchedOff(camera, duration);
   }
 
-  /** Every camera that is online looks for a target that nobody owns yet (behaviour 8.1). */
+  /**
+   * Starts a search for the new target, which nobody owns, at every online camera (behaviour 8.1).
+   */
   @Override
   public void targetAppeared(int target) {
-    appeared = target + 1;
-    for (int camera = 0; camera < added; camera++) {
+    appearedTargets = target + 1;
+    for (int camera = 0; camera < addedCameras; camera++) {
       if (cameras.online(camera)) {
         agents[camera].lookFor(target);
       }
@@ -243,12 +257,12 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   /**
-   * Cameras lose sight of it; not those that are offline for ever, whose sets stay as they are
+   * Removes the target from what cameras see, except for cameras that are offline for ever
    * (behaviour 3.5 and 6.2, quirk Q6).
    */
   @Override
   public void targetVanished(int target) {
-    for (int camera = 0; camera < added; camera++) {
+    for (int camera = 0; camera < addedCameras; camera++) {
       if (camerasComeBack || cameras.online(camera)) {
         sightings.forget(camera, target);
       }

@@ -17,8 +17,8 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Traffic;
 
 /**
- * A run of CamSim's network, from a plan to what it adds up to; files are written by those who
- * listen. Runs share nothing, so that any number of them may go on side by side.
+ * A run of CamSim's network, from a plan to its sums. Listeners write the files. Runs share
+ * nothing, so any number of them may run in parallel.
  */
 public final class NetworkRun {
   private final World world;
@@ -30,11 +30,12 @@ public final class NetworkRun {
   private Simulation simulation;
 
   /**
-   * A run before its first step.
+   * Prepares a run before its first step.
    *
-   * @param policy zooms the cameras
-   * @param seed of all random streams
-   * @throws org.hificamsim.core.InputException when a camera asks for what does not exist
+   * @param policy chooses the views of the cameras
+   * @param seed the seed of all random streams
+   * @throws org.hificamsim.core.InputException if a camera names a schedule, policy or bandit that
+   *     does not exist
    */
   public NetworkRun(
       Scenario scenario,
@@ -50,14 +51,14 @@ public final class NetworkRun {
     network = new Network(world, detection, settings, seed);
   }
 
-  /** The first run of a plan. */
+  /** Returns the first run of a plan. */
   public static NetworkRun of(RunPlan plan, NetworkSettings settings, Catalogue catalogue) {
     ZoomPolicy policy = catalogue.policies().create(plan.policy());
     return new NetworkRun(
         plan.scenario(), plan.detection(), policy, catalogue.movements(), settings, plan.seed());
   }
 
-  /** Has the steps watched, from the first one on. */
+  /** Adds a listener; call it before the first step. */
   public NetworkRun listen(StepListener listener) {
     listeners.add(listener);
     return this;
@@ -73,18 +74,20 @@ public final class NetworkRun {
     return network;
   }
 
-  /** What the steps so far add up to. */
+  /** The sums over all steps so far. */
   public StepFigures sums() {
     return network.total();
   }
 
-  /** What the cameras sent: of messages StartSearch alone, as CamSim counts; the bits of all. */
+  /**
+   * The traffic so far: StartSearch messages, as CamSim counts them, and the bits of all messages.
+   */
   public Traffic traffic() {
     long bits = network.bits() + policy.bits();
     return new Traffic(sums().communication(), bits, 0).over(simulation().network().channel());
   }
 
-  /** The loop over the steps; who is to watch them has been named before. */
+  /** The simulation of the run; its listeners are those added before the first call. */
   public Simulation simulation() {
     if (simulation == null) {
       simulation =
@@ -93,7 +96,7 @@ public final class NetworkRun {
     return simulation;
   }
 
-  /** Runs this many steps; returns what they add up to. */
+  /** Runs a number of steps and returns the sums over all steps so far. */
   public StepFigures run(long steps) {
     simulation().run(steps);
     return sums();

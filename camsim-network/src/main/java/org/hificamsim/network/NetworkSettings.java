@@ -12,21 +12,23 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.bandit.BanditParameters;
 
 /**
- * How a scenario's network is run, apart from what the scenario itself says (behaviour 12.1).
+ * The settings of a network that are not part of its scenario (behaviour 12.1).
  *
- * @param strategies of all cameras of the file: one for all, or one for each; where it is empty,
- *     schedule and comm
- * @param schedule for all cameras of the file; else what each camera asks for
- * @param comm policy for all cameras of the file; else what each camera asks for
- * @param bandit for all cameras; else what each camera asks for
- * @param errorLevel the highest of 100 draws at which a camera fails in a step; -1 for never
- * @param resetLevel the highest of 100 draws at which a failing camera keeps its neighbours
- * @param quirks those that are reproduced
+ * @param strategies the strategies of the cameras of the file: one for all or one for each; if
+ *     empty, schedule and communication count
+ * @param schedule the schedule of all cameras of the file; empty for that of each camera
+ * @param communication the policy of all cameras of the file; empty for that of each camera
+ * @param bandit the bandit of all cameras; empty for that of each camera
+ * @param graph how the vision graph of the scenario is used
+ * @param errorLevel the highest of the draws 0 to 99 at which a camera fails in a step; -1 for
+ *     never
+ * @param resetLevel the highest of the draws 0 to 99 at which a failing camera keeps its neighbours
+ * @param quirks the quirks that are reproduced
  */
 public record NetworkSettings(
     List<Strategy> strategies,
     Optional<ScheduleKind> schedule,
-    Optional<Comm> comm,
+    Optional<CommunicationSetting> communication,
     Optional<BanditAlgorithm> bandit,
     GraphUse graph,
     int errorLevel,
@@ -34,7 +36,7 @@ public record NetworkSettings(
     BanditParameters banditParameters,
     HistoricalParameters historicalParameters,
     Set<Quirk> quirks) {
-  /** What becomes of a scenario's vision graph: CamSim's option {@code -v} (behaviour 3.6). */
+  /** How the vision graph of a scenario is used: CamSim's option {@code -v} (behaviour 3.6). */
   public enum GraphUse {
     AS_IN_FILE(-1),
     STATIC(0),
@@ -47,18 +49,18 @@ public record NetworkSettings(
       this.number = number;
     }
 
-    /** The use of this number. */
+    /** Returns the use with this number of CamSim's. */
     public static Optional<GraphUse> find(int number) {
       return Arrays.stream(values()).filter(use -> use.number == number).findFirst();
     }
 
-    /** Whether the graph counts as static. */
-    boolean isStatic(boolean inFile) {
-      return this == STATIC || (this == AS_IN_FILE && inFile);
+    /** Returns whether links are frozen, given whether the file calls its graph static. */
+    boolean isStatic(boolean staticInFile) {
+      return this == STATIC || (this == AS_IN_FILE && staticInFile);
     }
   }
 
-  /** CamSim's own defaults, and all its quirks. */
+  /** CamSim's defaults, with all quirks. */
   public static final NetworkSettings CAMSIM =
       new NetworkSettings(
           List.of(),
@@ -72,74 +74,86 @@ public record NetworkSettings(
           HistoricalParameters.DEFAULT,
           EnumSet.allOf(Quirk.class));
 
-  /** The same without the quirks that can be left out. */
+  /** CamSim's defaults, without the optional quirks. */
   public static final NetworkSettings DEFAULT = CAMSIM.withQuirks(EnumSet.noneOf(Quirk.class));
 
-  /** Copies what could change. */
+  /** Copies the collections. */
   public NetworkSettings {
     strategies = List.copyOf(strategies);
     quirks = Set.copyOf(quirks);
   }
 
-  /** Whether a quirk is reproduced. */
+  /** Returns whether a quirk is reproduced. */
   public boolean has(Quirk quirk) {
     return quirks.contains(quirk);
   }
 
-  /** Checks what the cameras of one scenario ask for under these settings. */
+  /** Returns a check of the cameras of one scenario under these settings. */
   public AgentCheck check() {
     return new RoleReader(this, false)::read;
   }
 
   /**
-   * What a camera of the file does, if the settings say so.
+   * Returns the strategy of a camera of the file.
    *
-   * @param camera its place in the file
+   * @param camera the index of the camera in the file
+   * @return empty if the settings have no strategies, or fewer than cameras
    */
   Optional<Strategy> strategy(int camera) {
-    int place = strategies.size() == 1 ? 0 : camera;
-    return strategies.stream().skip(place).findFirst();
+    int index = strategies.size() == 1 ? 0 : camera;
+    return strategies.stream().skip(index).findFirst();
   }
 
-  /** The same settings with these quirks, and no others. */
+  /** Returns these settings with other quirks. */
   public NetworkSettings withQuirks(Set<Quirk> newQuirks) {
-    return with(strategies, schedule, comm, bandit, banditParameters, newQuirks);
-  }
-
-  /** The same settings with these strategies, one for all cameras of the file or one for each. */
-  public NetworkSettings withStrategies(List<Strategy> newStrategies) {
-    return with(
-        newStrategies, Optional.empty(), Optional.empty(), bandit, banditParameters, quirks);
-  }
-
-  /** The same settings with a bandit for all cameras, and its weight of utility. */
-  public NetworkSettings withBandit(BanditAlgorithm algorithm, double alpha) {
-    return with(
+    return new NetworkSettings(
         strategies,
         schedule,
-        comm,
-        Optional.of(algorithm),
-        banditParameters.withAlpha(alpha),
-        quirks);
-  }
-
-  private NetworkSettings with(
-      List<Strategy> newStrategies,
-      Optional<ScheduleKind> newSchedule,
-      Optional<Comm> newComm,
-      Optional<BanditAlgorithm> newBandit,
-      BanditParameters newParameters,
-      Set<Quirk> newQuirks) {
-    return new NetworkSettings(
-        newStrategies,
-        newSchedule,
-        newComm,
-        newBandit,
+        communication,
+        bandit,
         graph,
         errorLevel,
         resetLevel,
-        newParameters,
+        banditParameters,
         historicalParameters,
         newQuirks);
+  }
+
+  /**
+   * Returns these settings with other strategies, which replace schedule and communication.
+   *
+   * @param newStrategies one for all cameras of the file, or one for each
+   */
+  public NetworkSettings withStrategies(List<Strategy> newStrategies) {
+    return new NetworkSettings(
+        newStrategies,
+        Optional.empty(),
+        Optional.empty(),
+        bandit,
+        graph,
+        errorLevel,
+        resetLevel,
+        banditParameters,
+        historicalParameters,
+        quirks);
+  }
+
+  /**
+   * Returns these settings with a bandit for all cameras.
+   *
+   * @param alpha the weight of utility against communication, 0 to 1
+   */
+  public NetworkSettings withBandit(BanditAlgorithm algorithm, double alpha) {
+    return new NetworkSettings(
+        strategies,
+        schedule,
+        communication,
+        Optional.of(algorithm),
+        graph,
+        errorLevel,
+        resetLevel,
+        banditParameters.withAlpha(alpha),
+        historicalParameters,
+        quirks);
   }
 }

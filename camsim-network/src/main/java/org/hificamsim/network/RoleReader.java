@@ -12,43 +12,47 @@ import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 
 /**
- * Reads what each camera asks for where the settings say nothing for all: the cameras of the file,
- * then those that events add (behaviour 3.2, 3.5). One without a schedule is active, one without a
- * policy broadcasts; CamSim refuses both.
+ * Reads the role of each camera from the settings and its attributes: first the cameras of the
+ * file, then those that events add (behaviour 3.2, 3.5). A camera without a schedule is active, and
+ * one without a policy broadcasts; CamSim rejects both.
  */
 final class RoleReader {
   /**
-   * What one camera is in the network.
+   * The role of one camera in the network.
    *
-   * @param limit number of targets owned from which on it claims no other; 0 for no limit
+   * @param limit the number of owned targets from which on it claims no more; 0 for no limit
    */
   record CameraRole(
-      ScheduleKind schedule, Comm comm, int limit, Optional<BanditAlgorithm> bandit) {}
+      ScheduleKind schedule,
+      CommunicationSetting communication,
+      int limit,
+      Optional<BanditAlgorithm> bandit) {}
 
   private final NetworkSettings settings;
-  private final boolean zooming;
+  private final boolean hasZoomList;
   private ScheduleKind schedule = ScheduleKind.ACTIVE;
-  private int ofFile;
+  private int camerasRead;
   private Optional<Strategy> strategy = Optional.empty();
 
   /**
-   * @param zooming whether cameras choose from a zoom list, and no bandit could set their ranges
+   * @param hasZoomList whether cameras choose from a zoom list, so that no bandit can set ranges
    */
-  RoleReader(NetworkSettings settings, boolean zooming) {
+  RoleReader(NetworkSettings settings, boolean hasZoomList) {
     this.settings = settings;
-    this.zooming = zooming;
+    this.hasZoomList = hasZoomList;
   }
 
   /**
-   * The next camera's role.
+   * Reads the role of the next camera.
    *
-   * @param added whether an event adds it: its schedule is that of the last camera of the file
-   * @throws org.hificamsim.core.InputException made by {@code fault} when a name is not known, or
-   *     something that it needs is missing
+   * @param added whether an event adds the camera: it gets the schedule of the last camera of the
+   *     file
+   * @throws org.hificamsim.core.InputException made by {@code fault} if a name is unknown, or a
+   *     required attribute is missing
    */
   CameraRole read(CameraSpec camera, boolean added, Fault fault) {
     if (!added) {
-      strategy = settings.strategy(ofFile++);
+      strategy = settings.strategy(camerasRead++);
       requireStrategy(fault);
       schedule = schedule(camera, fault);
     }
@@ -56,7 +60,10 @@ final class RoleReader {
       requireRange(camera.optics(), fault);
     }
     return new CameraRole(
-        schedule, comm(camera, added, fault), camera.get(CameraSpec.LIMIT), bandit(camera, fault));
+        schedule,
+        communication(camera, added, fault),
+        camera.get(CameraSpec.LIMIT),
+        bandit(camera, fault));
   }
 
   private void requireStrategy(Fault fault) {
@@ -67,16 +74,16 @@ final class RoleReader {
     }
   }
 
-  /** A zoom list and a lens have reaches of their own, whatever range a bandit sets. */
+  /** Rejects a zoom list or a lens, whose reaches ignore the range that a bandit sets. */
   private void requireRange(Optional<OpticsSpec> optics, Fault fault) {
-    if (zooming) {
+    if (hasZoomList) {
       throw fault.in(
           "zoom",
           "none, or no "
               + setting("policy")
               + ", where the schedule is BanditZoom, which sets ranges");
     }
-    if (optics.filter(used -> used.law().hasAngles()).isPresent()) {
+    if (optics.isPresent() && optics.get().law().hasAngles()) {
       throw fault.in(
           "optics", "none, or law=\"round\", where the schedule is BanditZoom, which sets ranges");
     }
@@ -92,14 +99,15 @@ final class RoleReader {
         .orElse(ScheduleKind.ACTIVE);
   }
 
-  private Comm comm(CameraSpec camera, boolean added, Fault fault) {
+  private CommunicationSetting communication(CameraSpec camera, boolean added, Fault fault) {
     if (!added && strategy.isPresent()) {
-      return Comm.of(strategy.get().comm(), Optional.empty()).orElseThrow();
+      return CommunicationSetting.of(strategy.get().policyNumber(), Optional.empty()).orElseThrow();
     }
-    if (!added && settings.comm().isPresent()) {
-      return settings.comm().get();
+    if (!added && settings.communication().isPresent()) {
+      return settings.communication().get();
     }
-    return Comm.of(camera.find(CameraSpec.COMM).orElse(0), camera.find(CameraSpec.CUSTOM_COMM))
+    return CommunicationSetting.of(
+            camera.find(CameraSpec.COMM).orElse(0), camera.find(CameraSpec.CUSTOM_COMM))
         .orElseThrow(
             () ->
                 fault.in(

@@ -9,25 +9,27 @@ import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.ScheduleKind;
 
 /**
- * What a camera does in CamSim's studies: when it advertises, and whom it asks. As text the
- * capitals of the schedule and the policy's number, {@code A0} for Active and Broadcast.
+ * The strategy of a camera in CamSim's studies: when it advertises, and which cameras it asks. Its
+ * text has the capitals of the schedule and the number of the policy, such as {@code A0} for Active
+ * and Broadcast.
  *
- * @param comm the policy's number, 0 to 3
+ * @param policyNumber the number of the communication policy, 0 to 3
  */
-public record Strategy(ScheduleKind schedule, int comm) {
-  private static final String BETWEEN = "-";
+public record Strategy(ScheduleKind schedule, int policyNumber) {
+  private static final String SEPARATOR = "-";
   private static final String EXPECTED =
       "A, P, HA or HP (Active, Passive, HistActive, HistPassive) with 0, 1, 2 or 3 (Broadcast,"
           + " Smooth, Step, Fix), such as A0, or one for each camera with - between";
 
   /**
-   * Strategies as {@code A0-P2-A1}, one for all cameras or one for each, in the file's order.
+   * Parses strategies such as {@code A0-P2-A1}: one for all cameras, or one for each in the order
+   * of the file.
    *
-   * @throws InputException when one is unknown
+   * @throws InputException if a strategy is unknown
    */
-  public static List<Strategy> list(String text) {
-    return Arrays.stream(text.strip().split(BETWEEN, -1))
-        .map(one -> find(one).orElseThrow(() -> invalid(text)))
+  public static List<Strategy> parse(String text) {
+    return Arrays.stream(text.strip().split(SEPARATOR, -1))
+        .map(strategy -> find(strategy).orElseThrow(() -> invalid(text)))
         .toList();
   }
 
@@ -43,19 +45,21 @@ public record Strategy(ScheduleKind schedule, int comm) {
         .findFirst();
   }
 
-  /** Strategies as text. */
+  /** Returns the text that {@link #parse} reads. */
   public static String text(List<Strategy> strategies) {
-    return strategies.stream().map(Strategy::toString).collect(Collectors.joining(BETWEEN));
+    return strategies.stream().map(Strategy::toString).collect(Collectors.joining(SEPARATOR));
   }
 
-  /** In words, such as {@code Active Broadcast}. */
+  /** Returns the names of schedule and policy, such as {@code Active Broadcast}. */
   public String words() {
-    return schedule.names().get(0) + " " + CommunicationPolicy.values()[comm].names().get(0);
+    return schedule.names().get(0)
+        + " "
+        + CommunicationPolicy.values()[policyNumber].names().get(0);
   }
 
   @Override
   public String toString() {
-    return capitals(schedule) + comm;
+    return capitals(schedule) + policyNumber;
   }
 
   private static String capitals(ScheduleKind schedule) {

@@ -25,7 +25,7 @@ class BehaviourCitationTest {
   private static final Pattern NUMBER = Pattern.compile("\\d+(\\.\\d+)?");
 
   @Test
-  void everySectionCitedInAnySourceExists() throws IOException {
+  void everySectionCitedInSourcesExists() throws IOException {
     String text = Files.readString(ROOT.resolve("docs/camsim-behaviour.md"));
     Set<String> headings =
         HEADING.matcher(text).results().map(found -> found.group(1)).collect(Collectors.toSet());
@@ -63,7 +63,7 @@ class BehaviourCitationTest {
     }
   }
 
-  /** The numbers cited, also where a comment breaks the line. */
+  /** Returns the cited numbers, including citations that span two lines of a comment. */
   private static List<String> cited(String source) {
     String text = source.replaceAll("\\s*\\R\\s*(\\*|//)?\\s*", " ");
     return CITATION

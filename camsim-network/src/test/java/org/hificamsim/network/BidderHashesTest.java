@@ -27,14 +27,14 @@ class BidderHashesTest {
   private static final int FIRST = -417382511;
 
   @Test
-  void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
+  void hashCodesOfPublishedCamerasEqualRecording() {
     BidderHashes hashes = hashes(grid().world());
     assertEquals(FIRST, hashes.of(0));
     assertEquals(-307410659, hashes.of(1));
   }
 
   @Test
-  void aCameraThatIsZoomedOrAimedHasTheHashCodeOfWhatItLooksLikeThen() {
+  void hashCodeFollowsZoomAndPose() {
     World world = grid().zooms(4, 16).world();
     BidderHashes kept = hashes(world);
     assertEquals(FIRST, kept.of(0));
@@ -48,7 +48,7 @@ class BidderHashesTest {
     assertEquals(FIRST, kept.of(0));
   }
 
-  /** Hash codes where all are passive and know each other. */
+  /** Creates the hash codes of passive cameras that are all neighbours. */
   private static BidderHashes hashes(World world) {
     int count = world.cameras().count();
     Detection detection = Detection.of(new CamSimVisibilityDetection());
@@ -69,14 +69,14 @@ class BidderHashesTest {
       agents[camera] = passive(camera, world, shared);
       for (int other = 0; other < count; other++) {
         if (other != camera) {
-          agents[camera].meet(other);
+          agents[camera].addNeighbour(other);
         }
       }
     }
     return hashes;
   }
 
-  /** Nine cameras of which two are those of the known hash codes (behaviour 4.5). */
+  /** Nine cameras, two of which have published hash codes (behaviour 4.5). */
   private static TestScenario grid() {
     TestScenario grid = new TestScenario().field(-20, 20, -20, 20);
     for (int i = 0; i < 9; i++) {

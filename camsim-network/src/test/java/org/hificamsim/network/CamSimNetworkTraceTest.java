@@ -17,7 +17,7 @@ class CamSimNetworkTraceTest {
 
   @ParameterizedTest
   @MethodSource("org.hificamsim.core.CamSimTrace#all")
-  void ownersAndRangesEqualTheRecordedOnes(CamSimTrace trace) {
+  void ownersAndRangesEqualRecording(CamSimTrace trace) {
     Map<Key, Double> ours = new HashMap<>();
     run(trace, (world, network) -> addOwners(world, network, ours));
     assertEqualTo(trace.rows("owners"), ours);
@@ -25,7 +25,7 @@ class CamSimNetworkTraceTest {
 
   @ParameterizedTest
   @MethodSource("org.hificamsim.core.CamSimTrace#all")
-  void confidencesEqualTheRecordedOnes(CamSimTrace trace) {
+  void confidencesEqualRecording(CamSimTrace trace) {
     Map<Key, Double> ours = new HashMap<>();
     run(trace, (world, network) -> addConfidences(world, network, ours));
     assertEqualTo(trace.rows("confidences"), ours);

@@ -14,7 +14,7 @@ import org.hificamsim.network.statistics.StepFigures;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What CamSim wrote, column by column: for scenarios of ours and for its own. */
+/** Compares each column with the output of CamSim, for our scenarios and its own. */
 class CamSimOutputTest {
   private static final double ABSOLUTE = 1e-9;
   private static final double RELATIVE = 1e-9;
@@ -22,7 +22,7 @@ class CamSimOutputTest {
   /**
    * One line of an index of recorded outputs.
    *
-   * @param comparable how many steps are the same in each of CamSim's runs
+   * @param comparable the number of steps that are the same in every run of CamSim
    */
   record Recorded(String file, RecordedRun run, int comparable) {
     static Recorded ours(String[] cells) {
@@ -63,14 +63,13 @@ class CamSimOutputTest {
 
   @ParameterizedTest
   @MethodSource("ours")
-  void everyColumnOfOurScenariosEqualsTheRecordedOne(Recorded output) throws IOException {
+  void columnsOfOurScenariosEqualRecording(Recorded output) throws IOException {
     assertColumns(output);
   }
 
   @ParameterizedTest
   @MethodSource("camSims")
-  void everyColumnAndTheHandoversOfCamSimsScenariosEqualTheRecordedOnes(Recorded output)
-      throws IOException {
+  void columnsAndHandoversOfCamSimScenariosEqualRecording(Recorded output) throws IOException {
     long handovers = assertColumns(output).stream().mapToLong(StepFigures::handovers).sum();
     if (output.stable()) {
       String[] summary = Reference.rows(output.file().replace(".csv", ".summary.csv")).get(0);

@@ -23,7 +23,7 @@ import org.hificamsim.network.agent.Sightings;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.junit.jupiter.api.Test;
 
-/** Failures by chance under draws that are written out: percent, camera, duration, percent. */
+/** Random failures under scripted draws: percent, camera, duration, percent. */
 class CameraErrorsTest {
   private static final int ERROR_LEVEL = 4;
   private static final int RESET_LEVEL = 50;
@@ -32,7 +32,7 @@ class CameraErrorsTest {
   private final World world = new TestScenario().camera(0, 0).camera(2, 0).target(1, 0).world();
   private final Agent[] agents = new Agent[2];
 
-  /** Gives these numbers, each below the bound that is asked for, and no others. */
+  /** Returns given numbers, each of which must be below the requested bound. */
   private static final class Script extends Random {
     private static final long serialVersionUID = 1L;
     private final int[] numbers;
@@ -84,11 +84,11 @@ class CameraErrorsTest {
     AgentFactory factory = new AgentFactory(world, settings, new Random(0));
     for (int camera = 0; camera < agents.length; camera++) {
       agents[camera] = factory.agent(camera, shared);
-      agents[camera].meet(1 - camera);
+      agents[camera].addNeighbour(1 - camera);
     }
   }
 
-  /** Whether camera 0 is online after each of some steps, as 1 or 0. */
+  /** Runs some steps; returns 1 or 0 for each, depending on whether camera 0 is online. */
   private String online(CameraErrors errors, int steps) {
     StringBuilder online = new StringBuilder();
     for (int step = 0; step < steps; step++) {
@@ -98,59 +98,59 @@ class CameraErrorsTest {
     return online.toString();
   }
 
-  /** How many neighbours camera 0 asks when it advertises a target. */
+  /** Returns the number of neighbours that camera 0 asks when it advertises a target. */
   private int asked() {
     agents[0].receive(MessageKind.START_TRACKING, 1, 0, 0);
     agents[0].advertise();
-    return agents[0].sent();
+    return agents[0].attempts();
   }
 
   @Test
-  void aDrawAboveTheLevelIsTheOnlyOneOfItsStep() {
+  void drawsOnceIfDrawExceedsLevel() {
     Script script = new Script(NO_FAILURE, 99);
     assertEquals("11", online(errors(script), 2));
     assertEquals(2, script.next);
   }
 
   @Test
-  void aDrawAtTheLevelFailsACameraForSoManySteps() {
+  void drawAtLevelFailsCameraForDrawnSteps() {
     Script script = new Script(ERROR_LEVEL, 0, 3, 0, 99, 99, 99, 99);
     assertEquals("00011", online(errors(script), 5));
     assertTrue(world.cameras().online(1));
   }
 
   @Test
-  void aFailedCameraStaysOfflineUnderTheQuirk() {
+  void failedCameraStaysOfflineUnderQuirk() {
     Script script = new Script(0, 0, 1, 0, 99, 99, 99);
     assertEquals("0000", online(errors(script, Quirk.FAILED_CAMERAS_STAY_OFFLINE), 4));
   }
 
   @Test
-  void aDurationOfZeroBringsBackACameraThatFailedForSomeSteps() {
+  void durationOfZeroBringsTemporarilyFailedCameraBack() {
     Script script = new Script(0, 0, 9, 0, 0, 0, 0, 0, 99);
     assertEquals("011", online(errors(script, Quirk.FAILED_CAMERAS_STAY_OFFLINE), 3));
   }
 
   @Test
-  void aCameraThatAnEventSwitchedOffForEverStaysOffline() {
+  void cameraSwitchedOffForEverStaysOffline() {
     Script script = new Script(0, 0, 0, 0, 99, 0, 0, 2, 0, 99, 99);
     CameraErrors errors = errors(script);
     world.switchCamera(0, false);
-    errors.failed(0, -1);
-    errors.failed(0, 1);
+    errors.switchedOff(0, -1);
+    errors.switchedOff(0, 1);
     assertEquals("00000", online(errors, 5));
   }
 
   @Test
-  void aCameraThatAnEventSwitchedOffForSomeStepsComesBackAfterThem() {
+  void cameraSwitchedOffForSomeStepsComesBack() {
     CameraErrors errors = errors(new Script(99, 99, 99, 99));
     world.switchCamera(0, false);
-    errors.failed(0, 2);
+    errors.switchedOff(0, 2);
     assertEquals("0011", online(errors, 4));
   }
 
   @Test
-  void aFailingCameraForgetsItsNeighboursAboveTheResetLevelAlone() {
+  void failingCameraForgetsNeighboursOnlyAboveResetLevel() {
     online(errors(new Script(0, 0, 0, RESET_LEVEL)), 1);
     assertEquals(1, asked());
     online(errors(new Script(0, 0, 0, RESET_LEVEL + 1)), 1);
@@ -158,20 +158,20 @@ class CameraErrorsTest {
   }
 
   @Test
-  void beforeTheFirstCameraIsAddedNobodyFails() {
+  void nothingFailsBeforeFirstCameraIsAdded() {
     Script script = new Script(0);
     errors(script).step(agents, 0);
     assertEquals(1, script.next);
   }
 
   @Test
-  void belowLevelZeroNothingIsDrawn() {
+  void drawsNothingBelowLevelZero() {
     new CameraErrors(world, NetworkSettings.CAMSIM, new Script()).step(agents, agents.length);
     assertTrue(world.cameras().online(0) && world.cameras().online(1));
   }
 
   @Test
-  void aCameraThatIsYetToBeAddedIsNotDrawn() {
+  void neverDrawsCameraThatIsNotAddedYet() {
     CameraErrors errors = errors(new Script(0, 0, 1, 0));
     errors.step(agents, 1);
     assertFalse(world.cameras().online(0));

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 /** The links of a scenario's vision graph. */
 class InitialLinksTest {
   @Test
-  void theFilesGraphGivesLinksForwardAndBackwardAndToUnknownNames() {
+  void graphGivesForwardReverseAndUnknownLinks() {
     VisionGraph graph =
         new VisionGraph(true, Map.of("A", List.of("B", "Nobody"), "C", List.of("A")));
     InitialLinks links = new InitialLinks(List.of("A", "B", "C"), Optional.of(graph));

@@ -22,14 +22,14 @@ class NetworkTest {
   private static final String PASSIVE = "ai_algorithm='passive' comm='0'";
 
   @Test
-  void theFirstCameraThatSeesANewTargetOwnsIt() {
+  void firstCameraToSeeNewTargetOwnsIt() {
     SmallNetwork network = pair(ACTIVE, ACTIVE).run(1);
     assertEquals("A", network.owners("1.0"));
     assertEquals(0, network.last().handovers());
   }
 
   @Test
-  void theOneThatSeesBetterGetsItInTheNextStep() {
+  void cameraThatSeesBetterBuysTargetInNextStep() {
     SmallNetwork network = pair(ACTIVE, ACTIVE).run(2);
     assertEquals("B", network.owners("1.0"));
     assertEquals(1, network.last().handovers());
@@ -37,14 +37,14 @@ class NetworkTest {
   }
 
   @Test
-  void aPassiveOwnerKeepsWhatItSeesSteadily() {
+  void passiveOwnerKeepsTargetInSteadyView() {
     SmallNetwork network = pair(PASSIVE, PASSIVE).run(20);
     assertEquals("A", network.owners("1.0"));
     assertEquals(0, network.last().communication());
   }
 
   @Test
-  void aTargetHandedToAnEarlierCameraIsMissingFromProportionButNotFromUtility() {
+  void targetHandedToEarlierCameraCountsInUtilityOnly() {
     SmallNetwork network =
         new SmallNetwork()
             .camera("A", 9, 0, 3, ACTIVE)
@@ -65,7 +65,7 @@ class NetworkTest {
   }
 
   @Test
-  void aLimitRestrictsClaimsAndNotAuctions() {
+  void limitRestrictsClaimsButNotAuctions() {
     SmallNetwork network =
         new SmallNetwork()
             .camera("A", 0, 0, 10, ACTIVE + " limit='1'")
@@ -77,14 +77,14 @@ class NetworkTest {
   }
 
   @Test
-  void aFixedPolicyWithoutAGraphNeverSaysAnything() {
+  void fixPolicyWithoutGraphSendsNothing() {
     SmallNetwork network = pair("comm='3'", "comm='3'").run(20);
     assertEquals(0, network.last().communication());
     assertEquals("A", network.owners("1.0"));
   }
 
   @Test
-  void aCameraWithoutScheduleAndPolicyIsActiveAndBroadcasts() {
+  void cameraDefaultsToActiveAndBroadcast() {
     assertEquals("B", pair("", "").run(2).owners("1.0"));
   }
 
@@ -102,12 +102,12 @@ class NetworkTest {
     "epics.ai.dynamicZoom.NewActiveBCBanditRange, BANDIT_ZOOM",
     "BanditSolverZoom, BANDIT_ZOOM",
   })
-  void oldNewAndShortNamesAreUnderstood(String name, ScheduleKind kind) {
+  void acceptsOldNewAndShortNames(String name, ScheduleKind kind) {
     assertEquals(kind, Named.find(ScheduleKind.class, name).orElseThrow());
   }
 
   @Test
-  void everyKindAnswersToEachOfItsNames() {
+  void findsEveryKindByEachOfItsNames() {
     for (ScheduleKind kind : EnumSet.allOf(ScheduleKind.class)) {
       kind.names()
           .forEach(name -> assertEquals(kind, Named.find(ScheduleKind.class, name).orElseThrow()));
@@ -123,7 +123,7 @@ class NetworkTest {
         "bandit='Gambler'",
         "ai_algorithm='BanditZoom'",
       })
-  void whatIsNotKnownOrMissingIsAnErrorThatNamesTheCamera(String attributes) {
+  void errorsForUnknownOrMissingValuesNameCamera(String attributes) {
     SmallNetwork network = pair(attributes, ACTIVE);
     InputException error = assertThrows(InputException.class, () -> network.run(1));
     assertTrue(error.getMessage().startsWith("camera 'A'"), error.getMessage());
@@ -156,7 +156,7 @@ class NetworkTest {
   }
 
   @Test
-  void stepsAskForNothingThatGrowsWithTheirNumber() {
+  void runsThousandsOfSteps() {
     SmallNetwork network = pair("comm='1'", "comm='2'").bandit(BanditAlgorithm.UCB_TUNED).run(2000);
     assertEquals(1999, network.last().step());
   }

@@ -18,11 +18,11 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent.FailCamera;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** Under a network, the cameras look once a step, and all that is counted is what they saw. */
+/** In a network, cameras look once per step, and coverage counts only what they saw. */
 class ObservationTest {
   private static final int STEPS = 20;
 
-  /** Certain, and counts how often it is asked. */
+  /** A model with confidence 1 that counts its calls. */
   private record Counting(AtomicInteger calls) implements DetectionModel {
     @Override
     public String name() {
@@ -42,7 +42,7 @@ class ObservationTest {
   }
 
   @Test
-  void theModelIsAskedOnceForEachPairWithinReach() {
+  void asksModelOncePerPairWithinReach() {
     Counting model = new Counting(new AtomicInteger());
     Simulation simulation = simulation(world(), model);
     long pairs = 0;
@@ -55,7 +55,7 @@ class ObservationTest {
   }
 
   @Test
-  void coverageCountsWhatTheCamerasSaw() {
+  void coverageCountsSeenTargets() {
     World world = world();
     Network network =
         new Network(
@@ -78,7 +78,7 @@ class ObservationTest {
   }
 
   @Test
-  void aTargetRightOnASectorsCameraIsNeitherSeenNorCounted() {
+  void targetAtSectorCameraIsNeitherSeenNorCounted() {
     World world =
         new TestScenario()
             .camera(TestScenario.camera("a", 1, 1, 0, 90, 5))

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class OpticsAndWallsTest {
   private static final String ACTIVE = "ai_algorithm='Active' comm='0'";
 
-  /** All cameras in the view that is numbered by the step. */
+  /** Gives all cameras the view with the number of the step. */
   private static final class InTurn implements ZoomPolicy {
     @Override
     public String name() {
@@ -32,7 +32,7 @@ class OpticsAndWallsTest {
     }
   }
 
-  /** A is nearer to the only target than B. */
+  /** Two cameras, of which A is nearer to the only target. */
   private static SmallNetwork nearAndFar() {
     return new SmallNetwork()
         .camera("A", 0, 0, 10, ACTIVE)
@@ -41,7 +41,7 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void aWallHidesATargetAndTheFartherCameraOwnsIt() {
+  void fartherCameraOwnsTargetHiddenByWall() {
     assertEquals("A", nearAndFar().run(3).owners("1.0"));
     SmallNetwork walled = nearAndFar().obstacle("<wall x1='2.5' y1='-1' x2='2.5' y2='1'/>").run(3);
     assertFalse(walled.sees(0, 0));
@@ -50,7 +50,7 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void whatAWallLetsThroughLowersTheBid() {
+  void translucentWallLowersBid() {
     SmallNetwork open = nearAndFar().run(3);
     SmallNetwork walled =
         nearAndFar()
@@ -61,16 +61,14 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void aTargetHidesTheOneBehindItWhereTheScenarioSaysSo() {
+  void targetHidesAnotherIfScenarioHasOcclusion() {
     assertTrue(nearAndFar().still("2.0", 3, 0).run(1).sees(0, 0));
     SmallNetwork hiding = nearAndFar().still("2.0", 3, 0).simulation("occlusion='targets'").run(1);
     assertFalse(hiding.sees(0, 0));
     assertTrue(hiding.sees(0, 1));
   }
 
-  /**
-   * A camera that looks to the north-east, the east or the south, and a target in each of these.
-   */
+  /** A camera that can look north-east, east or south, and a target in each of these directions. */
   private static SmallNetwork turning(ZoomPolicy policy) {
     return new SmallNetwork()
         .policy(policy)
@@ -83,14 +81,14 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void aCameraLooksWhereItsHomeViewDoes() {
+  void cameraStartsInItsHomeView() {
     SmallNetwork home = turning(Catalogue.load().policies().create("zoom-out")).run(3);
     assertTrue(home.sees(0, 0) && !home.sees(0, 1) && !home.sees(0, 2));
     assertEquals("A", home.owners("1.0"));
   }
 
   @Test
-  void aPolicyTurnsItElsewhere() {
+  void policyTurnsCamera() {
     SmallNetwork turned = turning(new InTurn());
     for (int view = 0; view < 6; view++) {
       turned.run(1);
@@ -114,14 +112,14 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void overlapsFollowTheRangeOfTheCurrentView() {
+  void overlapFollowsRangeOfCurrentView() {
     SmallNetwork network = facing("").run(8);
     assertEquals(network.row(0).overlap(), network.row(4).overlap());
     assertTrue(network.row(0).overlap() > network.row(1).overlap(), "12 m reach farther than 6 m");
   }
 
   @Test
-  void aCameraThatMovesBlindlyOverlapsWithNone() {
+  void cameraMovingBlindlyHasNoOverlap() {
     SmallNetwork network = facing("pan_speed='45'").run(4);
     assertEquals(Cameras.NO_VIEW, network.world().cameras().seeing(0));
     assertEquals(0, network.last().overlap());
@@ -140,7 +138,7 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void aBanditThatSetsRangesRefusesALens() {
+  void rejectsLensWithZoomBandit() {
     SmallNetwork lens = zooming("<optics name='ptz' hfov='30' pan='0 90'/>");
     InputException error = assertThrows(InputException.class, () -> lens.run(1));
     assertEquals(
@@ -150,7 +148,7 @@ class OpticsAndWallsTest {
   }
 
   @Test
-  void aBanditSetsTheRangeOfARoundCameraThatTurns() {
+  void banditSetsRangeOfTurningRoundCamera() {
     SmallNetwork round = zooming("<optics name='ptz' law='round' pan='90 180'/>").run(60);
     Cameras cameras = round.world().cameras();
     assertTrue(cameras.range(0) > 0 && cameras.range(0) != 10, cameras.range(0) + " m");

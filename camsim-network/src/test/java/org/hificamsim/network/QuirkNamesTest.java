@@ -19,7 +19,7 @@ class QuirkNamesTest {
       Path.of(System.getProperty("hificamsim.root", "..")).resolve("docs");
 
   @Test
-  void aQuirkIsFoundByItsNameAndByItsNumber() {
+  void findsQuirkByNameOrNumber() {
     assertEquals(Optional.of(Quirk.TIES_BY_HASH_CODE), Quirk.find("ties-by-hash-code"));
     assertEquals(Optional.of(Quirk.TIES_BY_HASH_CODE), Quirk.find("Q19"));
     assertEquals(Optional.of(Quirk.WAYPOINT_SPEED_IS_HEADING), Quirk.find("q3"));
@@ -27,7 +27,7 @@ class QuirkNamesTest {
   }
 
   @Test
-  void bothDocumentsNameTheQuirksThatAreOptional() throws IOException {
+  void documentsNameAllOptionalQuirks() throws IOException {
     Set<String> expected = new TreeSet<>();
     for (Quirk quirk : Quirk.values()) {
       expected.add(Spelling.of(quirk));

@@ -6,26 +6,26 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** CamSim's quirks, one by one: those kept for its numbers, and those that can be left out. */
+/** Each quirk of CamSim: those always kept for its numbers, and those that can be left out. */
 class QuirkTest {
   private static final String ACTIVE = "ai_algorithm='active' comm='0'";
   private static final String PASSIVE = "ai_algorithm='passive' comm='0'";
   private static final String FIX = "ai_algorithm='active' comm='3'";
 
   @Test
-  void q3SpeedIsTheHeadingWhereAClassNameLeadsToWaypoints() {
+  void q3SpeedIsHeadingOfWaypointsNamedByClass() {
     SmallNetwork network = withWaypoints().run(1);
     assertEquals(Math.toRadians(90), network.world().targets().x(0), 1e-12);
   }
 
   @Test
-  void q3LeftOutSpeedIsSpeed() {
+  void q3OffSpeedIsSpeed() {
     SmallNetwork network = withWaypoints().without(Quirk.WAYPOINT_SPEED_IS_HEADING).run(1);
     assertEquals(0.25, network.world().targets().x(0), 1e-12);
   }
 
   @Test
-  void q3IsOfCamSimsWaypointsAndNotOfTheCoverageStudys() {
+  void q3DoesNotAffectCoverageStudies() {
     SmallNetwork network = withWaypoints().cameraElement("<zoom>5 10</zoom>").run(1);
     assertEquals(0.25, network.world().targets().x(0), 1e-12);
   }
@@ -40,12 +40,12 @@ class QuirkTest {
   }
 
   @Test
-  void q5FrozenLinksHangOnThePolicyNotOnTheGraph() {
+  void q5PolicyNotGraphFreezesLinks() {
     assertEquals(1, linked().run(400).row(399).communication());
   }
 
   @Test
-  void q5ReverseLinksHangOnThePolicyOfTheCameraBefore() {
+  void q5PreviousCameraPolicyGivesReverseLinks() {
     String nodes = "<graphnode name='A'><neighbour name='B'/></graphnode>";
     SmallNetwork afterFix =
         new SmallNetwork()
@@ -55,7 +55,7 @@ class QuirkTest {
             .graph(false, nodes)
             .run(2);
     assertEquals(1, afterFix.last().communication(), "B asks A, which lists it");
-    SmallNetwork mended =
+    SmallNetwork withoutQuirk =
         new SmallNetwork()
             .camera("A", -30, 0, 5, FIX)
             .camera("B", 0, 0, 10, FIX)
@@ -63,7 +63,7 @@ class QuirkTest {
             .graph(false, nodes)
             .without(Quirk.LINKS_FREEZE_BY_POLICY)
             .run(2);
-    assertEquals(0, mended.last().communication(), "the graph is not static");
+    assertEquals(0, withoutQuirk.last().communication(), "the graph is not static");
   }
 
   private static SmallNetwork linked() {
@@ -75,32 +75,32 @@ class QuirkTest {
   }
 
   @Test
-  void q6AFailedCameraNeverComesBack() {
+  void q6FailedCameraNeverComesBack() {
     SmallNetwork network = failing().run(30);
     assertFalse(network.world().cameras().online(0));
-    assertEquals("A", network.owners("1.0"), "it keeps what it owns, out of reach");
+    assertEquals("A", network.owners("1.0"), "keeps its targets, which nobody can buy");
   }
 
   @Test
-  void q6LeftOutItComesBackAfterItsTime() {
+  void q6OffFailedCameraComesBack() {
     SmallNetwork network = failing().without(Quirk.FAILED_CAMERAS_STAY_OFFLINE).run(8);
     assertFalse(network.world().cameras().online(0));
     assertTrue(network.run(1).world().cameras().online(0));
   }
 
   @Test
-  void q6ACameraThatChanceBringsBackSeesWhoIsGoneAndTracksNoneOfThosePresent() {
-    SmallNetwork network =
-        besideOneTarget("33").errorLevel(100).run(40); // offline from step 31 to 38
+  void q6RestoredCameraStillSeesVanishedTarget() {
+    // Offline from step 31 to 38, so the target vanishes meanwhile.
+    SmallNetwork network = withVanishingTarget("33").errorLevel(100).run(40);
     assertTrue(network.world().cameras().online(0));
     assertTrue(network.sees(0, 0));
     assertEquals(0, network.last().proportion());
   }
 
   @Test
-  void q6LeftOutItForgetsWhoWentWhileItWasOffline() {
+  void q6OffRestoredCameraForgetsVanishedTarget() {
     SmallNetwork network =
-        besideOneTarget("3")
+        withVanishingTarget("3")
             .event("timestep='2' participant='camera' event='error' name='A' duration='3'")
             .without(Quirk.FAILED_CAMERAS_STAY_OFFLINE)
             .run(20);
@@ -110,12 +110,12 @@ class QuirkTest {
     assertEquals(0, network.last().proportion());
   }
 
-  /** A camera and a target that goes at a step. */
-  private static SmallNetwork besideOneTarget(String until) {
+  /** A camera next to a target that vanishes at a step. */
+  private static SmallNetwork withVanishingTarget(String step) {
     return new SmallNetwork()
         .camera("A", 0, 0, 10, ACTIVE)
         .still("1", 0.5, 0)
-        .event("timestep='%s' participant='object' event='error' name='1'".formatted(until));
+        .event("timestep='%s' participant='object' event='error' name='1'".formatted(step));
   }
 
   private static SmallNetwork failing() {
@@ -127,7 +127,7 @@ class QuirkTest {
   }
 
   @Test
-  void q7AnOfflineNeighbourIsAskedInVainButCounted() {
+  void q7AskingOfflineNeighbourCountsAsAttempt() {
     SmallNetwork network =
         new SmallNetwork()
             .camera("A", 0, 0, 10, ACTIVE)
@@ -143,7 +143,7 @@ class QuirkTest {
   }
 
   @Test
-  void q7ASecondErrorOfOneCameraIsNoCrash() {
+  void q7AcceptsSecondErrorOfOneCamera() {
     SmallNetwork network =
         failing()
             .event("timestep='4' participant='camera' event='error' name='A' duration='-1'")
@@ -152,7 +152,7 @@ class QuirkTest {
   }
 
   @Test
-  void q8ATargetThatIsGoneStaysOwnedAndIsAdvertisedForEver() {
+  void q8VanishedTargetStaysOwnedAndAdvertised() {
     SmallNetwork network =
         new SmallNetwork()
             .camera("A", 0, 0, 10, PASSIVE)
@@ -166,13 +166,13 @@ class QuirkTest {
   }
 
   @Test
-  void q9ATargetExactlyOnTheCameraIsInvisible() {
+  void q9TargetAtCameraIsInvisible() {
     SmallNetwork network = new SmallNetwork().camera("A", 0, 0, 10, ACTIVE).still("1", 0, 0).run(1);
     assertEquals("", network.owners("1.0"));
   }
 
   @Test
-  void q10ARangeOfTwentyBecomesSixteen() {
+  void q10RangeOfTwentyBecomesSixteen() {
     SmallNetwork network =
         new SmallNetwork()
             .camera("A", 0, 0, 20, ACTIVE)
@@ -184,7 +184,7 @@ class QuirkTest {
   }
 
   @Test
-  void q13ARangeNearTwentyIsWorthNothing() {
+  void q13RangeNearTwentyHasNoUtility() {
     SmallNetwork worthless =
         new SmallNetwork().camera("A", 0, 0, 19, ACTIVE).still("1", 1, 0).run(1);
     assertEquals(0, worthless.last().utility());
@@ -194,7 +194,7 @@ class QuirkTest {
   }
 
   @Test
-  void q15AnErrorLevelOfNFailsInNPlusOnePercentOfTheSteps() {
+  void q15ErrorLevelFailsOnePercentMoreSteps() {
     SmallNetwork never = manyCameras().errorLevel(-1).run(300);
     SmallNetwork often = manyCameras().errorLevel(9).run(300);
     assertEquals(10, online(never));
@@ -218,7 +218,7 @@ class QuirkTest {
   }
 
   @Test
-  void q17AnEventsMoveIsIgnoredUnlessTheQuirkIsLeftOut() {
+  void q17MoveOfEventIsIgnoredOnlyUnderQuirk() {
     assertEquals(0.0, wandering().run(1).world().targets().y(0));
     assertTrue(wandering().without(Quirk.EVENT_MOVE_IGNORED).run(1).world().targets().y(0) != 0);
   }
@@ -232,7 +232,7 @@ class QuirkTest {
   }
 
   @Test
-  void q19ATieGoesToTheFirstByHashCodeOrElseByList() {
+  void q19TieGoesToFirstByHashCodeOrElseByList() {
     assertEquals("I", tie("I", "H").without(Quirk.TIES_BY_HASH_CODE).run(2).owners("1.0"));
     assertEquals("H", tie("I", "H").run(2).owners("1.0"), "bucket 3 comes before bucket 6");
   }
@@ -249,7 +249,7 @@ class QuirkTest {
   }
 
   @Test
-  void q18AResetCameraAsksNobodyEverAfter() {
+  void q18ResetCameraNeverAsksAgain() {
     assertEquals(0, lateAttempts(-1), "every camera has failed and was reset");
     assertTrue(lateAttempts(100) > 0, "no camera was reset");
   }
@@ -273,7 +273,7 @@ class QuirkTest {
   }
 
   @Test
-  void q21AnAddedCameraKnowsNothingOfTheTargetsThatAreThere() {
+  void q21AddedCameraDoesNotKnowPresentTargets() {
     SmallNetwork network =
         new SmallNetwork()
             .camera("A", 30, 0, 5, PASSIVE)

@@ -1,5 +1,6 @@
 package org.hificamsim.network;
 
+import java.util.List;
 import java.util.Set;
 import org.hificamsim.core.CamSimCommand;
 import org.hificamsim.core.detection.Detection;
@@ -13,7 +14,7 @@ import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 
-/** A run of CamSim's that was recorded, to be run again here. */
+/** A recorded run of CamSim, repeated with our network. */
 record RecordedRun(CamSimCommand command) {
   /** Watches a run. */
   interface Watcher {
@@ -23,9 +24,11 @@ record RecordedRun(CamSimCommand command) {
   NetworkSettings settings(Set<Quirk> quirks) {
     NetworkSettings camsim = NetworkSettings.CAMSIM;
     return new NetworkSettings(
-        java.util.List.of(),
+        List.of(),
         command.option("-a").map(name -> Named.find(ScheduleKind.class, name).orElseThrow()),
-        command.number("-c").map(c -> Comm.of(c, command.option("-u")).orElseThrow()),
+        command
+            .number("-c")
+            .map(number -> CommunicationSetting.of(number, command.option("-u")).orElseThrow()),
         command.option("-b").map(name -> Named.find(BanditAlgorithm.class, name).orElseThrow()),
         command.number("-v").flatMap(GraphUse::find).orElse(GraphUse.AS_IN_FILE),
         command.number("-e").orElse(camsim.errorLevel()),
@@ -35,16 +38,16 @@ record RecordedRun(CamSimCommand command) {
         quirks);
   }
 
-  /** Runs it with all of CamSim's quirks. */
+  /** Runs with all quirks of CamSim. */
   void run(Watcher watcher) {
     run(NetworkSettings.CAMSIM.quirks(), watcher);
   }
 
-  /** Runs it with some of CamSim's quirks. */
+  /** Runs with some quirks of CamSim. */
   void run(Set<Quirk> quirks, Watcher watcher) {
     NetworkSettings settings = settings(quirks);
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    Scenario scenario = CamSimScenario.as(command.read(), settings);
+    Scenario scenario = CamSimScenario.withQuirks(command.read(), settings);
     NetworkRun run =
         new NetworkRun(
             scenario,

@@ -14,7 +14,7 @@ import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.junit.jupiter.api.Test;
 
-/** What cameras ask for, and what the settings say for all. */
+/** Roles from the attributes of cameras, and from settings for all cameras. */
 class RoleReaderTest {
   private static final CameraSpec NOTHING = new CameraSpec("a", 0, 0, 5);
   private static final CameraSpec SMOOTH =
@@ -40,48 +40,48 @@ class RoleReaderTest {
   }
 
   @Test
-  void aCameraOfTheFileGetsWhatItAsksFor() {
+  void cameraOfFileGetsItsOwnRole() {
     CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM, false), SMOOTH, false);
     assertEquals(ScheduleKind.PASSIVE, role.schedule());
-    assertEquals(CommunicationPolicy.SMOOTH, role.comm().policy());
+    assertEquals(CommunicationPolicy.SMOOTH, role.communication().policy());
     assertEquals(7, role.limit());
     assertEquals(Optional.of(BanditAlgorithm.UCB1), role.bandit());
   }
 
   @Test
-  void theSettingsCountForAllCamerasOfTheFile() {
-    NetworkSettings all = NetworkSettings.CAMSIM.withStrategies(Strategy.list("HA3"));
+  void settingsApplyToAllCamerasOfFile() {
+    NetworkSettings all = NetworkSettings.CAMSIM.withStrategies(Strategy.parse("HA3"));
     CameraRole role = read(new RoleReader(all, false), SMOOTH, false);
     assertEquals(ScheduleKind.HISTORICAL_ACTIVE, role.schedule());
-    assertTrue(role.comm().isFix());
+    assertTrue(role.communication().isFix());
   }
 
   @Test
-  void anAddedCameraHasTheScheduleOfTheLastOneInTheFileAndItsOwnPolicy() {
-    NetworkSettings all = NetworkSettings.CAMSIM.withStrategies(Strategy.list("HP3"));
+  void addedCameraTakesLastScheduleOfFileAndItsOwnPolicy() {
+    NetworkSettings all = NetworkSettings.CAMSIM.withStrategies(Strategy.parse("HP3"));
     RoleReader reader = new RoleReader(all, false);
     read(reader, NOTHING, false);
     CameraRole role = read(reader, spec("Nobody", 2, null, null), true);
     assertEquals(ScheduleKind.HISTORICAL_PASSIVE, role.schedule());
-    assertEquals(CommunicationPolicy.STEP, role.comm().policy());
+    assertEquals(CommunicationPolicy.STEP, role.communication().policy());
   }
 
   @Test
-  void onlyFixByItsNumberOrItsOldNameFreezesLinks() {
-    assertTrue(comm(3, null).freezesLinks());
-    assertTrue(comm(4, "epics.commpolicy.Fix").freezesLinks());
-    assertFalse(comm(4, "epics.ai.commpolicy.Fix").freezesLinks());
-    assertFalse(comm(0, null).freezesLinks());
-    assertTrue(comm(3, null).isFix());
-    assertFalse(comm(4, "Fix").isFix());
+  void onlyFixByNumberOrOldNameFreezesLinks() {
+    assertTrue(communication(3, null).freezesLinks());
+    assertTrue(communication(4, "epics.commpolicy.Fix").freezesLinks());
+    assertFalse(communication(4, "epics.ai.commpolicy.Fix").freezesLinks());
+    assertFalse(communication(0, null).freezesLinks());
+    assertTrue(communication(3, null).isFix());
+    assertFalse(communication(4, "Fix").isFix());
   }
 
-  private static Comm comm(int number, String name) {
-    return Comm.of(number, Optional.ofNullable(name)).orElseThrow();
+  private static CommunicationSetting communication(int number, String name) {
+    return CommunicationSetting.of(number, Optional.ofNullable(name)).orElseThrow();
   }
 
   @Test
-  void whatIsNotKnownOrMissingIsAFaultOfItsAttribute() {
+  void faultsForUnknownOrMissingValuesNameAttribute() {
     assertTrue(fault(spec("Nobody", 0, null, null)).startsWith("ai_algorithm: one of Active, "));
     assertTrue(fault(spec("Active", 4, "Nobody", null)).startsWith("customcom: one of Broadcast"));
     assertTrue(fault(spec("Active", 4, null, null)).endsWith(" where comm is 4"));
@@ -90,7 +90,7 @@ class RoleReaderTest {
   }
 
   @Test
-  void aBanditThatSetsRangesRefusesAZoomList() {
+  void rejectsZoomListWithZoomBandit() {
     CameraSpec zooming = spec("BanditZoom", 0, null, "UCB1");
     CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM, false), zooming, false);
     assertEquals(ScheduleKind.BANDIT_ZOOM, role.schedule());

@@ -23,7 +23,7 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.hificamsim.network.statistics.StepFigures;
 
-/** A network of a few cameras in a field of 100 m by 100 m, written out in a test. */
+/** Builds a network of a few cameras in a field of 100 m by 100 m for a test. */
 final class SmallNetwork {
   private final StringBuilder cameras = new StringBuilder();
   private final StringBuilder targets = new StringBuilder();
@@ -33,14 +33,14 @@ final class SmallNetwork {
   private ZoomPolicy policy = new WidestPolicy();
   private String graph = "";
   private Set<Quirk> quirks = EnumSet.allOf(Quirk.class);
-  private GraphUse use = GraphUse.AS_IN_FILE;
+  private GraphUse graphUse = GraphUse.AS_IN_FILE;
   private Optional<BanditAlgorithm> bandit = Optional.empty();
   private int errorLevel = -1;
   private int resetLevel = 50;
   private NetworkRun run;
   private final List<StepFigures> rows = new ArrayList<>();
 
-  /** Adds a camera that sees all round. */
+  /** Adds a camera that sees in all directions. */
   SmallNetwork camera(String name, double x, double y, double range, String attributes) {
     cameras.append(
         "<camera name='%s' x='%s' y='%s' heading='0' viewing_angle='360' range='%s' %s/>"
@@ -48,21 +48,21 @@ final class SmallNetwork {
     return this;
   }
 
-  /** Adds optics, or a camera that may look through some. */
+  /** Adds an XML element of optics, or of a camera with optics. */
   SmallNetwork cameraElement(String element) {
     cameras.append(element);
     return this;
   }
 
-  /** Adds a wall, polygon or pillar. */
+  /** Adds the XML element of a wall, polygon or pillar. */
   SmallNetwork obstacle(String element) {
     obstacles.append(element);
     return this;
   }
 
-  /** What the simulation has besides its field. */
-  SmallNetwork simulation(String given) {
-    attributes = given;
+  /** Sets the attributes of the simulation element, apart from its field. */
+  SmallNetwork simulation(String newAttributes) {
+    attributes = newAttributes;
     return this;
   }
 
@@ -71,7 +71,7 @@ final class SmallNetwork {
     return this;
   }
 
-  /** Adds a target that stays where it is. */
+  /** Adds a target that does not move. */
   SmallNetwork still(String features, double x, double y) {
     return target("features='%s' x='%s' y='%s' heading='0' speed='0'".formatted(features, x, y));
   }
@@ -122,7 +122,7 @@ final class SmallNetwork {
     return this;
   }
 
-  /** Runs this many further steps. */
+  /** Runs a number of further steps. */
   SmallNetwork run(int steps) {
     if (run == null) {
       start();
@@ -145,12 +145,12 @@ final class SmallNetwork {
     return run.world();
   }
 
-  /** Whether a camera sees a target, by their numbers. */
+  /** Returns whether a camera sees a target. */
   boolean sees(int camera, int target) {
     return run.network().sightings().sees(camera, target);
   }
 
-  /** How sure a camera is of a target. */
+  /** Returns the confidence with which a camera sees a target. */
   double confidence(int camera, int target) {
     return run.network().sightings().confidence(camera, target);
   }
@@ -176,14 +176,14 @@ final class SmallNetwork {
             Optional.empty(),
             Optional.empty(),
             bandit,
-            use,
+            graphUse,
             errorLevel,
             resetLevel,
             BanditParameters.DEFAULT,
             HistoricalParameters.DEFAULT,
             quirks);
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    Scenario scenario = CamSimScenario.as(scenario(), settings);
+    Scenario scenario = CamSimScenario.withQuirks(scenario(), settings);
     run = new NetworkRun(scenario, detection, policy, Movements.registry(), settings, 0);
     run.listen((view, coverage) -> rows.add(run.network().figures()));
   }
@@ -198,7 +198,7 @@ final class SmallNetwork {
     try {
       Path file = Files.createTempFile("small", ".xml");
       Files.writeString(file, text);
-      Scenario scenario = ScenarioReader.read(file, anyMovement -> true, warning -> {});
+      Scenario scenario = ScenarioReader.read(file, movement -> true, warning -> {});
       Files.delete(file);
       return scenario;
     } catch (IOException e) {

@@ -13,7 +13,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
-import org.hificamsim.network.StandingObjects;
+import org.hificamsim.network.ScenarioForCamSim;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.runs.RunPlan;
@@ -98,7 +98,7 @@ final class CamSimCommand implements Callable<Integer> {
       throw new InputException("--for-camsim has " + files.size() + " scenarios, expected one");
     }
     CamSimPlans plans = plans(options.settings(screen.err()), Catalogue.load());
-    target.write(ScenarioWriter.write(StandingObjects.of(plans.plan(files.get(0)).scenario())));
+    target.write(ScenarioWriter.write(ScenarioForCamSim.of(plans.plan(files.get(0)).scenario())));
     screen.out().println(to);
     return 0;
   }

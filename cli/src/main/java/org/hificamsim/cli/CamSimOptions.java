@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
-import org.hificamsim.network.Comm;
+import org.hificamsim.network.CommunicationSetting;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.NetworkSettings.GraphUse;
 import org.hificamsim.network.Quirk;
@@ -81,7 +81,7 @@ final class CamSimOptions {
       throw new InputException("--strategies is given with -a or -c, expected one of them");
     }
     return new NetworkSettings(
-        strategies.map(Strategy::list).orElse(List.of()),
+        strategies.map(Strategy::parse).orElse(List.of()),
         named(ScheduleKind.class, "-a", schedule),
         comm(err),
         named(BanditAlgorithm.class, "-b", bandit),
@@ -107,13 +107,16 @@ final class CamSimOptions {
   }
 
   /** As in CamSim, the scenario file decides if the option is not a number. */
-  private Optional<Comm> comm(PrintWriter err) {
+  private Optional<CommunicationSetting> comm(PrintWriter err) {
     if (comm.isEmpty()) {
       return Optional.empty();
     }
     try {
-      int number = Numbers.inRange("-c", Integer.parseInt(comm.get().strip()), 0, Comm.CUSTOM);
-      return Optional.of(Comm.of(number, customComm).orElseThrow(this::invalidPolicy));
+      int number =
+          Numbers.inRange(
+              "-c", Integer.parseInt(comm.get().strip()), 0, CommunicationSetting.CUSTOM);
+      return Optional.of(
+          CommunicationSetting.of(number, customComm).orElseThrow(this::invalidPolicy));
     } catch (NumberFormatException e) {
       err.println(
           "warning: -c '" + comm.get() + "' is no number: each camera's own policy is taken");

@@ -146,7 +146,7 @@ final class TradeoffCommand implements Callable<Integer> {
     NameLists.requireDistinct("--of", strategies);
     alphas.forEach(alpha -> Numbers.within("--alphas", alpha, 0, 1));
     List<Strategy> distinct =
-        strategies.stream().map(Strategy::list).flatMap(List::stream).distinct().toList();
+        strategies.stream().map(Strategy::parse).flatMap(List::stream).distinct().toList();
     return new NetworkChoice(distinct, bandits(), alphas);
   }
 

@@ -68,7 +68,7 @@ public final class StudyStatements {
                           group.plan().scenario().name(),
                           group.plans().get(rival).label(),
                           group.plans().get(best).label());
-              return new Margin(where, group.lead(rival, best));
+              return new Margin(where, group.areaLead(rival, best));
             })
         .toList();
   }

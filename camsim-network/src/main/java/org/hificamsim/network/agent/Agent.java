@@ -13,24 +13,24 @@ import java.util.stream.Stream;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * One camera as a trader of targets (behaviour 8.1): it advertises what it owns, bids for what
- * others sell, and settles its own auctions (behaviour 8.3 to 8.5). An auction opened in a step is
- * settled in it.
+ * One camera as a trader of targets (behaviour 8.1): it advertises the targets it owns, bids for
+ * those that others sell, and settles its own auctions (behaviour 8.3 to 8.5). An auction opened in
+ * a step is settled in it.
  *
- * <p>What it owns, and what others bid, are in hash maps as CamSim has them: its numbers depend on
- * their order (behaviour 4.4, 4.5).
+ * <p>Owned targets and bids are kept in hash maps like CamSim's, since its numbers depend on their
+ * order (behaviour 4.4, 4.5).
  */
 public final class Agent {
   /**
-   * What all agents share.
+   * The objects that all agents share.
    *
-   * @param features of all targets that there will ever be
-   * @param searches of all agents
-   * @param random draws whom Smooth and Step ask
-   * @param bidderHash hash code of a camera, which orders the bids of several; null for the order
-   *     of arrival
-   * @param exactPrices whether a price is the second highest value, and prices paid add up; quirk
-   *     Q14 otherwise
+   * @param features the features of all targets, including those that events will add
+   * @param searches the searches of all agents
+   * @param random draws the cameras that Smooth and Step ask
+   * @param bidderHash gives the hash code of a camera, which orders bids; null for the order of
+   *     arrival
+   * @param exactPrices whether a price is the second highest value, and prices paid add up; false
+   *     for quirk Q14
    */
   public record Shared(
       Cameras cameras,
@@ -48,14 +48,14 @@ public final class Agent {
   private final AuctionSchedule schedule;
   private final Contacts contacts;
   private final Searches searches;
-  private final Map<Features, Integer> owned = new HashMap<>(); // by features
-  private final List<List<Bid>> bids; // by target
+  private final Map<Features, Integer> owned = new HashMap<>();
+  private final List<List<Bid>> bidsByTarget;
   private final Mean sharedViews = new Mean();
   private CommunicationPolicy policy;
   private double received;
   private double paid;
 
-  /** What CamSim knows a target by: a list of one number. */
+  /** The features by which CamSim identifies a target: a list of one number. */
   public record Features(double value) {
     @Override
     public int hashCode() {
@@ -63,7 +63,7 @@ public final class Agent {
     }
   }
 
-  /** A camera's bid, with that camera's hash code then. */
+  /** A bid of a camera, with the hash code of that camera at the time of the bid. */
   private record Bid(int camera, double value, int hash) {
     @Override
     public int hashCode() {
@@ -72,9 +72,9 @@ public final class Agent {
   }
 
   /**
-   * An agent that owns nothing and knows nobody.
+   * Creates an agent without targets and neighbours.
    *
-   * @param limit number of targets owned from which on it claims no other; 0 for no limit
+   * @param limit the number of owned targets from which on it claims no more; 0 for no limit
    */
   public Agent(
       int camera,
@@ -89,7 +89,7 @@ public final class Agent {
     this.policy = policy;
     this.shared = shared;
     contacts = new Contacts(camera, links, shared);
-    bids =
+    bidsByTarget =
         Stream.generate(() -> (List<Bid>) new ArrayList<Bid>(0))
             .limit(shared.features().size())
             .toList();
@@ -112,17 +112,17 @@ public final class Agent {
   }
 
   /**
-   * Takes over another schedule and policy, as a bandit chooses (behaviour 9.4): all state is kept,
-   * links are no longer frozen, and what is sent by falling back to Broadcast is not counted.
+   * Switches to another schedule and policy, chosen by a bandit (behaviour 9.4). All state is kept,
+   * links are no longer frozen, and messages of the fallback to Broadcast are no longer counted.
    */
-  public void follow(ScheduleKind newSchedule, CommunicationPolicy newPolicy) {
+  public void switchTo(ScheduleKind newSchedule, CommunicationPolicy newPolicy) {
     schedule.switchTo(newSchedule);
     policy = newPolicy;
     contacts.beginSwitching();
   }
 
-  /** Gets to know another camera, the last in its list. */
-  public void meet(int other) {
+  /** Adds another camera to the neighbours. */
+  public void addNeighbour(int other) {
     contacts.neighbours.set(other);
   }
 
@@ -131,27 +131,27 @@ public final class Agent {
     contacts.neighbours.clear();
   }
 
-  /** The number of cameras that it knows. */
+  /** The number of neighbours. */
   int neighbours() {
     return contacts.neighbours.cardinality();
   }
 
-  /** Whether a message to this camera arrives. */
+  /** Returns whether a message to another camera arrives. */
   public boolean reaches(int other) {
     return contacts.reaches(other);
   }
 
-  /** Looks for a new target that nobody owns. */
+  /** Starts a search for a new target that nobody owns. */
   public void lookFor(int target) {
     searches.begin(camera, target, Searches.NOBODY);
   }
 
-  /** The targets owned, in the order of the map that holds them; for reading only. */
+  /** The owned targets, in the order of the map that holds them; not to be modified. */
   public Collection<Integer> owned() {
     return owned.values();
   }
 
-  /** The same targets in the order of a copy of that map. */
+  /** The owned targets, in the order of a copy of the map that holds them. */
   public Collection<Integer> copyOfOwned() {
     if (owned.size() < 2) {
       return owned.values();
@@ -165,17 +165,17 @@ public final class Agent {
     return owned.containsKey(shared.features().get(target));
   }
 
-  /** How sure the camera is of a target now; 0 where it does not see it. */
+  /** The confidence with which the camera sees a target; 0 if it does not see it. */
   public double confidence(int target) {
     return shared.sightings().confidence(camera, target);
   }
 
-  /** Whether the camera sees a target now. */
+  /** Returns whether the camera sees a target. */
   public boolean sees(int target) {
     return shared.sightings().sees(camera, target);
   }
 
-  /** The share of the targets seen that others see too (behaviour 9.6). */
+  /** The mean share of seen targets that other cameras also see (behaviour 9.6). */
   public Mean sharedViews() {
     return sharedViews;
   }
@@ -190,15 +190,15 @@ public final class Agent {
     return paid;
   }
 
-  /** How many StartSearch messages were attempted since the last settlement began. */
-  public int sent() {
-    return contacts.sent();
+  /** The number of StartSearch messages attempted since the last settlement began. */
+  public int attempts() {
+    return contacts.attempts();
   }
 
   /**
    * Receives a message (behaviour 8.2).
    *
-   * @param value of a bid, or the price
+   * @param value the value of a bid, or the price; 0 for other messages
    */
   public void receive(MessageKind kind, int from, int target, double value) {
     switch (kind) {
@@ -215,34 +215,34 @@ public final class Agent {
       }
       case FOUND -> {
         if (contacts.neighbours.get(from) && contacts.asked(target) != null) {
-          note(target, from, value);
+          recordBid(target, from, value);
         }
       }
       case START_TRACKING -> {
         pay(value);
-        own(target);
+        takeOwnership(target);
       }
     }
   }
 
-  /** The first bid of each camera counts. */
-  private void note(int target, int from, double value) {
-    for (Bid bid : bids.get(target)) {
+  /** Records a bid, unless the camera has already bid. */
+  private void recordBid(int target, int from, double value) {
+    for (Bid bid : bidsByTarget.get(target)) {
       if (bid.camera == from) {
         return;
       }
     }
-    boolean byHash = shared.bidderHash() != null;
-    int hash = byHash ? shared.bidderHash().applyAsInt(from) : 0;
-    bids.get(target).add(new Bid(from, value, hash));
+    boolean orderedByHash = shared.bidderHash() != null;
+    int hash = orderedByHash ? shared.bidderHash().applyAsInt(from) : 0;
+    bidsByTarget.get(target).add(new Bid(from, value, hash));
   }
 
-  /** Counts a target that this camera and another see, or one of them alone. */
+  /** Counts a target that this camera and another both see, or that only one of them sees. */
   private void countView(boolean both) {
     sharedViews.add(both ? 1 : 0, 1);
   }
 
-  private void own(int target) {
+  private void takeOwnership(int target) {
     owned.put(shared.features().get(target), target);
     searches.end(camera, target);
   }
@@ -251,7 +251,9 @@ public final class Agent {
     paid = shared.exactPrices() ? paid + price : price;
   }
 
-  /** What a target is worth to the camera: its bid, and what a bid has to exceed. */
+  /**
+   * The value of a target to the camera: its own bid, and the value that other bids have to exceed.
+   */
   private double value(int target) {
     return schedule.value(target, confidence(target));
   }
@@ -266,18 +268,20 @@ public final class Agent {
     }
   }
 
-  /** Bids for targets in view that others sell, and claims those nobody owns (behaviour 8.4). */
+  /**
+   * Bids for visible targets that others sell, and claims those that nobody owns (behaviour 8.4).
+   */
   public void bid() {
     Sightings sightings = shared.sightings();
     int claimed = 0;
-    for (int i = 0; i < sightings.visible(camera); i++) {
+    for (int i = 0; i < sightings.visibleCount(camera); i++) {
       int target = sightings.visible(camera, i);
       int searcher = searches.searcher(camera, target);
       if (searcher == Searches.NONE || owns(target)) {
         continue;
       }
       if (searcher == camera) {
-        own(target);
+        takeOwnership(target);
         policy.stopSearch(contacts, target);
       } else if (searcher != Searches.NOBODY) {
         contacts.send(MessageKind.FOUND, searcher, target, value(target));
@@ -289,23 +293,23 @@ public final class Agent {
   }
 
   private void claim(int target) {
-    own(target);
+    takeOwnership(target);
     pay(0);
     CommunicationPolicy.BROADCAST.stopSearch(contacts, target);
   }
 
-  /** Settles its auctions (behaviour 8.5). */
-  public void settle() {
+  /** Settles the auctions of this camera (behaviour 8.5). */
+  public void settleAuctions() {
     received = 0;
     paid = 0;
     contacts.beginSettlement();
-    searches.own(camera, owned()).forEach(this::settle);
-    schedule.settled();
+    searches.ownSearches(camera, owned()).forEach(this::settleAuction);
+    schedule.endStep();
   }
 
-  private void settle(int target) {
+  private void settleAuction(int target) {
     double best = value(target);
-    List<Bid> offers = bids.get(target);
+    List<Bid> offers = bidsByTarget.get(target);
     if (offers.isEmpty()) {
       if (sees(target)) {
         countView(false);
@@ -315,7 +319,7 @@ public final class Agent {
     double beforeBest = best;
     double second = 0;
     int winner = camera;
-    for (Bid offer : inOrder(offers)) {
+    for (Bid offer : inCamSimOrder(offers)) {
       double value = offer.value;
       if (!contacts.reaches(offer.camera)) {
         continue;
@@ -334,13 +338,14 @@ public final class Agent {
     sell(target, winner, shared.exactPrices() ? second : beforeBest, count);
   }
 
-  private Collection<Bid> inOrder(List<Bid> arrived) {
+  private Collection<Bid> inCamSimOrder(List<Bid> arrived) {
     if (shared.bidderHash() == null || arrived.size() < 2) {
       return arrived;
     }
-    Set<Bid> byHash = new HashSet<>();
-    byHash.addAll(arrived); // one by one, as CamSim's map grows
-    return byHash;
+    // Not the constructor from a collection: the set has to grow like CamSim's map.
+    Set<Bid> hashed = new HashSet<>();
+    hashed.addAll(arrived);
+    return hashed;
   }
 
   private void sell(int target, int winner, double price, int count) {

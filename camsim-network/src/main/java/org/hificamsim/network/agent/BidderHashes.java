@@ -7,53 +7,56 @@ import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * The hash codes that order the bids of CamSim's cameras (behaviour 4.5, quirk Q19): each that of a
- * text that describes the camera in its view. The constant part of each text is hashed once.
+ * The hash codes that order the bids of CamSim's cameras (behaviour 4.5, quirk Q19). Each is the
+ * hash code of a text that describes the camera and its view. The part of the text that does not
+ * change is hashed once for each pose and zoom level.
  */
 public final class BidderHashes {
   private final Cameras cameras;
   private final Sightings sightings;
   private final Agent[] agents;
-  private final Map<ScheduleKind, Known[]> known = new EnumMap<>(ScheduleKind.class);
+  private final Map<ScheduleKind, CachedHash[]> cacheBySchedule = new EnumMap<>(ScheduleKind.class);
 
-  /** How a camera looked, and the hash code of the constant part of its text then. */
-  private record Known(Pose pose, ZoomLevel zoom, int hash) {
-    boolean isOf(Pose now, ZoomLevel through) {
-      return pose.equals(now) && zoom.equals(through);
+  /** The hash code of the constant part of a camera's text, for one pose and zoom level. */
+  private record CachedHash(Pose pose, ZoomLevel zoom, int hash) {
+    boolean matches(Pose currentPose, ZoomLevel currentZoom) {
+      return pose.equals(currentPose) && zoom.equals(currentZoom);
     }
   }
 
   /**
-   * Hash codes of agents as they will be when asked for.
+   * Creates the hash codes of agents.
    *
-   * @param agents by camera; may be filled later
+   * @param agents the agents by camera; may be filled later
    */
   public BidderHashes(Cameras cameras, Sightings sightings, Agent[] agents) {
     this.cameras = cameras;
     this.sightings = sightings;
     this.agents = agents;
     for (ScheduleKind kind : ScheduleKind.values()) {
-      known.put(kind, new Known[agents.length]);
+      cacheBySchedule.put(kind, new CachedHash[agents.length]);
     }
   }
 
-  /** The hash code of the camera's text as it is now. */
+  /** Returns the hash code of the current text of a camera. */
   public int of(int camera) {
-    int hash = appendNumber(constantPart(camera), sightings.visible(camera));
+    int hash = appendNumber(constantPart(camera), sightings.visibleCount(camera));
     return appendNumber(append(hash, " neighbours="), agents[camera].neighbours());
   }
 
-  /** Its hash code, computed again where the camera looks otherwise now. */
+  /**
+   * Returns the hash code of the constant part, computed anew if pose or zoom level have changed.
+   */
   private int constantPart(int camera) {
     ScheduleKind schedule = agents[camera].schedule();
-    Known[] all = known.get(schedule);
+    CachedHash[] cache = cacheBySchedule.get(schedule);
     Pose pose = cameras.pose(camera, cameras.view(camera));
     ZoomLevel zoom = cameras.zoom(camera, cameras.view(camera));
-    if (all[camera] == null || !all[camera].isOf(pose, zoom)) {
+    if (cache[camera] == null || !cache[camera].matches(pose, zoom)) {
       String text = text(cameras.name(camera), schedule, pose, zoom);
-      all[camera] = new Known(pose, zoom, text.hashCode());
+      cache[camera] = new CachedHash(pose, zoom, text.hashCode());
     }
-    return all[camera].hash();
+    return cache[camera].hash();
   }
 
   private static String text(String name, ScheduleKind schedule, Pose pose, ZoomLevel zoom) {

@@ -5,16 +5,23 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Whom a camera asks when it advertises a target, in the order of CamSim's numbers (behaviour 8.6).
+ * Which cameras a camera asks to bid when it advertises a target, in the order of CamSim's numbers
+ * (behaviour 8.6).
  */
 public enum CommunicationPolicy implements Named {
   /** Asks every neighbour. */
   BROADCAST,
-  /** Asks a neighbour with probability (1 + its link) / (1 + the strongest link), or else all. */
+  /**
+   * Asks each neighbour with probability (1 + its link) / (1 + the strongest link); all if the draw
+   * selects none.
+   */
   SMOOTH,
-  /** Asks a neighbour with its link as probability, without a link with 0.1, or else all. */
+  /**
+   * Asks each neighbour with its link as the probability, or 0.1 without a link; all if the draw
+   * selects none.
+   */
   STEP,
-  /** Asks every name linked to, and counts nothing as sent. */
+  /** Asks every linked name; these messages are not counted as attempts. */
   FIX;
 
   private static final double CHANCE_WITHOUT_LINK = 0.1;
@@ -32,7 +39,7 @@ public enum CommunicationPolicy implements Named {
       case SMOOTH -> {
         double strongest = contacts.links.strongest(target);
         if (strongest == 0) {
-          contacts.askNeighboursInstead(target);
+          contacts.askNeighboursAsFallback(target);
         } else {
           askSome(contacts, target, strongest);
         }
@@ -42,35 +49,37 @@ public enum CommunicationPolicy implements Named {
     }
   }
 
-  /** Tells those that were asked that a target is no longer for sale. */
+  /** Informs the cameras that were asked that a target is no longer for sale. */
   void stopSearch(Contacts contacts, int target) {
     switch (this) {
       case BROADCAST -> contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
-      case FIX -> tell(contacts, contacts.links.linked(), target);
+      case FIX -> sendStopSearch(contacts, contacts.links.linked(), target);
       case SMOOTH, STEP -> {
         if (!contacts.advertises()) {
           contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
         } else if (contacts.asked(target) != null) {
-          tell(contacts, contacts.asked(target), target);
+          sendStopSearch(contacts, contacts.asked(target), target);
         }
       }
     }
     contacts.withdraw(target);
   }
 
-  /** Asks the neighbours whose chance is above one draw, or all where there are none. */
+  /** Asks the neighbours whose probability exceeds one draw; all neighbours if there are none. */
   private void askSome(Contacts contacts, int target, double strongest) {
     double draw = contacts.draw();
-    boolean any = false;
-    BitSet all = contacts.neighbours;
-    for (int camera = all.nextSetBit(0); camera >= 0; camera = all.nextSetBit(camera + 1)) {
+    boolean askedSomebody = false;
+    BitSet neighbours = contacts.neighbours;
+    for (int camera = neighbours.nextSetBit(0);
+        camera >= 0;
+        camera = neighbours.nextSetBit(camera + 1)) {
       if (chance(contacts.linkTo(camera, target), strongest) > draw) {
         contacts.ask(camera, target);
-        any = true;
+        askedSomebody = true;
       }
     }
-    if (!any) {
-      contacts.askNeighboursInstead(target);
+    if (!askedSomebody) {
+      contacts.askNeighboursAsFallback(target);
     }
   }
 
@@ -91,7 +100,7 @@ public enum CommunicationPolicy implements Named {
     }
   }
 
-  private static void tell(Contacts contacts, BitSet names, int target) {
+  private static void sendStopSearch(Contacts contacts, BitSet names, int target) {
     for (int name = names.nextSetBit(0); name >= 0; name = names.nextSetBit(name + 1)) {
       contacts.send(MessageKind.STOP_SEARCH, name, target, 0);
     }

@@ -4,18 +4,21 @@ import java.util.BitSet;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * Whom one camera knows: its neighbours, its part of the vision graph, and whom it asked about each
- * of its targets; and its way to reach them (behaviour 8.1, 8.2).
+ * The cameras that one camera knows: its neighbours, its links in the vision graph, and the cameras
+ * it has asked about each target. Sends messages to them (behaviour 8.1, 8.2).
  */
 final class Contacts {
   final BitSet neighbours = new BitSet();
   final Links links;
   private final BitSet advertised = new BitSet();
-  private final BitSet[] asked; // by target that is or was advertised
+
+  /** The names asked, by target; null if the target was never advertised. */
+  private final BitSet[] asked;
+
   private final int camera;
   private final Agent.Shared shared;
   private boolean countsFallback = true;
-  private int sent;
+  private int attempts;
 
   Contacts(int camera, Links links, Agent.Shared shared) {
     this.camera = camera;
@@ -24,23 +27,23 @@ final class Contacts {
     asked = new BitSet[shared.features().size()];
   }
 
-  /** Whether a message to this name arrives; not all names are cameras. */
+  /** Returns whether a message to a name arrives; not all names are cameras. */
   boolean reaches(int name) {
     Cameras cameras = shared.cameras();
     return name < cameras.count() && neighbours.get(name) && cameras.online(name);
   }
 
-  /** Strength of the link to a camera under its current name: one that is offline has none. */
+  /** The strength of the link to a camera; an offline camera has none, since its name differs. */
   double linkTo(int other, int target) {
     return shared.cameras().online(other) ? links.strength(other, target) : Links.NONE;
   }
 
-  /** A number in [0, 1) that decides whom to ask. */
+  /** Draws a number in [0, 1) that decides which cameras to ask. */
   double draw() {
     return shared.random().nextDouble();
   }
 
-  /** Sends a message; one to a name that it does not reach is lost without notice. */
+  /** Sends a message; it is lost without notice if the camera does not reach the name. */
   void send(MessageKind kind, int to, int target, double value) {
     if (reaches(to)) {
       shared.queue().send(kind, camera, to, target, value);
@@ -52,40 +55,40 @@ final class Contacts {
     shared.queue().send(kind, camera, MessageQueue.NEIGHBOURS, target, 0);
   }
 
-  /** Asks a neighbour to bid for a target; one that is offline does not answer (quirk Q7). */
+  /** Asks a neighbour to bid for a target; an offline neighbour does not answer (quirk Q7). */
   void ask(int neighbour, int target) {
-    sent++;
-    noteAsked(neighbour, target);
+    attempts++;
+    recordAsked(neighbour, target);
     send(MessageKind.START_SEARCH, neighbour, target, 0);
   }
 
   /** Asks all neighbours to bid for a target. */
   void askNeighbours(int target) {
-    sent += neighbours.cardinality();
+    attempts += neighbours.cardinality();
     advertise(target);
-    if (links != Links.UNREAD) { // else it always asks all of them
+    if (links != Links.UNREAD) { // A camera that always asks all neighbours need not record them.
       for (int name = neighbours.nextSetBit(0); name >= 0; name = neighbours.nextSetBit(name + 1)) {
-        noteAsked(name, target);
+        recordAsked(name, target);
       }
     }
     sendToNeighbours(MessageKind.START_SEARCH, target);
   }
 
-  /** The same where there was nobody in particular to ask. */
-  void askNeighboursInstead(int target) {
-    int before = sent;
+  /** Asks all neighbours, because the policy has selected none. */
+  void askNeighboursAsFallback(int target) {
+    int before = attempts;
     askNeighbours(target);
-    sent = countsFallback ? sent : before;
+    attempts = countsFallback ? attempts : before;
   }
 
-  private void noteAsked(int neighbour, int target) {
+  private void recordAsked(int neighbour, int target) {
     advertise(target);
     if (shared.cameras().online(neighbour)) {
       asked[target].set(neighbour);
     }
   }
 
-  /** A target is advertised from now on, though no camera that can be named was asked. */
+  /** Marks a target as advertised, without naming a camera that was asked. */
   void advertise(int target) {
     if (!advertised.get(target)) {
       advertised.set(target);
@@ -94,35 +97,35 @@ final class Contacts {
     }
   }
 
-  /** A target is advertised no longer. */
+  /** Marks a target as no longer advertised. */
   void withdraw(int target) {
     advertised.clear(target);
   }
 
-  /** The names that were asked about a target; null where it is not advertised. */
+  /** The names that were asked about a target; null if it is not advertised. */
   BitSet asked(int target) {
     return advertised.get(target) ? asked[target] : null;
   }
 
-  /** Whether it advertises any target. */
+  /** Returns whether the camera advertises any target. */
   boolean advertises() {
     return !advertised.isEmpty();
   }
 
-  /** From now on links fade and grow, and asking all neighbours instead does not count as sent. */
+  /** Thaws the links, and stops counting the messages of the fallback. */
   void beginSwitching() {
     countsFallback = false;
     links.thaw();
   }
 
-  /** How many StartSearch messages were attempted since the last settlement began. */
-  int sent() {
-    return sent;
+  /** The number of StartSearch messages attempted since the last settlement began. */
+  int attempts() {
+    return attempts;
   }
 
-  /** A settlement begins: links fade, messages are counted from 0. */
+  /** Fades the links and counts messages from 0 again, before auctions are settled. */
   void beginSettlement() {
-    sent = 0;
-    links.decay();
+    attempts = 0;
+    links.fade();
   }
 }

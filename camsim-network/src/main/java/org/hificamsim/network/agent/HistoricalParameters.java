@@ -3,9 +3,8 @@ package org.hificamsim.network.agent;
 /**
  * The parameters of the historical schedules (behaviour 8.7).
  *
- * @param preInstantiation factor of a target's visibility while nothing is known of how long such
- *     targets stay in view
- * @param overstay factor for a target that has been in view longer than the average
+ * @param preInstantiation the factor of a target's visibility before any stay in view has ended
+ * @param overstay the factor for a target that has been in view longer than the average
  * @param classification whether targets are classified by their direction
  * @param categories number of directions, 1 or more
  * @param perCategory whether the average stay is kept per category; needs classification
@@ -22,7 +21,7 @@ public record HistoricalParameters(
   public static final HistoricalParameters DEFAULT =
       new HistoricalParameters(20, 0, true, 4, true, true);
 
-  /** Categories without classification are none. */
+  /** Turns categories off if there is no classification. */
   public HistoricalParameters {
     perCategory = perCategory && classification;
   }

@@ -6,20 +6,20 @@ import java.util.List;
 import java.util.function.IntUnaryOperator;
 
 /**
- * One camera's part of the vision graph: a strength for each name that it handed targets to, by
+ * One camera's part of the vision graph: a strength for each name that it has handed targets to, by
  * category of the targets (behaviour 8.1, 8.7). A plain schedule has one category for all.
  *
  * <p>Names are numbered: cameras by their number, names in the file's graph without a camera after
  * them.
  */
 public final class Links {
-  /** What stands for no link. */
+  /** The strength that stands for no link. */
   static final double NONE = -1;
 
-  /** What is left of a link after a step. */
+  /** The factor by which a link fades in a step. */
   private static final double FADING = 0.995;
 
-  /** Those of a camera that never looks at them. */
+  /** The links of a camera that never reads them. */
   public static final Links UNREAD = plain(0, List.of(), true);
 
   private final int categories;
@@ -36,65 +36,65 @@ public final class Links {
   }
 
   /**
-   * The same links for all targets.
+   * Creates links that are the same for all targets.
    *
-   * @param initial names linked to at the start, with strength 1
+   * @param initial the names linked at the start, with strength 1
    * @param frozen whether links neither fade nor grow
    */
   public static Links plain(int names, List<Integer> initial, boolean frozen) {
     Links links = new Links(names, 1, target -> 1);
     for (int name : initial) {
       links.linked.set(name);
-      links.strengths[links.at(name, 1)] = 1.0;
+      links.strengths[links.index(name, 1)] = 1.0;
     }
     links.frozen = frozen;
     return links;
   }
 
   /**
-   * Links for each category of targets, none at the start.
+   * Creates links by category of targets, none at the start.
    *
-   * @param categoryOf the category of a target, 1 to {@code categories}, or 0 for none
+   * @param categoryOf gives the category of a target, 1 to {@code categories}, or 0 for none
    */
   public static Links byCategory(int names, int categories, IntUnaryOperator categoryOf) {
     return new Links(names, categories, categoryOf);
   }
 
-  /** The strength of the link to a name for this target, or {@link #NONE}. */
+  /** The strength of the link to a name for a target, or {@link #NONE}. */
   double strength(int name, int target) {
-    return strengths[at(name, categoryOf.applyAsInt(target))];
+    return strengths[index(name, categoryOf.applyAsInt(target))];
   }
 
-  /** The greatest strength for this target; 0 without links. */
+  /** The greatest strength of a link for a target; 0 without links. */
   double strongest(int target) {
     int category = categoryOf.applyAsInt(target);
     double strongest = 0;
     for (int name = linked.nextSetBit(0); name >= 0; name = linked.nextSetBit(name + 1)) {
-      strongest = Math.max(strongest, strengths[at(name, category)]);
+      strongest = Math.max(strongest, strengths[index(name, category)]);
     }
     return strongest;
   }
 
-  /** Notes a handover of the target to a camera. */
+  /** Strengthens the link to a camera that a target was handed to. */
   void strengthen(int camera, int target) {
     int category = categoryOf.applyAsInt(target);
     if (frozen || category == 0) {
       return;
     }
-    int place = at(camera, category);
-    strengths[place] = strengths[place] == NONE ? 1.0 : strengths[place] + 1.0;
+    int cell = index(camera, category);
+    strengths[cell] = strengths[cell] == NONE ? 1.0 : strengths[cell] + 1.0;
     linked.set(camera);
   }
 
-  /** Lets every link fade, once per step. */
-  void decay() {
+  /** Fades every link; called once per step. */
+  void fade() {
     if (frozen) {
       return;
     }
     for (int name = linked.nextSetBit(0); name >= 0; name = linked.nextSetBit(name + 1)) {
-      for (int place = at(name, 1); place <= at(name, categories); place++) {
-        if (strengths[place] != NONE) {
-          strengths[place] *= FADING;
+      for (int cell = index(name, 1); cell <= index(name, categories); cell++) {
+        if (strengths[cell] != NONE) {
+          strengths[cell] *= FADING;
         }
       }
     }
@@ -105,12 +105,12 @@ public final class Links {
     frozen = false;
   }
 
-  /** The names linked to. */
+  /** The linked names. */
   BitSet linked() {
     return linked;
   }
 
-  private int at(int name, int category) {
+  private int index(int name, int category) {
     return name * (categories + 1) + category;
   }
 }

@@ -1,22 +1,22 @@
 package org.hificamsim.network.agent;
 
-/** A mean, 0 of nothing, which begins anew when it has been taken. */
+/** A mean that restarts each time it is taken; 0 if no value was added. */
 public final class Mean {
   private double sum;
   private int count;
 
-  /** Adds this many values with this sum. */
-  public void add(double values, int number) {
-    sum += values;
+  /** Adds values by their sum and number. */
+  public void add(double sumOfValues, int number) {
+    sum += sumOfValues;
     count += number;
   }
 
-  /** Whether nothing was added since it was taken last. */
+  /** Returns whether no value was added since the mean was last taken. */
   public boolean isEmpty() {
     return count == 0;
   }
 
-  /** The mean of what was added since it was taken last. */
+  /** Returns the mean of the values added since the last call, and restarts it. */
   public double take() {
     double mean = isEmpty() ? 0 : sum / count;
     sum = 0;

@@ -4,14 +4,14 @@ package org.hificamsim.network.agent;
 public enum MessageKind {
   /** The sender owns a target and takes bids for it. */
   START_SEARCH,
-  /** A target is no longer to be looked for. */
+  /** The receiver is to stop its search for a target. */
   STOP_SEARCH,
-  /** A bid: the sender sees the target; the value says how well. */
+  /** A bid: the sender sees the target; the value is its confidence. */
   FOUND,
   /** The sender sold the target to the receiver; the value is the price. */
   START_TRACKING;
 
-  /** Whether a message of the kind has a value. */
+  /** Returns whether messages of this kind have a value. */
   boolean hasValue() {
     return this == FOUND || this == START_TRACKING;
   }

@@ -8,40 +8,43 @@ import org.hificamsim.core.channel.Post;
 import org.hificamsim.core.channel.Stations;
 
 /**
- * The messages on their way, delivered in the order in which they were sent.
+ * Messages in transit, delivered in the order in which they were sent.
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
- * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
- * call that sends (behaviour 8.2). Over a channel that is not perfect they go on by {@link Post}.
+ * it has sent to another one, so this gives the same numbers as CamSim, which delivers within the
+ * call that sends (behaviour 8.2). On an imperfect channel, {@link Post} carries the messages.
  */
 public final class MessageQueue {
-  /** Stands for all neighbours of the camera that sends. */
+  /** Stands for all neighbours of the sender. */
   public static final int NEIGHBOURS = -1;
 
-  /** Brings messages to the cameras that they are for. */
+  /** Delivers messages to cameras. */
   @FunctionalInterface
   public interface Receiver {
     /**
-     * Brings one.
+     * Delivers one message.
      *
      * @param to a camera, or {@link #NEIGHBOURS}
-     * @param target what the message is about
-     * @param value confidence or price; 0 where the kind has none
-     * @return how many cameras received it
+     * @param target the target that the message is about
+     * @param value confidence or price; 0 if the kind has none
+     * @return the number of cameras that received it
      */
     int receive(MessageKind kind, int from, int to, int target, double value);
   }
 
-  private record Letter(MessageKind kind, int from, int to, int target, double value) {}
+  private record Message(MessageKind kind, int from, int to, int target, double value) {}
 
   private final int bitsWithoutValue;
-  private Post<Letter> post; // null where all arrives at once
-  private final List<Letter> waiting = new ArrayList<>();
+
+  /** Carries messages over the channel; null if the channel is perfect. */
+  private Post<Message> post;
+
+  private final List<Message> waiting = new ArrayList<>();
   private long startSearches;
   private long startTrackings;
   private long bits;
 
-  /** An empty queue of a network with this many cameras and targets. */
+  /** Creates an empty queue for a network of this size. */
   public MessageQueue(int cameras, int targets) {
     bitsWithoutValue =
         MessageBits.of(MessageKind.values().length)
@@ -49,7 +52,7 @@ public final class MessageQueue {
             + MessageBits.of(targets);
   }
 
-  /** From now on messages go over a channel. */
+  /** Sends all further messages over a channel. */
   public void connect(Stations stations, Channel channel) {
     post = channel.isPerfect() ? null : new Post<>(stations, channel);
   }
@@ -57,33 +60,35 @@ public final class MessageQueue {
   /** Appends a message to a camera, or to {@link #NEIGHBOURS}. */
   void send(MessageKind kind, int from, int to, int target, double value) {
     bits += bits(kind);
-    waiting.add(new Letter(kind, from, to, target, value));
+    waiting.add(new Message(kind, from, to, target, value));
   }
 
   private int bits(MessageKind kind) {
     return bitsWithoutValue + (kind.hasValue() ? MessageBits.REAL : 0);
   }
 
-  /** Delivers every message that waits or arrives in this step, also those that arise meanwhile. */
+  /** Delivers every message that waits or arrives in this step, and those sent meanwhile. */
   public void deliver(Receiver receiver) {
     for (int i = 0; i < waiting.size(); i++) {
-      Letter letter = waiting.get(i);
+      Message message = waiting.get(i);
       if (post == null) {
-        deliver(letter, letter.to, receiver);
-      } else if (letter.to == NEIGHBOURS) {
-        post.broadcast(letter.from, bits(letter.kind), letter);
+        deliver(message, message.to, receiver);
+      } else if (message.to == NEIGHBOURS) {
+        post.broadcast(message.from, bits(message.kind), message);
       } else {
-        post.send(letter.from, letter.to, bits(letter.kind), letter);
+        post.send(message.from, message.to, bits(message.kind), message);
       }
     }
     waiting.clear();
     if (post != null) {
-      post.deliver((from, to, sent, letter) -> deliver(letter, to, receiver));
+      post.deliver((from, to, sent, message) -> deliver(message, to, receiver));
     }
   }
 
-  private void deliver(Letter letter, int to, Receiver receiver) {
-    count(letter.kind, receiver.receive(letter.kind, letter.from, to, letter.target, letter.value));
+  private void deliver(Message message, int to, Receiver receiver) {
+    count(
+        message.kind,
+        receiver.receive(message.kind, message.from, to, message.target, message.value));
   }
 
   private void count(MessageKind kind, int receivers) {
@@ -94,22 +99,22 @@ public final class MessageQueue {
     }
   }
 
-  /** How many StartSearch messages cameras have received since the last {@link #resetCounts}. */
+  /** The number of StartSearch messages received since the last {@link #resetCounts}. */
   public long startSearches() {
     return startSearches;
   }
 
-  /** How many StartTracking messages, that is handovers, cameras have received since then. */
+  /** The number of StartTracking messages, or handovers, received since then. */
   public long startTrackings() {
     return startTrackings;
   }
 
-  /** How many bits all messages had that were sent so far, one to all neighbours once. */
+  /** The number of bits of all messages sent so far; a message to all neighbours counts once. */
   public long bits() {
     return bits;
   }
 
-  /** Starts counting at 0, but for bits. */
+  /** Resets the counts of messages to 0, but not the bits. */
   public void resetCounts() {
     startSearches = 0;
     startTrackings = 0;

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What scenario files and options call by a short name of ours or a class name of CamSim's
+ * A constant that scenario files and options select by a short name or by a class name of CamSim's
  * (behaviour 3.7).
  */
 public interface Named {
@@ -15,24 +15,24 @@ public interface Named {
   List<String> names();
 
   /**
-   * The constant that {@code text} names: by its short name, a class name, or the last part of one,
-   * in upper or lower case.
+   * Finds a constant by its short name, a class name, or the last part of a class name, ignoring
+   * case.
    */
   static <E extends Enum<E> & Named> Optional<E> find(Class<E> type, String text) {
     String wanted = plain(text);
     return Arrays.stream(type.getEnumConstants())
-        .filter(constant -> constant.names().stream().anyMatch(name -> answers(name, wanted)))
+        .filter(constant -> constant.names().stream().anyMatch(name -> matches(name, wanted)))
         .findFirst();
   }
 
-  /** What names a constant, for error lines. */
+  /** Lists the accepted names, for error messages. */
   static <E extends Enum<E> & Named> String expected(Class<E> type) {
     return Arrays.stream(type.getEnumConstants())
         .map(constant -> constant.names().get(0))
         .collect(Collectors.joining(", ", "one of ", " or a class name of CamSim's"));
   }
 
-  private static boolean answers(String name, String wanted) {
+  private static boolean matches(String name, String wanted) {
     String plain = plain(name);
     String lastPart = plain(name.substring(name.lastIndexOf('.') + 1));
     return wanted.equals(plain) || wanted.equals(lastPart);

@@ -33,17 +33,17 @@ public enum ScheduleKind implements Named {
     return names;
   }
 
-  /** The current class's canonical name, as CamSim's saved scenarios have it. */
+  /** The canonical name of the current class, as in scenarios that CamSim saves. */
   String canonicalName() {
     return names.get(1).replace('$', '.');
   }
 
-  /** Whether targets are advertised in every step. */
+  /** Returns whether owned targets are advertised in every step. */
   public boolean isActive() {
     return this != PASSIVE && this != HISTORICAL_PASSIVE;
   }
 
-  /** Whether bids weigh how long targets used to stay in view. */
+  /** Returns whether bids depend on how long targets have stayed in view. */
   public boolean isHistorical() {
     return this == HISTORICAL_ACTIVE || this == HISTORICAL_PASSIVE;
   }

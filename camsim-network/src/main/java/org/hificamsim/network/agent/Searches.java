@@ -8,23 +8,30 @@ import java.util.List;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * The targets that each camera looks for, for whom, and in which order it began to (behaviour 4.6).
+ * The targets that each camera searches for, on whose behalf, and in which order the searches began
+ * (behaviour 4.6).
  *
- * <p>What the cameras know of one target lies side by side: most messages go to all of them.
+ * <p>The entries of all cameras for one target are adjacent in memory, since most messages go to
+ * all cameras.
  */
 public final class Searches {
-  /** Nobody owns the target: the first camera that sees it may have it. */
+  /** Nobody owns the target: the first camera that sees it may claim it. */
   static final int NOBODY = -1;
 
-  /** The camera does not look for the target. */
+  /** The camera does not search for the target. */
   static final int NONE = -2;
 
   private final Cameras cameras;
-  private final int[][] searcher; // by target, then camera
-  private final long[][] since;
-  private long searches; // that have begun
 
-  /** No camera looks for any target. */
+  /** The camera on whose behalf a camera searches, by target, then by searching camera. */
+  private final int[][] searcher;
+
+  /** When each search began, as a number of {@link #begunSearches}. */
+  private final long[][] since;
+
+  private long begunSearches;
+
+  /** Creates the state in which no camera searches for any target. */
   public Searches(Cameras cameras, int targets) {
     this.cameras = cameras;
     searcher = new int[targets][cameras.count()];
@@ -34,38 +41,40 @@ public final class Searches {
     }
   }
 
-  /** For whom a camera looks for a target: a camera, {@link #NOBODY} or {@link #NONE}. */
+  /**
+   * The camera on whose behalf a camera searches for a target, {@link #NOBODY} or {@link #NONE}.
+   */
   int searcher(int camera, int target) {
     return searcher[target][camera];
   }
 
-  /** A camera looks for a target from now on, for a camera or for {@link #NOBODY}. */
+  /** Starts a search of a camera on behalf of a camera or {@link #NOBODY}. */
   void begin(int camera, int target, int forCamera) {
     if (searcher[target][camera] == NONE) {
-      since[target][camera] = ++searches;
+      since[target][camera] = ++begunSearches;
     }
     searcher[target][camera] = forCamera;
   }
 
-  /** A camera looks for a target no longer. */
+  /** Ends the search of a camera for a target. */
   void end(int camera, int target) {
     searcher[target][camera] = NONE;
   }
 
   /**
-   * Every camera online but the sender receives that a search begins, or ends.
+   * Starts or ends the search at every online camera except the sender.
    *
-   * @return how many these are
+   * @return the number of these cameras
    */
   public int receiveAll(MessageKind kind, int from, int target) {
     int[] searchers = searcher[target];
     int forCamera = kind == MessageKind.START_SEARCH ? from : NONE;
-    searches++;
+    begunSearches++;
     int count = 0;
     for (int camera = 0; camera < searchers.length; camera++) {
       if (camera != from && cameras.online(camera)) {
         if (searchers[camera] == NONE) {
-          since[target][camera] = searches;
+          since[target][camera] = begunSearches;
         }
         searchers[camera] = forCamera;
         count++;
@@ -74,20 +83,22 @@ public final class Searches {
     return count;
   }
 
-  /** Of a camera's targets those that it looks for itself, in the order in which it began to. */
-  List<Integer> own(int camera, Collection<Integer> owned) {
+  /**
+   * The owned targets for which a camera searches on its own behalf, in the order of the searches.
+   */
+  List<Integer> ownSearches(int camera, Collection<Integer> owned) {
     if (owned.isEmpty()) {
       return List.of();
     }
-    List<Integer> own = new ArrayList<>();
+    List<Integer> targets = new ArrayList<>();
     for (int target : owned) {
       if (searcher[target][camera] == camera) {
-        own.add(target);
+        targets.add(target);
       }
     }
-    if (own.size() > 1) {
-      own.sort(Comparator.comparingLong(target -> since[target][camera]));
+    if (targets.size() > 1) {
+      targets.sort(Comparator.comparingLong(target -> since[target][camera]));
     }
-    return own;
+    return targets;
   }
 }

@@ -13,45 +13,55 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * What each camera saw at its last look, and with what confidence (behaviour 6.1 and 6.2). The
- * targets that a camera sees are kept in the order in which they became visible to it.
+ * The targets that each camera saw at its last look, with their confidences (behaviour 6.1 and
+ * 6.2), in the order in which they became visible to the camera.
  */
 public final class Sightings {
-  /** Fewer pairs of cameras and targets are looked at one by one sooner. */
+  /**
+   * Below this number of pairs of cameras and targets, looking at every pair is faster than a grid.
+   */
   private static final long MIN_PAIRS = 4_000;
 
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines lines;
   private final Visibility visibility;
-  private final PointGrid places;
-  private final double[][] confidence; // by camera and target
-  private final int[][] visible; // by camera, in order
-  private final int[] visibleCount;
-  private final LevelSight[] sights; // by camera
-  private final int[] seen;
-  private final boolean[] kept;
+  private final PointGrid grid;
 
-  /** What cameras will see, nothing so far. */
+  /** By camera, then by target. */
+  private final double[][] confidence;
+
+  /** The visible targets of each camera, in the order in which they became visible. */
+  private final int[][] visible;
+
+  private final int[] visibleCounts;
+
+  /** The sight that each camera last looked through. */
+  private final LevelSight[] lastSights;
+
+  private final int[] foundTargets;
+  private final boolean[] isKept;
+
+  /** Creates the sightings of a world's cameras, none at first. */
   public Sightings(World world, Visibility visibility) {
     cameras = world.cameras();
     targets = world.targets();
     lines = world.sightLines();
-    places = places(world);
+    grid = createGrid(world);
     this.visibility = visibility;
     confidence = new double[cameras.count()][targets.count()];
     visible = new int[cameras.count()][targets.count()];
-    visibleCount = new int[cameras.count()];
-    kept = new boolean[targets.count()];
-    sights = new LevelSight[cameras.count()];
-    seen = new int[targets.count()];
+    visibleCounts = new int[cameras.count()];
+    isKept = new boolean[targets.count()];
+    lastSights = new LevelSight[cameras.count()];
+    foundTargets = new int[targets.count()];
   }
 
-  /** A place for every target there will ever be, in cells about as wide as cameras reach. */
-  private PointGrid places(World world) {
-    int all = targets.count();
-    if ((long) cameras.count() * all < MIN_PAIRS) {
-      return PointGrid.single(all);
+  /** Creates a grid for all targets, whose cells are about as wide as cameras reach. */
+  private PointGrid createGrid(World world) {
+    int targetCount = targets.count();
+    if ((long) cameras.count() * targetCount < MIN_PAIRS) {
+      return PointGrid.single(targetCount);
     }
     double sum = 0;
     for (int camera = 0; camera < cameras.count(); camera++) {
@@ -59,120 +69,128 @@ public final class Sightings {
     }
     Field field = world.scenario().field();
     return PointGrid.over(
-        field.minX(), field.minY(), field.width(), field.height(), sum / cameras.count(), all);
+        field.minX(),
+        field.minY(),
+        field.width(),
+        field.height(),
+        sum / cameras.count(),
+        targetCount);
   }
 
-  /** Sorts the targets present; one whose place is no number is nowhere. */
-  private void locate() {
-    places.clear();
+  /** Sorts the present targets into the grid; a target at NaN is left out. */
+  private void fillGrid() {
+    grid.clear();
     for (int target = 0; target < targets.count(); target++) {
       double x = targets.x(target);
       double y = targets.y(target);
       if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
-        places.add(target, x, y);
+        grid.add(target, x, y);
       }
     }
-    places.sort();
+    grid.sort();
   }
 
   /**
-   * Every online camera looks at every target present.
+   * Lets every online camera look at every present target.
    *
-   * @param step that is under way
-   * @param detected one entry per camera, receives how many targets it sees, 0 while offline
-   * @param coverage one entry per target, receives how many cameras see it
+   * @param step the current step
+   * @param detected by camera, receives the number of targets that it sees, 0 while offline
+   * @param coverage by target, receives the number of cameras that see it
    */
   public void look(long step, int[] detected, int[] coverage) {
-    locate();
+    fillGrid();
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < detected.length; camera++) {
       detected[camera] = cameras.online(camera) ? look(step, camera) : 0;
       for (int i = 0; i < detected[camera]; i++) {
-        coverage[seen[i]]++;
+        coverage[foundTargets[i]]++;
       }
     }
   }
 
   private int look(long step, int camera) {
-    doubt(camera);
+    clearConfidences(camera);
     int view = cameras.seeing(camera);
     int count =
         view == Cameras.NO_VIEW
             ? 0
-            : find(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view));
-    list(camera, count);
+            : findVisible(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view));
+    updateVisible(camera, count);
     return count;
   }
 
-  /** Who is still visible keeps its place, who became visible comes last, in the targets' order. */
-  private void list(int camera, int found) {
-    int[] list = visible[camera];
+  /**
+   * Keeps the order of targets that are still visible, and appends the new ones by their number.
+   */
+  private void updateVisible(int camera, int found) {
+    int[] order = visible[camera];
     int count = 0;
-    for (int i = 0; i < visibleCount[camera]; i++) {
-      if (sees(camera, list[i])) {
-        kept[list[i]] = true;
-        list[count++] = list[i];
+    for (int i = 0; i < visibleCounts[camera]; i++) {
+      if (sees(camera, order[i])) {
+        isKept[order[i]] = true;
+        order[count++] = order[i];
       }
     }
     for (int i = 0; i < found; i++) {
-      if (!kept[seen[i]]) {
-        list[count++] = seen[i];
+      if (!isKept[foundTargets[i]]) {
+        order[count++] = foundTargets[i];
       }
     }
     for (int i = 0; i < count; i++) {
-      kept[list[i]] = false;
+      isKept[order[i]] = false;
     }
-    visibleCount[camera] = count;
+    visibleCounts[camera] = count;
   }
 
-  /** Finds the targets that a camera sees; returns how many. */
-  private int find(long step, int camera, Pose pose, ZoomLevel zoom) {
-    if (places.cells() == 1) {
-      return find(step, camera, pose, zoom, 0, places.count(), 0);
+  /** Finds the targets that a camera sees, and returns their number. */
+  private int findVisible(long step, int camera, Pose pose, ZoomLevel zoom) {
+    if (grid.cells() == 1) {
+      return findVisible(step, camera, pose, zoom, 0, grid.count(), 0);
     }
     double reach = Visibility.roundedUp(zoom.radius());
-    int left = places.column(pose.x() - reach);
-    int right = places.column(pose.x() + reach);
-    int top = places.row(pose.y() + reach);
+    int left = grid.column(pose.x() - reach);
+    int right = grid.column(pose.x() + reach);
+    int top = grid.row(pose.y() + reach);
     int count = 0;
-    for (int row = places.row(pose.y() - reach); row <= top; row++) {
-      int start = places.start(row, left);
-      count = find(step, camera, pose, zoom, start, places.end(row, right), count);
+    for (int row = grid.row(pose.y() - reach); row <= top; row++) {
+      int start = grid.start(row, left);
+      count = findVisible(step, camera, pose, zoom, start, grid.end(row, right), count);
     }
-    Arrays.sort(seen, 0, count);
+    Arrays.sort(foundTargets, 0, count);
     return count;
   }
 
-  private int find(
+  private int findVisible(
       long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
     int count = before;
     for (int i = start; i < end; i++) {
-      int target = places.point(i);
+      int target = grid.point(i);
       LevelSight sight = sight(camera, zoom, targets.size(target));
-      if (sight.isInView(pose, places.x(i), places.y(i))) {
+      if (sight.isInView(pose, grid.x(i), grid.y(i))) {
         double luck = visibility.luck(step, camera, target);
         double transmittance = lines.transmittance(camera, target);
-        double sure = sight.confidenceInView(pose, places.x(i), places.y(i), luck, transmittance);
-        confidence[camera][target] = sure;
-        seen[count] = target;
-        count += sure > 0 ? 1 : 0;
+        double newConfidence =
+            sight.confidenceInView(pose, grid.x(i), grid.y(i), luck, transmittance);
+        confidence[camera][target] = newConfidence;
+        foundTargets[count] = target;
+        count += newConfidence > 0 ? 1 : 0;
       }
     }
     return count;
   }
 
-  /** Most often the one that the camera looked by before. */
+  /** Returns the sight for a zoom level and size, usually the one that the camera used before. */
   private LevelSight sight(int camera, ZoomLevel zoom, double size) {
-    LevelSight last = sights[camera];
+    LevelSight last = lastSights[camera];
     if (last == null || !last.isOf(zoom, size)) {
-      sights[camera] = visibility.at(zoom, size);
+      lastSights[camera] = visibility.at(zoom, size);
     }
-    return sights[camera];
+    return lastSights[camera];
   }
 
-  /** What a camera saw counts no longer; what is not there stays as it was. */
-  private void doubt(int camera) {
-    for (int i = 0; i < visibleCount[camera]; i++) {
+  /** Resets the confidences of the targets that a camera saw, except for absent targets. */
+  private void clearConfidences(int camera) {
+    for (int i = 0; i < visibleCounts[camera]; i++) {
       int target = visible[camera][i];
       if (targets.present(target)) {
         confidence[camera][target] = 0;
@@ -180,29 +198,29 @@ public final class Sightings {
     }
   }
 
-  /** A camera loses sight of a target, whatever its next look brings. */
+  /** Removes a target from what a camera sees, until its next look. */
   public void forget(int camera, int target) {
     confidence[camera][target] = 0;
-    list(camera, 0);
+    updateVisible(camera, 0);
   }
 
-  /** How sure the camera is of the target; 0 where it does not see it. */
+  /** The confidence with which the camera sees the target; 0 if it does not see it. */
   public double confidence(int camera, int target) {
     return confidence[camera][target];
   }
 
-  /** Whether the camera sees the target. */
+  /** Returns whether the camera sees the target. */
   public boolean sees(int camera, int target) {
     return confidence[camera][target] > 0;
   }
 
-  /** How many targets the camera sees. */
-  public int visible(int camera) {
-    return visibleCount[camera];
+  /** The number of targets that the camera sees. */
+  public int visibleCount(int camera) {
+    return visibleCounts[camera];
   }
 
-  /** One of these targets, by its place in their order. */
-  int visible(int camera, int place) {
-    return visible[camera][place];
+  /** Returns a visible target by its index in the order of appearance. */
+  int visible(int camera, int index) {
+    return visible[camera][index];
   }
 }

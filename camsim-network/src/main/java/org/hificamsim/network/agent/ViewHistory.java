@@ -5,9 +5,10 @@ import java.util.stream.Stream;
 import org.hificamsim.core.world.Targets;
 
 /**
- * How long targets stay in one camera's view, by the direction in which they came (behaviour 8.7).
+ * How long targets stay in the view of one camera, by the direction in which they move (behaviour
+ * 8.7).
  *
- * <p>A direction needs only the first two positions of a stay: no others are kept.
+ * <p>The direction depends on the first two positions of a stay, so no others are kept.
  */
 final class ViewHistory {
   /** A target's stay in view. */
@@ -23,19 +24,25 @@ final class ViewHistory {
 
   private final Targets targets;
   private final HistoricalParameters parameters;
-  private final Stay[] stays; // by target
-  private final long[] sums;
-  private final long[] counts;
+
+  /** By target. */
+  private final Stay[] stays;
+
+  /** The total length of finished stays, in steps, by category. */
+  private final long[] staySums;
+
+  /** The number of finished stays, by category. */
+  private final long[] stayCounts;
 
   ViewHistory(Targets targets, HistoricalParameters parameters) {
     this.targets = targets;
     this.parameters = parameters;
     stays = Stream.generate(Stay::new).limit(targets.count()).toArray(Stay[]::new);
-    sums = new long[parameters.categories() + 1];
-    counts = new long[parameters.categories() + 1];
+    staySums = new long[parameters.categories() + 1];
+    stayCounts = new long[parameters.categories() + 1];
   }
 
-  /** A target's direction, from 1; 0 while it is not known. */
+  /** The category of a target's direction, from 1; 0 while unknown. */
   int category(int target) {
     return category(stays[target]);
   }
@@ -54,7 +61,8 @@ final class ViewHistory {
   }
 
   /**
-   * What a target is worth: its visibility times a coefficient; a target in view counts as seen.
+   * Returns the value of a target, its visibility times a coefficient, and marks a visible target
+   * as seen.
    */
   double value(int target, double visibility) {
     double value = parameters.history() ? visibility * coefficient(stays[target]) : visibility;
@@ -71,20 +79,22 @@ final class ViewHistory {
     return left > 0 ? left : parameters.overstay();
   }
 
-  /** NaN while there is none. */
+  /** The average length of a stay, in steps; NaN before the first stay has ended. */
   private double average(Stay stay) {
     if (!parameters.perCategory()) {
-      long count = Arrays.stream(counts).sum();
-      return count == 0 ? Double.NaN : (double) Arrays.stream(sums).sum() / count;
+      long count = Arrays.stream(stayCounts).sum();
+      return count == 0 ? Double.NaN : (double) Arrays.stream(staySums).sum() / count;
     }
     int category = category(stay);
     if (category == 0) {
       return 0.000001;
     }
-    return counts[category] == 0 ? Double.NaN : (double) sums[category] / counts[category];
+    return stayCounts[category] == 0
+        ? Double.NaN
+        : (double) staySums[category] / stayCounts[category];
   }
 
-  /** Ends the step: stays of targets seen grow, those of the others are over. */
+  /** Ends the step: extends the stays of targets seen, and ends those of the others. */
   void endStep() {
     for (int target = 0; target < stays.length; target++) {
       Stay stay = stays[target];
@@ -112,8 +122,8 @@ final class ViewHistory {
   private void end(Stay stay) {
     int category = parameters.classification() ? category(stay) : 0;
     if (category != 0 || !parameters.perCategory()) {
-      sums[category] += stay.points;
-      counts[category]++;
+      staySums[category] += stay.points;
+      stayCounts[category]++;
     }
     stay.points = 0;
     stay.lastCategory = category != 0 ? category : stay.lastCategory;

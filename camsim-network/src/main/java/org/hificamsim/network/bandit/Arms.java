@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * What a bandit knows of its six arms (behaviour 9.1): how often each was chosen and rewarded, and
- * with how much.
+ * The knowledge of a bandit about its six arms (behaviour 9.1): how often each was chosen and
+ * rewarded, and the sum of its rewards.
  *
- * <p>Of each arm's list of results, where a step that rewarded another arm counts as 0, mean and
- * spread are kept, not the list, so that memory does not grow with the steps.
+ * <p>CamSim keeps a list of results per arm, in which a reward of another arm counts as 0. Only
+ * mean and spread of that list are kept here, so that memory does not grow with the steps.
  */
 final class Arms {
   /** The number of arms. */
@@ -39,18 +39,18 @@ final class Arms {
     results++;
     for (int other = 0; other < COUNT; other++) {
       double result = other == arm ? amount : 0.0;
-      double before = result - resultMean[other];
-      resultMean[other] += before / results;
-      squaredSpread[other] += before * (result - resultMean[other]);
+      double deviationFromOldMean = result - resultMean[other];
+      resultMean[other] += deviationFromOldMean / results;
+      squaredSpread[other] += deviationFromOldMean * (result - resultMean[other]);
     }
   }
 
-  /** How often the arm was chosen. */
+  /** The number of times the arm was chosen. */
   int chosen(int arm) {
     return chosen[arm];
   }
 
-  /** How often the arm was rewarded, its first reward included. */
+  /** The number of rewards of the arm, including its first one. */
   int count(int arm) {
     return counts[arm];
   }
@@ -64,7 +64,7 @@ final class Arms {
     return rewards[arm] / counts[arm];
   }
 
-  /** The counts of all arms together. */
+  /** The number of rewards of all arms. */
   int total() {
     return COUNT + results;
   }
@@ -74,7 +74,7 @@ final class Arms {
     if (results == 0) {
       return 0;
     }
-    double away = mean(arm) - resultMean[arm];
-    return Math.sqrt(squaredSpread[arm] / results + away * away);
+    double shift = mean(arm) - resultMean[arm];
+    return Math.sqrt(squaredSpread[arm] / results + shift * shift);
   }
 }

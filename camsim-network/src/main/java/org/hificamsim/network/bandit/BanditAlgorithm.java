@@ -5,16 +5,16 @@ import java.util.Random;
 import java.util.function.IntToDoubleFunction;
 import org.hificamsim.network.agent.Named;
 
-/** The bandits of CamSim: how an arm is chosen from what is known (behaviour 9.3). */
+/** The bandits of CamSim: how each chooses an arm (behaviour 9.3). */
 public enum BanditAlgorithm implements Named {
-  /** Any arm with probability epsilon, else the best mean. */
+  /** Chooses a random arm with probability epsilon, else the arm with the best mean. */
   EPSILON_GREEDY("EpsilonGreedy") {
     @Override
     int choose(Arms arms, double epsilon, Random random) {
       return random.nextDouble() < epsilon ? random.nextInt(Arms.COUNT) : best(arms::mean);
     }
   },
-  /** The best upper confidence bound. */
+  /** Chooses the arm with the best upper confidence bound. */
   UCB1("UCB1") {
     @Override
     int choose(Arms arms, double epsilon, Random random) {
@@ -22,7 +22,7 @@ public enum BanditAlgorithm implements Named {
       return best(arm -> arms.mean(arm) + Math.sqrt((2 * log) / arms.count(arm)));
     }
   },
-  /** The best upper confidence bound, the chosen arm being kept for longer and longer. */
+  /** Chooses the best upper confidence bound, and keeps an arm longer each time it is chosen. */
   UCB2("UCB2") {
     @Override
     int choose(Arms arms, double alpha, Random random) {
@@ -44,7 +44,7 @@ public enum BanditAlgorithm implements Named {
       return Math.ceil(Math.pow(1 + alpha, chosen));
     }
   },
-  /** The best upper confidence bound that takes the spread of results into account. */
+  /** Chooses the best upper confidence bound, computed from the spread of results. */
   UCB_TUNED("UCBTuned") {
     private static final double MAX_VARIANCE = 1.0 / 4;
 
@@ -59,7 +59,7 @@ public enum BanditAlgorithm implements Named {
           });
     }
   },
-  /** An arm with a probability that grows with the exponential of its mean. */
+  /** Draws an arm with a probability proportional to the exponential of its mean. */
   SOFT_MAX("SoftMax") {
     @Override
     int choose(Arms arms, double temperature, Random random) {
@@ -79,7 +79,7 @@ public enum BanditAlgorithm implements Named {
       return Math.exp(arms.mean(arm) / temperature);
     }
   },
-  /** Any arm, from the run's own stream; CamSim draws from one that no seed could repeat. */
+  /** Draws any arm, from the stream of the run; CamSim's own stream is not seeded. */
   FULL_RANDOM("FullRandom") {
     @Override
     int choose(Arms arms, double epsilon, Random random) {
@@ -101,16 +101,16 @@ public enum BanditAlgorithm implements Named {
   /**
    * Chooses an arm, or {@link BanditSolver#NONE} to keep the current one.
    *
-   * @param epsilon chance of exploring, temperature of SoftMax, or alpha of UCB2
+   * @param epsilon the probability of exploring, temperature of SoftMax, or alpha of UCB2
    */
   abstract int choose(Arms arms, double epsilon, Random random);
 
-  /** How many steps an arm that was chosen {@code chosen} times before is kept. */
+  /** The number of steps for which an arm is kept that was chosen {@code chosen} times before. */
   int interval(int chosen, BanditParameters parameters) {
     return parameters.interval();
   }
 
-  /** The first arm of the greatest value; a later one that is not a number never wins. */
+  /** The first arm with the greatest value; a later arm whose value is NaN never wins. */
   private static int best(IntToDoubleFunction value) {
     int best = 0;
     double greatest = value.applyAsDouble(0);

@@ -6,8 +6,8 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * One camera's bandit: chooses among six arms now and then, and learns from what it is fed between
- * (behaviour 9.1 and 9.2).
+ * The bandit of one camera: chooses among six arms at intervals, and learns from the results fed to
+ * it in between (behaviour 9.1 and 9.2).
  */
 public final class BanditSolver {
   /** No arm. */
@@ -17,24 +17,29 @@ public final class BanditSolver {
   private final BanditParameters parameters;
   private final Random random;
   private final Arms arms;
-  private final SortedMap<Double, Integer> communications = new TreeMap<>(); // how often each was
+
+  /** How often each amount of communication has occurred. */
+  private final SortedMap<Double, Integer> communicationCounts = new TreeMap<>();
+
   private int current = NONE;
   private int interval;
   private int steps;
   private double performance;
   private double communication;
 
-  /** A bandit that knows nothing; draws one number per arm. */
+  /** Creates a bandit without experience; draws one number per arm. */
   public BanditSolver(BanditAlgorithm algorithm, BanditParameters parameters, Random random) {
     this.algorithm = algorithm;
-    this.parameters = parameters.of(algorithm);
+    this.parameters = parameters.usedBy(algorithm);
     this.random = random;
     this.arms = new Arms(random);
     this.interval = parameters.interval();
     this.steps = interval;
   }
 
-  /** Learns and chooses again if it is time; returns the current arm, or {@link #NONE}. */
+  /**
+   * Learns and chooses again at the end of an interval; returns the current arm or {@link #NONE}.
+   */
   int select() {
     if (steps >= interval) {
       if (current != NONE) {
@@ -45,7 +50,7 @@ public final class BanditSolver {
     return current;
   }
 
-  /** Takes what a step brought under the current arm. */
+  /** Adds the results of a step under the current arm. */
   void feed(double stepPerformance, double stepCommunication) {
     performance += stepPerformance;
     communication += stepCommunication;
@@ -53,15 +58,15 @@ public final class BanditSolver {
   }
 
   private void learn() {
-    double cost = shareBelow(communication, communications);
-    communications.merge(communication, 1, Integer::sum);
+    double cost = shareBelow(communication, communicationCounts);
+    communicationCounts.merge(communication, 1, Integer::sum);
     arms.reward(current, parameters.alpha() * performance - (1 - parameters.alpha()) * cost);
     performance = 0;
     communication = 0;
     steps = 0;
   }
 
-  /** The share of values that are strictly smaller than one; 0 without any. */
+  /** The share of the counted values that are smaller than {@code value}; 0 without any. */
   static double shareBelow(double value, SortedMap<Double, Integer> counts) {
     return counts.isEmpty() ? 0 : (double) sum(counts.headMap(value)) / sum(counts);
   }
@@ -74,7 +79,7 @@ public final class BanditSolver {
     return sum;
   }
 
-  /** Chooses an arm at once. */
+  /** Chooses an arm now, before the interval ends. */
   void choose() {
     int arm = algorithm.choose(arms, parameters.epsilon(), random);
     if (arm != NONE) {

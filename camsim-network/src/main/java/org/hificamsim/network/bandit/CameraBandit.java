@@ -2,18 +2,19 @@ package org.hificamsim.network.bandit;
 
 import org.hificamsim.network.statistics.CameraFigures;
 
-/** What a camera learns with, once per step while it is online. */
+/** Learns for one camera, once per step while the camera is online. */
 public interface CameraBandit {
-  /** A camera that does not learn. */
+  /** The bandit of a camera that does not learn. */
   CameraBandit NONE = new CameraBandit() {};
 
-  /** Chooses before the auctions; whether CamSim counts that as a change of strategy. */
+  /** Chooses before the auctions; returns whether CamSim counts this as a change of strategy. */
   default boolean choose() {
     return false;
   }
 
   /**
-   * What the camera has earned, before it settles its auctions; 0 where that is not learned from.
+   * Returns what the camera has earned before it settles its auctions; 0 if the bandit does not
+   * learn from it.
    */
   default double earned(CameraFigures figures) {
     return 0;
@@ -22,9 +23,9 @@ public interface CameraBandit {
   /**
    * Learns, after the camera has settled its auctions.
    *
-   * @param earned what {@link #earned} said in this step
-   * @param sent how many StartSearch messages the camera attempted
-   * @param figures measured for this camera
+   * @param earned the result of {@link #earned} in this step
+   * @param attempts the number of StartSearch messages that the camera attempted
+   * @param figures the figures measured for this camera
    */
-  default void learn(double earned, int sent, CameraFigures figures) {}
+  default void learn(double earned, int attempts, CameraFigures figures) {}
 }

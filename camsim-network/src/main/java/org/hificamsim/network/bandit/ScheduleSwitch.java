@@ -14,14 +14,14 @@ public final class ScheduleSwitch implements CameraBandit {
   private static final List<CommunicationPolicy> POLICIES =
       List.of(CommunicationPolicy.BROADCAST, CommunicationPolicy.SMOOTH, CommunicationPolicy.STEP);
 
-  /** The same as CamSim numbers what is in force: Smooth and Step change places. */
-  private static final List<CommunicationPolicy> IN_FORCE =
+  /** The policies as CamSim numbers the current one: Smooth and Step are swapped. */
+  private static final List<CommunicationPolicy> CURRENT_POLICIES =
       List.of(CommunicationPolicy.BROADCAST, CommunicationPolicy.STEP, CommunicationPolicy.SMOOTH);
 
   private final BanditSolver solver;
   private final Agent agent;
 
-  /** The bandit of a camera, which starts with what the agent has. */
+  /** Creates the bandit of a camera, which starts with the schedule and policy of the agent. */
   public ScheduleSwitch(BanditSolver solver, Agent agent) {
     this.solver = solver;
     this.agent = agent;
@@ -33,15 +33,15 @@ public final class ScheduleSwitch implements CameraBandit {
     if (arm == BanditSolver.NONE) {
       return false;
     }
-    boolean changed = arm != inForce();
+    boolean changed = arm != currentArm();
     ScheduleKind schedule = arm < POLICIES.size() ? ScheduleKind.ACTIVE : ScheduleKind.PASSIVE;
-    agent.follow(schedule, POLICIES.get(arm % POLICIES.size()));
+    agent.switchTo(schedule, POLICIES.get(arm % POLICIES.size()));
     return changed;
   }
 
-  /** CamSim's number for the schedule and policy in force, -1 for what is no arm. */
-  private int inForce() {
-    int policy = IN_FORCE.indexOf(agent.policy());
+  /** CamSim's number of the current schedule and policy; -1 if they are not an arm. */
+  private int currentArm() {
+    int policy = CURRENT_POLICIES.indexOf(agent.policy());
     if (agent.schedule().isHistorical() || policy < 0) {
       return -1;
     }
@@ -54,7 +54,7 @@ public final class ScheduleSwitch implements CameraBandit {
   }
 
   @Override
-  public void learn(double earned, int sent, CameraFigures figures) {
-    solver.feed(earned, sent);
+  public void learn(double earned, int attempts, CameraFigures figures) {
+    solver.feed(earned, attempts);
   }
 }

@@ -6,8 +6,8 @@ import org.hificamsim.network.agent.Mean;
 import org.hificamsim.network.statistics.CameraFigures;
 
 /**
- * A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). A
- * camera with a lens has no range to be changed, and no such bandit.
+ * A bandit whose arms are ranges: changes the range of a camera every eleventh step (behaviour
+ * 9.6). Cameras with a lens cannot have it, since their range is fixed.
  */
 public final class ZoomBandit implements CameraBandit {
   private static final double MAX_RANGE = 20;
@@ -22,7 +22,7 @@ public final class ZoomBandit implements CameraBandit {
   private final Mean certainty = new Mean();
   private int ticks;
 
-  /** The bandit of a camera, which starts with the range that it has. */
+  /** Creates the bandit of a camera, which starts with its current range. */
   public ZoomBandit(BanditSolver solver, Agent agent, World world) {
     this.solver = solver;
     this.agent = agent;
@@ -30,14 +30,14 @@ public final class ZoomBandit implements CameraBandit {
   }
 
   @Override
-  public void learn(double earned, int sent, CameraFigures figures) {
-    note(figures);
+  public void learn(double earned, int attempts, CameraFigures figures) {
+    addFigures(figures);
     if (++ticks > PERIOD) {
-      zoom();
+      chooseRange();
     }
   }
 
-  private void note(CameraFigures figures) {
+  private void addFigures(CameraFigures figures) {
     int owned = agent.owned().size();
     if (owned > 0) {
       keptInView.add((double) figures.tracked() / owned, 1);
@@ -48,13 +48,13 @@ public final class ZoomBandit implements CameraBandit {
     certainty.add(figures.sumOfCertainties(), figures.tracked());
   }
 
-  private void zoom() {
+  private void chooseRange() {
     double range = world.cameras().range(agent.camera());
     int arm = solver.current();
     solver.arms().reward(arm == BanditSolver.NONE ? armOf(range) : arm, reward());
     solver.choose();
     if (solver.current() != BanditSolver.NONE) {
-      reach(range, (solver.current() + 1) * ARM_WIDTH - range);
+      changeRange(range, (solver.current() + 1) * ARM_WIDTH - range);
     }
     ticks = 0;
   }
@@ -66,13 +66,13 @@ public final class ZoomBandit implements CameraBandit {
         + parameters.gamma() * certainty.take();
   }
 
-  /** CamSim's rule for a range that changes (behaviour 6.3, quirk Q10). */
-  private void reach(double range, double change) {
+  /** Changes the range by CamSim's rule (behaviour 6.3, quirk Q10). */
+  private void changeRange(double range, double change) {
     double changed = range + change;
     world.changeRange(agent.camera(), changed >= MAX_RANGE ? MAX_RANGE - MAX_RANGE * 0.2 : changed);
   }
 
-  /** The arm whose range is nearest from above, for a range that no arm has set. */
+  /** The arm with the next larger range, for a range that no arm has set. */
   private static int armOf(double range) {
     return Math.min((int) Math.floor(range / ARM_WIDTH), Arms.COUNT - 1);
   }

@@ -19,48 +19,49 @@ import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunTables;
 import org.hificamsim.runs.output.SingleRun;
 
-/** All files of one run: CamSim's two, which are replaced, and those of ours that are asked for. */
+/** All files of one run: CamSim's step table and summary, and optionally our coverage files. */
 public final class CamSimFiles implements Closeable {
   /**
-   * Where the files go.
+   * The paths of the files.
    *
-   * @param scenario the file that is read
+   * @param scenario the scenario file, which is read
    * @param output CamSim's table of steps
-   * @param summary CamSim's summary; in the folder of the output unless given
-   * @param coverage the folder of the run's k-coverage
+   * @param summary CamSim's summary; empty for the folder of the output
+   * @param coverage the folder for the k-coverage of the run; empty for none
    */
   public record Places(
       Path scenario, Path output, Optional<Path> summary, Optional<Path> coverage) {}
 
-  private static final List<String> COVERAGE =
+  private static final List<String> COVERAGE_FILES =
       List.of(RunTables.STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
-  private final OutputFile file;
+  private final OutputFile stepsFile;
   private final SummaryRows summary;
   private final NetworkRun run;
   private final RunPlan plan;
 
-  /** Null if the file cannot be opened. */
+  /** Null if {@link #stepsFile} cannot be opened. */
   private StepTable steps;
 
   /** Null unless coverage was asked for. */
   private SingleRun coverage;
 
   /**
-   * Opens the files of a run that is to begin, and has them listen to it.
+   * Opens the files of a run that has not begun, and registers them as listeners.
    *
-   * @throws org.hificamsim.core.InputException when one of them cannot be made, or two are one
+   * @throws org.hificamsim.core.InputException if a file cannot be created, or two paths are the
+   *     same
    */
   public CamSimFiles(Places places, RunPlan plan, NetworkRun run) throws IOException {
     this.plan = plan;
     this.run = run;
-    Path appended = places.summary().orElse(SummaryRows.beside(places.output()));
-    requireSeparate(places, appended);
-    summary = new SummaryRows(appended);
-    file = OutputFile.of("-o", places.output(), true);
+    Path summaryPath = places.summary().orElse(SummaryRows.defaultPath(places.output()));
+    requireSeparate(places, summaryPath);
+    summary = new SummaryRows(summaryPath);
+    stepsFile = OutputFile.of("-o", places.output(), true);
     Network network = run.network();
     try {
-      steps = new StepTable(file.open());
+      steps = new StepTable(stepsFile.open());
       run.listen((view, measured) -> steps.add(network.figures()));
       if (places.coverage().isPresent()) {
         coverage = new SingleRun(places.coverage().get(), 0, plan.detection(), Detail.STEPS);
@@ -81,7 +82,7 @@ public final class CamSimFiles implements Closeable {
     if (places.coverage().isPresent()) {
       Path folder = places.coverage().get();
       files.with(setting("coverage_out"), folder);
-      COVERAGE.forEach(name -> files.with(setting("coverage_out"), folder.resolve(name)));
+      COVERAGE_FILES.forEach(name -> files.with(setting("coverage_out"), folder.resolve(name)));
     }
   }
 
@@ -92,19 +93,19 @@ public final class CamSimFiles implements Closeable {
       ManifestFile.write(coverage.folder(), command, started, plan.steps());
       coverage.commit(plan, run.traffic(), Optional.empty());
     }
-    file.commit();
+    stepsFile.commit();
     summary.append(plan.seed(), run.sums());
   }
 
-  /** All are closed, even if one cannot be. */
+  /** Closes all files, even if closing one of them fails. */
   @Override
   public void close() throws IOException {
     Closeable table = steps;
     Closeable folder = coverage;
-    try (file;
+    try (stepsFile;
         table;
         folder) {
-      // nothing more to do
+      // Try-with-resources closes all three.
     }
   }
 }

@@ -13,7 +13,10 @@ import org.hificamsim.network.Strategy;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 
-/** CamSim's network as a plan names it: {@code camsim:strategies=A0-P2,bandit=UCB1,alpha=0.5}. */
+/**
+ * CamSim's network as selected by the text of a plan: {@code
+ * camsim:strategies=A0-P2,bandit=UCB1,alpha=0.5}.
+ */
 public final class NetworkText implements NetworkModel {
   private NetworkSettings settings = NetworkSettings.CAMSIM;
 
@@ -22,12 +25,12 @@ public final class NetworkText implements NetworkModel {
     return "camsim";
   }
 
-  /** The text of strategies, one for all cameras or one for each. */
+  /** Returns the text that selects strategies, one for all cameras or one for each. */
   public static String of(List<Strategy> strategies) {
     return "camsim:strategies=" + Strategy.text(strategies);
   }
 
-  /** The text of a bandit for all cameras, with its weight of utility. */
+  /** Returns the text that selects a bandit for all cameras, with its weight of utility. */
   public static String of(BanditAlgorithm bandit, double alpha) {
     return "camsim:bandit=" + bandit.names().get(0) + ",alpha=" + alpha;
   }
@@ -38,7 +41,7 @@ public final class NetworkText implements NetworkModel {
     String bandit = options.text("bandit", "", "of all cameras");
     double alpha = options.number("alpha", 0.5, 0, 1, "a bandit's weight of utility");
     if (!strategies.isEmpty()) {
-      settings = settings.withStrategies(Strategy.list(strategies));
+      settings = settings.withStrategies(Strategy.parse(strategies));
     }
     if (!bandit.isEmpty()) {
       settings = settings.withBandit(bandit(bandit), alpha);
@@ -46,9 +49,9 @@ public final class NetworkText implements NetworkModel {
   }
 
   /**
-   * The bandit of a name.
+   * Returns the bandit with a name.
    *
-   * @throws InputException when there is none
+   * @throws InputException if there is no such bandit
    */
   public static BanditAlgorithm bandit(String name) {
     return Named.find(BanditAlgorithm.class, name)

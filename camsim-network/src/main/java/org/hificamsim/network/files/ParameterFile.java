@@ -15,11 +15,11 @@ import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.bandit.BanditParameters;
 
 /**
- * The parameters of {@code -p}: a Java properties file, keys in any case (behaviour 8.7; quirk Q2
- * fixed). Keys that are not given keep CamSim's defaults.
+ * The parameters in the file of option {@code -p}, a Java properties file (behaviour 8.7; quirk Q2
+ * is fixed). The case of keys is ignored; missing keys have CamSim's defaults.
  */
 public record ParameterFile(HistoricalParameters historical, BanditParameters bandit) {
-  /** What a file that sets nothing says. */
+  /** The parameters of an empty file. */
   public static final ParameterFile DEFAULT =
       new ParameterFile(HistoricalParameters.DEFAULT, BanditParameters.DEFAULT);
 
@@ -34,7 +34,7 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
   /**
    * Reads a file.
    *
-   * @throws InputException when it is missing or malformed, or has an unknown key
+   * @throws InputException if the file is missing or malformed, or has an unknown key
    */
   public static ParameterFile read(Path path) {
     Properties properties = new Properties();
@@ -55,11 +55,13 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
   private static String text(Properties properties) {
     return new TreeSet<>(properties.stringPropertyNames())
         .stream()
-            .map(key -> known(key) + "=" + properties.getProperty(key).toLowerCase(Locale.ROOT))
+            .map(
+                key ->
+                    declaredKey(key) + "=" + properties.getProperty(key).toLowerCase(Locale.ROOT))
             .collect(Collectors.joining(","));
   }
 
-  private static String known(String key) {
+  private static String declaredKey(String key) {
     Options none = Options.none("");
     historical(none);
     bandit(none);
@@ -72,15 +74,15 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
 
   private static HistoricalParameters historical(Options options) {
     HistoricalParameters defaults = HistoricalParameters.DEFAULT;
-    truth(options, "DebugHist", false);
+    readBoolean(options, "DebugHist", false);
     return new HistoricalParameters(
         options.number(
             "PreInstantiationBidCoefficient", defaults.preInstantiation(), -MAX, MAX, ""),
         options.number("OverstayBidCoefficient", defaults.overstay(), -MAX, MAX, ""),
-        truth(options, "ClassificationEnabled", defaults.classification()),
+        readBoolean(options, "ClassificationEnabled", defaults.classification()),
         options.integer("ObjectCategories", defaults.categories(), 1, MAX_CATEGORIES, ""),
-        truth(options, "HistPerCategoryEnabled", defaults.perCategory()),
-        truth(options, "HistEnabled", defaults.history()));
+        readBoolean(options, "HistPerCategoryEnabled", defaults.perCategory()),
+        readBoolean(options, "HistEnabled", defaults.history()));
   }
 
   private static BanditParameters bandit(Options options) {
@@ -93,7 +95,7 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
         options.integer("Interval", defaults.interval(), 1, Integer.MAX_VALUE, ""));
   }
 
-  private static boolean truth(Options options, String key, boolean defaultValue) {
+  private static boolean readBoolean(Options options, String key, boolean defaultValue) {
     return options.choice(key, defaultValue ? Truth.TRUE : Truth.FALSE, "") == Truth.TRUE;
   }
 }

@@ -11,7 +11,7 @@ import org.hificamsim.network.statistics.StepFigures;
 final class StepTable implements Closeable {
   private final Rows rows;
 
-  /** Begins the table by writing its header. */
+  /** Writes the header of the table. */
   StepTable(Writer out) throws IOException {
     rows =
         new CsvTable(

@@ -19,7 +19,9 @@ import org.hificamsim.network.statistics.StepFigures;
  * write, so that parallel runs may share it.
  */
 public final class SummaryRows {
-  /** The columns. Those without CUMULATIVE in front are of a step that never began, hence 0. */
+  /**
+   * The columns. CamSim takes those without CUMULATIVE from a step that never began: they are 0.
+   */
   private static final String HEADER =
       "SEED,TIME,GLOBAL_UTILITY,CUMULATIVE_UTILITY,COMMUNICATION,CUMULATIVE_COMM,HANDOVER,"
           + "CUMULATIVE_HANDOVER,CUMULATIVE_COMM_OH,VISIBLE,OVERLAP,CONFIDENCE,PROPORTION";
@@ -27,9 +29,9 @@ public final class SummaryRows {
   private final Path path;
 
   /**
-   * A summary that may exist already.
+   * Prepares a summary file, which may exist already.
    *
-   * @throws InputException when the path cannot be a file
+   * @throws InputException if the path cannot be that of a file
    */
   SummaryRows(Path path) {
     this.path = path;
@@ -40,14 +42,12 @@ public final class SummaryRows {
     }
   }
 
-  /**
-   * Where a run with this output writes its summary unless an option says otherwise (Q20 fixed).
-   */
-  static Path beside(Path output) {
+  /** Returns the default path of the summary: the folder of the output (quirk Q20 is fixed). */
+  static Path defaultPath(Path output) {
     return output.resolveSibling("summary.csv");
   }
 
-  /** Appends a run. */
+  /** Appends the row of a run. */
   void append(long seed, StepFigures sums) throws IOException {
     try (FileChannel file =
         FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
@@ -63,8 +63,8 @@ public final class SummaryRows {
     }
   }
 
-  /** The file that runs leave which begin one after the other, each with the next seed. */
-  public static String of(long firstSeed, List<StepFigures> runs) {
+  /** Returns the summary file of several runs, each with the seed after that of the one before. */
+  public static String text(long firstSeed, List<StepFigures> runs) {
     StringBuilder text = new StringBuilder(HEADER).append(System.lineSeparator());
     for (int i = 0; i < runs.size(); i++) {
       text.append(row(firstSeed + i, runs.get(i))).append(System.lineSeparator());

@@ -3,29 +3,34 @@ package org.hificamsim.network.statistics;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
- * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments. It ignores
- * opening angles and is right for some positions only; it is kept for CamSim's numbers.
+ * CamSim's formula for the overlap of two cameras (behaviour 10.2, quirk Q11): the area of two
+ * circle segments. It ignores opening angles and is correct for some positions only; it is kept
+ * because CamSim's numbers depend on it.
  *
- * @param field whose top left corner is CamSim's origin
+ * @param field the field, whose top left corner is CamSim's origin
  */
 record CamSimOverlap(Field field) {
-  /** Of two cameras, the first being earlier in the list, square metres. */
-  double of(RangeCircle first, RangeCircle second) {
-    return of(x(first), y(first), first.radius(), x(second), y(second), second.radius());
+  /** A point in CamSim's coordinates, metres. */
+  private record Point(double x, double y) {}
+
+  /** The overlap of two cameras, of which the first is earlier in the list, in square metres. */
+  double overlap(RangeCircle first, RangeCircle second) {
+    return lensArea(inCamSim(first), inCamSim(second));
   }
 
-  private double x(RangeCircle camera) {
-    return camera.x() - field.minX();
+  /** Returns the circle in CamSim's coordinates. */
+  private RangeCircle inCamSim(RangeCircle circle) {
+    double x = circle.x() - field.minX();
+    double y = (field.minY() + circle.y()) * -1;
+    return new RangeCircle(x, y, circle.radius());
   }
 
-  private double y(RangeCircle camera) {
-    return (field.minY() + camera.y()) * -1;
-  }
-
-  /** In square metres, of the camera at (x1, y1) with range a and a later one with range b. */
-  static double of(double x1, double y1, double a, double x2, double y2, double b) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
+  /** The overlap of two circles in CamSim's coordinates, in square metres. */
+  static double lensArea(RangeCircle first, RangeCircle second) {
+    double a = first.radius();
+    double b = second.radius();
+    double dx = first.x() - second.x();
+    double dy = first.y() - second.y();
     double distance = Math.sqrt(dx * dx + dy * dy);
     if (distance == 0) {
       return 0;
@@ -38,35 +43,26 @@ record CamSimOverlap(Field field) {
     double across = Math.sqrt(squared);
     double ex = Math.abs(dx) / distance;
     double ey = Math.abs(dy) / distance;
-    double qx = x1 + along * ex;
-    double qy = y1 + along * ey;
-    double upX = qx + across * -ey;
-    double upY = qy + across * ex;
-    double downX = qx - across * -ey;
-    double downY = qy - across * ex;
-    double first = opening(x1, y1, upX, upY, downX, downY, x2, y2);
-    double second = opening(x2, y2, upX, upY, downX, downY, x1, y1);
-    return segment(a, first) + segment(b, second);
+    double qx = first.x() + along * ex;
+    double qy = first.y() + along * ey;
+    Point up = new Point(qx + across * -ey, qy + across * ex);
+    Point down = new Point(qx - across * -ey, qy - across * ex);
+    Point firstCentre = new Point(first.x(), first.y());
+    Point secondCentre = new Point(second.x(), second.y());
+    return segment(a, opening(firstCentre, up, down, secondCentre))
+        + segment(b, opening(secondCentre, up, down, firstCentre));
   }
 
-  private static double opening(
-      double x,
-      double y,
-      double upX,
-      double upY,
-      double downX,
-      double downY,
-      double x2,
-      double y2) {
-    double up = degrees(x, y, upX, upY);
-    double down = degrees(x, y, downX, downY);
-    return Math.abs(Math.min(up, down) - degrees(x, y, x2, y2)) * 2;
+  /** The opening angle of a circle segment, in degrees, seen from the centre of its circle. */
+  private static double opening(Point centre, Point up, Point down, Point otherCentre) {
+    double lesser = Math.min(degrees(centre, up), degrees(centre, down));
+    return Math.abs(lesser - degrees(centre, otherCentre)) * 2;
   }
 
-  /** The direction from one point to another, as CamSim computes it. */
-  private static double degrees(double fromX, double fromY, double toX, double toY) {
-    double dx = fromX - toX;
-    double dy = fromY - toY;
+  /** The direction from one point to another, in degrees, as CamSim computes it. */
+  private static double degrees(Point from, Point to) {
+    double dx = from.x - to.x;
+    double dy = from.y - to.y;
     if (dx == 0) {
       return dy == 0 ? 0 : dy > 0 ? 90 : -90;
     }

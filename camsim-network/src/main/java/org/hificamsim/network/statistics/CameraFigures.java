@@ -7,10 +7,10 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 
 /**
- * What a camera's targets are worth: its utility (behaviour 10.3) and its relative confidence
- * (behaviour 10.4).
+ * The figures of a camera: its utility (behaviour 10.3) and its relative confidence (behaviour
+ * 10.4).
  *
- * <p>{@link #measure} fills the figures of one camera, to be read before the next is measured.
+ * <p>{@link #measure} computes the figures of one camera; they are valid until its next call.
  */
 public final class CameraFigures {
   private static final double MAX_RANGE = 20;
@@ -18,54 +18,54 @@ public final class CameraFigures {
   private final Cameras cameras;
   private final Targets targets;
   private final Field field;
-  private double sum;
-  private int visible;
+  private double certaintySum;
+  private int trackedTargets;
 
-  /** Figures of a world's cameras. */
+  /** Creates the figures of a world's cameras. */
   public CameraFigures(World world) {
     cameras = world.cameras();
     targets = world.targets();
     field = world.scenario().field();
   }
 
-  /** The visibility of the targets owned, weighed by the camera's range. */
+  /** The sum of the confidences of owned targets, times a factor that falls with the range. */
   public double utility(Agent agent) {
-    double worth = Math.max(worth(agent.camera()), 0);
+    double rangeFactor = Math.max(rangeFactor(agent.camera()), 0);
     double utility = 0.0;
     for (int target : agent.owned()) {
-      utility += agent.confidence(target) * worth;
+      utility += agent.confidence(target) * rangeFactor;
     }
     return utility;
   }
 
-  /** Measures what the camera owns and sees. */
+  /** Measures the targets that a camera owns and sees. */
   public void measure(Agent agent) {
-    sum = 0.0;
-    visible = 0;
+    certaintySum = 0.0;
+    trackedTargets = 0;
     for (int target : agent.copyOfOwned()) {
       if (agent.sees(target)) {
-        sum += certainty(agent.camera(), target);
-        visible++;
+        certaintySum += certainty(agent.camera(), target);
+        trackedTargets++;
       }
     }
   }
 
-  /** The sum of the certainties of targets owned and seen. */
+  /** The sum of the certainties of the targets owned and seen. */
   public double sumOfCertainties() {
-    return sum;
+    return certaintySum;
   }
 
-  /** How many targets are owned and seen. */
+  /** The number of targets owned and seen. */
   public int tracked() {
-    return visible;
+    return trackedTargets;
   }
 
   /** The mean certainty of the targets owned and seen; 0 without any. */
   public double relativeConfidence() {
-    return sum == 0 ? 0 : sum / visible;
+    return certaintySum == 0 ? 0 : certaintySum / trackedTargets;
   }
 
-  private double worth(int camera) {
+  private double rangeFactor(int camera) {
     return 0.95 * (1 - cameras.range(camera) / MAX_RANGE) - 0.15;
   }
 
@@ -73,7 +73,7 @@ public final class CameraFigures {
     double dx = (targets.x(target) - field.minX()) - (cameras.x(camera) - field.minX());
     double dy = (field.minY() + targets.y(target)) * -1 - (field.minY() + cameras.y(camera)) * -1;
     double distance = Math.sqrt(dx * dx + dy * dy);
-    double certainty = (1 - distance / MAX_RANGE) * worth(camera);
+    double certainty = (1 - distance / MAX_RANGE) * rangeFactor(camera);
     return certainty < 0 ? 0 : certainty;
   }
 }

@@ -5,21 +5,21 @@ import java.util.function.ToDoubleBiFunction;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * An overlap of every pair of cameras, square metres, computed and added up again only where a
- * camera has changed.
+ * The overlaps of all pairs of cameras, in square metres, recomputed only for cameras that have
+ * changed.
  */
 public final class OverlapTable {
   private final Cameras cameras;
   private final ToDoubleBiFunction<RangeCircle, RangeCircle> overlap;
 
-  /** By camera, and by later camera. */
+  /** By camera, then by later camera. */
   private final double[][] overlaps;
 
   private final RangeCircle[] circles;
   private int revision = -1;
 
   /**
-   * @param overlap of two cameras, the first being earlier in the list
+   * @param overlap gives the overlap of two cameras, of which the first is earlier in the list
    */
   OverlapTable(Cameras cameras, ToDoubleBiFunction<RangeCircle, RangeCircle> overlap) {
     this.cameras = cameras;
@@ -30,7 +30,7 @@ public final class OverlapTable {
     circles = new RangeCircle[count];
   }
 
-  /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
+  /** Returns {@code sum} plus the overlaps of a camera with each later camera that is online. */
   double addPairs(int camera, double sum) {
     refresh();
     double total = sum;

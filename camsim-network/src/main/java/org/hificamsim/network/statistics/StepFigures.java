@@ -3,16 +3,16 @@ package org.hificamsim.network.statistics;
 /**
  * One row of CamSim's statistics (behaviour 10.1), or the sums of several.
  *
- * @param step from 0; of sums the number of steps
- * @param utility of all cameras at the end of the step
- * @param communication StartSearch messages delivered
- * @param strategyChanges cameras that changed their schedule or policy
- * @param banditUtility utility with prices of the cameras that have a bandit
- * @param attempts StartSearch messages attempted
- * @param overlap of the fields of view by CamSim's formula, square metres
- * @param confidence relative confidences, added up
- * @param proportion of the targets present that are tracked and seen
- * @param handovers StartTracking messages delivered
+ * @param step the step, from 0; in sums the number of steps
+ * @param utility the utility of all cameras at the end of the step
+ * @param communication the number of StartSearch messages delivered
+ * @param strategyChanges the number of cameras that changed their schedule or policy
+ * @param banditUtility the utility and prices of the cameras with a bandit
+ * @param attempts the number of StartSearch messages attempted
+ * @param overlap the overlap of the fields of view by CamSim's formula, in square metres
+ * @param confidence the sum of the relative confidences
+ * @param proportion the share of the present targets that are tracked and seen
+ * @param handovers the number of StartTracking messages delivered
  */
 public record StepFigures(
     long step,
@@ -25,10 +25,10 @@ public record StepFigures(
     double confidence,
     double proportion,
     long handovers) {
-  /** The sums of no step. */
+  /** The sums over no steps. */
   public static final StepFigures NONE = new StepFigures(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
 
-  /** These sums and one step more. */
+  /** Returns these sums plus one further step. */
   public StepFigures plus(StepFigures next) {
     return new StepFigures(
         step + 1,
@@ -43,7 +43,7 @@ public record StepFigures(
         handovers + next.handovers);
   }
 
-  /** The mean over the steps of the proportion tracked; 0 without steps. */
+  /** The mean proportion over the steps; 0 without steps. */
   public double meanProportion() {
     return step == 0 ? 0 : proportion / step;
   }

@@ -5,7 +5,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.MessageQueue;
 
-/** Adds a step's figures up, camera by camera (behaviour 7, steps 8 to 11). */
+/** Adds up the figures of a step, camera by camera (behaviour 7, steps 8 to 11). */
 public final class StepTally {
   private final Targets targets;
   private final OverlapTable overlaps;
@@ -19,11 +19,11 @@ public final class StepTally {
   private double confidence;
   private int tracked;
 
-  /** Sums of a world's steps, at 0. */
+  /** Creates the tally of a world, with all sums at 0. */
   public StepTally(World world, CameraFigures figures, MessageQueue queue) {
     this.targets = world.targets();
     this.overlaps =
-        new OverlapTable(world.cameras(), new CamSimOverlap(world.scenario().field())::of);
+        new OverlapTable(world.cameras(), new CamSimOverlap(world.scenario().field())::overlap);
     this.figures = figures;
     this.queue = queue;
   }
@@ -46,25 +46,25 @@ public final class StepTally {
   }
 
   /**
-   * Counts an online camera that has settled its auctions and been measured.
+   * Adds the figures of an online camera that has settled its auctions and been measured.
    *
    * @param earned utility and prices of a camera whose bandit learns from them, else 0
-   * @param sent what the camera attempted to send
+   * @param attemptsOfCamera the number of StartSearch messages that the camera attempted
    */
-  public void settled(Agent agent, double earned, int sent) {
-    attempts += sent;
+  public void addCamera(Agent agent, double earned, int attemptsOfCamera) {
+    attempts += attemptsOfCamera;
     banditUtility += earned;
     overlap = overlaps.addPairs(agent.camera(), overlap);
     confidence += figures.relativeConfidence();
     tracked += figures.tracked();
   }
 
-  /** Counts an online camera's utility, once all have settled. */
-  public void count(Agent agent) {
+  /** Adds the utility of an online camera, after all cameras have settled their auctions. */
+  public void addUtility(Agent agent) {
     utility += figures.utility(agent);
   }
 
-  /** The row of the step. */
+  /** Returns the row of the step. */
   public StepFigures end(long step) {
     return new StepFigures(
         step,
@@ -79,7 +79,7 @@ public final class StepTally {
         queue.startTrackings());
   }
 
-  /** Of the targets present; 0 without any, also where one that is gone counts as tracked (Q6). */
+  /** The proportion of the present targets that are tracked; 0 if none is present (quirk Q6). */
   private double proportion() {
     int present = present();
     return present == 0 ? 0 : (double) tracked / present;

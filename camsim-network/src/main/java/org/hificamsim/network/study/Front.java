@@ -4,17 +4,17 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 
-/** Points of utility and cost of which none is beaten: no other has more for less (Pareto). */
+/** The Pareto front of points with a utility and a cost. */
 public final class Front {
   private Front() {}
 
   /**
-   * The points that no other one beats by more utility at no more cost, or less cost at no less
-   * utility; of equal points all. By rising cost.
+   * Returns the points on the front, by rising cost: those for which no other point has more
+   * utility at no more cost, or less cost at no less utility. Equal points are all on the front.
    *
-   * @param utility of each point, to be high
-   * @param cost of each point, to be low
-   * @param points the places of those that take part
+   * @param utility the utility of each point, to be maximised
+   * @param cost the cost of each point, to be minimised
+   * @param points the indexes of the points to compare
    */
   public static int[] of(double[] utility, double[] cost, int[] points) {
     int[] byCost =
@@ -22,26 +22,29 @@ public final class Front {
             .boxed()
             .sorted(
                 Comparator.<Integer>comparingDouble(point -> cost[point])
-                    .thenComparing(Comparator.<Integer>comparingDouble(p -> utility[p]).reversed()))
+                    .thenComparing(
+                        Comparator.<Integer>comparingDouble(point -> utility[point]).reversed()))
             .mapToInt(Integer::intValue)
             .toArray();
     IntStream.Builder front = IntStream.builder();
-    int last = -1;
+    int previous = -1;
     for (int point : byCost) {
-      boolean better = last < 0 || utility[point] > utility[last];
-      boolean equal = last >= 0 && utility[point] == utility[last] && cost[point] == cost[last];
+      boolean better = previous < 0 || utility[point] > utility[previous];
+      boolean equal =
+          previous >= 0 && utility[point] == utility[previous] && cost[point] == cost[previous];
       if (better || equal) {
         front.add(point);
-        last = point;
+        previous = point;
       }
     }
     return front.build().toArray();
   }
 
   /**
-   * The area that points beat, from utility 0 and the largest cost on.
+   * Returns the area dominated by points, relative to the rectangle from utility 0 and cost {@code
+   * mostCost} to utility {@code mostUtility} and cost 0.
    *
-   * @param mostUtility what counts as 1, as does {@code mostCost} of cost; 0 makes all of it 0
+   * @param mostUtility the largest utility; the result is 0 if it or {@code mostCost} is 0
    * @return 0 to 1
    */
   public static double hypervolume(

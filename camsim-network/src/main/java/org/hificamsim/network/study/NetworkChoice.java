@@ -14,22 +14,24 @@ import org.hificamsim.network.files.NetworkText;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * The networks that a study has.
+ * The networks that a study compares.
  *
- * @param strategies that cameras may have, 1 or more
- * @param bandits that cameras may choose by
- * @param alphas weights of utility against messages for bandits, each in [0, 1]
+ * @param strategies the strategies that cameras may have, 1 or more
+ * @param bandits the bandits that cameras may have
+ * @param alphas the weights of utility against messages for bandits, each in [0, 1]
  */
 public record NetworkChoice(
     List<Strategy> strategies, List<BanditAlgorithm> bandits, List<Double> alphas) {
-  private static final int MAX_ALL = 1_000_000;
+  private static final int MAX_NETWORKS = 1_000_000;
 
-  /** A network in which all cameras have one strategy, for each strategy. */
+  /** Returns, for each strategy, the network whose cameras all have it. */
   public List<StudyPlan> homogeneous(RunPlan base) {
-    return strategies.stream().map(one -> plan(base, List.of(one))).toList();
+    return strategies.stream().map(strategy -> plan(base, List.of(strategy))).toList();
   }
 
-  /** A network for each bandit and alpha; its cameras start with what the file says. */
+  /**
+   * Returns a network for each bandit and alpha; its cameras start with the strategies of the file.
+   */
   public List<StudyPlan> bandits(RunPlan base) {
     List<StudyPlan> plans = new ArrayList<>();
     for (BanditAlgorithm bandit : bandits) {
@@ -43,12 +45,12 @@ public record NetworkChoice(
   }
 
   /**
-   * Every network whose cameras do not all have one strategy.
+   * Returns every network whose cameras do not all have the same strategy.
    *
-   * @throws InputException when there are more than a million
+   * @throws InputException if there are more than a million
    */
   public List<StudyPlan> all(RunPlan base) {
-    if (count(base) > MAX_ALL) {
+    if (count(base) > MAX_NETWORKS) {
       throw InputException.of(
           "scenario '%s' has %s cameras, %s networks: expected %s or search:N",
           base.scenario().name(), cameras(base), count(base), setting("heterogeneous", "sample:N"));
@@ -61,9 +63,10 @@ public record NetworkChoice(
   }
 
   /**
-   * Some of them, drawn with the seed of the plan: each once; all where there are no more.
+   * Returns distinct networks whose cameras do not all have the same strategy, drawn with the seed
+   * of the plan.
    *
-   * @param size how many, 1 or more
+   * @param size the number of networks, 1 or more; all are returned if there are no more
    */
   public List<StudyPlan> sample(RunPlan base, int size) {
     if (count(base) - strategies.size() <= size) {
@@ -88,7 +91,7 @@ public record NetworkChoice(
     }
   }
 
-  /** A number's digits, one for each camera. */
+  /** Returns the digits of a number in base {@code strategies.size()}, one for each camera. */
   private List<Integer> digits(int number, int cameras) {
     List<Integer> digits = new ArrayList<>();
     for (int rest = number; digits.size() < cameras; rest /= strategies.size()) {
@@ -97,7 +100,7 @@ public record NetworkChoice(
     return digits;
   }
 
-  /** How many networks there are, the homogeneous ones included. */
+  /** The number of networks, including the homogeneous ones. */
   double count(RunPlan base) {
     return Math.pow(strategies.size(), cameras(base));
   }
@@ -106,13 +109,13 @@ public record NetworkChoice(
     return base.scenario().cameras().size();
   }
 
-  /** The network of these strategies, one for each camera or one for all. */
-  StudyPlan plan(RunPlan base, List<Strategy> each) {
-    boolean alike = each.stream().distinct().count() == 1;
-    List<Strategy> used = alike ? each.subList(0, 1) : each;
+  /** Returns the network with these strategies, one for each camera or one for all. */
+  StudyPlan plan(RunPlan base, List<Strategy> cameraStrategies) {
+    boolean isUniform = cameraStrategies.stream().distinct().count() == 1;
+    List<Strategy> used = isUniform ? cameraStrategies.subList(0, 1) : cameraStrategies;
     return new StudyPlan(
         base.withNetwork(NetworkText.of(used)),
-        alike ? StudyPlan.Kind.HOMOGENEOUS : StudyPlan.Kind.HETEROGENEOUS,
+        isUniform ? StudyPlan.Kind.HOMOGENEOUS : StudyPlan.Kind.HETEROGENEOUS,
         Strategy.text(used));
   }
 }

@@ -28,12 +28,15 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.RunEngine;
 
 /**
- * Looks for networks with much utility for few messages where there are too many to run them all:
- * NSGA-II (Deb et al. 2002) on Jenetics, from the homogeneous networks on. No network is run twice.
+ * Searches for networks with high utility and few messages if there are too many to run them all.
+ * Uses NSGA-II (Deb et al. 2002) of Jenetics, starting from the homogeneous networks. No network is
+ * run twice.
  */
 public final class NetworkSearch {
   private static final int POPULATION = 60;
-  private static final int ROUNDS = 20; // that a budget may take
+
+  /** Limits the generations, since a generation without new networks uses none of the budget. */
+  private static final int GENERATIONS_PER_POPULATION = 20;
 
   private final NetworkChoice choice;
   private final RunPlan base;
@@ -43,7 +46,7 @@ public final class NetworkSearch {
   private int left;
 
   /**
-   * @param results that the networks found join
+   * @param results receives the results of the networks that are run
    */
   public NetworkSearch(NetworkChoice choice, RunPlan base, StudyResults results, RunEngine engine) {
     this.choice = choice;
@@ -53,14 +56,15 @@ public final class NetworkSearch {
   }
 
   /**
-   * Runs up to this many networks in addition to the homogeneous ones; the same for the same seed.
+   * Runs up to {@code budget} networks in addition to the homogeneous ones; deterministic for a
+   * seed.
    */
   public void run(int budget) throws IOException {
     left = budget + choice.strategies().size();
     int genes = NetworkChoice.cameras(base);
     List<Genotype<IntegerGene>> first =
         IntStream.range(0, choice.strategies().size())
-            .mapToObj(one -> Genotype.of(IntegerChromosome.of(same(one, genes))))
+            .mapToObj(strategy -> Genotype.of(IntegerChromosome.of(same(strategy, genes))))
             .toList();
     try {
       RandomRegistry.with(new Random(base.seed()), random -> evolve(genes, ISeq.of(first), budget));
@@ -88,15 +92,17 @@ public final class NetworkSearch {
             .build()
             .stream(first)
             .takeWhile(generation -> left > 0)
-            .limit(ROUNDS + (long) ROUNDS * budget / POPULATION)
+            .limit(
+                GENERATIONS_PER_POPULATION
+                    + (long) GENERATIONS_PER_POPULATION * budget / POPULATION)
             .count();
   }
 
-  /** Runs the networks of a generation that are not known yet, all together. */
+  /** Runs the networks of a generation that were not run before, all in one call. */
   private ISeq<Phenotype<IntegerGene, Vec<double[]>>> evaluate(
       Seq<Phenotype<IntegerGene, Vec<double[]>>> generation) {
     Set<List<Integer>> asked = new LinkedHashSet<>();
-    generation.forEach(one -> asked.add(genes(one)));
+    generation.forEach(network -> asked.add(genes(network)));
     List<List<Integer>> missing =
         asked.stream().filter(genes -> !known.containsKey(genes)).limit(left).toList();
     left -= missing.size();
@@ -108,8 +114,10 @@ public final class NetworkSearch {
       throw new UncheckedIOException(e);
     }
     missing.forEach(genes -> known.put(genes, fitness(plan(genes))));
-    Vec<double[]> nothing = Vec.of(0, Double.NEGATIVE_INFINITY); // beyond the budget
-    return generation.map(one -> one.withFitness(known.getOrDefault(genes(one), nothing))).asISeq();
+    Vec<double[]> beyondBudget = Vec.of(0, Double.NEGATIVE_INFINITY);
+    return generation
+        .map(network -> network.withFitness(known.getOrDefault(genes(network), beyondBudget)))
+        .asISeq();
   }
 
   private Vec<double[]> fitness(StudyPlan plan) {
@@ -120,8 +128,8 @@ public final class NetworkSearch {
     return choice.plan(base, genes.stream().map(choice.strategies()::get).toList());
   }
 
-  private List<Integer> genes(Phenotype<IntegerGene, Vec<double[]>> one) {
-    return one.genotype().chromosome().stream()
+  private List<Integer> genes(Phenotype<IntegerGene, Vec<double[]>> network) {
+    return network.genotype().chromosome().stream()
         .map(gene -> Math.min(gene.allele(), choice.strategies().size() - 1))
         .toList();
   }

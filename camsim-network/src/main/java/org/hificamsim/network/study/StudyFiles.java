@@ -25,22 +25,22 @@ public final class StudyFiles {
   private static final List<Column<RunPlan>> GROUP = ComparisonFiles.CASE.subList(0, 2);
 
   /** One run of a network. */
-  record StudyRun(StudyPlan of, RunResult result) {
+  record StudyRun(StudyPlan network, RunResult result) {
     ComparisonFiles.Run asRun() {
-      return ComparisonFiles.Run.alone(of.plan(), result);
+      return ComparisonFiles.Run.alone(network.plan(), result);
     }
   }
 
-  /** A network of a group. */
-  record Place(StudyGroup group, int network) {
-    StudyPlan of() {
+  /** A network of a group, by its index. */
+  record GroupNetwork(StudyGroup group, int network) {
+    StudyPlan studyPlan() {
       return group.plans().get(network);
     }
   }
 
   /** The front of a set of networks of a group. */
   public record SetFront(StudyGroup group, Members members) {
-    /** The names of up to {@code most} networks on it, by rising cost. */
+    /** The labels of up to {@code most} networks on the front, by rising cost. */
     public String names(int most) {
       return Arrays.stream(group.front(members))
           .limit(most)
@@ -67,22 +67,22 @@ public final class StudyFiles {
   private static final List<String> IN_RESULTS =
       ComparisonFiles.RESULTS.columns().stream().map(Column::name).toList();
 
-  /** A row per run. */
+  /** One row per run. */
   public static final Table<StudyRun> RESULTS =
       Table.<StudyRun>of(ComparisonFiles.RESULTS.file())
           .with(ComparisonFiles.RESULTS.columns(), StudyRun::asRun)
-          .with(NETWORK, StudyRun::of)
+          .with(NETWORK, StudyRun::network)
           .with(
               StudyResults.KEPT.stream()
                   .filter(metric -> !IN_RESULTS.contains(metric.label()))
                   .flatMap(StudyFiles::metric)
                   .toList());
 
-  /** A row per network. */
-  public static final Table<Place> NETWORKS =
-      Table.<Place>of("networks.csv")
+  /** One row per network. */
+  public static final Table<GroupNetwork> NETWORKS =
+      Table.<GroupNetwork>of("networks.csv")
           .with(GROUP, row -> row.group.plan())
-          .with(NETWORK, Place::of)
+          .with(NETWORK, GroupNetwork::studyPlan)
           .estimates(
               "utility",
               "utility_",
@@ -107,10 +107,11 @@ public final class StudyFiles {
               "share",
               "of the largest utility, that a network of strategies that never change has more at"
                   + " no more cost; 0 on their front, below 0 beyond it",
-              row -> row.group.below(row.network))
-          .texts("option", "the setting `network` of a run", row -> row.of().plan().network());
+              row -> row.group.belowFront(row.network))
+          .texts(
+              "option", "the setting `network` of a run", row -> row.studyPlan().plan().network());
 
-  /** A row per scenario, detection and set of networks. */
+  /** One row per scenario, detection and set of networks. */
   public static final Table<SetFront> FRONTS =
       Table.<SetFront>of("fronts.csv")
           .with(GROUP, row -> row.group.plan())
@@ -144,7 +145,7 @@ public final class StudyFiles {
   /**
    * Adds {@code settings.json} and the tables to a folder's files.
    *
-   * @return the fronts of sets that have networks
+   * @return the fronts of all sets that are not empty
    */
   public static List<SetFront> write(OutputFolder folder, StudyResults results) throws IOException {
     List<StudyPlan> plans = results.plans();
@@ -160,7 +161,8 @@ public final class StudyFiles {
         groups.stream()
             .flatMap(
                 group ->
-                    IntStream.range(0, group.plans().size()).mapToObj(i -> new Place(group, i))));
+                    IntStream.range(0, group.plans().size())
+                        .mapToObj(i -> new GroupNetwork(group, i))));
     List<SetFront> fronts =
         groups.stream()
             .flatMap(group -> Stream.of(Members.values()).map(set -> new SetFront(group, set)))
@@ -171,8 +173,8 @@ public final class StudyFiles {
   }
 
   /**
-   * Adds a file for each network as CamSim's scripts read them: its summary, a row for each seed,
-   * with the bytes that {@code camsim --repeat} writes.
+   * Adds a summary file for each network, with one row per seed, as CamSim's scripts read it and
+   * {@code camsim --repeat} writes it.
    */
   public static void writeSummaries(OutputFolder folder, StudyResults results) throws IOException {
     for (int i = 0; i < results.plans().size(); i++) {
@@ -181,7 +183,7 @@ public final class StudyFiles {
       int steps = plan.plan().steps();
       try (Writer out = folder.open(name)) {
         out.write(
-            SummaryRows.of(
+            SummaryRows.text(
                 plan.plan().seed(), results.runs(i).map(run -> figures(steps, run)).toList()));
       }
     }
@@ -203,7 +205,7 @@ public final class StudyFiles {
 
   private static Stream<Column<StudyRun>> metric(Metric metric) {
     return Table.<StudyRun>of("")
-        .plain(metric, (row, one) -> row.result.value(one))
+        .plain(metric, (row, column) -> row.result.value(column))
         .columns()
         .stream();
   }

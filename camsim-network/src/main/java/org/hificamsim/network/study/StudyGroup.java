@@ -15,36 +15,43 @@ import org.hificamsim.runs.RunPlan;
 
 /**
  * The networks of one scenario under one detection, each with its mean utility and cost. Intervals
- * are those of the jackknife over seeds: what a figure would be without one of them.
+ * are computed by the jackknife over seeds: each figure is recomputed without one of them.
  */
 public final class StudyGroup {
-  /** Sets of networks whose fronts are compared. */
+  /** The sets of networks whose fronts are compared. */
   public enum Members {
     HOMOGENEOUS(kind -> kind == StudyPlan.Kind.HOMOGENEOUS),
-    /** Of strategies that never change, the same for all cameras or not. */
+    /** Networks of strategies that never change, the same for all cameras or not. */
     STATIC(kind -> kind != StudyPlan.Kind.BANDIT),
     BANDIT(kind -> kind == StudyPlan.Kind.BANDIT),
     ADAPTIVE(kind -> kind != StudyPlan.Kind.HETEROGENEOUS),
     ALL(kind -> true);
 
     @SuppressWarnings("ImmutableEnumChecker") // a function
-    private final Predicate<StudyPlan.Kind> has;
+    private final Predicate<StudyPlan.Kind> includes;
 
-    Members(Predicate<StudyPlan.Kind> has) {
-      this.has = has;
+    Members(Predicate<StudyPlan.Kind> includes) {
+      this.includes = includes;
     }
   }
 
   private static final int NO_SEED = -1;
 
   private final List<StudyPlan> plans;
-  private final double[][] utility; // by network and seed
-  private final double[][] cost;
-  private final double[] utilitySums; // over the seeds, so that leaving one out is cheap
-  private final double[] costSums;
-  private final Means all;
 
-  /** Means of all networks. */
+  /** By network, then by seed. */
+  private final double[][] utility;
+
+  /** By network, then by seed. */
+  private final double[][] cost;
+
+  /** Sums over the seeds, so that leaving one out is cheap. */
+  private final double[] utilitySums;
+
+  private final double[] costSums;
+  private final Means means;
+
+  /** The means of all networks over seeds. */
   private record Means(double[] utility, double[] cost, double mostUtility, double mostCost) {}
 
   private StudyGroup(List<StudyPlan> plans, double[][] utility, double[][] cost) {
@@ -53,10 +60,10 @@ public final class StudyGroup {
     this.cost = cost;
     this.utilitySums = sums(utility);
     this.costSums = sums(cost);
-    this.all = means(NO_SEED);
+    this.means = means(NO_SEED);
   }
 
-  /** The groups of a study, in its order. */
+  /** Returns the groups of a study, in the order of its plans. */
   public static List<StudyGroup> of(StudyResults results) {
     return IntStream.range(0, results.plans().size())
         .boxed()
@@ -64,11 +71,11 @@ public final class StudyGroup {
         .values()
         .stream()
         .map(
-            own ->
+            networks ->
                 new StudyGroup(
-                    own.stream().map(results.plans()::get).toList(),
-                    values(results, own, Metric.UTILITY),
-                    values(results, own, Metric.MESSAGES)))
+                    networks.stream().map(results.plans()::get).toList(),
+                    values(results, networks, Metric.UTILITY),
+                    values(results, networks, Metric.MESSAGES)))
         .toList();
   }
 
@@ -82,12 +89,12 @@ public final class StudyGroup {
   }
 
   private static double[] sums(double[][] values) {
-    return Arrays.stream(values).mapToDouble(one -> Arrays.stream(one).sum()).toArray();
+    return Arrays.stream(values).mapToDouble(row -> Arrays.stream(row).sum()).toArray();
   }
 
-  private Means means(int without) {
-    double[] meanUtility = means(utility, utilitySums, without);
-    double[] meanCost = means(cost, costSums, without);
+  private Means means(int leftOutSeed) {
+    double[] meanUtility = means(utility, utilitySums, leftOutSeed);
+    double[] meanCost = means(cost, costSums, leftOutSeed);
     return new Means(
         meanUtility,
         meanCost,
@@ -95,13 +102,13 @@ public final class StudyGroup {
         Arrays.stream(meanCost).max().orElse(0));
   }
 
-  private static double[] means(double[][] values, double[] sums, int without) {
+  private static double[] means(double[][] values, double[] sums, int leftOutSeed) {
     double[] means = new double[values.length];
     for (int i = 0; i < means.length; i++) {
       means[i] =
-          without == NO_SEED
+          leftOutSeed == NO_SEED
               ? sums[i] / values[i].length
-              : (sums[i] - values[i][without]) / (values[i].length - 1);
+              : (sums[i] - values[i][leftOutSeed]) / (values[i].length - 1);
     }
     return means;
   }
@@ -116,10 +123,10 @@ public final class StudyGroup {
     return plans.get(0).plan();
   }
 
-  /** The places of a set's networks. */
+  /** The indexes of the networks of a set. */
   public int[] members(Members members) {
     return IntStream.range(0, plans.size())
-        .filter(i -> members.has.test(plans.get(i).kind()))
+        .filter(i -> members.includes.test(plans.get(i).kind()))
         .toArray();
   }
 
@@ -131,64 +138,64 @@ public final class StudyGroup {
     return Estimate.mean(cost[network]);
   }
 
-  /** Mean utility over the largest of all networks. */
+  /** The mean utility of a network, relative to the largest of all networks. */
   double utilityShare(int network) {
-    return share(all.utility[network], all.mostUtility);
+    return share(means.utility[network], means.mostUtility);
   }
 
-  /** Mean cost over the largest of all networks. */
+  /** The mean cost of a network, relative to the largest of all networks. */
   double costShare(int network) {
-    return share(all.cost[network], all.mostCost);
+    return share(means.cost[network], means.mostCost);
   }
 
   private static double share(double value, double most) {
     return most == 0 ? 0 : value / most;
   }
 
-  /** The networks of a set on its front, by rising cost. */
+  /** The indexes of the networks on the front of a set, by rising cost. */
   public int[] front(Members members) {
-    return Front.of(all.utility, all.cost, members(members));
+    return Front.of(means.utility, means.cost, members(members));
   }
 
-  /** What a set's front beats of all that is possible, 0 to 1. */
+  /** The hypervolume of the front of a set, 0 to 1. */
   public Estimate hypervolume(Members members) {
-    return jackknife(without -> area(without, members(members)));
+    return jackknife(leftOutSeed -> area(leftOutSeed, members(members)));
   }
 
-  /** How much more a set's front beats than another's. */
+  /** The hypervolume of the front of a set, less that of another set. */
   public Estimate gain(Members members, Members over) {
-    return jackknife(without -> area(without, members(members)) - area(without, members(over)));
+    return jackknife(
+        leftOutSeed -> area(leftOutSeed, members(members)) - area(leftOutSeed, members(over)));
   }
 
-  /** What a network beats by itself, 0 to 1. */
+  /** The hypervolume of a single network, 0 to 1. */
   public double area(int network) {
     return area(NO_SEED, network);
   }
 
-  /** How much more a network beats than another. */
-  public Estimate lead(int network, int over) {
-    return jackknife(without -> area(without, network) - area(without, over));
+  /** The hypervolume of a network, less that of another network. */
+  public Estimate areaLead(int network, int over) {
+    return jackknife(leftOutSeed -> area(leftOutSeed, network) - area(leftOutSeed, over));
   }
 
-  private double area(int without, int... networks) {
-    Means means = without == NO_SEED ? all : means(without);
-    return Front.hypervolume(
-        means.utility, means.cost, networks, means.mostUtility, means.mostCost);
+  private double area(int leftOutSeed, int... networks) {
+    Means used = leftOutSeed == NO_SEED ? means : means(leftOutSeed);
+    return Front.hypervolume(used.utility, used.cost, networks, used.mostUtility, used.mostCost);
   }
 
   /**
-   * How far a network is below the front of static networks: the utility, as a share of the
-   * largest, that one of them has more at no more cost; below 0 beyond that front.
+   * The distance of a network below the front of static networks: how much more utility one of them
+   * has at no more cost, as a share of the largest utility; negative beyond that front.
    */
-  public double below(int network) {
+  public double belowFront(int network) {
     return Arrays.stream(front(Members.STATIC))
-        .filter(other -> all.cost[other] <= all.cost[network])
-        .mapToDouble(other -> utilityShare(other) - utilityShare(network))
+        .filter(rival -> means.cost[rival] <= means.cost[network])
+        .mapToDouble(rival -> utilityShare(rival) - utilityShare(network))
         .max()
         .orElse(-utilityShare(network));
   }
 
-  /** Of all seeds, with the interval that leaving out each of them gives. */
+  /** The figure for all seeds, with its interval from leaving out each seed in turn. */
   private Estimate jackknife(IntToDoubleFunction figure) {
     double whole = figure.applyAsDouble(NO_SEED);
     int seeds = utility[0].length;

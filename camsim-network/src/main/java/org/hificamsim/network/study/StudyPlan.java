@@ -5,7 +5,8 @@ import org.hificamsim.runs.RunPlan;
 /**
  * One network of a study, in one scenario under one detection.
  *
- * @param label its strategies, {@code A0-P2}, or its bandit and alpha, {@code UCB1@0.5}
+ * @param label the strategies, such as {@code A0-P2}, or the bandit and alpha, such as {@code
+ *     UCB1@0.5}
  */
 public record StudyPlan(RunPlan plan, Kind kind, String label) {
   /** Kinds of networks. */

@@ -15,9 +15,9 @@ import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
 
-/** What the runs of a study measured: a hundred bytes a run, whatever its length. */
+/** The measurements of the runs of a study: about a hundred bytes per run, whatever its length. */
 public final class StudyResults {
-  /** What is kept of a run. */
+  /** The metrics kept for each run. */
   static final List<Metric> KEPT =
       List.of(
           Metric.PERFORMANCE,
@@ -35,21 +35,27 @@ public final class StudyResults {
           Metric.BITS);
 
   private final List<StudyPlan> plans = new ArrayList<>();
-  private final Map<String, Integer> places = new HashMap<>();
-  private final List<double[]> figures = new ArrayList<>(); // by plan: repeat by repeat
+  private final Map<String, Integer> planIndexes = new HashMap<>();
 
-  /** Runs networks that were not run yet, every repeat; seed by seed, so that all make headway. */
-  public void run(List<StudyPlan> asked, RunEngine engine) throws IOException {
+  /**
+   * By plan; each array has the {@link #KEPT} metrics of the first repeat, then of the second...
+   */
+  private final List<double[]> figures = new ArrayList<>();
+
+  /**
+   * Runs all repeats of networks that were not run yet, seed by seed, so that all progress evenly.
+   */
+  public void run(List<StudyPlan> newPlans, RunEngine engine) throws IOException {
     int first = plans.size();
-    for (StudyPlan plan : asked) {
-      if (places.putIfAbsent(key(plan), plans.size()) == null) {
+    for (StudyPlan plan : newPlans) {
+      if (planIndexes.putIfAbsent(key(plan), plans.size()) == null) {
         plans.add(plan);
         figures.add(new double[plan.plan().repeats() * KEPT.size()]);
       }
     }
     List<RunPlan> added = plans.subList(first, plans.size()).stream().map(StudyPlan::plan).toList();
     List<RunTask> tasks = new ArrayList<>();
-    for (int repeat = 0; repeat < asked.get(0).plan().repeats(); repeat++) {
+    for (int repeat = 0; repeat < newPlans.get(0).plan().repeats(); repeat++) {
       for (int plan = 0; plan < added.size(); plan++) {
         tasks.add(new RunTask(plan, repeat));
       }
@@ -61,12 +67,12 @@ public final class StudyResults {
     return plan.plan().scenario().name() + " " + plan.label();
   }
 
-  /** A metric's mean over the seeds of a network that was run. */
+  /** The mean of a metric over the seeds of a network that was run. */
   double mean(StudyPlan plan, Metric metric) {
-    return Arrays.stream(values(places.get(key(plan)), metric)).average().orElse(0);
+    return Arrays.stream(values(planIndexes.get(key(plan)), metric)).average().orElse(0);
   }
 
-  /** Runs write into parts of their own. */
+  /** Keeps a result; concurrent runs write to different parts of the array. */
   private void keep(int plan, int repeat, RunResult result) {
     for (int i = 0; i < KEPT.size(); i++) {
       figures.get(plan)[repeat * KEPT.size() + i] = result.value(KEPT.get(i));
@@ -78,18 +84,19 @@ public final class StudyResults {
     return plans;
   }
 
-  /** A metric's values of a network, one for each seed. */
+  /** The values of a metric for a network, one for each seed. */
   public double[] values(int plan, Metric metric) {
-    int place = KEPT.indexOf(metric);
+    int metricIndex = KEPT.indexOf(metric);
     return IntStream.range(0, plans.get(plan).plan().repeats())
-        .mapToDouble(repeat -> figures.get(plan)[repeat * KEPT.size() + place])
+        .mapToDouble(repeat -> figures.get(plan)[repeat * KEPT.size() + metricIndex])
         .toArray();
   }
 
-  /** Every run of a network. */
+  /** Returns all runs of a network. */
   Stream<RunResult> runs(int plan) {
-    RunPlan of = plans.get(plan).plan();
-    return IntStream.range(0, of.repeats()).mapToObj(repeat -> run(plan, repeat, of.seed(repeat)));
+    RunPlan runPlan = plans.get(plan).plan();
+    return IntStream.range(0, runPlan.repeats())
+        .mapToObj(repeat -> run(plan, repeat, runPlan.seed(repeat)));
   }
 
   private RunResult run(int plan, int repeat, long seed) {

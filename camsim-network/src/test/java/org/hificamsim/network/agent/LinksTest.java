@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The vision graph: links that fade, grow, or do neither. */
+/** Links of the vision graph that fade, grow, or are frozen. */
 class LinksTest {
   @Test
-  void linksFadeByAHalfPercentAndGrowByOne() {
+  void linksFadeByHalfPercentAndGrowByOne() {
     Links links = Links.plain(3, List.of(1), false);
-    links.decay();
+    links.fade();
     assertEquals(0.995, links.strength(1, 0));
     links.strengthen(1, 0);
     links.strengthen(2, 0);
@@ -22,19 +22,19 @@ class LinksTest {
   }
 
   @Test
-  void frozenLinksStayUntilTheyThaw() {
+  void frozenLinksKeepStrengthUntilThawed() {
     Links links = Links.plain(3, List.of(1, 1), true);
-    links.decay();
+    links.fade();
     links.strengthen(2, 0);
     assertEquals(1.0, links.strength(1, 0));
     assertEquals(1, links.linked().cardinality());
     links.thaw();
-    links.decay();
+    links.fade();
     assertEquals(0.995, links.strength(1, 0));
   }
 
   @Test
-  void linksByCategoryAreForTargetsOfThatCategoryAlone() {
+  void linksByCategoryApplyToTheirCategoryOnly() {
     Links links = Links.byCategory(3, 4, target -> target);
     links.strengthen(1, 2);
     links.strengthen(1, 0);
@@ -42,7 +42,7 @@ class LinksTest {
     assertEquals(Links.NONE, links.strength(1, 3));
     assertEquals(0, links.strongest(3));
     assertEquals(0, links.strongest(0), "category 0 has no links");
-    links.decay();
+    links.fade();
     assertEquals(0.995, links.strongest(2));
   }
 }

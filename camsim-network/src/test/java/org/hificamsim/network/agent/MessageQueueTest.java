@@ -6,12 +6,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Messages on their way. */
+/** The order and the counts of delivered messages. */
 class MessageQueueTest {
   private final MessageQueue queue = new MessageQueue(4, 8);
 
   @Test
-  void deliversInTheOrderOfSendingAndCountsWhoReceivesEachKind() {
+  void deliversInOrderSentAndCountsReceiversByKind() {
     for (int i = 0; i < 200; i++) {
       queue.send(i % 2 == 0 ? MessageKind.START_SEARCH : MessageKind.FOUND, i, i + 1, 7, i / 2.0);
     }
@@ -38,7 +38,7 @@ class MessageQueueTest {
   }
 
   @Test
-  void answersSentWhileDeliveringAreDeliveredToo() {
+  void deliversAnswersSentDuringDelivery() {
     List<MessageKind> delivered = new ArrayList<>();
     queue.send(MessageKind.START_SEARCH, 0, 1, 0, 0);
     queue.deliver(

@@ -11,7 +11,7 @@ import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** What cameras look for is as if each of them kept a map of its own. */
+/** Compares searches with a model that has one map per camera. */
 class SearchesTest {
   private static final int CAMERAS = 4;
   private static final int TARGETS = 3;
@@ -20,12 +20,12 @@ class SearchesTest {
   private final World world =
       new TestScenario().camera(0, 0).camera(1, 0).camera(2, 0).camera(3, 0).world();
   private final Searches searches = new Searches(world.cameras(), TARGETS);
-  private final List<Map<Integer, Integer>> plain = new ArrayList<>();
+  private final List<Map<Integer, Integer>> model = new ArrayList<>();
 
   @Test
-  void eachCameraLooksForWhatItsOwnMapWouldSayInTheSameOrder() {
+  void searchesMatchOneMapPerCamera() {
     for (int camera = 0; camera < CAMERAS; camera++) {
-      plain.add(new LinkedHashMap<>());
+      model.add(new LinkedHashMap<>());
     }
     for (int i = 0; i < 100_000; i++) {
       act(random.nextInt(40), random.nextInt(CAMERAS), random.nextInt(TARGETS));
@@ -35,30 +35,30 @@ class SearchesTest {
     }
   }
 
-  private void act(int what, int camera, int target) {
-    if (what == 0) {
+  private void act(int action, int camera, int target) {
+    if (action == 0) {
       world.switchCamera(camera, !world.cameras().online(camera));
-    } else if (what < 10) {
+    } else if (action < 10) {
       int searcher = random.nextInt(Searches.NOBODY, CAMERAS);
       searches.begin(camera, target, searcher);
-      plain.get(camera).put(target, searcher);
-    } else if (what < 15) {
+      model.get(camera).put(target, searcher);
+    } else if (action < 15) {
       searches.end(camera, target);
-      plain.get(camera).remove(target);
+      model.get(camera).remove(target);
     } else {
-      tellAll(what < 30 ? MessageKind.START_SEARCH : MessageKind.STOP_SEARCH, camera, target);
+      receiveAll(action < 30 ? MessageKind.START_SEARCH : MessageKind.STOP_SEARCH, camera, target);
     }
   }
 
-  private void tellAll(MessageKind kind, int from, int target) {
+  private void receiveAll(MessageKind kind, int from, int target) {
     int receivers = 0;
     for (int camera = 0; camera < CAMERAS; camera++) {
       if (camera != from && world.cameras().online(camera)) {
         receivers++;
         if (kind == MessageKind.START_SEARCH) {
-          plain.get(camera).put(target, from);
+          model.get(camera).put(target, from);
         } else {
-          plain.get(camera).remove(target);
+          model.get(camera).remove(target);
         }
       }
     }
@@ -69,11 +69,11 @@ class SearchesTest {
     List<Integer> owned = new ArrayList<>();
     for (int target = 0; target < TARGETS; target++) {
       owned.add(random.nextInt(owned.size() + 1), target);
-      int expected = plain.get(camera).getOrDefault(target, Searches.NONE);
+      int expected = model.get(camera).getOrDefault(target, Searches.NONE);
       assertEquals(expected, searches.searcher(camera, target));
     }
-    List<Integer> own = new ArrayList<>(plain.get(camera).keySet());
-    own.removeIf(target -> plain.get(camera).get(target) != camera);
-    assertEquals(own, searches.own(camera, owned));
+    List<Integer> expectedOrder = new ArrayList<>(model.get(camera).keySet());
+    expectedOrder.removeIf(target -> model.get(camera).get(target) != camera);
+    assertEquals(expectedOrder, searches.ownSearches(camera, owned));
   }
 }

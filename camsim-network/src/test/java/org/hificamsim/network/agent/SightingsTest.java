@@ -13,7 +13,7 @@ import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
-/** What a camera of 5 m range sees as it is moved past targets at x = 0, 3 and 6. */
+/** A camera with a range of 5 m moves past targets at x = 0, 3 and 6. */
 class SightingsTest {
   private final World world =
       new TestScenario().camera(0, 0).target(0, 0).target(3, 0).target(6, 0).world();
@@ -21,7 +21,7 @@ class SightingsTest {
       new Sightings(world, Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0));
 
   @Test
-  void targetsAreInTheOrderInWhichTheyBecameVisibleAndStayedSo() {
+  void visibleTargetsKeepOrderOfAppearance() {
     assertEquals(List.of(1, 2), from(7));
     assertEquals(List.of(1, 2, 0), from(3));
     assertEquals(List.of(1, 0), from(0));
@@ -29,7 +29,7 @@ class SightingsTest {
   }
 
   @Test
-  void aTargetThatIsForgottenComesLastWhenItIsSeenAgain() {
+  void forgottenTargetComesLastWhenSeenAgain() {
     assertEquals(List.of(0, 1), from(0));
     assertTrue(sightings.sees(0, 0));
     sightings.forget(0, 0);
@@ -37,12 +37,12 @@ class SightingsTest {
     assertEquals(List.of(1, 0), from(0));
   }
 
-  /** What the camera sees from a place near the line of targets. */
+  /** Returns the targets that the camera sees from a place near the line of targets. */
   private List<Integer> from(double x) {
     world.moveCamera(0, x + 0.5, 1);
     sightings.look(0, new int[1], new int[3]);
-    return IntStream.range(0, sightings.visible(0))
-        .mapToObj(place -> sightings.visible(0, place))
+    return IntStream.range(0, sightings.visibleCount(0))
+        .mapToObj(index -> sightings.visible(0, index))
         .toList();
   }
 }

@@ -20,7 +20,7 @@ class BanditAlgorithmTest {
   private static final double EPSILON = 0.25;
   private static final int ROUNDS = 400;
 
-  /** Arms, and beside them what they stand for. */
+  /** The arms of a bandit, and a full list of their results. */
   private static final class History {
     private final Arms arms = new Arms(new Random(9));
     private final double[] first = new Random(9).doubles(Arms.COUNT).map(d -> d / 1e6).toArray();
@@ -36,8 +36,8 @@ class BanditAlgorithmTest {
     void reward(int arm, double amount) {
       arms.reward(arm, amount);
       counts[arm]++;
-      for (int other = 0; other < Arms.COUNT; other++) {
-        results.get(other).add(other == arm ? amount : 0.0);
+      for (int candidate = 0; candidate < Arms.COUNT; candidate++) {
+        results.get(candidate).add(candidate == arm ? amount : 0.0);
       }
     }
 
@@ -61,8 +61,8 @@ class BanditAlgorithmTest {
     }
   }
 
-  /** Plays the algorithm's own choices, with rewards around 0.3 that an arm of its own exceeds. */
-  private static void follows(
+  /** Asserts each choice of an algorithm, with rewards around 0.3 and higher ones for arm 2. */
+  private static void assertChoosesBest(
       BanditAlgorithm algorithm, Function<History, IntToDoubleFunction> value) {
     History history = new History();
     SplittableRandom random = new SplittableRandom(4);
@@ -86,15 +86,15 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void ucb1TakesTheBestUpperBound() {
-    follows(
+  void ucb1ChoosesBestUpperBound() {
+    assertChoosesBest(
         BanditAlgorithm.UCB1,
         history -> arm -> history.mean(arm) + Math.sqrt(2 * history.log() / history.counts[arm]));
   }
 
   @Test
-  void ucbTunedBoundsTheVarianceByAQuarter() {
-    follows(
+  void ucbTunedLimitsVarianceToOneQuarter() {
+    assertChoosesBest(
         BanditAlgorithm.UCB_TUNED,
         history ->
             arm -> {
@@ -105,7 +105,7 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void ucbTunedPrefersTheSpreadOfEqualMeans() {
+  void ucbTunedPrefersLargerSpreadIfMeansAreEqual() {
     History history = new History();
     for (int round = 0; round < 3000; round++) {
       double spread = round % Arms.COUNT == 4 ? 0.48 : 0;
@@ -118,7 +118,7 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void ucb2WeighsHowOftenAnArmWasChosen() {
+  void ucb2WeighsNumberOfChoices() {
     History history = new History();
     for (int round = 0; round < 200; round++) {
       int arm = BanditAlgorithm.UCB2.choose(history.arms, EPSILON, null);
@@ -135,7 +135,7 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void ucb2KeepsAnArmForLongerAndLonger() {
+  void ucb2KeepsArmLongerEachTime() {
     BanditParameters parameters = new BanditParameters(0.5, 0, 0, 0, 1);
     List<Integer> intervals = new ArrayList<>();
     for (int chosen = 0; chosen < 6; chosen++) {
@@ -146,7 +146,7 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void softMaxDrawsArmsByTheExponentialsOfTheirMeans() {
+  void softMaxDrawsArmsByExponentialOfMean() {
     History history = new History();
     history.reward(1, 1.0);
     history.reward(5, -0.4);
@@ -166,7 +166,7 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void epsilonGreedyExploresWithOneDrawMoreAndIsElseTheBestMean() {
+  void epsilonGreedyExploresOrChoosesBestMean() {
     History history = new History();
     history.reward(3, 1.0);
     Random random = new Random(7);
@@ -178,11 +178,11 @@ class BanditAlgorithmTest {
   }
 
   @Test
-  void betaAndGammaAreDroppedByTwoOfThem() {
+  void epsilonGreedyAndUcb1IgnoreBetaAndGamma() {
     BanditParameters all = new BanditParameters(0.1, 0.2, 0.3, 0.4, 5);
     BanditParameters dropped = new BanditParameters(0.1, 0.2, 0, 0, 5);
-    assertEquals(dropped, all.of(BanditAlgorithm.EPSILON_GREEDY));
-    assertEquals(dropped, all.of(BanditAlgorithm.UCB1));
-    assertEquals(all, all.of(BanditAlgorithm.SOFT_MAX));
+    assertEquals(dropped, all.usedBy(BanditAlgorithm.EPSILON_GREEDY));
+    assertEquals(dropped, all.usedBy(BanditAlgorithm.UCB1));
+    assertEquals(all, all.usedBy(BanditAlgorithm.SOFT_MAX));
   }
 }

@@ -26,7 +26,7 @@ class BanditSolverTest {
       value = BanditAlgorithm.class,
       names = {"FULL_RANDOM", "UCB2"},
       mode = EnumSource.Mode.EXCLUDE)
-  void theBestArmIsChosenMostOften(BanditAlgorithm algorithm) {
+  void choosesBestArmMostOften(BanditAlgorithm algorithm) {
     BanditSolver solver = solver(algorithm, 1);
     int best = 0;
     for (int step = 0; step < 3000; step++) {
@@ -38,7 +38,7 @@ class BanditSolverTest {
   }
 
   @Test
-  void anArmIsKeptForTheInterval() {
+  void keepsArmForInterval() {
     BanditSolver solver = solver(BanditAlgorithm.FULL_RANDOM, 5);
     int first = solver.select();
     solver.feed(0, 0);
@@ -52,7 +52,7 @@ class BanditSolverTest {
   }
 
   @Test
-  void meanAndSpreadStandForTheListOfResults() {
+  void meanAndSpreadEqualThoseOfListedResults() {
     Arms arms = new Arms(new Random(0));
     List<Double> results = new ArrayList<>();
     SplittableRandom random = new SplittableRandom(2);
@@ -68,7 +68,7 @@ class BanditSolverTest {
   }
 
   @Test
-  void theShareOfEarlierValuesThatAreSmaller() {
+  void shareBelowCountsStrictlySmallerEarlierValues() {
     SortedMap<Double, Integer> counts = new TreeMap<>();
     assertEquals(0, BanditSolver.shareBelow(5, counts));
     for (double value = 0; value < 25; value++) {

@@ -13,7 +13,7 @@ class CamSimBanditTest {
   private static final double TOLERANCE = 1e-9;
 
   @Test
-  void armsCountsAndRewardsEqualTheRecordedOnes() {
+  void armsCountsAndRewardsEqualRecording() {
     List<String[]> rows = Reference.rows("camsim/outputs/bandits.csv");
     BanditSolver solver = null;
     for (String[] row : rows) {

@@ -25,7 +25,7 @@ class CamSimFilesTest {
   @TempDir Path folder;
 
   @Test
-  void deletesTheOtherDraftsOfAFailedRunIfOneCannotBeDeleted() throws IOException {
+  void failedRunDeletesOtherDraftsIfOneCannotBeDeleted() throws IOException {
     CamSimFiles files = files();
     Path draft = in("steps").get(0);
     Files.delete(draft);

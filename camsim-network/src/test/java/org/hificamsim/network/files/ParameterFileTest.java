@@ -24,12 +24,12 @@ class ParameterFileTest {
   }
 
   @Test
-  void anEmptyFileSaysWhatCamSimDoes() throws IOException {
+  void emptyFileGivesCamSimDefaults() throws IOException {
     assertEquals(ParameterFile.DEFAULT, read("# nothing\n"));
   }
 
   @Test
-  void everyKeyIsReadInAnyCase() throws IOException {
+  void readsEveryKeyIgnoringCase() throws IOException {
     ParameterFile file =
         read(
             "preinstantiationbidcoefficient=3\nOVERSTAYBIDCOEFFICIENT=-1.5\nDebugHist=true\n"
@@ -40,7 +40,7 @@ class ParameterFileTest {
   }
 
   @Test
-  void withoutClassificationNothingIsKeptPerCategory() throws IOException {
+  void keepsNoCategoriesWithoutClassification() throws IOException {
     assertEquals(
         new HistoricalParameters(20, 0, false, 4, false, true),
         read("ClassificationEnabled=false\nHistPerCategoryEnabled=true").historical());
@@ -61,7 +61,7 @@ class ParameterFileTest {
         "Speed=1 | unknown option 'Speed=1', expected one of",
         "Alpha=0.1,0.2 | Alpha is '0.1,0.2'",
       })
-  void whatIsWrongIsAnErrorThatNamesFileAndKey(String text, String expected) {
+  void errorsNameFileAndKey(String text, String expected) {
     InputException error = assertThrows(InputException.class, () -> read(text));
     assertTrue(
         error.getMessage().startsWith(folder.resolve("p") + ": " + expected), error.getMessage());

@@ -42,7 +42,7 @@ class StepTableTest {
   }
 
   @Test
-  void writesARowForEachStep() throws IOException {
+  void writesOneRowPerStep() throws IOException {
     Writer out = new StringWriter();
     try (StepTable table = new StepTable(out)) {
       table.add(FIGURES);
@@ -61,7 +61,7 @@ class StepTableTest {
 
   @ParameterizedTest
   @ValueSource(ints = {1, 100_000})
-  void reportsARowThatCannotBeWritten(int rows) {
+  void reportsRowThatCannotBeWritten(int rows) {
     Full full = new Full();
     UncheckedIOException e =
         assertThrows(

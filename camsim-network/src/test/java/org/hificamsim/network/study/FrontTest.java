@@ -22,7 +22,7 @@ class FrontTest {
   }
 
   @RepeatedTest(50)
-  void isWhatNoOtherPointBeats(RepetitionInfo repetition) {
+  void containsAllUnbeatenPoints(RepetitionInfo repetition) {
     Random random = new Random(repetition.getCurrentRepetition());
     double[] utility = numbers(random, 30);
     double[] cost = numbers(random, 30);
@@ -41,7 +41,7 @@ class FrontTest {
   }
 
   @RepeatedTest(20)
-  void hypervolumeIsTheAreaThatJtsFinds(RepetitionInfo repetition) {
+  void hypervolumeEqualsAreaComputedByJts(RepetitionInfo repetition) {
     Random random = new Random(repetition.getCurrentRepetition());
     double[] utility = random.doubles(15, 0, 5).toArray();
     double[] cost = random.doubles(15, 0, 70).toArray();
@@ -56,7 +56,7 @@ class FrontTest {
   }
 
   @Test
-  void nothingIsBeatenWhereAllUtilityOrCostIsNothing() {
+  void hypervolumeIsZeroWithoutUtilityOrCost() {
     assertEquals(0, Front.hypervolume(new double[] {0}, new double[] {3}, new int[] {0}, 0, 3));
     assertEquals(0, Front.hypervolume(new double[] {2}, new double[] {0}, new int[] {0}, 2, 0));
   }

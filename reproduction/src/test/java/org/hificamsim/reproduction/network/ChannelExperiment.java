@@ -203,7 +203,7 @@ public final class ChannelExperiment {
     double[] shares = new double[seeds];
     double bits = 0;
     double dropped = 0;
-    NetworkSettings settings = NetworkSettings.DEFAULT.withStrategies(Strategy.list("A0"));
+    NetworkSettings settings = NetworkSettings.DEFAULT.withStrategies(Strategy.parse("A0"));
     for (Path file : files) {
       PrintWriter nowhere =
           new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);

@@ -8,31 +8,33 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
- * A scenario as CamSim itself reads it: who follows a track is an object that comes and goes by
- * events and stands where its track begins. In CamSim the bridge has it follow the track. A camera
- * with optics has its widest angle, and a range of 20 m and more is set by an event right after it
- * has come, since CamSim makes 16 m of it otherwise, as we do without optics (behaviour 6.3).
+ * Rewrites a scenario for CamSim itself. An object with a track becomes one that stands where its
+ * track begins, and is added and removed by events; the bridge moves it along its track. A camera
+ * with optics gets its widest angle. If its range is 20 m or more, an event sets the range right
+ * after the camera is added, since CamSim reduces a range given at once to 16 m (behaviour 6.3).
  */
-public final class StandingObjects {
-  private static final double CLAMPED = 20; // m
-  private static final double AS_IT_IS = -1;
+public final class ScenarioForCamSim {
+  /** The least range that CamSim reduces, in metres. */
+  private static final double LEAST_REDUCED_RANGE = 20;
 
-  private StandingObjects() {}
+  private static final double UNCHANGED = -1;
 
-  /** The scenario for CamSim. */
+  private ScenarioForCamSim() {}
+
+  /** Returns the scenario for CamSim. */
   public static Scenario of(Scenario scenario) {
-    Stream<ScenarioEvent> ofTheStart =
-        scenario.cameras().stream().flatMap(camera -> widened(0, camera, scenario));
-    Stream<ScenarioEvent> later =
-        scenario.events().stream().flatMap(event -> seen(event, scenario));
+    Stream<ScenarioEvent> startEvents =
+        scenario.cameras().stream().flatMap(camera -> rangeEvent(0, camera, scenario));
+    Stream<ScenarioEvent> laterEvents =
+        scenario.events().stream().flatMap(event -> rewritten(event, scenario));
     return scenario
-        .with(Scenario.EVENTS, Stream.concat(ofTheStart, later).toList())
+        .with(Scenario.EVENTS, Stream.concat(startEvents, laterEvents).toList())
         .withCameras(camera -> withoutOptics(camera, scenario));
   }
 
   private static CameraSpec withoutOptics(CameraSpec camera, Scenario scenario) {
     double angle =
-        camera.optics().map(one -> widest(one.anglesOfView())).orElse(camera.viewingAngle());
+        camera.optics().map(optics -> widest(optics.anglesOfView())).orElse(camera.viewingAngle());
     return camera
         .with(CameraSpec.VIEWING_ANGLE, angle)
         .with(CameraSpec.RANGE, range(camera, scenario))
@@ -51,19 +53,19 @@ public final class StandingObjects {
     return Math.ceil(Math.hypot(scenario.field().width(), scenario.field().height()));
   }
 
-  private static Stream<ScenarioEvent> seen(ScenarioEvent event, Scenario scenario) {
+  private static Stream<ScenarioEvent> rewritten(ScenarioEvent event, Scenario scenario) {
     return event instanceof ScenarioEvent.AddCamera add
-        ? Stream.concat(Stream.of(event), widened(add.step(), add.camera(), scenario))
+        ? Stream.concat(Stream.of(event), rangeEvent(add.step(), add.camera(), scenario))
         : Stream.of(standing(event));
   }
 
-  /** The event that gives a camera with optics a range that CamSim would not leave it. */
-  private static Stream<ScenarioEvent> widened(int step, CameraSpec camera, Scenario scenario) {
+  /** Returns the event that sets a range which CamSim would reduce; empty if it would not. */
+  private static Stream<ScenarioEvent> rangeEvent(int step, CameraSpec camera, Scenario scenario) {
     double range = range(camera, scenario);
-    return camera.optics().isPresent() && range >= CLAMPED
+    return camera.optics().isPresent() && range >= LEAST_REDUCED_RANGE
         ? Stream.of(
             new ScenarioEvent.ChangeCamera(
-                step, camera.name(), AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, range))
+                step, camera.name(), UNCHANGED, UNCHANGED, UNCHANGED, UNCHANGED, range))
         : Stream.empty();
   }
 

@@ -11,8 +11,8 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.junit.jupiter.api.Test;
 
-/** Scenarios that are written for CamSim: the ranges of their cameras. */
-class StandingObjectsTest {
+/** The ranges of cameras in scenarios that are written for CamSim. */
+class ScenarioForCamSimTest {
   private static final OpticsSpec DOME =
       new OpticsSpec("dome")
           .with(OpticsSpec.ANGLES_OF_VIEW, List.of(20.0, 60.0))
@@ -33,24 +33,24 @@ class StandingObjectsTest {
         .with(CameraSpec.OPTICS, optics);
   }
 
-  private static ScenarioEvent widened(int step, String name) {
+  private static ScenarioEvent rangeEvent(int step, String name) {
     return new ScenarioEvent.ChangeCamera(step, name, -1, -1, -1, -1, 25);
   }
 
   @Test
-  void onlyACameraWithOpticsGetsTheRangeThatCamSimWouldNotLeaveIt() {
+  void onlyCamerasWithOpticsGetRangeByEvent() {
     Scenario written =
-        StandingObjects.of(
+        ScenarioForCamSim.of(
             new TestScenario().camera(plain("plain")).camera(domed("domed")).scenario());
     assertEquals(List.of(plain("plain"), plain("domed")), written.cameras());
-    assertEquals(List.of(widened(0, "domed")), written.events());
+    assertEquals(List.of(rangeEvent(0, "domed")), written.events());
   }
 
   @Test
-  void aCameraThatAnEventAddsGetsItsRangeRightAfter() {
+  void cameraAddedByEventGetsItsRangeRightAfter() {
     ScenarioEvent failed = new ScenarioEvent.FailCamera(3, "start", 1);
     Scenario written =
-        StandingObjects.of(
+        ScenarioForCamSim.of(
             new TestScenario()
                 .camera(plain("start"))
                 .events(
@@ -61,7 +61,7 @@ class StandingObjectsTest {
     assertEquals(
         List.of(
             new ScenarioEvent.AddCamera(3, plain("late")),
-            widened(3, "late"),
+            rangeEvent(3, "late"),
             failed,
             new ScenarioEvent.AddCamera(4, plain("later"))),
         written.events());
