@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * How an action says what a camera is to do. A camera that is on its way goes on, whatever its
- * action says, and so does one whose action its mask forbids.
+ * The encoding of actions. A camera that is moving continues whatever its action is, and so does a
+ * camera whose mask forbids its action.
  */
 public enum ActionKind {
   /** The number of a view. */
@@ -30,12 +30,15 @@ public enum ActionKind {
     }
 
     @Override
-    void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {
+    void maskMoving(NetworkView network, int camera, byte[] out, int from) {
       out[from + network.view(camera)] = 1;
     }
   },
 
-  /** Two numbers, 0 to 2: one pan angle to the left, none, to the right; narrower, as is, wider. */
+  /**
+   * Two numbers, 0 to 2: one pan angle to the left, none, or to the right; one zoom level narrower,
+   * none, or wider.
+   */
   STEPS(2) {
     @Override
     public int[] choices(NetworkView network) {
@@ -63,36 +66,36 @@ public enum ActionKind {
     }
 
     @Override
-    void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {
+    void maskMoving(NetworkView network, int camera, byte[] out, int from) {
       out[from + 1] = 1;
       out[from + 4] = 1;
     }
   },
 
   /**
-   * Two numbers, 0 to 2000: how fast it turns and zooms, in thousandths of its drives' speed, 0 to
-   * the left or narrower, 1000 not at all. A camera on its way is steered too.
+   * Two numbers, 0 to 2000: the speeds of turning and zooming, in thousandths of the speed of the
+   * drives less 1000; 0 is to the left or narrower, and 1000 stops. Moving cameras are steered too.
    */
   RATES(2) {
-    private static final int WHOLE = 1000;
+    private static final int FULL_SPEED = 1000;
 
     @Override
     public int[] choices(NetworkView network) {
-      return new int[] {2 * WHOLE + 1, 2 * WHOLE + 1};
+      return new int[] {2 * FULL_SPEED + 1, 2 * FULL_SPEED + 1};
     }
 
     @Override
-    int[] masked(NetworkView network) {
+    int[] maskWidths(NetworkView network) {
       return new int[] {1, 1};
     }
 
     @Override
     int view(NetworkView network, int camera, int[] actions, int at, Steering steering) {
-      return steering.moved(network, camera, rate(actions[at]), rate(actions[at + 1]));
+      return steering.move(network, camera, rate(actions[at]), rate(actions[at + 1]));
     }
 
     private static double rate(int action) {
-      return (double) (action - WHOLE) / WHOLE;
+      return (double) (action - FULL_SPEED) / FULL_SPEED;
     }
   };
 
@@ -106,30 +109,32 @@ public enum ActionKind {
     return number >= 0 && number < count;
   }
 
-  /** The number after a move, the same where the move leads nowhere. */
+  /** Returns the number after a move, or the same number if the move leads out of range. */
   private static int moved(int number, int by, int count) {
     return isOneOf(count, number + by) ? number + by : number;
   }
 
-  /** How many numbers an action has. */
+  /** The number of numbers in an action. */
   public int numbers() {
     return numbers;
   }
 
-  /** Of how many each number of an action is one, counted from 0; the same for all cameras. */
+  /** The number of choices for each number of an action, the same for all cameras. */
   public abstract int[] choices(NetworkView network);
 
-  /** Of how many each number has a mask: but for rates, which nothing forbids, of all. */
-  int[] masked(NetworkView network) {
+  /** The number of mask entries for each number of an action: its choices, except for rates. */
+  int[] maskWidths(NetworkView network) {
     return choices(network);
   }
 
-  /** The view that an action sends a camera to. */
+  /** Returns the view that an action selects for a camera. */
   abstract int view(NetworkView network, int camera, int[] actions, int at, Steering steering);
 
-  /** Writes 1, over zeros, for the actions of a camera that has arrived, but for rates. */
+  /**
+   * Writes 1, over zeros, for the allowed actions of a camera that is not moving; not for rates.
+   */
   void mask(NetworkView network, int camera, byte[] out, int from, int to) {}
 
-  /** Writes 1 for what says that a camera goes on, but for rates. */
-  void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {}
+  /** Writes 1 for the action by which a moving camera continues; not for rates. */
+  void maskMoving(NetworkView network, int camera, byte[] out, int from) {}
 }

@@ -6,65 +6,69 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.InputException;
 
-/** How the shared block of memory is divided. */
+/** The layout of the shared block of memory. */
 public record Block(List<Section> sections) {
-  private static final int LINE = 64; // bytes of a cache line, where each section begins
+  /** The bytes of a cache line; each section begins at a multiple. */
+  private static final int CACHE_LINE = 64;
 
   /**
-   * A part of the block of memory that is shared with who trains: an array, row by row.
+   * A section of the block: an array in row-major order.
    *
-   * @param type as NumPy writes it: i4, f4 or u1, in the machine's byte order
-   * @param shape its dimensions, the worlds first
-   * @param offset where it begins, in bytes
+   * @param type the NumPy type i4, f4 or u1, in the byte order of the machine
+   * @param shape the dimensions, of which the first is the number of worlds
+   * @param offset the start of the section, in bytes
    */
   public record Section(String name, String type, List<Integer> shape, int offset) {
-    /** How long it is. */
+    /** The length in bytes. */
     public int bytes() {
       return size() * (type.equals("u1") ? 1 : Integer.BYTES);
     }
 
-    /** How many numbers it has. */
+    /** The number of elements. */
     public int size() {
       return shape.stream().reduce(1, Math::multiplyExact);
     }
   }
 
-  /** Copies what could change. */
+  /** Copies the list. */
   public Block {
     sections = List.copyOf(sections);
   }
 
   /**
-   * The block of some worlds.
+   * Returns the layout for a number of worlds.
    *
-   * @param of one of them
+   * @param first one of the worlds
    */
-  static Block of(int worlds, OneWorld of, WorldSettings settings) {
-    int cameras = of.network().cameras();
+  static Block of(int worlds, OneWorld first, WorldSettings settings) {
+    int cameras = first.network().cameras();
     int size = settings.layout().size();
     Builder builder = new Builder(worlds);
     builder.add("actions", "i4", cameras, settings.actions().numbers());
     builder.add("observations", "f4", cameras, size);
     builder.add("finals", "f4", cameras, size);
     builder.add("rewards", "f4", cameras);
-    builder.add("masks", "u1", cameras, Masks.width(of.network(), settings.actions()));
+    builder.add("masks", "u1", cameras, Masks.width(first.network(), settings.actions()));
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
     builder.add("advice", "i4", cameras);
-    builder.add("states", "f4", OneWorld.stateSize(of.network(), settings.layout()));
+    builder.add("states", "f4", OneWorld.stateSize(first.network(), settings.layout()));
     return new Block(builder.sections);
   }
 
-  /** How long it is, in bytes. */
+  /** The length of the block, in bytes. */
   public int bytes() {
     Section last = sections.get(sections.size() - 1);
     return last.offset() + last.bytes();
   }
 
-  /** A section of a block, in the machine's byte order. */
-  ByteBuffer part(ByteBuffer block, String name) {
+  /** Returns a section of a block, in the byte order of the machine. */
+  ByteBuffer slice(ByteBuffer block, String name) {
     Section section =
-        sections.stream().filter(one -> one.name().equals(name)).findFirst().orElseThrow();
+        sections.stream()
+            .filter(candidate -> candidate.name().equals(name))
+            .findFirst()
+            .orElseThrow();
     return block.slice(section.offset(), section.bytes()).order(ByteOrder.nativeOrder());
   }
 
@@ -77,15 +81,17 @@ public record Block(List<Section> sections) {
       this.worlds = worlds;
     }
 
-    void add(String name, String type, int... each) {
+    void add(String name, String type, int... dimensionsOfWorld) {
       List<Integer> shape = new ArrayList<>();
       shape.add(worlds);
-      for (int length : each) {
+      for (int length : dimensionsOfWorld) {
         shape.add(length);
       }
       try {
         Section section = new Section(name, type, shape, end);
-        end = Math.multiplyExact(Math.addExact(end, section.bytes() + LINE - 1) / LINE, LINE);
+        end =
+            Math.multiplyExact(
+                Math.addExact(end, section.bytes() + CACHE_LINE - 1) / CACHE_LINE, CACHE_LINE);
         sections.add(section);
       } catch (ArithmeticException e) {
         throw new InputException(

@@ -5,28 +5,28 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Which actions each camera may be given: 1 for each allowed choice of each number of its action. A
- * camera on its way may only go on; one that is off may be given any action of its own: none
- * counts.
+ * The allowed actions of each camera: 1 for each allowed choice of each number of its action. A
+ * moving camera may only continue. An offline camera may get any action that it has, since none has
+ * an effect.
  */
 public final class Masks {
   private final ActionKind kind;
   private final int width;
   private final byte[] masks;
 
-  /** Of a network whose cameras are given such actions. */
+  /** Creates the masks of a network whose cameras get actions of a kind. */
   public Masks(NetworkView network, ActionKind kind) {
     this.kind = kind;
     this.width = width(network, kind);
     this.masks = new byte[width * network.cameras()];
   }
 
-  /** How many choices a camera has, over all numbers of its action. */
+  /** The number of mask entries of a camera, over all numbers of its action. */
   public static int width(NetworkView network, ActionKind kind) {
-    return IntStream.of(kind.masked(network)).sum();
+    return IntStream.of(kind.maskWidths(network)).sum();
   }
 
-  /** The masks of all cameras where the network is before a decision. */
+  /** Returns the masks of all cameras before a decision. */
   public byte[] of(NetworkView network) {
     Arrays.fill(masks, (byte) 0);
     for (int camera = 0; camera < network.cameras(); camera++) {
@@ -34,7 +34,7 @@ public final class Masks {
       if (kind == ActionKind.RATES) {
         Arrays.fill(masks, from, from + width, (byte) 1);
       } else if (network.online(camera) && network.moving(camera)) {
-        kind.maskOnItsWay(network, camera, masks, from);
+        kind.maskMoving(network, camera, masks, from);
       } else {
         kind.mask(network, camera, masks, from, from + width);
       }

@@ -17,14 +17,14 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.world.World;
 
 /**
- * One simulation that waits for actions: between two calls its step is half done, and cameras have
- * seen what they decide from.
+ * One simulation that waits for actions. Between two calls it stops before the decision of a step,
+ * so that cameras have their observations.
  *
- * <p>The first episode after a reset has the seed that it was given, so that it is the run of that
- * seed; those after it have seeds drawn from it.
+ * <p>The first episode after a reset has the given seed, so it equals the run with that seed. The
+ * seeds of later episodes are derived from it.
  */
 final class OneWorld implements StepListener {
-  /** How many numbers {@link #measures} has. */
+  /** The length of {@link #measures}. */
   static final int MEASURES = 3;
 
   private static final int STATE_OF_TARGET = 4;
@@ -37,21 +37,24 @@ final class OneWorld implements StepListener {
   private final float[] rewards;
   private final float[] measures = new float[MEASURES];
   private final int[] actions;
-  private StepListener watcher = (network, coverage) -> {};
+  private StepListener listener = (network, coverage) -> {};
   private Simulation simulation;
   private CameraObserver observer;
-  private CameraObserver like; // the first episode's observer of the first world
+
+  /** The observer of the first episode of the first world, whose tables later observers share. */
+  private CameraObserver sharedObserver;
+
   private Masks masks;
   private long seed;
   private long episode;
   private int step;
 
   /**
-   * @param first the first of the worlds; null for itself
+   * @param first the first world; null if this is the first
    */
   OneWorld(WorldSettings settings, long seed, OneWorld first) {
     this.settings = settings;
-    like = first == null ? null : first.like;
+    sharedObserver = first == null ? null : first.sharedObserver;
     world = first == null || isDrawn() ? settings.world(seed) : first.world.another(seed);
     policy = new PlayedPolicy(settings.actions(), settings.expert());
     driver =
@@ -61,11 +64,11 @@ final class OneWorld implements StepListener {
     rewards = new float[cameras];
     actions = new int[cameras * settings.actions().numbers()];
     reset(seed);
-    like = first == null && !isDrawn() ? observer : like;
+    sharedObserver = first == null && !isDrawn() ? observer : sharedObserver;
     masks = new Masks(network(), settings.actions());
   }
 
-  /** Begins the first episode of a seed. */
+  /** Begins the first episode with a seed. */
   void reset(long newSeed) {
     seed = newSeed;
     episode = 0;
@@ -79,15 +82,15 @@ final class OneWorld implements StepListener {
   }
 
   private void begin() {
-    long ofEpisode = episodeSeed(seed, episode);
+    long episodeSeed = episodeSeed(seed, episode);
     if (isDrawn()) {
-      world = settings.world(ofEpisode);
+      world = settings.world(episodeSeed);
     } else {
-      world.restart(ofEpisode);
+      world.restart(episodeSeed);
     }
     reward.begin();
     simulation =
-        new Simulation(world, settings.detection(), driver, ofEpisode, List.of(this, watcher));
+        new Simulation(world, settings.detection(), driver, episodeSeed, List.of(this, listener));
     step = 0;
     simulation.phases().runUntil(StepPhase.DECIDE);
     observer = observer();
@@ -98,28 +101,28 @@ final class OneWorld implements StepListener {
   }
 
   /**
-   * Without layouts, all episodes of all worlds have the same cameras, as long as nothing happens
-   * to them.
+   * Creates an observer. Without layouts all episodes of all worlds start with the same cameras, so
+   * they share tables.
    */
   private CameraObserver observer() {
-    return like == null
+    return sharedObserver == null
         ? new CameraObserver(network(), settings.layout())
-        : new CameraObserver(network(), settings.layout(), like);
+        : new CameraObserver(network(), settings.layout(), sharedObserver);
   }
 
-  /** The seed of an episode: the first one has the world's. */
+  /** Returns the seed of an episode: the seed of the world for the first, else derived from it. */
   static long episodeSeed(long seed, long episode) {
     return episode == 0
         ? seed
         : new SplittableRandom(seed + episode * 0x9E3779B97F4A7C15L).nextLong();
   }
 
-  /** The seed of the episode. */
+  /** The seed of the current episode. */
   long seed() {
     return episodeSeed(seed, episode);
   }
 
-  /** Does what {@link #actions} say, up to the next decision. */
+  /** Carries out {@link #actions}, and runs up to the next decision. */
   void step() {
     policy.play(actions);
     simulation.phases().finishStep();
@@ -128,10 +131,10 @@ final class OneWorld implements StepListener {
   }
 
   /**
-   * What the cameras know before the next decision; to be asked once for each.
+   * Writes the observations of the cameras; to be called once before each decision.
    *
-   * @param pairs is used meanwhile
-   * @param out one camera after the other
+   * @param pairs a scratch object
+   * @param out receives the observations, one camera after the other
    */
   void observe(SeenPairs pairs, float[] out) {
     observer.observe(network(), pairs, out);
@@ -146,12 +149,12 @@ final class OneWorld implements StepListener {
   }
 
   /** Adds a listener to the episodes that begin from now on. */
-  void watch(StepListener newWatcher) {
-    watcher = newWatcher;
+  void listen(StepListener newListener) {
+    listener = newListener;
   }
 
-  /** Whether the episode is over. */
-  boolean over() {
+  /** Returns whether the episode is over. */
+  boolean isOver() {
     return step == settings.steps();
   }
 
@@ -159,12 +162,12 @@ final class OneWorld implements StepListener {
     return simulation.network();
   }
 
-  /** Filled in by the caller before a {@link #step}. */
+  /** The actions of the next {@link #step}, to be filled in by the caller. */
   int[] actions() {
     return actions;
   }
 
-  /** What the expert advised at the last decision. */
+  /** The advice of the expert at the last decision. */
   int[] advice() {
     return policy.advice();
   }
@@ -173,7 +176,7 @@ final class OneWorld implements StepListener {
     return rewards;
   }
 
-  /** Of the last step: share of targets covered, k_min, and the score by the objective. */
+  /** Share of targets covered, k_min and score of the last step. */
   float[] measures() {
     return measures;
   }
@@ -182,18 +185,18 @@ final class OneWorld implements StepListener {
     return masks.of(network());
   }
 
-  /** How many numbers a state has. */
+  /** The length of a state. */
   static int stateSize(NetworkView network, ObservationLayout layout) {
     return 1 + network.cameras() * layout.ownSize() + network.targets() * STATE_OF_TARGET;
   }
 
   /**
-   * Writes the state as numbers in [-1, 1], for critics that may know everything: how much of the
-   * episode is over; of each camera what it knows of itself; of each target whether it is there,
-   * its x and y as parts of the field, and the share of the cameras that detected it in the last
-   * step.
+   * Writes the state as numbers in [-1, 1], for critics that may know everything: the elapsed share
+   * of the episode; for each camera, what it observes of itself; for each target, whether it is
+   * present, its x and y as fractions of the field, and the share of the cameras that detected it
+   * in the last step.
    *
-   * @param observations as they were observed
+   * @param observations the observations written by {@link #observe}
    */
   void writeState(float[] observations, float[] out) {
     OracleView network = simulation.network();
@@ -208,15 +211,15 @@ final class OneWorld implements StepListener {
     for (int target = 0; target < network.targets(); target++) {
       boolean present = network.present(target);
       out[at] = present ? 1 : 0;
-      out[at + 1] = present ? part(network.targetX(target), field.minX(), field.width()) : 0;
-      out[at + 2] = present ? part(network.targetY(target), field.minY(), field.height()) : 0;
+      out[at + 1] = present ? fraction(network.targetX(target), field.minX(), field.width()) : 0;
+      out[at + 2] = present ? fraction(network.targetY(target), field.minY(), field.height()) : 0;
       out[at + 3] = present ? (float) network.coverage(target) / network.cameras() : 0;
       at += STATE_OF_TARGET;
     }
   }
 
-  private static float part(double at, double least, double length) {
-    double part = (at - least) / length;
-    return part >= 0 && part <= 1 ? (float) part : part > 1 ? 1 : 0;
+  private static float fraction(double value, double least, double length) {
+    double fraction = (value - least) / length;
+    return fraction >= 0 && fraction <= 1 ? (float) fraction : fraction > 1 ? 1 : 0;
   }
 }

@@ -6,45 +6,45 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * Carries out the actions of a step that it is given, one camera after the other. An expert,
- * another policy, may be asked in each step what it would do, and made to do it.
+ * Carries out given actions. Another policy, the expert, may give advice in each step, which an
+ * action can adopt.
  */
 public final class PlayedPolicy implements ZoomPolicy {
-  /** The action by which a camera does what the expert advises. */
+  /** The action by which a camera follows the advice of the expert. */
   public static final int AS_ADVISED = -1;
 
-  /** The advice to a camera that does not decide: it is offline, or on its way. */
+  /** The advice for a camera that does not decide, since it is offline or moving. */
   public static final int NO_ADVICE = -1;
 
   private final ActionKind kind;
-  private final Supplier<ZoomPolicy> experts;
+  private final Supplier<ZoomPolicy> expertFactory;
   private ZoomPolicy expert;
   private Steering steering;
   private int[] actions = {};
-  private int[] wanted = {};
+  private int[] expertViews = {};
   private int[] advice = {};
 
-  /** Without an expert. */
+  /** Creates a policy without an expert. */
   public PlayedPolicy(ActionKind kind) {
     this(kind, null);
   }
 
   /**
-   * @param experts makes one for each episode; null for none
+   * @param expertFactory creates an expert for each episode; null for none
    */
-  PlayedPolicy(ActionKind kind, Supplier<ZoomPolicy> experts) {
+  PlayedPolicy(ActionKind kind, Supplier<ZoomPolicy> expertFactory) {
     this.kind = kind;
-    this.experts = experts;
+    this.expertFactory = expertFactory;
   }
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     steering = null;
     advice = new int[network.cameras()];
-    if (experts != null) {
-      expert = experts.get();
+    if (expertFactory != null) {
+      expert = expertFactory.get();
       expert.begin(network, random);
-      wanted = new int[advice.length];
+      expertViews = new int[advice.length];
     }
   }
 
@@ -55,15 +55,15 @@ public final class PlayedPolicy implements ZoomPolicy {
     }
   }
 
-  /** By camera, the view that the expert chose at the last decision, or {@link #NO_ADVICE}. */
+  /** By camera, the view chosen by the expert at the last decision, or {@link #NO_ADVICE}. */
   int[] advice() {
     return advice;
   }
 
   /**
-   * What to do next.
+   * Sets the actions of the next decision.
    *
-   * @param newActions read at the next decision
+   * @param newActions one camera after the other; read at the next decision
    */
   public void play(int[] newActions) {
     actions = newActions;
@@ -84,8 +84,8 @@ public final class PlayedPolicy implements ZoomPolicy {
     }
     for (int camera = 0; camera < views.length; camera++) {
       if (expert != null && actions[camera * kind.numbers()] == AS_ADVISED) {
-        views[camera] = wanted[camera];
-        steering.at(network, camera, wanted[camera]);
+        views[camera] = expertViews[camera];
+        steering.setView(network, camera, expertViews[camera]);
       } else if (network.online(camera) && (kind == ActionKind.RATES || !network.moving(camera))) {
         views[camera] = kind.view(network, camera, actions, camera * kind.numbers(), steering);
       }
@@ -93,11 +93,11 @@ public final class PlayedPolicy implements ZoomPolicy {
   }
 
   private void advise(NetworkView network, int[] views) {
-    System.arraycopy(views, 0, wanted, 0, views.length);
-    expert.decide(network, wanted);
+    System.arraycopy(views, 0, expertViews, 0, views.length);
+    expert.decide(network, expertViews);
     for (int camera = 0; camera < views.length; camera++) {
       boolean decides = network.online(camera) && !network.moving(camera);
-      advice[camera] = decides ? wanted[camera] : NO_ADVICE;
+      advice[camera] = decides ? expertViews[camera] : NO_ADVICE;
     }
   }
 }

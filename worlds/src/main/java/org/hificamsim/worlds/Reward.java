@@ -3,16 +3,16 @@ package org.hificamsim.worlds;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 
-/** What cameras are paid for a step. One instance for one world. */
+/** Computes the rewards of the cameras for a step. Each world has its own instance. */
 @FunctionalInterface
 public interface Reward {
   /**
-   * Pays for the observation just made.
+   * Computes the rewards for the observation just made.
    *
-   * @param out one entry for each camera; receives its pay
+   * @param out receives the reward of each camera
    */
   void pay(NetworkView network, StepCoverage coverage, float[] out);
 
-  /** An episode begins. */
+  /** Called when an episode begins. */
   default void begin() {}
 }

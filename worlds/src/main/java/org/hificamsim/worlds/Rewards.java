@@ -9,11 +9,11 @@ import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
-/** The rewards by name. */
+/** The rewards, by name. */
 public final class Rewards {
   private Rewards() {}
 
-  /** All of them. */
+  /** The registry of all rewards. */
   public static Registry<Reward> registry() {
     return new Registry<Reward>("reward")
         .register(
@@ -32,7 +32,7 @@ public final class Rewards {
         .register("thesis", "Eq 7.5 of the targets that the camera detects", Thesis::from);
   }
 
-  /** The share of the targets present that are covered; 0 without any. */
+  /** The share of the present targets that are covered; 0 if none is present. */
   static double covered(StepCoverage coverage) {
     return coverage.targets() == 0 ? 0 : 1 - (double) coverage.covered0() / coverage.targets();
   }
@@ -41,7 +41,7 @@ public final class Rewards {
     return (network, coverage, out) -> Arrays.fill(out, (float) score.applyAsDouble(coverage));
   }
 
-  /** The difference reward of Wolpert and Tumer (2002): targets that it alone detects. */
+  /** The difference reward of Wolpert and Tumer (2002): targets that only this camera detects. */
   private static final class Difference implements Reward {
     private final SeenPairs pairs = new SeenPairs();
 
@@ -61,7 +61,7 @@ public final class Rewards {
   /** The reward of the thesis's learners. */
   private static final class Thesis implements Reward {
     private final RewardReading reading;
-    private float[] before = {};
+    private float[] lastDetected = {};
 
     private Thesis(RewardReading reading) {
       this.reading = reading;
@@ -75,16 +75,16 @@ public final class Rewards {
 
     @Override
     public void begin() {
-      Arrays.fill(before, 0);
+      Arrays.fill(lastDetected, 0);
     }
 
     @Override
     public void pay(NetworkView network, StepCoverage coverage, float[] out) {
-      before = before.length < out.length ? new float[out.length] : before;
+      lastDetected = lastDetected.length < out.length ? new float[out.length] : lastDetected;
       for (int camera = 0; camera < out.length; camera++) {
         int detected = network.detected(camera);
-        out[camera] = (float) reading.reward(before[camera], detected);
-        before[camera] = detected;
+        out[camera] = (float) reading.reward(lastDetected[camera], detected);
+        lastDetected[camera] = detected;
       }
     }
   }

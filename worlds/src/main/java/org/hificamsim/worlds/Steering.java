@@ -3,55 +3,59 @@ package org.hificamsim.worlds;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Where cameras that are steered by rates are to look: at any angle between their outermost pan
- * angles, at any place between two zoom levels. What they get of it is the nearest view.
+ * The wanted directions of cameras that are steered by rates: any angle between the outermost pan
+ * angles, and any value between two zoom levels. Cameras get the nearest view.
  */
 final class Steering {
-  private final double[] pan; // radians
-  private final double[] zoom; // levels
+  /** The wanted pan angle of each camera, in radians. */
+  private final double[] pan;
 
-  /** At the views that cameras have. */
+  /** The wanted zoom level of each camera, including fractions of a level. */
+  private final double[] zoom;
+
+  /** Starts with the current views of the cameras. */
   Steering(NetworkView network) {
     pan = new double[network.cameras()];
     zoom = new double[network.cameras()];
     for (int camera = 0; camera < pan.length; camera++) {
-      at(network, camera, network.view(camera));
+      setView(network, camera, network.view(camera));
     }
   }
 
-  /** Looks where a view does. */
-  void at(NetworkView network, int camera, int view) {
+  /** Sets the wanted direction of a camera to that of a view. */
+  void setView(NetworkView network, int camera, int view) {
     pan[camera] = network.pan(camera, view);
     zoom[camera] = network.zoomOf(camera, view);
   }
 
   /**
-   * Moves for a step, and says to which view that comes. A camera that turns at once turns by one
-   * pan angle in a step, and its lens changes by one level.
+   * Moves the wanted direction for one step, and returns the nearest view. A camera that turns in
+   * no time moves at most one pan angle and one zoom level per step.
    *
-   * @param turn part of the most, from -1, to the left, to 1
-   * @param wider the same of its lens, from -1, narrower, to 1
+   * @param turn the share of the greatest turn, from -1 (left) to 1 (right)
+   * @param wider the share of the greatest zoom, from -1 (narrower) to 1 (wider)
    */
-  int moved(NetworkView network, int camera, double turn, double wider) {
+  int move(NetworkView network, int camera, double turn, double wider) {
     int last = network.pans(camera) - 1;
     double least = network.pan(camera, 0);
     double most = network.pan(camera, network.viewAt(camera, last, 0));
     double gap = (most - least) / Math.max(1, last);
-    pan[camera] = within(pan[camera] + turn * finite(network.turnInStep(camera), gap), least, most);
-    double levels = wider * finite(network.zoomInStep(camera), 1);
-    zoom[camera] = within(zoom[camera] + levels, 0, network.zooms(camera) - 1);
+    pan[camera] =
+        clamp(pan[camera] + turn * finiteOr(network.turnInStep(camera), gap), least, most);
+    double levels = wider * finiteOr(network.zoomInStep(camera), 1);
+    zoom[camera] = clamp(zoom[camera] + levels, 0, network.zooms(camera) - 1);
     return network.viewAt(camera, nearest(network, camera), (int) Math.round(zoom[camera]));
   }
 
-  private static double finite(double speed, double atOnce) {
+  private static double finiteOr(double speed, double atOnce) {
     return speed < Double.POSITIVE_INFINITY ? speed : atOnce;
   }
 
-  private static double within(double value, double least, double most) {
+  private static double clamp(double value, double least, double most) {
     return Math.max(least, Math.min(most, value));
   }
 
-  /** The pan angle nearest to where the camera is to look, at the tilt that it has. */
+  /** Returns the pan angle nearest to the wanted one, among those with the current tilt. */
   private int nearest(NetworkView network, int camera) {
     double tilt = network.zoom(camera, network.view(camera)).vertical().tilt();
     int nearest = network.panOf(camera, network.view(camera));
@@ -59,12 +63,14 @@ final class Steering {
       boolean level =
           network.zoom(camera, network.viewAt(camera, number, 0)).vertical().tilt() == tilt;
       nearest =
-          level && off(network, camera, number) < off(network, camera, nearest) ? number : nearest;
+          level && distance(network, camera, number) < distance(network, camera, nearest)
+              ? number
+              : nearest;
     }
     return nearest;
   }
 
-  private double off(NetworkView network, int camera, int number) {
+  private double distance(NetworkView network, int camera, int number) {
     return Math.abs(network.pan(camera, network.viewAt(camera, number, 0)) - pan[camera]);
   }
 }

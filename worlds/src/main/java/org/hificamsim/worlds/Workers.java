@@ -5,23 +5,24 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Threads that share the work of a step: the caller's and as many more as were asked for, which
- * live until {@link #close}. Handing work over allocates nothing.
+ * Threads that share the work of a step: the thread of the caller, and others that live until
+ * {@link #close}. Starting work does not allocate.
  *
- * <p>One run uses them at a time. A worker waits for work awake for a moment, then asleep.
+ * <p>Only one thread may call {@link #run} at a time. A worker spins for a short time while it
+ * waits for work, then sleeps.
  */
 public final class Workers implements AutoCloseable {
-  /** The caller's thread alone. */
+  /** A single worker, the thread of the caller. */
   public static final Workers CALLER = new Workers(1);
 
-  /** How often a worker looks for work before it falls asleep: some tens of microseconds. */
-  private static final int LOOKS = 2_000;
+  /** The number of spins before a worker sleeps: some tens of microseconds. */
+  private static final int SPINS = 2_000;
 
-  /** A share of some work. */
+  /** The share of a worker in some work. */
   @FunctionalInterface
   public interface Share {
     /**
-     * Does one worker's share.
+     * Does the share of a worker.
      *
      * @param worker in [0, {@link #count})
      */
@@ -47,28 +48,28 @@ public final class Workers implements AutoCloseable {
   }
 
   /**
-   * That many workers.
+   * Returns a number of workers.
    *
-   * @param count 1 or more, the caller included
+   * @param count 1 or more, including the caller
    */
   public static Workers of(int count) {
     return count == 1 ? CALLER : new Workers(count);
   }
 
-  /** The number of workers, the caller included. */
+  /** The number of workers, including the caller. */
   public int count() {
     return threads.length + 1;
   }
 
-  /** The first of {@code all} items that belong to a worker; its last is before the next one's. */
-  public int first(int worker, int all) {
-    return threads.length == 0 ? all * worker : (int) ((long) all * worker / count());
+  /** The index of the first item of a worker; its items end before the first of the next worker. */
+  public int first(int worker, int items) {
+    return threads.length == 0 ? items * worker : (int) ((long) items * worker / count());
   }
 
   /**
-   * Has every worker do its share, and waits for all.
+   * Runs the share of every worker, and waits for all of them.
    *
-   * @throws RuntimeException what a share threw
+   * @throws RuntimeException the exception of a share, if one failed
    */
   public void run(Share newShare) {
     if (threads.length == 0) {
@@ -83,22 +84,22 @@ public final class Workers implements AutoCloseable {
       LockSupport.unpark(thread);
     }
     attempt(0);
-    for (int look = 0; atWork.get() > 0; look++) {
-      pause(look);
+    for (int spins = 0; atWork.get() > 0; spins++) {
+      pause(spins);
     }
     rethrow();
   }
 
   private void work(int worker) {
-    int done = 0;
+    int finishedRound = 0;
     while (true) {
-      for (int look = 0; round.get() == done && !closed; look++) {
-        pause(look);
+      for (int spins = 0; round.get() == finishedRound && !closed; spins++) {
+        pause(spins);
       }
       if (closed) {
         return;
       }
-      done = round.get();
+      finishedRound = round.get();
       attempt(worker);
       if (atWork.decrementAndGet() == 0) {
         LockSupport.unpark(caller);
@@ -114,8 +115,8 @@ public final class Workers implements AutoCloseable {
     }
   }
 
-  private void pause(int look) {
-    if (look < LOOKS) {
+  private void pause(int spins) {
+    if (spins < SPINS) {
       Thread.onSpinWait();
     } else {
       LockSupport.park(this);
@@ -131,7 +132,7 @@ public final class Workers implements AutoCloseable {
     }
   }
 
-  /** Ends the threads. */
+  /** Stops the threads. */
   @Override
   public void close() {
     closed = true;

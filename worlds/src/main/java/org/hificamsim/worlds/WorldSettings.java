@@ -12,13 +12,14 @@ import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.World;
 
 /**
- * What all worlds have in common.
+ * The settings that all worlds share.
  *
- * @param layouts the scenario of an episode, by its seed; null where all episodes have the same
- * @param reward makes one for each world
- * @param steps of an episode, 1 or more
- * @param autoReset when a world whose episode has ended begins the next one
- * @param expert makes one for each episode, whose advice is written; null for none
+ * @param layouts gives the scenario of an episode by its seed; null if all episodes have {@code
+ *     scenario}
+ * @param reward creates the reward of each world
+ * @param steps the number of steps of an episode, 1 or more
+ * @param autoReset when a world begins its next episode
+ * @param expert creates the expert of each episode, whose advice is written; null for none
  */
 public record WorldSettings(
     Scenario scenario,
@@ -31,19 +32,19 @@ public record WorldSettings(
     int steps,
     AutoReset autoReset,
     Supplier<ZoomPolicy> expert) {
-  /** When the next episode begins: within the call that ends one, in the next one, or if asked. */
+  /** When the next episode begins: in the call that ends one, in the next call, or on request. */
   public enum AutoReset {
     SAME_STEP,
     NEXT_STEP,
     DISABLED
   }
 
-  /** The world of an episode at its start, by the episode's seed. */
+  /** Returns the world at the start of the episode with a seed. */
   public World world(long seed) {
     return new World(layouts == null ? scenario : layouts.apply(seed), movements, seed);
   }
 
-  /** Checks the length of an episode. */
+  /** Checks the number of steps. */
   public WorldSettings {
     if (steps < 1) {
       throw new InputException("episodes of " + steps + " steps, expected 1 or more");

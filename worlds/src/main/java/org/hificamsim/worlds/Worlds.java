@@ -14,12 +14,12 @@ import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.worlds.WorldSettings.AutoReset;
 
 /**
- * Simulations side by side, stepped by one call and shared out among threads. Actions are read from
- * a block of memory, and what follows from them is written there; see {@link Block}.
+ * Several simulations, stepped by one call and distributed among threads. Actions are read from a
+ * block of memory, to which the results are written; see {@link Block}.
  *
- * <p>World i begins with the seed of the reset plus i. What comes out depends on seeds and actions
- * alone, not on how many worlds or threads there are. After an error of a policy or model the
- * worlds have to be reset. One thread may call at a time.
+ * <p>World i begins with the seed of the reset plus i. Results depend only on seeds and actions,
+ * not on the number of worlds or threads. After an exception of a policy or model the worlds have
+ * to be reset. Not thread-safe.
  */
 public final class Worlds implements AutoCloseable {
   private final WorldSettings settings;
@@ -39,24 +39,25 @@ public final class Worlds implements AutoCloseable {
   private final int[] choices;
   private final int[] maskedRevision;
   private final boolean maskOften;
-  private final float[][] state; // of each worker
-  private final float[][] observed; // the same
-  private final SeenPairs[] pairs; // the same
+  private final float[][] stateByWorker;
+  private final float[][] observationsByWorker;
+  private final SeenPairs[] pairsByWorker;
   private final Workers.Share stepping = shared(this::step);
   private final Workers.Share resetting = shared(this::reset);
-  private final Workers.Share telling = shared(this::writeState);
+  private final Workers.Share writingStates = shared(this::writeState);
   private long seed;
   private boolean restarted;
 
-  /** What is done to each world. */
+  /** An action on one world. */
   @FunctionalInterface
   private interface Work {
-    /** Does it to the i-th world in one of the workers. */
+    /** Acts on the i-th world, in a worker. */
     void on(int i, int worker);
   }
 
   /**
-   * Each worker's share of some work: the worlds of its own. Made once, so that no step allocates.
+   * Returns the share of each worker: the work on its worlds. Created once, so that steps do not
+   * allocate.
    */
   private Workers.Share shared(Work work) {
     return worker -> {
@@ -67,48 +68,54 @@ public final class Worlds implements AutoCloseable {
     };
   }
 
-  private static void check(String what, int number) {
+  private static void requirePositive(String what, int number) {
     if (number < 1) {
       throw new InputException(number + " " + what + ", expected 1 or more");
     }
   }
 
   /**
-   * Worlds at the beginning of their first episode.
+   * Creates worlds at the start of their first episode.
    *
-   * @param count 1 or more
-   * @param threads that share the worlds, 1 or more
-   * @param source makes the shared block of this many bytes
+   * @param count the number of worlds, 1 or more
+   * @param threads the number of threads that share the worlds, 1 or more
+   * @param seed the seed of the first world
+   * @param allocator allocates the shared block of a number of bytes
    */
   public Worlds(
-      WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> source) {
-    check("worlds", count);
-    check("threads", threads);
+      WorldSettings settings,
+      int count,
+      int threads,
+      long seed,
+      IntFunction<ByteBuffer> allocator) {
+    requirePositive("worlds", count);
+    requirePositive("threads", threads);
     this.settings = settings;
     this.seed = seed;
     OneWorld first = new OneWorld(settings, seed, null);
     NetworkView network = first.network();
     block = Block.of(count, first, settings);
-    memory = source.apply(block.bytes()); // before the worlds: there may be too many
+    // Before the worlds, since the block of too many worlds cannot be allocated.
+    memory = allocator.apply(block.bytes());
     worlds = new OneWorld[count];
     Arrays.setAll(worlds, i -> i == 0 ? first : new OneWorld(settings, seed + i, first));
-    actions = block.part(memory, "actions").asIntBuffer();
-    observations = block.part(memory, "observations").asFloatBuffer();
-    finals = block.part(memory, "finals").asFloatBuffer();
-    rewards = block.part(memory, "rewards").asFloatBuffer();
-    masks = block.part(memory, "masks");
-    ends = block.part(memory, "ends");
-    measures = block.part(memory, "measures").asFloatBuffer();
-    advice = block.part(memory, "advice").asIntBuffer();
-    states = block.part(memory, "states").asFloatBuffer();
+    actions = block.slice(memory, "actions").asIntBuffer();
+    observations = block.slice(memory, "observations").asFloatBuffer();
+    finals = block.slice(memory, "finals").asFloatBuffer();
+    rewards = block.slice(memory, "rewards").asFloatBuffer();
+    masks = block.slice(memory, "masks");
+    ends = block.slice(memory, "ends");
+    measures = block.slice(memory, "measures").asFloatBuffer();
+    advice = block.slice(memory, "advice").asIntBuffer();
+    states = block.slice(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
     maskOften = settings.actions() == ActionKind.STEPS || takesTime();
     workers = Workers.of(Math.min(threads, count));
-    observed = new float[workers.count()][network.cameras() * settings.layout().size()];
-    pairs = new SeenPairs[workers.count()];
-    Arrays.setAll(pairs, worker -> new SeenPairs());
-    state = new float[workers.count()][OneWorld.stateSize(network, settings.layout())];
+    observationsByWorker = new float[workers.count()][network.cameras() * settings.layout().size()];
+    pairsByWorker = new SeenPairs[workers.count()];
+    Arrays.setAll(pairsByWorker, worker -> new SeenPairs());
+    stateByWorker = new float[workers.count()][OneWorld.stateSize(network, settings.layout())];
     reset(seed, true);
   }
 
@@ -119,32 +126,32 @@ public final class Worlds implements AutoCloseable {
         .anyMatch(camera -> camera.optics().filter(optics -> optics.takesTime()).isPresent());
   }
 
-  /** The memory that all sections are in. */
+  /** The memory that contains all sections. */
   public ByteBuffer memory() {
     return memory;
   }
 
-  /** How the memory is divided. */
+  /** The layout of the memory. */
   public Block block() {
     return block;
   }
 
-  /** Of how many each number of an action is one, counted from 0. */
+  /** The number of choices for each number of an action. */
   public List<Integer> choices() {
     return Arrays.stream(choices).boxed().toList();
   }
 
-  /** A world's network as it is now. */
+  /** The current network of a world. */
   public OracleView network(int world) {
     return worlds[world].network();
   }
 
-  /** Reports the steps of a world to one listener, from its next episode on. */
-  public void watch(int world, StepListener listener) {
-    worlds[world].watch(listener);
+  /** Sets the listener of a world, from its next episode on. */
+  public void listen(int world, StepListener listener) {
+    worlds[world].listen(listener);
   }
 
-  /** The seed of the episode that a world is in. */
+  /** The seed of the current episode of a world. */
   public long seed(int world) {
     return worlds[world].seed();
   }
@@ -152,8 +159,8 @@ public final class Worlds implements AutoCloseable {
   /**
    * Begins an episode in every world, and writes observations and masks.
    *
-   * @param newSeed of the first world
-   * @param fresh whether the seed counts; otherwise each world goes on to its next episode
+   * @param newSeed the seed of the first world
+   * @param fresh whether to use the seed; otherwise each world begins its next episode
    */
   public void reset(long newSeed, boolean fresh) {
     seed = newSeed;
@@ -161,9 +168,9 @@ public final class Worlds implements AutoCloseable {
     workers.run(resetting);
   }
 
-  /** Begins an episode in one world, of this seed or its next one; others stay as they are. */
-  public void reset(int world, long itsSeed, boolean fresh) {
-    seed = itsSeed - world;
+  /** Begins an episode in one world, with a seed or its next one; other worlds are unchanged. */
+  public void reset(int world, long worldSeed, boolean fresh) {
+    seed = worldSeed - world;
     restarted = fresh;
     reset(world, 0);
   }
@@ -179,9 +186,9 @@ public final class Worlds implements AutoCloseable {
   }
 
   /**
-   * Plays the actions in every world, and writes what follows.
+   * Carries out the actions in every world, and writes the results.
    *
-   * @throws InputException when an action is none, or an episode is over; nothing is stepped then
+   * @throws InputException if an action is invalid, or an episode is over; no world is stepped then
    */
   public void step() {
     checkActions();
@@ -190,8 +197,8 @@ public final class Worlds implements AutoCloseable {
 
   private void step(int i, int worker) {
     OneWorld world = worlds[i];
-    if (world.over()) { // with NEXT_STEP
-      renew(i, worker);
+    if (world.isOver()) { // Only with AutoReset.NEXT_STEP.
+      beginNextEpisode(i, worker);
       return;
     }
     actions.get(i * world.actions().length, world.actions());
@@ -199,8 +206,8 @@ public final class Worlds implements AutoCloseable {
     rewards.put(i * world.rewards().length, world.rewards());
     measures.put(i * OneWorld.MEASURES, world.measures());
     advice.put(i * world.advice().length, world.advice());
-    ends.put(i, (byte) (world.over() ? 1 : 0));
-    if (world.over() && settings.autoReset() == AutoReset.SAME_STEP) {
+    ends.put(i, (byte) (world.isOver() ? 1 : 0));
+    if (world.isOver() && settings.autoReset() == AutoReset.SAME_STEP) {
       observe(i, finals, worker);
       world.next();
     }
@@ -210,38 +217,40 @@ public final class Worlds implements AutoCloseable {
     }
   }
 
-  private void renew(int i, int worker) {
-    float[] none = worlds[i].rewards();
-    Arrays.fill(none, 0);
-    rewards.put(i * none.length, none);
+  private void beginNextEpisode(int i, int worker) {
+    float[] zeros = worlds[i].rewards();
+    Arrays.fill(zeros, 0);
+    rewards.put(i * zeros.length, zeros);
     ends.put(i, (byte) 0);
     worlds[i].next();
     observe(i, observations, worker);
     writeMasks(i);
   }
 
-  /** By way of arrays that all worlds of a worker share: they stay near. */
+  /**
+   * Writes observations through an array that the worlds of a worker share, so it stays in cache.
+   */
   private void observe(int i, FloatBuffer into, int worker) {
-    float[] out = observed[worker];
-    worlds[i].observe(pairs[worker], out);
+    float[] out = observationsByWorker[worker];
+    worlds[i].observe(pairsByWorker[worker], out);
     into.put(i * out.length, out);
   }
 
   private void writeMasks(int i) {
-    byte[] of = worlds[i].masks();
-    masks.put(i * of.length, of);
+    byte[] worldMasks = worlds[i].masks();
+    masks.put(i * worldMasks.length, worldMasks);
     maskedRevision[i] = worlds[i].network().revision();
   }
 
   private void checkActions() {
-    int each = worlds[0].actions().length;
+    int numbersPerWorld = worlds[0].actions().length;
     for (int i = 0; i < worlds.length; i++) {
-      if (settings.autoReset() == AutoReset.DISABLED && worlds[i].over()) {
+      if (settings.autoReset() == AutoReset.DISABLED && worlds[i].isOver()) {
         throw InputException.of(
             "the episode of %s steps is over, expected a reset", settings.steps());
       }
-      for (int at = 0; at < each; at += choices.length) {
-        checkActions(i, i * each, at);
+      for (int at = 0; at < numbersPerWorld; at += choices.length) {
+        checkActions(i, i * numbersPerWorld, at);
       }
     }
   }
@@ -251,12 +260,12 @@ public final class Worlds implements AutoCloseable {
       int action = actions.get(first + at + number);
       int least = settings.expert() == null ? 0 : PlayedPolicy.AS_ADVISED;
       if (action < least || action >= choices[number]) {
-        refuse(world, at + number, action);
+        rejectAction(world, at + number, action);
       }
     }
   }
 
-  private void refuse(int world, int at, int action) {
+  private void rejectAction(int world, int at, int action) {
     throw InputException.of(
         "action %s of camera %s in world %s, expected 0 to %s",
         action,
@@ -266,17 +275,17 @@ public final class Worlds implements AutoCloseable {
   }
 
   /** Writes the state of every world. */
-  public void state() {
-    workers.run(telling);
+  public void writeStates() {
+    workers.run(writingStates);
   }
 
   private void writeState(int i, int worker) {
-    observations.get(i * observed[worker].length, observed[worker]);
-    worlds[i].writeState(observed[worker], state[worker]);
-    states.put(i * state[worker].length, state[worker]);
+    observations.get(i * observationsByWorker[worker].length, observationsByWorker[worker]);
+    worlds[i].writeState(observationsByWorker[worker], stateByWorker[worker]);
+    states.put(i * stateByWorker[worker].length, stateByWorker[worker]);
   }
 
-  /** Ends the threads. */
+  /** Stops the threads. */
   @Override
   public void close() {
     workers.close();

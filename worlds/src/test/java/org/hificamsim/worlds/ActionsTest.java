@@ -17,7 +17,7 @@ class ActionsTest {
   }
 
   @Test
-  void aCameraThatNeedsNoTimeMayGoAnywhere() {
+  void instantCameraMayChooseAnyView() {
     try (Played played = played("cluster-random", ActionKind.VIEW)) {
       for (int step = 0; step < 50; step++) {
         for (byte mask : played.bytes("masks", 0)) {
@@ -29,7 +29,7 @@ class ActionsTest {
   }
 
   @Test
-  void aCameraOnItsWayMayOnlyGoOnAndDoes() {
+  void movingCameraMayOnlyContinue() {
     try (Played played = played("mate-4v8-9", ActionKind.VIEW)) {
       int onTheWay = 0;
       for (int step = 0; step < 500; step++) {
@@ -55,7 +55,7 @@ class ActionsTest {
   }
 
   @Test
-  void stepsGoToTheNextPanAndZoom() {
+  void stepActionsMoveToNextPanAndZoom() {
     try (Played played = played("cluster-random", ActionKind.STEPS)) {
       assertEquals(4, played.worlds().network(0).view(3), "the widest of five levels, at first");
       assertArrayEquals(new byte[] {0, 1, 0, 1, 1, 0}, mask(played, 3));
@@ -71,7 +71,7 @@ class ActionsTest {
 
   /** Five degrees a step, and 2.5 of the angle of view, of which a level has 30. */
   @Test
-  void ratesTurnAndZoomAtTheDrivesSpeed() {
+  void ratesTurnAndZoomAtDriveSpeed() {
     try (Played played = played("mate-4v8-9", ActionKind.RATES)) {
       NetworkView network = played.worlds().network(0);
       assertEquals(0, degrees(network), 1e-9);
@@ -91,7 +91,7 @@ class ActionsTest {
   }
 
   @Test
-  void ratesSteerACameraOnItsWayAndHaveNothingToMask() {
+  void ratesSteerMovingCameraAndNeedNoMask() {
     try (Played played = played("mate-4v8-9", ActionKind.RATES)) {
       int onTheWay = 0;
       for (int step = 0; step < 30; step++) {
@@ -108,7 +108,7 @@ class ActionsTest {
 
   /** A camera that needs no time turns by a pan angle, and zooms by a level. */
   @Test
-  void ratesOfACameraThatNeedsNoTime() {
+  void ratesSteerInstantCamera() {
     try (Played played = played("cluster-random", ActionKind.RATES)) {
       NetworkView network = played.worlds().network(0);
       rates(played, 1, 0, -1000);
@@ -131,7 +131,7 @@ class ActionsTest {
   }
 
   @Test
-  void aCameraThatIsOffMayBeGivenNoViewThatItDoesNotHave() {
+  void rejectsUnknownViewOfOfflineCamera() {
     try (Played played = played("car-park", ActionKind.VIEW)) {
       for (int step = 0; step < 205; step++) {
         played.step(4);

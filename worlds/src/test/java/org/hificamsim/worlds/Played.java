@@ -75,7 +75,7 @@ final class Played implements AutoCloseable {
   }
 
   ByteBuffer part(String name) {
-    return worlds.block().part(worlds.memory(), name);
+    return worlds.block().slice(worlds.memory(), name);
   }
 
   /** What one world has in a section. */

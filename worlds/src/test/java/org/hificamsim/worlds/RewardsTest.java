@@ -16,7 +16,7 @@ class RewardsTest {
   }
 
   @Test
-  void coverageAndKMinPayAllAlike() {
+  void coverageAndKMinPayAllCamerasEqually() {
     try (Played coverage = played("coverage");
         Played kMin = played("kmin");
         Played score = played("score")) {
@@ -39,7 +39,7 @@ class RewardsTest {
 
   /** A target that k cameras detect is lost by none but the last. */
   @Test
-  void theDifferenceIsWhatTheShareCoveredWouldLose() {
+  void differenceIsLossOfCoverageWithoutCamera() {
     try (Played played = played("difference")) {
       double paid = 0;
       double alone = 0;
@@ -66,7 +66,7 @@ class RewardsTest {
 
   /** The changes of a count sum up to the count. */
   @Test
-  void theThesisPaysTheChangeOfTheCount() {
+  void thesisRewardsChangeOfCount() {
     try (Played played = played("thesis")) {
       double[] sums = new double[14];
       for (int step = 0; step < STEPS; step++) {

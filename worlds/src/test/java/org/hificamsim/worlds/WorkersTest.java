@@ -25,7 +25,7 @@ class WorkersTest {
   }
 
   @Test
-  void whatWorkersWroteIsSeenOnReturn() {
+  void callerSeesWritesOfWorkers() {
     try (Workers workers = Workers.of(3)) {
       int[] written = new int[300];
       for (int round = 1; round <= 2_000; round++) {
@@ -59,7 +59,7 @@ class WorkersTest {
   }
 
   @Test
-  void aShareThatFailsIsToldToTheCallerAndTheNextRoundGoesOn() {
+  void failedShareThrowsInCallerAndNextRoundRuns() {
     try (Workers workers = Workers.of(2)) {
       IllegalStateException told =
           assertThrows(
@@ -79,7 +79,7 @@ class WorkersTest {
   }
 
   @Test
-  void handingOutWorkAllocatesNothing() {
+  void startingWorkAllocatesNothing() {
     try (Workers workers = Workers.of(2)) {
       int[] done = new int[2];
       Workers.Share share = worker -> done[worker]++;
@@ -89,7 +89,7 @@ class WorkersTest {
   }
 
   @Test
-  void oneWorkerIsTheCaller() {
+  void callerIsTheOnlyWorkerOfOne() {
     assertSame(Workers.CALLER, Workers.of(1));
     Thread[] ran = new Thread[1];
     Workers.CALLER.run(worker -> ran[worker] = Thread.currentThread());
@@ -103,7 +103,7 @@ class WorkersTest {
   }
 
   @Test
-  void closingEndsThreadsThatAreAsleep() throws InterruptedException {
+  void closingEndsSleepingThreads() throws InterruptedException {
     Thread[] threads = new Thread[2];
     try (Workers workers = Workers.of(2)) {
       workers.run(worker -> threads[worker] = Thread.currentThread());

@@ -29,7 +29,7 @@ class WorldsTest {
   /** Campus has lenses, walls, targets that come and go, and a camera that fails. */
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus", "mate-4v8-9"})
-  void whatAWorldDoesDependsOnItsSeedAndActionsAlone(String scenario) {
+  void worldDependsOnSeedAndActionsOnly(String scenario) {
     try (Played many = new Played(settings(scenario, 50), 5, 3, 7)) {
       List<List<Integer>> hashes = new ArrayList<>();
       for (int step = 0; step < STEPS; step++) {
@@ -51,7 +51,7 @@ class WorldsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus"})
-  void aResetWithTheSameSeedBeginsTheSameAgain(String scenario) {
+  void resetWithSameSeedRepeatsEpisode(String scenario) {
     try (Played played = new Played(settings(scenario, 50), 2, 1, 3);
         Played fresh = new Played(settings(scenario, 50), 2, 1, 3)) {
       for (int step = 0; step < STEPS; step++) {
@@ -69,7 +69,7 @@ class WorldsTest {
   }
 
   @Test
-  void theNextEpisodeIsAnotherOne() {
+  void nextEpisodeDiffers() {
     try (Played played = new Played(settings("cluster-random", 200), 1, 1, 3)) {
       List<float[]> first = episode(played, 200);
       List<float[]> second = episode(played, 200);
@@ -90,7 +90,7 @@ class WorldsTest {
   /** A policy's run, played again by its views, is the run of the command line. */
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus"})
-  void theFirstEpisodeIsTheRunOfItsSeed(String scenario) {
+  void firstEpisodeEqualsRunOfItsSeed(String scenario) {
     WorldSettings settings = settings(scenario, STEPS + 1);
     List<int[]> views = new ArrayList<>();
     List<Integer> kMin = new ArrayList<>();
@@ -122,7 +122,7 @@ class WorldsTest {
   }
 
   @Test
-  void anEndKeepsTheLastObservationAndBeginsAnew() {
+  void autoResetKeepsFinalObservation() {
     try (Played auto = new Played(settings("cluster-random", 10), 2, 1, 1);
         Played longer = new Played(settings("cluster-random", 11), 2, 1, 1)) {
       float[] first = auto.floats("observations", 1);
@@ -139,7 +139,7 @@ class WorldsTest {
   }
 
   @Test
-  void withoutAutoResetAnEpisodeEnds() {
+  void episodeEndsWithoutAutoReset() {
     WorldSettings settings =
         Played.settings("cluster-random", "coverage", ActionKind.VIEW, 2, false);
     try (Played played = new Played(settings, 1, 1, 1)) {
@@ -153,7 +153,7 @@ class WorldsTest {
   }
 
   @Test
-  void anActionThatIsNoneIsRefusedBeforeAnythingMoves() {
+  void rejectsInvalidActionBeforeMovingAnything() {
     try (Played played = new Played(settings("cluster-random", 10), 2, 2, 1)) {
       int before = played.hash(0);
       String line = assertThrows(InputException.class, () -> played.stepAll(0, 0, 5)).getMessage();
@@ -180,10 +180,10 @@ class WorldsTest {
   }
 
   @Test
-  void theStateTellsEverything() {
+  void stateHoldsEverything() {
     try (Played played = new Played(settings("cluster-random", 10), 1, 1, 1)) {
       played.stepAll(4);
-      played.worlds().state();
+      played.worlds().writeStates();
       float[] state = played.floats("states", 0);
       assertEquals(0.1f, state[0]);
       assertEquals(1, state[1], "the first camera is on");
