@@ -12,15 +12,15 @@ import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 
 /**
- * What Python has to know of worlds to use them.
+ * The description of worlds that Python needs to use them.
  *
- * @param cameras their names
- * @param views of each camera
- * @param choices of how many each number of an action is one
- * @param features what the numbers of an observation say
- * @param sections how the shared memory is divided
- * @param bytes how long the memory is
- * @param steps of an episode
+ * @param cameras the names of the cameras
+ * @param views the number of views of each camera
+ * @param choices the number of choices for each number of an action
+ * @param features the meaning of the numbers of an observation
+ * @param sections the layout of the shared memory
+ * @param bytes the length of the shared memory
+ * @param steps the number of steps of an episode
  * @param settings the names of the settings of a run
  */
 record Description(

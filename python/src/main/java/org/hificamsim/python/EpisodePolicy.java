@@ -13,14 +13,14 @@ import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.PlayedPolicy;
 
 /**
- * The actions of an episode, played again: {@code played:actions=view,file=FILE}. The file has one
- * int of four bytes, the lowest first, for each number of each action, step by step.
+ * Replays the actions of an episode: {@code played:actions=view,file=FILE}. The file has one
+ * little-endian int of four bytes for each number of each action, step by step.
  */
 public final class EpisodePolicy implements ZoomPolicy {
   private ActionKind kind = ActionKind.VIEW;
   private String file = "";
   private PlayedPolicy policy;
-  private ByteBuffer all;
+  private ByteBuffer remainingActions;
   private int[] actions;
 
   @Override
@@ -39,12 +39,12 @@ public final class EpisodePolicy implements ZoomPolicy {
     if (policy == null) {
       begin(network);
     }
-    if (all.remaining() < Integer.BYTES * actions.length) {
+    if (remainingActions.remaining() < Integer.BYTES * actions.length) {
       throw InputException.of(
           "%s has no action for step %s, expected one for every step", file, network.step());
     }
     for (int i = 0; i < actions.length; i++) {
-      actions[i] = all.getInt();
+      actions[i] = remainingActions.getInt();
     }
     policy.play(actions);
     policy.decide(network, views);
@@ -52,7 +52,8 @@ public final class EpisodePolicy implements ZoomPolicy {
 
   private void begin(NetworkView network) {
     try {
-      all = ByteBuffer.wrap(Files.readAllBytes(Path.of(file))).order(ByteOrder.LITTLE_ENDIAN);
+      remainingActions =
+          ByteBuffer.wrap(Files.readAllBytes(Path.of(file))).order(ByteOrder.LITTLE_ENDIAN);
     } catch (IOException e) {
       throw new InputException(file + " cannot be read, expected the actions of an episode", e);
     }

@@ -2,7 +2,9 @@ package org.hificamsim.python;
 
 import org.hificamsim.core.NamedSetting;
 
-/** Settings as arguments of Python's functions: {@code steps=}, or {@code steps=100}. */
+/**
+ * Writes settings as keyword arguments of Python functions: {@code steps=}, or {@code steps=100}.
+ */
 enum Keywords implements NamedSetting.Notation {
   NOTATION;
 

@@ -34,37 +34,37 @@ import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.WorldSettings.AutoReset;
 
 /**
- * What Python asks for, as JSON: settings of a run by their names, and those of environments alone.
+ * A request of Python, parsed from JSON.
  *
- * @param asked of a run
- * @param own of environments alone
+ * @param asked the settings of a run
+ * @param own the settings that only environments have
  */
 record Request(Settings asked, Environment own) {
   /**
-   * Settings of a run that environments have: actions take the place of a policy, and episodes that
-   * of repeats. A setting without an effect on episodes has to be left out here.
+   * The settings of a run that environments have. Actions replace the policy, and episodes replace
+   * repeats. Settings without an effect on episodes must be excluded here.
    */
   static final Set<Setting> SETTINGS =
       EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT, Setting.NETWORK));
 
-  /** What the Python package says by arguments of its own. */
+  /** The settings that the Python package sets from its own arguments. */
   private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads", "task");
 
   private static final ObjectMapper MAPPER =
       new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
 
   /**
-   * The settings that only environments have; what is null is left to the default.
+   * The settings that only environments have; null stands for the default.
    *
-   * @param scenario a file
-   * @param worlds how many
-   * @param threads that share them
+   * @param scenario the path of the scenario file
+   * @param worlds the number of worlds
+   * @param threads the number of threads that share the worlds
    * @param actions view, steps or rates
-   * @param targets that an observation has room for
-   * @param neighbours that an observation has room for
-   * @param paints whether pictures of the first world will be asked for
+   * @param targets the number of targets that an observation has space for
+   * @param neighbours the number of neighbours that an observation has space for
+   * @param paints whether pictures of worlds may be requested
    * @param expert the policy whose advice is written; null for none
-   * @param task of the tasks that the scenario's file has; null for a scenario
+   * @param task the task, if {@code scenario} is a file of tasks; null for a scenario
    */
   record Environment(
       String scenario,
@@ -91,12 +91,12 @@ record Request(Settings asked, Environment own) {
     try {
       Settings asked = Settings.NONE;
       ObjectNode own = MAPPER.createObjectNode();
-      for (Map.Entry<String, JsonNode> one : MAPPER.readTree(json).properties()) {
-        Optional<Setting> setting = Setting.named(one.getKey());
-        if (setting.filter(SETTINGS::contains).isPresent()) {
-          asked = asked.with(setting.get(), one.getValue().asText());
+      for (Map.Entry<String, JsonNode> entry : MAPPER.readTree(json).properties()) {
+        Optional<Setting> setting = Setting.named(entry.getKey());
+        if (setting.isPresent() && SETTINGS.contains(setting.get())) {
+          asked = asked.with(setting.get(), entry.getValue().asText());
         } else {
-          own.set(one.getKey(), one.getValue());
+          own.set(entry.getKey(), entry.getValue());
         }
       }
       return new Request(asked, MAPPER.treeToValue(own, Environment.class));
@@ -119,18 +119,19 @@ record Request(Settings asked, Environment own) {
         .sorted();
   }
 
-  /** Reads the scenario, and finds everything by its name. */
+  /** Reads the scenario, and looks up models, rewards and policies by their names. */
   WorldSettings worldSettings(Catalogue catalogue) {
     Path file = Path.of(own.scenario);
     Benchmark tasks = own.task == null ? null : Benchmark.read(file, catalogue);
     if (tasks != null) {
-      requireSeedAlone();
+      rejectOtherSettingsThanSeed();
     }
     Scenario scenario =
         tasks == null
             ? asked.scenario(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}))
             : tasks.layout(own.task, asked.seed());
-    Rewards.registry().create(own.reward); // a wrong one is refused here
+    // Rejects an unknown reward before any world is created.
+    Rewards.registry().create(own.reward);
     return new WorldSettings(
         scenario,
         tasks == null ? null : seed -> tasks.layout(own.task, seed),
@@ -152,8 +153,8 @@ record Request(Settings asked, Environment own) {
     };
   }
 
-  /** A task is as it is. */
-  private void requireSeedAlone() {
+  /** Rejects settings with a task, which fixes all but the seed. */
+  private void rejectOtherSettingsThanSeed() {
     SETTINGS.stream()
         .filter(setting -> setting != Setting.SEED && asked.asked(setting).isPresent())
         .findFirst()
@@ -164,7 +165,7 @@ record Request(Settings asked, Environment own) {
             });
   }
 
-  /** Experts that can be asked step by step; a wrong name is refused here. */
+  /** Returns a factory of experts; rejects an unknown policy, or one that needs the whole run. */
   private Supplier<ZoomPolicy> expert(Catalogue catalogue) {
     if (catalogue.policies().create(own.expert) instanceof HindsightZoomPolicy) {
       throw InputException.of(

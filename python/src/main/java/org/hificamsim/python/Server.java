@@ -19,49 +19,53 @@ import java.nio.charset.StandardCharsets;
 import org.hificamsim.core.InputException;
 
 /**
- * A session over standard input and output, its memory a file that both sides map; it ends with its
- * input.
+ * Serves a session over standard input and output, with a memory-mapped file shared with the
+ * client; it ends when its input ends.
  *
- * <p>Every message is a letter and the length of what follows, four bytes, the highest first. In: o
- * settings as JSON, s step, r reset (world or -1, 4 bytes; seed, 8 bytes; 1 where it counts, else
- * 0), t state, n seed of the episode, p picture (world and width, 4 bytes each). Out: k for done,
- * with what was asked for; i for input that is wrong, e for anything else, each with a line that
- * says what.
+ * <p>Every message is a letter, the length of the content as four bytes, big-endian, and the
+ * content. Requests: o opens worlds (settings as JSON), s steps, r resets (world or -1, 4 bytes;
+ * seed, 8 bytes; 1 to use the seed, else 0), t writes states, n asks for the seed of the episode, p
+ * for a picture (world and width, 4 bytes each). Replies: k for success, with the result; i for
+ * wrong input and e for any other failure, each with a message.
  */
 public final class Server {
   private final DataInputStream in;
   private final DataOutputStream out;
   private final String file;
-  private final long room;
+  private final long maxBytes;
   private Session session;
 
-  private Server(InputStream in, OutputStream out, String file, long room) {
+  private Server(InputStream in, OutputStream out, String file, long maxBytes) {
     this.in = new DataInputStream(in);
     this.out = new DataOutputStream(new BufferedOutputStream(out));
     this.file = file;
-    this.room = room;
+    this.maxBytes = maxBytes;
   }
 
   /**
-   * Serves one session, and ends with the process that started it, whatever it is at. The arguments
-   * are the file to be mapped, which exists, how many bytes there are for it, and that process.
+   * Serves one session, and exits when the process that started it exits.
+   *
+   * @param args the existing file to map, its greatest length in bytes, and the id of that process
    */
   public static void main(String[] args) throws IOException {
     OutputStream out = new FileOutputStream(FileDescriptor.out);
-    System.setOut(
-        new PrintStream(System.err, true, StandardCharsets.UTF_8)); // a user's part may print
+    // Extensions of users may print, which must not disturb the protocol.
+    System.setOut(new PrintStream(System.err, true, StandardCharsets.UTF_8));
     Thread watch = new Thread(() -> endWith(Long.parseLong(args[2])), "end of Python");
     watch.setDaemon(true);
     watch.start();
-    long room = Long.parseLong(args[1]);
-    new Server(new FileInputStream(FileDescriptor.in), out, args[0], room).serve();
+    long maxBytes = Long.parseLong(args[1]);
+    new Server(new FileInputStream(FileDescriptor.in), out, args[0], maxBytes).serve();
     System.exit(0);
   }
 
-  /** Looks twice a second, since a session that builds its worlds does not see its input end. */
+  /** Checks twice a second, since a session does not see its input end while it creates worlds. */
   private static void endWith(long python) {
     try {
-      while (ProcessHandle.current().parent().filter(one -> one.pid() == python).isPresent()) {
+      while (ProcessHandle.current()
+          .parent()
+          .filter(parent -> parent.pid() == python)
+          .isPresent()) {
         Thread.sleep(500);
       }
     } catch (InterruptedException e) {
@@ -76,11 +80,11 @@ public final class Server {
         answer(in.readByte(), in.readNBytes(in.readInt()));
       }
     } catch (EOFException e) {
-      // nobody asks any more
+      // The client has ended.
     }
   }
 
-  @SuppressWarnings("CatchAndPrintStackTrace") // the trace goes where Python shows it
+  @SuppressWarnings("CatchAndPrintStackTrace") // Python shows standard error
   private void answer(byte letter, byte[] message) throws IOException {
     try {
       reply('k', answerTo((char) letter, ByteBuffer.wrap(message)));
@@ -120,11 +124,11 @@ public final class Server {
   }
 
   private ByteBuffer map(int bytes) {
-    if (bytes > room) {
+    if (bytes > maxBytes) {
       throw InputException.of(
           "the worlds take %s MB of shared memory, expected at most the %s MB that are"
               + " free: fewer worlds, or backend 'jvm'",
-          (bytes >> 20) + 1, room >> 20);
+          (bytes >> 20) + 1, maxBytes >> 20);
     }
     try (RandomAccessFile shared = new RandomAccessFile(file, "rw")) {
       shared.setLength(bytes);

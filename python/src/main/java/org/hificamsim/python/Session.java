@@ -10,19 +10,19 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 
-/** Worlds that Python has opened; one thread may call at a time. */
+/** A session of Python with its worlds. Not thread-safe. */
 public final class Session implements AutoCloseable {
   private static final int MAX_WIDTH = 10_000;
 
   private final WorldSettings settings;
   private final Worlds worlds;
-  private final List<Painted> painted = new ArrayList<>();
+  private final List<EpisodePainter> painters = new ArrayList<>();
 
   /**
-   * Opens worlds in memory of the JVM's.
+   * Opens worlds whose memory is allocated by the JVM.
    *
-   * @param request JSON, see {@link Request}
-   * @throws InputException when something is wrong with it
+   * @param request a {@link Request} as JSON
+   * @throws InputException if the request is invalid
    */
   public static Session open(String request) {
     return open(request, ByteBuffer::allocateDirect);
@@ -39,10 +39,10 @@ public final class Session implements AutoCloseable {
     worlds = new Worlds(settings, request.own().worlds(), request.own().threads(), seed, memory);
     for (int i = 0; request.own().paints() && i < request.own().worlds(); i++) {
       int world = i;
-      painted.add(new Painted(() -> setup(worlds.seed(world)), settings.detection()));
-      worlds.watch(i, painted.get(i));
+      painters.add(new EpisodePainter(() -> setup(worlds.seed(world)), settings.detection()));
+      worlds.listen(i, painters.get(i));
     }
-    if (!painted.isEmpty()) {
+    if (!painters.isEmpty()) {
       worlds.reset(seed, true);
     }
   }
@@ -51,12 +51,12 @@ public final class Session implements AutoCloseable {
     return Setup.of(settings.world(seed), settings.detection(), "played", seed, List.of());
   }
 
-  /** What there is to know of the worlds, as JSON, see {@link Description}. */
+  /** The {@link Description} of the worlds, as JSON. */
   public String description() {
     return Description.of(worlds, settings).json();
   }
 
-  /** The memory that is shared. */
+  /** The shared memory. */
   public ByteBuffer memory() {
     return worlds.memory();
   }
@@ -64,13 +64,13 @@ public final class Session implements AutoCloseable {
   /**
    * Steps all worlds.
    *
-   * @throws InputException when an action is none, or an episode is over
+   * @throws InputException if an action is invalid, or an episode is over
    */
   public void step() {
     worlds.step();
   }
 
-  /** Begins an episode in a world, of this seed or its next one; below 0 in all worlds. */
+  /** Begins an episode in a world, with a seed or its next one; in all worlds if below 0. */
   public void reset(int world, long seed, boolean fresh) {
     if (world < 0) {
       worlds.reset(seed, fresh);
@@ -79,39 +79,39 @@ public final class Session implements AutoCloseable {
     }
   }
 
-  /** Writes the states. */
+  /** Writes the states of all worlds. */
   public void state() {
-    worlds.state();
+    worlds.writeStates();
   }
 
-  /** The seed of the episode that the first world is in. */
+  /** The seed of the current episode of the first world. */
   public long seed() {
     return worlds.seed(0);
   }
 
   /**
-   * A picture of a world.
+   * Paints a picture of a world.
    *
-   * @throws InputException when pictures were not asked for at first
+   * @throws InputException if the session was opened without pictures
    */
   public byte[] picture(int world, int width) {
-    if (painted.isEmpty()) {
+    if (painters.isEmpty()) {
       throw new InputException("no pictures were asked for, expected render_mode='rgb_array'");
     }
     if (width < 1 || width > MAX_WIDTH) {
       throw new InputException("a picture " + width + " wide, expected 1 to " + MAX_WIDTH);
     }
-    return painted.get(world).picture(worlds.network(world), worlds.seed(world), width);
+    return painters.get(world).picture(worlds.network(world), worlds.seed(world), width);
   }
 
-  /** What went wrong, with settings written as Python's keyword arguments. */
+  /** Returns the message of a fault, with settings written as keyword arguments of Python. */
   public static String message(Throwable fault) {
     return fault instanceof InputException input
         ? input.message(Keywords.NOTATION)
         : fault.getMessage();
   }
 
-  /** Ends the threads. */
+  /** Stops the threads. */
   @Override
   public void close() {
     worlds.close();

@@ -32,7 +32,7 @@ class PackageTest {
   @TempDir private Path folder;
 
   @TestFactory
-  Stream<DynamicTest> theTestsOfThePackage() throws Exception {
+  Stream<DynamicTest> pythonTestsPass() throws Exception {
     assumeTrue(Files.exists(VENV.resolve("locked")), "no virtual environment");
     String installed =
         run(
@@ -48,7 +48,7 @@ class PackageTest {
             PYTHON.toString());
     assertTrue(installed.contains("Successfully installed hificamsim"), installed);
     Path report = folder.resolve("pytest.xml");
-    String said =
+    String output =
         run(
             "-m",
             "pytest",
@@ -62,25 +62,25 @@ class PackageTest {
             "--junit-xml",
             report.toString(),
             PYTHON.resolve("tests").toString());
-    assertTrue(Files.exists(report), said);
+    assertTrue(Files.exists(report), output);
     List<Element> cases = cases(report);
     assertTrue(cases.size() > 50, cases.size() + " tests");
     return cases.stream().map(PackageTest::test);
   }
 
-  private static DynamicTest test(Element one) {
-    String name = one.getAttribute("classname") + "." + one.getAttribute("name");
-    return DynamicTest.dynamicTest(name, () -> judge(one));
+  private static DynamicTest test(Element testCase) {
+    String name = testCase.getAttribute("classname") + "." + testCase.getAttribute("name");
+    return DynamicTest.dynamicTest(name, () -> judge(testCase));
   }
 
-  private static void judge(Element one) {
+  private static void judge(Element testCase) {
     for (String kind : List.of("failure", "error")) {
-      NodeList faults = one.getElementsByTagName(kind);
+      NodeList faults = testCase.getElementsByTagName(kind);
       if (faults.getLength() > 0) {
         fail(faults.item(0).getTextContent());
       }
     }
-    NodeList skipped = one.getElementsByTagName("skipped");
+    NodeList skipped = testCase.getElementsByTagName("skipped");
     if (skipped.getLength() > 0) {
       abort(((Element) skipped.item(0)).getAttribute("message"));
     }
@@ -95,19 +95,22 @@ class PackageTest {
     return IntStream.range(0, found.getLength()).mapToObj(i -> (Element) found.item(i)).toList();
   }
 
-  /** What Python says; its working directory is empty, so that the installed package is found. */
+  /**
+   * Runs Python in an empty directory, so that it finds the installed package; returns its output.
+   */
   private String run(String... words) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(VENV.resolve("bin/python").toString()));
     command.addAll(List.of(words));
-    Path said = Files.createTempFile(folder, "said", ".txt");
+    Path outputFile = Files.createTempFile(folder, "said", ".txt");
     ProcessBuilder builder =
         new ProcessBuilder(command)
             .directory(folder.toFile())
             .redirectErrorStream(true)
-            .redirectOutput(said.toFile());
+            .redirectOutput(outputFile.toFile());
     builder.environment().put("PYTHONPYCACHEPREFIX", VENV.resolve("pycache").toString());
-    builder.environment().put("HIFICAMSIM_OPTS", "-XX:TieredStopAtLevel=1"); // all are short
-    builder.environment().put("OPENBLAS_NUM_THREADS", "1"); // small matrices are faster so
+    // The tests are short, and small matrices are faster on one thread.
+    builder.environment().put("HIFICAMSIM_OPTS", "-XX:TieredStopAtLevel=1");
+    builder.environment().put("OPENBLAS_NUM_THREADS", "1");
     builder.environment().remove("PYTHONPATH");
     if (words[1].equals("pip")) {
       builder.environment().put("HIFICAMSIM_JARS", System.getProperty("python.jars"));
@@ -118,7 +121,7 @@ class PackageTest {
     } finally {
       python.destroyForcibly();
     }
-    String text = Files.readString(said, StandardCharsets.UTF_8);
+    String text = Files.readString(outputFile, StandardCharsets.UTF_8);
     return python.exitValue() == 0 ? text : text + "\nexit code " + python.exitValue();
   }
 }

@@ -19,7 +19,7 @@ class PlainAuctionsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {15, 100})
-  void everyStepOfARandomFieldIsTheEngines(int cameras) {
+  void everyStepOfRandomFieldEqualsEngine(int cameras) {
     Scenario field = new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1).scenario();
     NetworkRun ours = AuctionRun.of(field, ScheduleKind.PASSIVE, 0);
     PlainAuctions plain = new PlainAuctions(field, 0);

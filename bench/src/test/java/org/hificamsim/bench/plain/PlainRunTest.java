@@ -34,7 +34,7 @@ class PlainRunTest {
     "epsilon-greedy, epsilon-greedy:epsilon=0",
     "sarsa, sarsa:epsilon=0"
   })
-  void writesTheSameTable(String plain, String policy) throws IOException {
+  void writesSameTableAsEngine(String plain, String policy) throws IOException {
     Path table = folder.resolve("plain.csv");
     PlainRun.main(
         new String[] {FILE.toString(), "camsim-range@0.3", plain, "0", "" + STEPS, "" + table});

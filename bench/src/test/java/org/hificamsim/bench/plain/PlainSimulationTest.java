@@ -37,7 +37,7 @@ class PlainSimulationTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"zoom-out", "epsilon-greedy", "sarsa"})
-  void withoutRandomnessEveryStepIsTheEngines(String policy) {
+  void everyStepEqualsEngineWithoutRandomness(String policy) {
     String exploiting = policy.equals("zoom-out") ? policy : policy + ":epsilon=0";
     List<Measured> expected = engine(exploiting, 3);
     assertEquals(STEPS, expected.size());
@@ -46,7 +46,7 @@ class PlainSimulationTest {
   }
 
   @Test
-  void learningWithoutExploringIsNotZoomingOut() {
+  void learningWithoutExploringDiffersFromZoomingOut() {
     assertNotEquals(plain("sarsa", 0, 3), plain("zoom-out", 0, 3));
   }
 

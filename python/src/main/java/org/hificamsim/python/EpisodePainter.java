@@ -19,8 +19,8 @@ import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
 
-/** The episode of a world, kept frame by frame to be painted. */
-final class Painted implements StepListener {
+/** Records the frames of an episode of a world, and paints them. */
+final class EpisodePainter implements StepListener {
   private final Supplier<Setup> setups;
   private final Detection detection;
   private final List<Frame> frames = new ArrayList<>();
@@ -29,9 +29,9 @@ final class Painted implements StepListener {
   private Snapshots snapshots;
 
   /**
-   * @param setups what there is to paint in the episode that begins
+   * @param setups gives the setup of the episode that begins
    */
-  Painted(Supplier<Setup> setups, Detection detection) {
+  EpisodePainter(Supplier<Setup> setups, Detection detection) {
     this.setups = setups;
     this.detection = detection;
   }
@@ -51,9 +51,9 @@ final class Painted implements StepListener {
   }
 
   /**
-   * The last step; before the first one the network as it is.
+   * Paints the last step, or the current network before the first step.
    *
-   * @param width pixels
+   * @param width the width of the picture, in pixels
    * @return width and height as two ints, then red, green and blue of each pixel, row by row
    */
   byte[] picture(OracleView network, long seed, int width) {
