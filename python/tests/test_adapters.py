@@ -46,7 +46,7 @@ def library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     sys.modules.pop("hificamsim.sb3", None)
 
 
-def test_every_camera_is_an_environment_whose_next_episode_begins_by_itself(library: None) -> None:
+def test_every_camera_is_an_environment_with_autoreset(library: None) -> None:
     env = hificamsim.sb3_vec_env("campus", 2, steps=20, reward="difference")
     cameras = len(env.vector.worlds.cameras)
     assert env.num_envs == 2 * cameras
@@ -70,7 +70,7 @@ def test_every_camera_is_an_environment_whose_next_episode_begins_by_itself(libr
     env.close()
 
 
-def test_the_seed_of_the_vector_environment_counts(library: None) -> None:
+def test_seed_of_vector_environment_has_effect(library: None) -> None:
     first = []
     for seed in (5, 5, 6):
         env = hificamsim.sb3_vec_env("campus", 1, steps=100)

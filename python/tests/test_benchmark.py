@@ -27,7 +27,7 @@ def test_every_task_can_be_made_and_played(backend: str) -> None:
         env.close()
 
 
-def test_every_site_has_its_id_and_the_old_one() -> None:
+def test_every_site_has_current_and_old_id() -> None:
     for name in hificamsim.scenarios():
         assert name + "-v1" in hificamsim.ids()
     env = hificamsim.make("corridor-v0", steps=2)
@@ -40,7 +40,7 @@ def test_every_site_has_its_id_and_the_old_one() -> None:
         single.close()
 
 
-def test_a_task_draws_its_site_for_each_seed_alike_in_any_batch() -> None:
+def test_site_of_a_task_depends_only_on_seed() -> None:
     with hificamsim.Worlds("bench/campus-v1", 3, seed=5) as many, hificamsim.Worlds("bench/campus-v1", 1, seed=6) as one:
         many.reset(5)
         one.reset(6)
@@ -52,14 +52,14 @@ def test_a_task_draws_its_site_for_each_seed_alike_in_any_batch() -> None:
         assert (one.observations[0][:, 1:5] != first[0][:, 1:5]).any()  # the next episode is elsewhere
 
 
-def test_a_task_keeps_its_settings() -> None:
+def test_task_keeps_its_settings() -> None:
     with pytest.raises(hificamsim.InputError, match="with steps=, expected the seed alone"):
         hificamsim.make("bench/campus-v1", steps=5)
     with pytest.raises(hificamsim.InputError, match="is no file"):
         hificamsim.Worlds("bench/moon-v1")
 
 
-def test_a_policy_of_twenty_lines_enters_and_stands_on_the_page(tmp_path: pathlib.Path) -> None:
+def test_short_policy_enters_benchmark_and_page(tmp_path: pathlib.Path) -> None:
     import enter
 
     scores = hificamsim.benchmark(enter.Stay(), tmp_path / "mine", name="<stay>", only=["passage-v1", "bench/street-v1"])
@@ -89,7 +89,7 @@ def test_each_world_takes_its_seed(per: str, backend: str) -> None:
     alone.close()
 
 
-def test_the_next_episode_begins_in_the_step_that_follows(backend: str) -> None:
+def test_next_episode_begins_in_following_step(backend: str) -> None:
     envs = hificamsim.vector_env("campus", 2, steps=5, autoreset_mode=AutoresetMode.NEXT_STEP, backend=backend)
     same = hificamsim.vector_env("campus", 2, steps=5, backend=backend)
     assert envs.metadata["autoreset_mode"] == AutoresetMode.NEXT_STEP
@@ -112,7 +112,7 @@ def test_the_next_episode_begins_in_the_step_that_follows(backend: str) -> None:
     same.close()
 
 
-def test_a_seed_that_is_no_number_is_refused() -> None:
+def test_rejects_seeds_that_are_no_numbers() -> None:
     envs = hificamsim.vector_env("campus", 2, steps=3)
     for wrong in (np.array("a"), np.zeros((2, 2), object), "ab", [1, "b"]):
         with pytest.raises(hificamsim.InputError, match="seed|expected"):
@@ -120,7 +120,7 @@ def test_a_seed_that_is_no_number_is_refused() -> None:
     envs.close()
 
 
-def test_without_autoreset_a_mask_says_who_begins(backend: str) -> None:
+def test_reset_mask_selects_worlds_without_autoreset(backend: str) -> None:
     envs = hificamsim.vector_env("campus", 2, steps=3, autoreset_mode="Disabled", backend=backend)
     envs.reset(seed=3)
     actions = np.zeros(envs.action_space.shape, int)
@@ -136,7 +136,7 @@ def test_without_autoreset_a_mask_says_who_begins(backend: str) -> None:
         hificamsim.vector_env("campus", autoreset_mode="never")
 
 
-def test_a_policy_of_rates_enters_and_agrees(tmp_path: pathlib.Path) -> None:
+def test_rate_policy_enters_benchmark(tmp_path: pathlib.Path) -> None:
     random = np.random.default_rng(1)
 
     def drift(observations: np.ndarray, masks: np.ndarray) -> np.ndarray:
@@ -156,7 +156,7 @@ class Clip:
         np.save(path, self.frames)
 
 
-def test_vector_environments_are_filmed(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_films_vector_environments(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     envs = hificamsim.vector_env("bench/campus-v1", 2, render_mode="rgb_array")
     envs.reset(seed=1)
     frames = envs.render()

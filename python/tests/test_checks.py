@@ -25,7 +25,7 @@ def told(actions: Any) -> Any:
 
 
 @pytest.mark.parametrize("actions", [[[0, 0], [0, 0]], LAST, tuple(map(tuple, LAST))])
-def test_whole_numbers_from_0_to_below_their_count_are_actions_of_whatever_type(actions: Any) -> None:
+def test_accepts_whole_actions_below_count_of_any_type(actions: Any) -> None:
     assert (told(actions) == np.array(actions)).all()
     for kind in "bBhHiIlLqQ":
         assert (told(np.array(actions, kind)) == np.array(actions)).all()
@@ -36,7 +36,7 @@ NO_ACTIONS = [-1, -128, 2**31, 2**63, 2**64, -(2**64), 1.0, 0.5, float("nan"), "
 
 @pytest.mark.parametrize("index", [(0, 0), (0, 1), (1, 0), (1, 1)])
 @pytest.mark.parametrize("value", [*NO_ACTIONS, "count"])
-def test_the_one_that_is_no_action_is_named(index: tuple[int, int], value: Any) -> None:
+def test_error_names_the_invalid_action(index: tuple[int, int], value: Any) -> None:
     count = int(COUNTS[index])
     value = count if value == "count" else value
     actions = np.array(LAST, object)
@@ -48,7 +48,7 @@ def test_the_one_that_is_no_action_is_named(index: tuple[int, int], value: Any) 
 
 
 @pytest.mark.parametrize("kind", "bBhHiIlLqQ")
-def test_in_an_array_of_whole_numbers_as_well(kind: str) -> None:
+def test_error_names_the_invalid_action_in_integer_arrays(kind: str) -> None:
     for index, count in np.ndenumerate(COUNTS):
         for value in (-1, int(count)):
             actions = np.array(LAST, kind)
@@ -69,12 +69,12 @@ def test_in_an_array_of_whole_numbers_as_well(kind: str) -> None:
         (np.ones((2, 2), bool), "action True of camera 00, expected a whole number from 0 to 2"),
     ],
 )
-def test_what_is_no_array_of_whole_numbers_is_said_as_a_whole(actions: Any, line: str) -> None:
+def test_rejects_values_that_are_no_integer_array(actions: Any, line: str) -> None:
     with pytest.raises(hificamsim.InputError, match=f"^{re.escape(line)}$"):
         told(actions)
 
 
-def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
+def test_space_sizes_equal_choices_of_cameras() -> None:
     by_view: Any = SimpleNamespace(kind="view", choices=[5], views=[3, 5], cameras=["a", "b"])
     by_step: Any = SimpleNamespace(kind="steps", choices=[3, 2], views=[3, 5], cameras=["a", "b"])
     with_state: Any = SimpleNamespace(states=np.zeros((2, 7)))
@@ -108,7 +108,7 @@ def test_spaces_are_as_large_as_what_cameras_may_choose() -> None:
 
 @pytest.mark.parametrize("per", ["world", "camera"])
 @pytest.mark.parametrize("actions", ["view", "steps"])
-def test_a_wrong_action_is_that_of_its_camera_in_its_world(per: str, actions: str) -> None:
+def test_error_names_camera_and_world_of_wrong_action(per: str, actions: str) -> None:
     with contextlib.closing(hificamsim.vector_env("campus", 2, per=per, actions=actions, backend="jvm")) as envs:
         envs.reset(seed=1)
         cameras = envs.worlds.cameras
@@ -128,20 +128,20 @@ def test_a_wrong_action_is_that_of_its_camera_in_its_world(per: str, actions: st
             env.step(wrong)
 
 
-def test_a_value_is_shown_in_one_line_of_80_characters() -> None:
+def test_shows_values_in_one_line_of_80_characters() -> None:
     assert errors.shown("a\n  b") == "'a\\n b'"
     assert errors.shown("x" * 78) == "'" + "x" * 78 + "'"
     assert errors.shown("x" * 79) == "'" + "x" * 79 + "..."
 
 
-def test_a_line_of_the_simulator_keeps_its_ends() -> None:
+def test_long_message_keeps_both_ends() -> None:
     assert errors.line("a\n  b\t") == "a b"
     whole = "a" * 400 + "b" * 400
     assert errors.line(whole) == whole
     assert errors.line("a" * 400 + "c" + "b" * 400) == "a" * 400 + "..." + "b" * 400
 
 
-def test_a_path_is_a_text_bytes_or_a_path_without_nul() -> None:
+def test_path_accepts_text_bytes_and_paths_without_nul() -> None:
     for path in ("a/b", b"a/b", pathlib.Path("a/b")):
         assert errors.path(path, "scenario") == "a/b"
     for wrong, expected in [(3, "a name or a file"), (None, "a name or a file"), ("a\0", "no NUL in it")]:
@@ -150,19 +150,19 @@ def test_a_path_is_a_text_bytes_or_a_path_without_nul() -> None:
 
 
 @pytest.mark.parametrize("value", [-3, 0, 7, np.int8(7), np.uint64(7), np.array(7)])
-def test_a_whole_number_between_its_limits_is_taken(value: Any) -> None:
+def test_accepts_whole_numbers_within_limits(value: Any) -> None:
     taken = errors.whole(value, "n", -3, 7)
     assert taken == value
     assert type(taken) is int
 
 
 @pytest.mark.parametrize("value", [-4, 8, 2**64, -(2**64), 1.0, "1", None, True, False, np.float32(1), [1], np.zeros(2, int)])
-def test_another_is_refused_with_its_limits(value: Any) -> None:
+def test_rejects_other_values_and_names_limits(value: Any) -> None:
     with pytest.raises(hificamsim.InputError, match="^n is .*, expected a whole number from -3 to 7$"):
         errors.whole(value, "n", -3, 7)
 
 
-def test_a_whole_number_has_64_bits() -> None:
+def test_whole_numbers_have_64_bits() -> None:
     for most in (-(2**63), 2**63 - 1):
         assert errors.whole(most, "n") == most
     for beyond in (-(2**63) - 1, 2**63):
@@ -170,7 +170,7 @@ def test_a_whole_number_has_64_bits() -> None:
             errors.whole(beyond, "n")
 
 
-def test_a_setting_is_a_number_a_text_or_a_truth() -> None:
+def test_settings_are_numbers_texts_or_booleans() -> None:
     for value in (3, 0.5, "a", True, np.int16(3), np.float32(0.5), np.bool_(True), np.array(3)):
         taken = errors.plain(value, "x")
         assert taken == value
@@ -180,7 +180,7 @@ def test_a_setting_is_a_number_a_text_or_a_truth() -> None:
             errors.plain(wrong, "x")
 
 
-def test_ids_are_the_scenarios_with_a_version() -> None:
+def test_ids_are_scenario_names_with_version() -> None:
     assert "campus-v1" in hificamsim.ids()
     assert len(hificamsim.ids()) == len(hificamsim.scenarios()) + len(hificamsim.tasks()) > 1
     for wrong in ("campus", "campus-v2", "", 3, "a\0-v0"):
@@ -195,7 +195,7 @@ def test_ids_are_the_scenarios_with_a_version() -> None:
         assert single.unwrapped.worlds.name == "campus"  # type: ignore[attr-defined]
 
 
-def test_a_scenario_is_a_file_before_it_is_a_name(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_scenario_file_takes_precedence_over_name(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     shipped = scenario_file("campus")
     assert pathlib.Path(shipped).is_file()
     assert scenario_file(shipped.encode()) == shipped
@@ -209,7 +209,7 @@ def test_a_scenario_is_a_file_before_it_is_a_name(tmp_path: pathlib.Path, monkey
         scenario_file("ring")
 
 
-def test_what_an_environment_sets_itself_is_no_setting() -> None:
+def test_rejects_settings_that_environments_set_themselves() -> None:
     for name in ("paints", "num_envs"):
         with pytest.raises(hificamsim.InputError, match=f"^unknown setting '{name}': the environment has its own"):
             rendered("campus", None, ["rgb_array"], {name: 1}, num_envs=1)

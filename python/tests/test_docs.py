@@ -34,7 +34,7 @@ def public(of: type) -> list[str]:
     return [name for name, what in vars(of).items() if not name.startswith("_") and inspect.isfunction(what)]
 
 
-def test_the_reference_names_all_that_is_public() -> None:
+def test_reference_names_everything_public() -> None:
     api = PAGE.read_text(encoding="utf-8").split("## API")[1]
     names = [*hificamsim.__all__]
     for one in (hificamsim.Worlds, hificamsim.CameraEnv, hificamsim.CameraVectorEnv, hificamsim.NetworkEnv):
@@ -46,7 +46,7 @@ def test_the_reference_names_all_that_is_public() -> None:
     assert not undocumented
 
 
-def test_the_page_has_every_number_of_an_observation_and_every_reward() -> None:
+def test_page_lists_every_observation_feature_and_reward() -> None:
     page = PAGE.read_text(encoding="utf-8")
     with hificamsim.Worlds("campus") as worlds:
         for feature in worlds.features:

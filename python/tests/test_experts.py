@@ -10,7 +10,7 @@ import hificamsim
 SETTINGS = {"steps": 60, "seed": 7}
 
 
-def test_an_expert_that_plays_is_the_run_of_its_policy() -> None:
+def test_expert_plays_like_a_run_of_its_policy() -> None:
     with hificamsim.Worlds("junction", 2, expert="cooperative", auto_reset=False, **SETTINGS) as worlds:
         worlds.begin(None)
         worlds.actions[...] = -1
@@ -22,7 +22,7 @@ def test_an_expert_that_plays_is_the_run_of_its_policy() -> None:
     assert np.allclose(scores, played["steps"].groupby("run")["score"].sum(), rtol=1e-5)
 
 
-def test_pairs_are_decisions_that_masks_allow() -> None:
+def test_dataset_has_only_decisions_allowed_by_masks() -> None:
     pairs = hificamsim.dataset("junction", episodes=2, **SETTINGS)
     count = len(pairs["actions"])
     assert {len(array) for array in pairs.values()} == {count} and count > 100
@@ -33,14 +33,14 @@ def test_pairs_are_decisions_that_masks_allow() -> None:
     assert (pairs["actions"][mine] == first["actions"]).all()
 
 
-def test_an_expert_advises_whoever_plays() -> None:
+def test_expert_advises_other_players() -> None:
     with hificamsim.Worlds("junction", expert="zoom-in", **SETTINGS) as worlds:
         worlds.actions[...] = worlds.choices[0] - 1
         worlds.step()
         assert (worlds.advice >= 0).all()
 
 
-def test_without_an_expert_there_is_no_advice_to_take() -> None:
+def test_rejects_following_advice_without_expert() -> None:
     with hificamsim.Worlds("junction", **SETTINGS) as worlds:
         worlds.actions[...] = -1
         with pytest.raises(hificamsim.InputError, match="action -1 of camera"):
@@ -48,6 +48,6 @@ def test_without_an_expert_there_is_no_advice_to_take() -> None:
 
 
 @pytest.mark.parametrize("name", ["best-fixed", "nobody"])
-def test_who_cannot_be_asked_step_by_step_is_refused(name: str) -> None:
+def test_rejects_experts_that_need_the_whole_run(name: str) -> None:
     with pytest.raises(hificamsim.InputError, match=f"'{name}'"):
         hificamsim.Worlds("junction", expert=name)

@@ -48,14 +48,14 @@ def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]
         ({"backend": "cloud"}, "backend is 'cloud', expected 'jvm' or 'process'"),
     ],
 )
-def test_a_wrong_setting_is_a_line(settings: dict[str, object], line: str) -> None:
+def test_reports_wrong_setting_in_one_line(settings: dict[str, object], line: str) -> None:
     with pytest.raises(hificamsim.InputError) as fault:
         hificamsim.Worlds("campus", **{"backend": "jvm", **settings})
     assert line in str(fault.value)
     assert "\n" not in str(fault.value)
 
 
-def test_a_wrong_setting_is_a_line_of_a_worker_too() -> None:
+def test_worker_reports_wrong_setting_in_one_line() -> None:
     with pytest.raises(hificamsim.InputError, match="unknown reward 'cover', expected one of coverage[^\\n]*$"):
         hificamsim.Worlds("campus", reward="cover", backend="process")
 
@@ -79,18 +79,18 @@ def test_a_run_names_settings_as_keywords(settings: dict[str, object], message: 
     assert "--" not in str(fault.value)
 
 
-def test_a_run_warns_of_a_model_that_hardly_sees_a_target() -> None:
+def test_run_warns_if_model_hardly_sees_targets() -> None:
     with pytest.warns(UserWarning, match="'camsim-range' detects up to 0.0"):
         hificamsim.run("campus", detection="camsim-range", steps=1)
 
 
 @pytest.mark.parametrize("make", [hificamsim.parallel_env, hificamsim.vector_env, hificamsim.single_env])
-def test_a_wrong_render_mode_is_a_line(make: Callable[..., object]) -> None:
+def test_reports_wrong_render_mode_in_one_line(make: Callable[..., object]) -> None:
     with pytest.raises(hificamsim.InputError, match="render_mode is 'ansi', expected None or .*'rgb_array'"):
         make("campus", render_mode="ansi")
 
 
-def test_a_scenario_that_is_none_or_wrong(tmp_path: pathlib.Path, backend: str) -> None:
+def test_rejects_missing_or_invalid_scenario(tmp_path: pathlib.Path, backend: str) -> None:
     with pytest.raises(hificamsim.InputError, match="scenario 'campsu' is no file, and none of .*campus"):
         hificamsim.Worlds("campsu", backend=backend)
     file = tmp_path / "broken.xml"
@@ -99,7 +99,7 @@ def test_a_scenario_that_is_none_or_wrong(tmp_path: pathlib.Path, backend: str) 
         hificamsim.Worlds(file, backend=backend)
 
 
-def test_an_action_that_is_none_is_refused_and_nothing_moves(backend: str) -> None:
+def test_rejects_invalid_action_before_moving_anything(backend: str) -> None:
     env = hificamsim.parallel_env("cluster-random", backend=backend)
     env.reset(seed=1)
     with pytest.raises(hificamsim.InputError, match="action 7 of camera Cam_03, expected a whole number from 0 to 4"):
@@ -126,7 +126,7 @@ REFUSED = [
 ]
 
 
-def test_an_action_outside_the_space_is_refused(backend: str) -> None:
+def test_rejects_action_outside_space(backend: str) -> None:
     with contextlib.closing(hificamsim.parallel_env("cluster-random", backend=backend)) as env:
         env.reset(seed=1)
         before = env.worlds.observations.copy()
@@ -142,7 +142,7 @@ def test_an_action_outside_the_space_is_refused(backend: str) -> None:
 
 
 @pytest.mark.parametrize("per", ["world", "camera"])
-def test_actions_of_many_worlds_are_checked_by_one_look(per: str, backend: str) -> None:
+def test_checks_actions_of_many_worlds_at_once(per: str, backend: str) -> None:
     with contextlib.closing(hificamsim.vector_env("cluster-random", 3, per=per, backend=backend)) as envs:
         envs.reset(seed=1)
         cameras = len(envs.worlds.cameras)
@@ -157,7 +157,7 @@ def test_actions_of_many_worlds_are_checked_by_one_look(per: str, backend: str) 
         envs.step(good)
 
 
-def test_odd_calls_are_taken_or_refused_in_a_line() -> None:
+def test_unusual_calls_work_or_fail_in_one_line() -> None:
     calls = Calls(1)
     calls.run(100)  # fuzz_calls.py has more
     calls.close()
@@ -165,7 +165,7 @@ def test_odd_calls_are_taken_or_refused_in_a_line() -> None:
     assert calls.refused > 50
 
 
-def test_too_many_worlds_name_the_limit_and_leave_nothing(backend: str) -> None:
+def test_rejects_too_many_worlds_and_cleans_up(backend: str) -> None:
     began = time.monotonic()
     with pytest.raises(hificamsim.InputError, match="1000000000 worlds take more than 2 GB of shared memory"):
         hificamsim.vector_env("campus", 10**9, backend=backend)
@@ -173,7 +173,7 @@ def test_too_many_worlds_name_the_limit_and_leave_nothing(backend: str) -> None:
     assert not list(pathlib.Path("/dev/shm").glob("hificamsim-*"))
 
 
-def test_two_environments_in_one_process_do_not_touch_each_other() -> None:
+def test_environments_in_one_process_are_independent() -> None:
     kept = []
     for _ in range(2):
         envs = [hificamsim.Worlds("campus", 2, backend=backend) for backend in ("jvm", "process", "jvm")]
@@ -190,7 +190,7 @@ def test_two_environments_in_one_process_do_not_touch_each_other() -> None:
     assert (kept[0] == kept[1]).all(), "after a close the next environment begins as the first did"
 
 
-def test_what_is_closed_says_so(backend: str) -> None:
+def test_closed_environment_reports_that_it_is_closed(backend: str) -> None:
     worlds = hificamsim.Worlds("campus", backend=backend)
     observations = worlds.observations
     worlds.close()
@@ -200,7 +200,7 @@ def test_what_is_closed_says_so(backend: str) -> None:
     assert observations.sum() == observations.sum(), "its memory can still be read"
 
 
-def test_a_killed_worker_is_noticed_at_once() -> None:
+def test_notices_killed_worker_at_once() -> None:
     worlds = hificamsim.Worlds("campus", backend="process")
     os.kill(worlds._backend._worker.pid, signal.SIGKILL)
     with pytest.raises(hificamsim.WorkerDied, match="the environment's Java process ended \\(SIGKILL\\)"):
@@ -210,7 +210,7 @@ def test_a_killed_worker_is_noticed_at_once() -> None:
     hificamsim.Worlds("campus", backend="process").close()
 
 
-def test_a_worker_ends_with_its_python() -> None:
+def test_worker_ends_with_its_python() -> None:
     done = python(
         """
         import os, hificamsim
@@ -229,7 +229,7 @@ def test_a_worker_ends_with_its_python() -> None:
     assert not os.path.exists(file)
 
 
-def test_a_fork_after_the_start_is_refused_and_does_not_hang() -> None:
+def test_rejects_use_in_fork_without_hanging() -> None:
     done = python(
         """
         import multiprocessing, hificamsim
@@ -261,7 +261,7 @@ def test_a_fork_after_the_start_is_refused_and_does_not_hang() -> None:
     assert "make one here" in said[4]
 
 
-def test_a_fork_that_never_asks_collects_garbage_and_ends() -> None:
+def test_unused_fork_collects_garbage_and_ends() -> None:
     done = python(
         """
         import gc, os, sys, hificamsim
@@ -307,7 +307,7 @@ def signalled(program: str, number: signal.Signals, folder: pathlib.Path) -> tup
     return running.returncode, said
 
 
-def test_ctrl_c_is_pythons_and_the_environment_goes_on(backend: str, tmp_path: pathlib.Path) -> None:
+def test_environment_survives_ctrl_c(backend: str, tmp_path: pathlib.Path) -> None:
     program = STEPPING.format(backend=backend) + """
     try:
         steps()
@@ -320,14 +320,14 @@ def test_ctrl_c_is_pythons_and_the_environment_goes_on(backend: str, tmp_path: p
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
-def test_a_signal_ends_python_as_it_does_without_java(
+def test_signals_end_python_as_without_java(
     backend: str, number: signal.Signals, tmp_path: pathlib.Path
 ) -> None:
     program = STEPPING.format(backend=backend) + "\n    steps()"
     assert signalled(program, number, tmp_path) == (-number, "")
 
 
-def test_a_users_own_handler_runs(backend: str, tmp_path: pathlib.Path) -> None:
+def test_signal_handler_of_user_runs(backend: str, tmp_path: pathlib.Path) -> None:
     program = STEPPING.format(backend=backend) + """
     def mine(number, frame):
         print("mine", flush=True)
@@ -345,7 +345,7 @@ def action(number: int) -> int:
     return int.from_bytes(known.raw[: ctypes.sizeof(ctypes.c_void_p)], sys.byteorder)
 
 
-def test_a_window_leaves_the_signals_of_the_jvm_alone() -> None:
+def test_window_keeps_signals_of_jvm() -> None:
     """A JVM stops its threads with SIGSEGV, now and then: who takes that for a crash ends the process."""
     signals = [signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGINT, signal.SIGTERM]
     env = hificamsim.parallel_env("cluster-random", render_mode="human", backend="jvm")
@@ -357,7 +357,7 @@ def test_a_window_leaves_the_signals_of_the_jvm_alone() -> None:
     assert [action(number) for number in signals] == before
 
 
-def test_a_second_ctrl_c_does_not_wait_for_a_worker_that_hangs() -> None:
+def test_second_ctrl_c_does_not_wait_for_hanging_worker() -> None:
     done = python(
         """
         import os, signal, threading, hificamsim
@@ -390,7 +390,7 @@ def memory() -> int:
     return int(status.split("VmRSS:")[1].split()[0])
 
 
-def test_thousands_of_resets_leave_nothing_behind() -> None:
+def test_thousands_of_resets_leak_nothing() -> None:
     env = hificamsim.parallel_env("campus", backend="jvm", steps=5)
     for _ in range(1_000):
         env.reset()
@@ -404,7 +404,7 @@ def test_thousands_of_resets_leave_nothing_behind() -> None:
     env.close()
 
 
-def test_environments_that_nobody_keeps_are_gone() -> None:
+def test_unreferenced_environments_are_collected() -> None:
     def count() -> tuple[int, int]:
         return len(os.listdir("/proc/self/fd")), len(os.listdir("/proc/self/task"))
 
@@ -418,7 +418,7 @@ def test_environments_that_nobody_keeps_are_gone() -> None:
     assert all(now <= then + 2 for now, then in zip(count(), before)), (count(), before)
 
 
-def test_without_java_there_is_one_line(tmp_path: pathlib.Path) -> None:
+def test_reports_missing_java_in_one_line(tmp_path: pathlib.Path) -> None:
     program = """
         import pathlib, hificamsim, hificamsim.java
         hificamsim.java._places = lambda: iter([pathlib.Path("{}")])
@@ -438,7 +438,7 @@ def test_without_java_there_is_one_line(tmp_path: pathlib.Path) -> None:
         assert past == [none[0].replace("no Java found", f"{old} is Java 11")]
 
 
-def test_numpy_is_enough_for_worlds_in_a_process_of_their_own() -> None:
+def test_worlds_in_own_process_need_only_numpy() -> None:
     done = python(
         """
         import sys

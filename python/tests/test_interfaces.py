@@ -86,7 +86,7 @@ def test_gymnasium_check_env(scenario: str, actions: str, backend: str) -> None:
     env.close()
 
 
-def test_gymnasium_makes_what_is_registered() -> None:
+def test_gymnasium_makes_registered_environments() -> None:
     hificamsim.register()
     hificamsim.register()
     env = gymnasium.make("hificamsim/campus-v1", steps=30)
@@ -109,7 +109,7 @@ def test_make_knows_every_scenario() -> None:
 
 
 @pytest.mark.parametrize("per", ["world", "camera"])
-def test_a_vector_environment_declares_and_does_its_autoreset(per: str, backend: str) -> None:
+def test_vector_environment_declares_and_performs_autoreset(per: str, backend: str) -> None:
     envs = hificamsim.vector_env("campus", 3, per=per, steps=40, seed=2, backend=backend)
     assert envs.metadata["autoreset_mode"] == AutoresetMode.SAME_STEP
     observations, infos = envs.reset()
@@ -127,7 +127,7 @@ def test_a_vector_environment_declares_and_does_its_autoreset(per: str, backend:
     envs.close()
 
 
-def test_worlds_of_a_vector_environment_have_seeds_of_their_own() -> None:
+def test_worlds_of_vector_environment_have_different_seeds() -> None:
     envs = hificamsim.vector_env("campus", 3, seed=5)
     alone = hificamsim.vector_env("campus", 1, seed=7)
     action = envs.action_space.sample()
@@ -142,7 +142,7 @@ def test_worlds_of_a_vector_environment_have_seeds_of_their_own() -> None:
     alone.close()
 
 
-def test_what_a_step_returns_stays_as_it_is() -> None:
+def test_results_of_a_step_do_not_change_later() -> None:
     envs = hificamsim.vector_env("campus", 2)
     first, _ = envs.reset(seed=1)
     kept = first.copy()
@@ -179,7 +179,7 @@ def test_every_number_is_within_its_bounds(scenario: str, actions: str, detect: 
         assert (most > least).sum() >= 14, "many numbers change"
 
 
-def test_a_camera_that_fails_stays_an_agent_and_sees_nothing() -> None:
+def test_failed_camera_stays_agent_and_sees_nothing() -> None:
     env = hificamsim.parallel_env("campus", steps=200, seed=0)
     env.reset()
     for step in range(190):
@@ -189,7 +189,7 @@ def test_a_camera_that_fails_stays_an_agent_and_sees_nothing() -> None:
     env.close()
 
 
-def test_a_picture_and_the_page_of_an_episode(backend: str, tmp_path: object) -> None:
+def test_renders_picture_and_page_of_episode(backend: str, tmp_path: object) -> None:
     env = hificamsim.make("campus-v1", render_mode="rgb_array", width=400, steps=50, backend=backend)
     env.reset(seed=4)
     before = env.render()

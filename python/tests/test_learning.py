@@ -29,19 +29,19 @@ def trained(*words: str) -> tuple[list[float], Any]:
 CAR_PARK = ["car-park", "--detection", "oodpcvs-2025:level=characterise", "--worlds", "16", "--steps", "150"]
 
 
-def test_a_short_training_raises_the_score_by_half() -> None:
+def test_short_training_raises_score_by_half() -> None:
     scores, _ = trained(*CAR_PARK, "--updates", "14", "--seed", "3")
     assert np.mean(scores[-3:]) > 1.5 * scores[0], scores
 
 
-def test_the_same_seed_learns_the_same() -> None:
+def test_same_seed_gives_same_training() -> None:
     one, first = trained(*CAR_PARK, "--updates", "2", "--seed", "5")
     other, second = trained(*CAR_PARK, "--updates", "2", "--seed", "5")
     assert one == other
     assert all((a == b).all() for a, b in zip(first.actor.weights, second.actor.weights))
 
 
-def test_the_slopes_are_those_of_the_loss() -> None:
+def test_gradients_match_loss() -> None:
     random = np.random.default_rng(1)
     network = ppo.Network([3, 5, 2], 1.0, random)
     network.weights = [one.astype(np.float64) for one in network.weights]
@@ -63,7 +63,7 @@ def test_the_slopes_are_those_of_the_loss() -> None:
             assert (more - less) / 2e-6 == pytest.approx(slope[at], abs=1e-5)
 
 
-def test_choices_of_the_shipped_policy_are_those_of_the_file() -> None:
+def test_shipped_policy_chooses_like_its_file() -> None:
     pytest.importorskip("onnx")
     import greedy
 

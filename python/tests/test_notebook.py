@@ -28,11 +28,11 @@ def code(notebook: Any) -> list[Any]:
     return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
 
-def test_the_notebook_has_no_outputs_so_that_changes_can_be_read(notebook: Any) -> None:
+def test_notebook_has_no_outputs(notebook: Any) -> None:
     assert not any(cell.outputs or cell.execution_count for cell in code(notebook))
 
 
-def test_the_notebook_runs(notebook: Any) -> None:
+def test_notebook_runs(notebook: Any) -> None:
     import nbformat
 
     nbclient = pytest.importorskip("nbclient")
@@ -60,7 +60,7 @@ def test_every_other_notebook_runs_and_draws(name: str) -> None:
     for needed in ("ipykernel", "matplotlib", "scipy"):
         pytest.importorskip(needed)
     book = nbformat.read(EXAMPLES / f"{name}.ipynb", as_version=4)
-    test_the_notebook_has_no_outputs_so_that_changes_can_be_read(book)
+    test_notebook_has_no_outputs(book)
     nbclient.NotebookClient(book, timeout=600, resources={"metadata": {"path": str(EXAMPLES)}}).execute()
     shown = [out.data for cell in code(book) for out in cell.outputs if "data" in out]
     assert sum("image/png" in data for data in shown) == OTHERS[name]

@@ -13,7 +13,7 @@ import hificamsim
 PARQUET = pathlib.Path(__file__).resolve().parents[2] / "parquet/build/install/parquet"
 
 
-def test_a_run_gives_its_tables() -> None:
+def test_run_returns_tables() -> None:
     run = hificamsim.run("cluster-random", policy="zoom-out", steps=50, repeat=2)
     assert len(run["steps"]) == 100
     assert run.settings["policy"] == "zoom-out"
@@ -22,7 +22,7 @@ def test_a_run_gives_its_tables() -> None:
         run["step"]
 
 
-def test_a_comparison_gives_its_tables_and_stays_where_it_is_told(tmp_path: pathlib.Path) -> None:
+def test_comparison_returns_tables_and_keeps_its_folder(tmp_path: pathlib.Path) -> None:
     folder = tmp_path / "results"
     made = hificamsim.compare(
         "cluster-random",
@@ -38,7 +38,7 @@ def test_a_comparison_gives_its_tables_and_stays_where_it_is_told(tmp_path: path
     assert again["results"].equals(made["results"])
 
 
-def test_columns_are_the_csv_with_types(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_columns_equal_csv_with_types(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     if not list(PARQUET.glob("parquet-*.jar")):
         pytest.skip("no Parquet: gradle :parquet:libraries")
     pytest.importorskip("pyarrow")
@@ -55,7 +55,7 @@ def test_columns_are_the_csv_with_types(tmp_path: pathlib.Path, monkeypatch: pyt
     assert schema.metadata[b"x.unit"] == b"m"
 
 
-def test_columns_without_their_libraries_are_a_line(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_reports_missing_libraries_in_one_line(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("CLASSPATH", raising=False)
     with pytest.raises(hificamsim.InputError, match="format 'parquet' is not on the class path, expected its jars"):
         hificamsim.run("cluster-random", format="parquet", steps=5)
@@ -65,7 +65,7 @@ def test_columns_without_their_libraries_are_a_line(tmp_path: pathlib.Path, monk
         hificamsim.read_results(tmp_path)
 
 
-def test_a_column_without_a_value_is_numbers() -> None:
+def test_empty_column_is_numeric() -> None:
     # one detection has no other to differ from, and an optimum of 0 has no parts
     made = hificamsim.compare("cluster-random", policies="zoom-out", detections="hifi:orb-lin", steps=5)
     for table, column in [
@@ -79,14 +79,14 @@ def test_a_column_without_a_value_is_numbers() -> None:
         assert values.dtype == float, column
 
 
-def test_what_the_command_line_refuses_is_a_line(tmp_path: pathlib.Path) -> None:
+def test_command_line_errors_are_one_line(tmp_path: pathlib.Path) -> None:
     with pytest.raises(hificamsim.InputError, match="unknown policy 'zoom', expected one of"):
         hificamsim.run("cluster-random", policy="zoom", steps=5)
     with pytest.raises(hificamsim.InputError, match="has no tables, expected a folder of results"):
         hificamsim.read_results(tmp_path)
 
 
-def test_a_plan_gives_its_tables_and_its_matrix(tmp_path: pathlib.Path) -> None:
+def test_plan_returns_tables_and_matrix(tmp_path: pathlib.Path) -> None:
     pytest.importorskip("scipy")
     options = {"cameras": 2, "catalogue": "site", "cells": 12, "candidates": "every=10"}
     plan = hificamsim.place("car-park", out=tmp_path / "plan", **options)

@@ -43,16 +43,16 @@ def expected() -> list[list[str]]:
     return said
 
 
-def test_the_other_backend_and_more_threads(expected: list[list[str]]) -> None:
+def test_same_with_other_backend_and_more_threads(expected: list[list[str]]) -> None:
     assert hashes(4, threads=3, backend="process") == expected
 
 
 @pytest.mark.parametrize(("backend", "first"), [("jvm", 0), ("process", 2)])
-def test_one_world_alone(expected: list[list[str]], backend: str, first: int) -> None:
+def test_same_for_a_single_world(expected: list[list[str]], backend: str, first: int) -> None:
     assert hashes(1, first, threads=1, backend=backend) == [expected[first]]
 
 
-def test_reset_to_the_same_seed_begins_the_same_again(backend: str) -> None:
+def test_reset_with_same_seed_repeats_episode(backend: str) -> None:
     with hificamsim.Worlds("campus", 2, steps=100, backend=backend) as worlds:
         first = worlds.observations.copy()
         for _ in range(150):
@@ -69,7 +69,7 @@ def test_reset_to_the_same_seed_begins_the_same_again(backend: str) -> None:
         assert (worlds.state() != later).any(), "the next episode has another seed"
 
 
-def test_the_parallel_environment_gives_what_worlds_give(backend: str) -> None:
+def test_parallel_environment_equals_worlds(backend: str) -> None:
     env = hificamsim.parallel_env("campus", steps=300, backend=backend)
     observations, _ = env.reset(seed=5)
     with hificamsim.Worlds("campus", steps=300, seed=5) as worlds:
@@ -86,7 +86,7 @@ def test_the_parallel_environment_gives_what_worlds_give(backend: str) -> None:
     env.close()
 
 
-def test_a_run_of_the_command_line_played_again_scores_the_same() -> None:
+def test_replayed_run_has_same_score() -> None:
     run = hificamsim.run("cluster-random", policy="random", steps=300, seed=9, record=True)
     env = hificamsim.single_env("cluster-random", steps=300)
     env.reset(seed=9)

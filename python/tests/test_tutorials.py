@@ -17,7 +17,7 @@ PROGRAM = re.compile(r'^```python title="([^"]+)"\n(.*?)^```', re.M | re.S)
 
 
 @pytest.mark.parametrize("page", [page.stem for page in sorted(PAGES.glob("*.md")) if PROGRAM.search(page.read_text())])
-def test_a_program_prints_what_its_page_shows(page: str, tmp_path: pathlib.Path) -> None:
+def test_program_prints_output_of_its_page(page: str, tmp_path: pathlib.Path) -> None:
     text = (PAGES / f"{page}.md").read_text(encoding="utf-8")
     for name, program in PROGRAM.findall(text):
         (tmp_path / name).write_text(program, encoding="utf-8")
@@ -29,7 +29,7 @@ def test_a_program_prints_what_its_page_shows(page: str, tmp_path: pathlib.Path)
         assert re.fullmatch(expected, run.stdout.strip(), re.S), run.stdout
 
 
-def test_the_tutorial_of_the_benchmark_runs_as_it_stands(tmp_path: pathlib.Path) -> None:
+def test_benchmark_tutorial_runs_unchanged(tmp_path: pathlib.Path) -> None:
     pytest.importorskip("onnx")
     root = PAGES.parents[1]
     onnx = root / "onnx" / "build" / "install" / "onnx"

@@ -14,7 +14,7 @@ torch.set_num_threads(1)
 
 
 @pytest.mark.parametrize("actions", ["view", "rates"])
-def test_stable_baselines_checks_the_environment_and_learns(actions: str, tmp_path: pathlib.Path) -> None:
+def test_stable_baselines_checks_environment_and_learns(actions: str, tmp_path: pathlib.Path) -> None:
     stable_baselines3 = pytest.importorskip("stable_baselines3")
     from stable_baselines3.common.env_checker import check_env
 
@@ -32,7 +32,7 @@ def test_stable_baselines_checks_the_environment_and_learns(actions: str, tmp_pa
     env.close()
 
 
-def test_maskable_ppo_takes_no_view_that_its_mask_forbids() -> None:
+def test_maskable_ppo_obeys_masks() -> None:
     contributed = pytest.importorskip("sb3_contrib")
     env = hificamsim.sb3_vec_env("campus", 1, steps=50)
     model = contributed.MaskablePPO("MlpPolicy", env, n_steps=32, seed=1)
@@ -50,7 +50,7 @@ def test_maskable_ppo_takes_no_view_that_its_mask_forbids() -> None:
 
 
 @pytest.mark.parametrize("actions", ["view", "steps", "rates"])
-def test_torchrl_checks_the_environment(actions: str) -> None:
+def test_torchrl_checks_environment(actions: str) -> None:
     pytest.importorskip("torchrl")
     from torchrl.envs.utils import check_env_specs
 
@@ -60,7 +60,7 @@ def test_torchrl_checks_the_environment(actions: str) -> None:
     env.close()
 
 
-def test_torchrl_takes_no_view_that_its_mask_forbids() -> None:
+def test_torchrl_obeys_masks() -> None:
     pytest.importorskip("torchrl")
     env = hificamsim.torchrl_env("campus", steps=50)
     views = torch.tensor([env.worlds.views]).T
@@ -100,7 +100,7 @@ def test_benchmarl_trains_on_its_task(algorithm: str, tmp_path: pathlib.Path) ->
 
 
 @pytest.mark.parametrize("method", ["ippo", "mappo"])
-def test_the_recipe_of_the_benchmark_trains_goes_on_and_enters(
+def test_benchmark_recipe_trains_resumes_and_enters(
     method: str, tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.syspath_prepend(str(pathlib.Path(__file__).resolve().parents[2] / "examples"))
