@@ -61,7 +61,7 @@ class BigNetworkTest {
   }
 
   @Test
-  void scenarioDependsOnSeedAlone() throws IOException {
+  void scenarioDependsOnlyOnSeed() throws IOException {
     Path again = folder.resolve("again.xml");
     Path other = folder.resolve("other.xml");
     Cli.run("generate", again, "--cameras", CAMERAS, "--seed", 3);

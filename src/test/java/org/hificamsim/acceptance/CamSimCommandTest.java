@@ -178,8 +178,7 @@ class CamSimCommandTest {
         "--threshold 2 | threshold is 2.0",
         "-f /no/such/folder/s.csv | summary file",
       })
-  void rejectsWrongUsageInOneLineAndWritesNothing(String options, String expected)
-      throws IOException {
+  void rejectsWrongUsageWithoutOutput(String options, String expected) throws IOException {
     Cli run = camsim(options, SCENARIO);
     assertEquals(2, run.exit(), run.err());
     List<String> errors = run.err().lines().filter(line -> !line.startsWith("warning")).toList();

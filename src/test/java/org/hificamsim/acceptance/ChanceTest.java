@@ -137,7 +137,7 @@ class ChanceTest {
   }
 
   @Test
-  void comparesRulesWithSameBytesOnAnyNumberOfThreads() throws IOException {
+  void comparesRulesEquallyOnAnyNumberOfThreads() throws IOException {
     Path first = folder.resolve("one");
     Path second = folder.resolve("two");
     for (Path out : List.of(first, second)) {

@@ -57,7 +57,7 @@ class ChannelCommandTest {
   }
 
   @Test
-  void votersLearnAloneIfNothingArrives() throws IOException {
+  void votersLearnIndependentlyIfNothingArrives() throws IOException {
     assertEquals(
         steps(run("alone", "--policy sarsa")),
         steps(run("deaf", "--policy qb-sarsa --channel loss=1")));

@@ -230,7 +230,7 @@ class CompareCommandTest {
   }
 
   @Test
-  void rejectsOutputFolderThatIsAFile() throws IOException {
+  void rejectsFileAsOutputFolder() throws IOException {
     Path file = Files.writeString(folder.resolve("taken"), "mine");
     for (Path out : List.of(file, file.resolve("below"))) {
       Cli compare = Cli.run(words(out, 1, 1));

@@ -57,7 +57,7 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void valuesOfAdaptingAndLearningAreRelativeToBestFixed() throws IOException {
+  void comparesAdaptingAndLearningWithBestFixed() throws IOException {
     Path asked = folder.resolve("asked");
     run(asked, SEEDS, "zoom-out,epsilon-greedy,sarsa,best-fixed", "--steps", 60);
     Map<String, Double> fixed = metric(asked, "performance", "best-fixed");

@@ -156,7 +156,7 @@ class CrateTest {
   }
 
   @Test
-  void runInFolderOfComparisonHasItsOwnPage() throws Exception {
+  void runAfterComparisonHasItsOwnPage() throws Exception {
     Path out = folder.resolve("compare");
     command("compare", Cli.scenario("ring-random"), "--steps", 5, "--repeat", 2, "--out", out);
     command("run", Cli.scenario("ring-random"), "--steps", 5, "--record", "--out", out);

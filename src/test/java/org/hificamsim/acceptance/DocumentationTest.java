@@ -87,7 +87,7 @@ class DocumentationTest {
   }
 
   @Test
-  void everyModuleIsOnTheMapAndInItsPicture() throws IOException {
+  void everyModuleIsOnMapAndPicture() throws IOException {
     String map = Files.readString(Cli.ROOT.resolve("CONTRIBUTING.md"));
     String picture = Files.readString(Cli.ROOT.resolve("docs/img/modules.svg"));
     for (Module module : Module.values()) {

@@ -117,7 +117,7 @@ class HeatMapTest {
   }
 
   @Test
-  void pageShowsChosenFigureWithNumbersOfTheTable() throws IOException {
+  void pageShowsNumbersOfTheTable() throws IOException {
     open();
     choose("mean-k");
     String[] row = table().get(12 * 60 + 22); // of the cell of half a metre from (11, 6) on
@@ -147,7 +147,7 @@ class HeatMapTest {
   }
 
   @Test
-  void showsTracksOnlyWhereTargetsWent() throws IOException {
+  void showsTracksOnlyAtVisitedPlaces() throws IOException {
     open();
     String[] row =
         Files.readAllLines(run.resolve("targets.csv")).stream()

@@ -33,7 +33,7 @@ class ObjectiveTest {
   }
 
   @Test
-  void scoreOfARunIsTheSumOfItsSteps() throws IOException {
+  void scoreOfRunIsSumOfSteps() throws IOException {
     JsonNode run = run(Cli.scenario("ring-random"), "--objective", "covered");
     assertEquals(30 * (1 - run.get("covered_0").asDouble()), run.get("score").asDouble(), 1e-9);
     JsonNode twice = run(Cli.scenario("ring-random"), "--objective", "covered:k=2");

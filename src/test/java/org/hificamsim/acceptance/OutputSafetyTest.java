@@ -122,7 +122,7 @@ class OutputSafetyTest {
   }
 
   @Test
-  void concurrentRunsWriteWholeFolderOrReportItInUse() throws IOException {
+  void concurrentRunsWriteWholeFolderOrFail() throws IOException {
     List<Cli> runs =
         atOnce(
             seed ->

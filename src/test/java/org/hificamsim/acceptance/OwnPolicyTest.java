@@ -85,7 +85,7 @@ class OwnPolicyTest {
   }
 
   @Test
-  void exceptionIsOneLineWithStackTraceUnderDebug(@TempDir Path jar) throws Exception {
+  void showsStackTraceOnlyUnderDebug(@TempDir Path jar) throws Exception {
     Path services = Files.createDirectories(jar.resolve("META-INF/services"));
     Files.writeString(services.resolve(ZoomPolicy.class.getName()), Broken.class.getName());
     List<String> brief = outputLines(jar, List.of());

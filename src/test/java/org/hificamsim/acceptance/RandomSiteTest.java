@@ -69,7 +69,7 @@ class RandomSiteTest {
   }
 
   @Test
-  void siteDependsOnSeedAlone() throws IOException {
+  void siteDependsOnlyOnSeed() throws IOException {
     String text = Files.readString(generated("--cameras", 5, "--lenses", "--walls", 9));
     assertEquals(text, Files.readString(generated("--cameras", 5, "--lenses", "--walls", 9)));
     Path other = generated("--cameras", 5, "--lenses", "--walls", 9, "--seed", 1);

@@ -57,7 +57,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void formulaOfZoomAloneGivesZoomOutZeroOrOne() throws IOException {
+  void zoomOnlyFormulaGivesZeroForZoomOut() throws IOException {
     Path out = reproduced(1).folder();
     List<String> header = List.of(line(out, "table-8.1.csv", "layout,").split(",", -1));
     for (String layout : List.of("lattice", "ring", "cluster")) {

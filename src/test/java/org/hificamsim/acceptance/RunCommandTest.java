@@ -218,7 +218,7 @@ class RunCommandTest {
   }
 
   @Test
-  void rejectsOutputFolderThatIsAFile() throws IOException {
+  void rejectsFileAsOutputFolder() throws IOException {
     Path file = Files.writeString(folder.resolve("taken"), "mine");
     Cli run = Cli.run("run", LATTICE, "--steps", 1, "--out", file);
     assertEquals(2, run.exit());

@@ -232,7 +232,7 @@ class TradeoffCommandTest {
   }
 
   @Test
-  void searchFindsFrontWithATenthOfTheRuns() throws IOException {
+  void searchFindsFrontWithTenthOfRuns() throws IOException {
     List<Path> files = List.of(OWN, Cli.ROOT.resolve("scenarios/studies/yard.xml"));
     Path all = study(files, 150, 3, "--heterogeneous", "all");
     Path found = study(files, 150, 3, "--heterogeneous", "search:21");

@@ -72,7 +72,7 @@ class YardsticksTest {
   }
 
   @Test
-  void boundIsNamedABoundAndNotBelowTheOptimum() throws IOException {
+  void boundIsMarkedAndAtLeastTheOptimum() throws IOException {
     assertEquals("bound at most, bound at most, bound at most", yardsticks(byBound));
     double[] optima = column(byDefault, "yardsticks.csv", "score");
     double[] bounds = column(byBound, "yardsticks.csv", "score");
@@ -127,7 +127,7 @@ class YardsticksTest {
   }
 
   @Test
-  void bestFixedAloneIsAYardstick() throws IOException {
+  void acceptsBestFixedAsOnlyYardstick() throws IOException {
     Path fixed = folder.resolve("fixed");
     Cli compare = compare(fixed, "--yardsticks", "best-fixed");
     assertTrue(compare.out().contains("over best-fixed"), compare.out());

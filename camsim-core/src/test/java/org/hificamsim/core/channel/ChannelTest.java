@@ -310,8 +310,7 @@ class ChannelTest {
         "queue=0",
       })
   void rejectsInvalidModelsInOneLine(String text) {
-    InputException refused =
-        assertThrows(InputException.class, () -> ChannelModel.parse(text), text);
-    assertTrue(refused.getMessage().matches("channel: .*, expected .*"), refused.getMessage());
+    InputException error = assertThrows(InputException.class, () -> ChannelModel.parse(text), text);
+    assertTrue(error.getMessage().matches("channel: .*, expected .*"), error.getMessage());
   }
 }

@@ -144,7 +144,7 @@ class ObservedNetworkTest {
    * The angle is bracketed first, and the model detects nothing at the lower end of the bracket.
    */
   @Test
-  void asksModelForExactAngleIfBracketIsUndecided() {
+  void asksModelForExactAngleIfUndecided() {
     World world = new TestScenario().camera(0, 0).target(1, 2).world();
     double angle = world.cameras().pose(0).offAxis(1, 2);
     DetectionModel aside =

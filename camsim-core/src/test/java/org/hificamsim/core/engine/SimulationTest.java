@@ -103,7 +103,7 @@ class SimulationTest {
   }
 
   @Test
-  void decidesOnLastObservationAndLearnsFromNewOne() {
+  void learnsFromObservationAfterDecision() {
     TestPolicy policy = widest();
     simulation(leaving(StepOrder.CAMSIM), policy).run(4);
     assertEquals(
@@ -162,7 +162,7 @@ class SimulationTest {
   }
 
   @Test
-  void offlineCameraSeesNothingAndItsViewIsIgnored() {
+  void ignoresViewOfOfflineCamera() {
     TestScenario scenario =
         new TestScenario()
             .zooms(1, 5)

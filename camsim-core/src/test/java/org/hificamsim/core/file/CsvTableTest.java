@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class CsvTableTest {
   @Test
-  void writesNumbersAsJavaDoesAndNaNAsEmptyCell() throws IOException {
+  void writesNumbersLikeJavaButNaNAsEmptyCell() throws IOException {
     assertEquals(
         "a;b;c;d\r\n1;-0.0;;1.0E-5\r\n-9223372036854775808;Infinity;0.1;100.0\r\n",
         written(

@@ -28,7 +28,7 @@ class FieldsTest {
   }
 
   @Test
-  void errorsNamePlaceOfFieldOrEndOfLine() {
+  void errorsNamePlaceOfField() {
     Fields fields = fields("  12  x7");
     assertEquals(12, fields.number(0, "x"));
     assertFault("t:5:7: y is 'x7', expected a finite number", () -> fields.number(1, "y"));

@@ -75,17 +75,17 @@ class OutputFolderTest {
   @Test
   void errorOfImpossibleFolderHasTheReason() throws IOException {
     Path file = folder.resolve("a");
-    assertMade("the folder for results has an empty name, expected one", Path.of(""));
-    assertMade("folder '" + file + "' is a file, expected a folder", file);
+    assertNotCreated("the folder for results has an empty name, expected one", Path.of(""));
+    assertNotCreated("folder '" + file + "' is a file, expected a folder", file);
     Path below = file.resolve("below");
-    assertMade("folder '" + below + "' cannot be made: ", below);
+    assertNotCreated("folder '" + below + "' cannot be made: ", below);
     assertEquals(above.resolve("b/c"), OutputFolder.made(above.resolve("b/c")));
     assertTrue(Files.isDirectory(above.resolve("b/c")));
   }
 
-  private static void assertMade(String refused, Path path) {
+  private static void assertNotCreated(String expected, Path path) {
     String message = assertThrows(InputException.class, () -> OutputFolder.made(path)).getMessage();
-    assertEquals(refused, message.substring(0, Math.min(refused.length(), message.length())));
+    assertEquals(expected, message.substring(0, Math.min(expected.length(), message.length())));
     assertTrue(message.matches(".*(expected .*|: [A-Za-z ]+)"), message);
     assertFalse(message.contains("Exception"), "what the system says: " + message);
   }
@@ -252,7 +252,7 @@ class OutputFolderTest {
   }
 
   @Test
-  void killAtAnyStepLeavesOldOrNewFiles() throws IOException {
+  void killLeavesOldOrNewFiles() throws IOException {
     Set<String> seen = new HashSet<>();
     boolean killed = true;
     for (int steps = 0; killed; steps++) {

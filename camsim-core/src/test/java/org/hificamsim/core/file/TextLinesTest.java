@@ -22,7 +22,7 @@ class TextLinesTest {
   @TempDir Path folder;
 
   @Test
-  void numbersLinesFromOneAndSkipsByteOrderMark() throws IOException {
+  void numbersLinesAndSkipsByteOrderMark() throws IOException {
     Path file = Files.writeString(folder.resolve("a.csv"), "\ufeffx\r\n\ufeffy\n");
     try (TextLines lines = TextLines.open(file)) {
       assertTrue(lines.next());

@@ -22,7 +22,7 @@ class UnfinishedTest {
   }
 
   @Test
-  void endOfProcessRemovesUncommittedFilesAndStopsWriting() throws IOException {
+  void closeAllRemovesUncommittedFilesAndStopsWriting() throws IOException {
     OutputFile whole = new OutputFile(folder.resolve("whole"));
     whole.stream().close();
     whole.commit();

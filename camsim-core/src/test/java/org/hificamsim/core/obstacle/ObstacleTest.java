@@ -53,27 +53,27 @@ class ObstacleTest {
 
   @Test
   void rejectsInvalidShapesWithExpectation() {
-    assertRefused(
+    assertRejected(
         "both ends are (1.0, 2.0), expected two points", () -> new Obstacle.Wall(1, 2, 1, 2, 0));
-    assertRefused(
+    assertRejected(
         "coordinate is NaN, expected a number between -1e100 and 1e100",
         () -> new Obstacle.Wall(1, Double.NaN, 1, 2, 0));
-    assertRefused(
+    assertRejected(
         "transmittance is 1.5, expected a number between 0 and 1",
         () -> new Obstacle.Wall(1, 3, 1, 2, 1.5));
-    assertRefused(
+    assertRejected(
         "radius is 0.0, expected a number above 0, and 1e100 at most",
         () -> new Obstacle.Pillar(1, 3, 0, 0));
-    assertRefused("polygon has 2 points, expected 3 or more", () -> polygon(0, 0, 1, 1));
-    assertRefused(
+    assertRejected("polygon has 2 points, expected 3 or more", () -> polygon(0, 0, 1, 1));
+    assertRejected(
         "all points of the polygon are on one line, expected an area",
         () -> polygon(0, 0, 1, 1, 3, 3, 2, 2));
     String edges = " of the polygon touch, expected edges that share corners with their neighbours";
-    assertRefused("edges 1 and 3" + edges + " alone", () -> polygon(0, 0, 4, 4, 4, 0, 0, 4));
-    assertRefused("edges 1 and 2" + edges + " alone", () -> polygon(0, 0, 4, 0, 2, 0, 2, 2));
-    assertRefused("edges 1 and 4" + edges + " alone", () -> polygon(0, 0, 4, 0, 4, 4, 6, 0));
-    assertRefused("edges 1 and 2" + edges + " alone", () -> polygon(0, 0, 4, 0, 4, 0, 2, 2));
-    assertRefused(
+    assertRejected("edges 1 and 3" + edges + " alone", () -> polygon(0, 0, 4, 4, 4, 0, 0, 4));
+    assertRejected("edges 1 and 2" + edges + " alone", () -> polygon(0, 0, 4, 0, 2, 0, 2, 2));
+    assertRejected("edges 1 and 4" + edges + " alone", () -> polygon(0, 0, 4, 0, 4, 4, 6, 0));
+    assertRejected("edges 1 and 2" + edges + " alone", () -> polygon(0, 0, 4, 0, 4, 0, 2, 2));
+    assertRejected(
         "the last point of the polygon repeats the first, expected each point once",
         () -> polygon(0, 0, 4, 0, 4, 4, 0, 0));
   }
@@ -81,8 +81,8 @@ class ObstacleTest {
   @Test
   void rejectsInvalidCorners() {
     String expected = ", expected a number between -1e100 and 1e100";
-    assertRefused("coordinate is NaN" + expected, () -> polygon(0, 0, Double.NaN, 0, 4, 4));
-    assertRefused("coordinate is -2.0E100" + expected, () -> polygon(0, 0, 4, -2e100, 4, 4));
+    assertRejected("coordinate is NaN" + expected, () -> polygon(0, 0, Double.NaN, 0, 4, 4));
+    assertRejected("coordinate is -2.0E100" + expected, () -> polygon(0, 0, 4, -2e100, 4, 4));
   }
 
   @Test
@@ -92,8 +92,8 @@ class ObstacleTest {
     assertTrue(polygon(0, 0, 1, 0, 0, 1).contains(0.1, 0.1), "three corners");
   }
 
-  private static void assertRefused(String message, Executable made) {
-    assertEquals(message, assertThrows(IllegalArgumentException.class, made).getMessage());
+  private static void assertRejected(String message, Executable construction) {
+    assertEquals(message, assertThrows(IllegalArgumentException.class, construction).getMessage());
   }
 
   static Obstacle polygon(double... coordinates) {

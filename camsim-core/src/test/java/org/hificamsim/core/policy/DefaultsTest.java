@@ -113,7 +113,7 @@ class DefaultsTest {
   }
 
   @Test
-  void defaultObjectiveIsKMinAndSizeIsUnknown() {
+  void objectiveIsKMinAndSizeUnknownByDefault() {
     assertEquals(Objective.kMin(), VIEW.objective());
     assertEquals(Double.NaN, VIEW.targetSize(0));
     assertEquals(0.25, VIEW.seenConfidence(1, 1, 3), "the same as of any target");

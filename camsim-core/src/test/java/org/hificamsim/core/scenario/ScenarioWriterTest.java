@@ -21,7 +21,7 @@ class ScenarioWriterTest {
   @TempDir Path folder;
 
   @Test
-  void writesEveryElementSoThatItReadsBackEqual() throws IOException {
+  void everyElementReadsBackEqual() throws IOException {
     Scenario scenario = read(ScenarioReaderTest.everything());
     String written = ScenarioWriter.write(scenario);
     assertEquals(scenario, read(written));

@@ -161,7 +161,7 @@ class TracksTest {
   }
 
   @Test
-  void rejectsTargetThatIsAlreadyPresent() {
+  void rejectsTargetThatIsPresent() {
     InputException error =
         assertThrows(
             InputException.class,

@@ -183,7 +183,7 @@ class WorldElementsTest {
         "hfov='5' tilt='80 100'|<camera> has no tilt, expected with each tilt of its optics"
       })
   void rejectsInvalidOptics(String attributes, String message) {
-    assertRefused(
+    assertRejected(
         "<cameras><optics name='ptz' " + attributes + "/>" + CAMERA + "</cameras>" + OBJECT,
         message);
   }
@@ -209,7 +209,7 @@ class WorldElementsTest {
             + " above 0"
       })
   void rejectsInvalidObstacles(String obstacle, String message) {
-    assertRefused(
+    assertRejected(
         "<obstacles>" + obstacle + "</obstacles><cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT,
         message);
   }
@@ -256,7 +256,7 @@ class WorldElementsTest {
 
   @Test
   void rejectsTiltWithoutLens() {
-    assertRefused(
+    assertRejected(
         "<cameras><camera name='a' x='1' y='2' heading='3' tilt='5' range='4'"
             + " viewing_angle='9'/></cameras>"
             + OBJECT,
@@ -269,7 +269,7 @@ class WorldElementsTest {
     String shelf = "<obstacles><pillar x='1' y='2' radius='0.5' height='2'/></obstacles>";
     String object = OBJECT.replace("x='1'", "x='4'");
     assertTrue(read(shelf + "<cameras>" + PTZ + above + "</cameras>" + object).hasHeights());
-    assertRefused(
+    assertRejected(
         shelf
             + "<cameras>"
             + PTZ
@@ -281,23 +281,23 @@ class WorldElementsTest {
 
   @Test
   void rejectsUnknownOpticsOfCamera() {
-    assertRefused(
+    assertRejected(
         "<cameras>" + PTZ + CAMERA.replace("'ptz'", "'lens'") + "</cameras>" + OBJECT,
         "<camera> optics is 'lens', expected one of ptz");
-    assertRefused(
+    assertRejected(
         "<cameras>" + CAMERA + "</cameras>" + OBJECT, "expected none: the file has no <optics>");
   }
 
   @Test
   void rejectsEventThatMovesCameraIntoPillar() {
-    assertRefused(
+    assertRejected(
         withPillar(change(3, "5", "5")), "<event> x is '5', expected a place off all obstacles");
   }
 
   @Test
   void checksMovesOfCameraInOrderOfTime() {
     assertEquals(2, read(withPillar(change(4, "1", "5") + change(3, "5", "-1"))).events().size());
-    assertRefused(
+    assertRejected(
         withPillar(change(4, "-1", "5") + change(3, "5", "-1")),
         "<event> x is '-1', expected a place off all obstacles; (5.0, 5.0) is in or on a solid");
   }
@@ -331,21 +331,21 @@ class WorldElementsTest {
 
   @Test
   void rejectsOpticsWithSameName() {
-    assertRefused(
+    assertRejected(
         "<cameras>" + PTZ + PTZ + CAMERA + "</cameras>" + OBJECT,
         "expected a name that no other optics have");
   }
 
   @Test
   void rejectsSizeTogetherWithWidthAndHeight() {
-    assertRefused(
+    assertRejected(
         "<cameras>"
             + PTZ
             + CAMERA
             + "</cameras>"
             + OBJECT.replace("speed", "size='1' width='0.5' height='1' speed"),
         "<object> size is '1', expected none together with width and height");
-    assertRefused(
+    assertRejected(
         "<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT.replace("speed", "width='1' speed"),
         "<object> has no height, expected");
   }
@@ -402,7 +402,7 @@ class WorldElementsTest {
         .orElseThrow();
   }
 
-  private void assertRefused(String world, String message) {
+  private void assertRejected(String world, String message) {
     InputException error = assertThrows(InputException.class, () -> read(world));
     assertTrue(error.getMessage().contains(message), error::getMessage);
     assertTrue(error.getMessage().contains("test.xml:1:"), error::getMessage);

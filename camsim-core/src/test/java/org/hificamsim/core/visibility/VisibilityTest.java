@@ -79,7 +79,7 @@ class VisibilityTest {
   }
 
   @Test
-  void allRoundCamSimCameraMissesTargetsExactlyBehindOrAtIt() {
+  void allRoundCamSimCameraMissesTargetsExactlyBehindIt() {
     Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0);
     ZoomLevel allRound = new ZoomLevel(4, 4, 4, Double.NaN, 2 * Math.PI);
     assertEquals(0, confidence(visibility, ORIGIN, allRound, 0, -3, 1, 0));
@@ -197,7 +197,7 @@ class VisibilityTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void confidenceIsZeroBelowThresholdAndAtMostOne(boolean byBearing) {
+  void confidenceIsZeroBelowThreshold(boolean byBearing) {
     Visibility visibility = Visibility.of(new Detection(new Far(byBearing), 0.5));
     assertEquals(0, confidence(visibility, ORIGIN, zoom(360, 5), 0, 1.25, 1, 0));
     assertEquals(0.25, value(visibility, ORIGIN, zoom(360, 5), 0, 1.25, 1));

@@ -47,7 +47,7 @@ class CamerasTest {
   }
 
   @Test
-  void aimingTurnsTheChosenViewUntilTheNextTurn() {
+  void aimingTurnsChosenViewUntilNextTurn() {
     cameras.aim(0, LEFT, 0.25);
     assertEquals(LEFT, cameras.view(0));
     assertEquals(0.25, cameras.pan(0, LEFT));

@@ -67,7 +67,7 @@ class ViewSetTest {
   }
 
   @Test
-  void adjacentViewsDifferByOneLevelAndPanAngle() {
+  void adjacentViewsDifferByOneStep() {
     List<Double> angles = List.of(10.0, 20.0, 40.0);
     ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, Optional.empty(), angles), 9, 3);
     assertTrue(views.isNextTo(4, 4) && views.isNextTo(0, 4) && views.isNextTo(7, 5));

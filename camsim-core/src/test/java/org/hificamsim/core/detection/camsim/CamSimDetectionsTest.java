@@ -91,7 +91,7 @@ class CamSimDetectionsTest {
     }
 
     @Test
-    void isZeroOutsideHalfAngleOrForNaN() {
+    void isZeroOutsideHalfAngle() {
       ZoomLevel narrow = new ZoomLevel(5, 5, 5, Double.NaN, 1);
       assertEquals(0, model().confidence(1, 2, Double.NaN, narrow));
       assertEquals(0, model().confidence(1, 2, 0.5, narrow));

@@ -40,7 +40,7 @@ class TracksMovementTest {
 
   @ParameterizedTest
   @EnumSource(StepOrder.class)
-  void isAtPlaceOfTrackInEitherStepOrder(StepOrder order) throws IOException {
+  void followsTrackInEitherStepOrder(StepOrder order) throws IOException {
     List<String> seen = seen(scenario(1, WALK).with(Scenario.ORDER, order), 11);
     assertEquals(
         List.of(

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class WaypointsMovementTest {
   @Test
-  void goesToTheSecondWaypointAndBackToTheFirst() {
+  void goesToSecondWaypointAndBack() {
     World world = walker(1, 0, 0, 5, 0);
     assertPath(world, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0, 1);
   }
