@@ -5,15 +5,15 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
- * What the cameras of a network do together in a step: failing, looking, talking, handing targets
- * over. The loop's one place for it.
+ * What the cameras of a network do together in a step, such as failing, looking, trading and
+ * handing over targets.
  */
 public interface Cooperation {
-  /** Every camera works for itself. */
+  /** Cameras do nothing together. */
   Cooperation NONE = new Cooperation() {};
 
   /**
-   * How cameras see by a detection model.
+   * The rules by which cameras see with a detection model.
    *
    * @param seed of the run
    */
@@ -40,7 +40,7 @@ public interface Cooperation {
   /** Called after the observation. */
   default void cooperate() {}
 
-  /** What came of it so far. */
+  /** The sums of what the cameras did so far. */
   default NetworkSums sums() {
     return NetworkSums.NONE;
   }

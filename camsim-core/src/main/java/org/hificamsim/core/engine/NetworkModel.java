@@ -5,27 +5,28 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.world.World;
 
 /**
- * A network that a run may name ({@code camsim}): makes what the cameras of each run do together.
+ * A network that a run can choose by name, such as {@code camsim}; makes the cooperation of each
+ * run.
  *
  * <p>An implementation has a public constructor without arguments and is found as a service.
  */
 public interface NetworkModel {
-  /** The name that a run calls it by. */
+  /** The name by which a run chooses it. */
   String name();
 
   /**
-   * Takes what follows the name.
+   * Reads the options that follow the name.
    *
-   * @throws org.hificamsim.core.InputException when it is wrong
+   * @throws org.hificamsim.core.InputException if an option is invalid
    */
   void configure(Options options);
 
   /**
-   * The network of one run at its start.
+   * Makes the cooperation of one run.
    *
    * @param world before its first step
    * @param seed of the run
-   * @throws org.hificamsim.core.InputException when a camera asks for what does not exist
+   * @throws org.hificamsim.core.InputException if a camera names an unknown part
    */
   Cooperation begin(World world, Detection detection, long seed);
 }

@@ -1,13 +1,13 @@
 package org.hificamsim.core.engine;
 
 /**
- * What the cameras of a network did together, summed over the steps so far.
+ * What the cameras of a network did together, summed over all steps so far.
  *
- * @param utility the visibility of the targets that cameras own, weighed by their range
- * @param messages that count, delivered
+ * @param utility the visibility of the targets that cameras own, weighted by their range
+ * @param messages the delivered messages that the network counts
  * @param bits of all messages
- * @param invitations messages that count, sent or tried
- * @param handovers targets that went from one camera to another
+ * @param invitations the attempted messages that the network counts
+ * @param handovers targets that passed from one camera to another
  * @param overlap of fields of view, square metres, by the network's own formula
  * @param confidence relative confidences of cameras
  * @param tracked the share of targets that an owner sees
@@ -21,11 +21,11 @@ public record NetworkSums(
     double overlap,
     double confidence,
     double tracked) {
-  /** Of cameras that are no network: nothing is known. */
+  /** The sums of cameras without a network, which are unknown. */
   public static final NetworkSums NONE =
       new NetworkSums(Double.NaN, 0, 0, 0, 0, Double.NaN, Double.NaN, Double.NaN);
 
-  /** A count as a metric; NaN where there is no network. */
+  /** A count as a metric; NaN without a network. */
   public double counted(long count) {
     return Double.isNaN(utility) ? Double.NaN : count;
   }

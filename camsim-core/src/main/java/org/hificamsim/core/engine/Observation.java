@@ -2,7 +2,7 @@ package org.hificamsim.core.engine;
 
 import java.util.Arrays;
 
-/** What the cameras detected in the step: counted anew each step, by camera and by target. */
+/** The numbers of detections in the current step, by camera and by target. */
 public final class Observation {
   private final Sight sight;
   private final int[] detected;

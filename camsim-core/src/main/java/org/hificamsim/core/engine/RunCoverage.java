@@ -6,8 +6,8 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * The coverage of a whole run, added up step by step (thesis 7.1, Eq 7.2; Figure 7.9), and how
- * often cameras changed their zoom for it.
+ * The coverage of a whole run, summed step by step (thesis 7.1, Eq 7.2; Figure 7.9), with the
+ * number of changes of view.
  */
 public final class RunCoverage implements StepListener {
   private long steps;
@@ -118,12 +118,12 @@ public final class RunCoverage implements StepListener {
     return detections;
   }
 
-  /** How often a camera's view differed from the one of the step before. */
+  /** The number of times that a camera's view differed from that of the step before. */
   public long zoomChanges() {
     return zoomChanges;
   }
 
-  /** The performance that was to be expected before luck was drawn; NaN by a threshold. */
+  /** The performance expected before luck is drawn; NaN under a threshold. */
   public double expectedPerformance() {
     return byChance ? expectedPerformance : Double.NaN;
   }

@@ -5,17 +5,18 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * Watches a run from outside the loop: data collection, progress, recording. An extension point.
+ * Observes a run from outside the loop, for data collection, progress and recording: an extension
+ * point.
  *
- * <p>An implementer writes {@link #stepped}. Both arguments are live and change with the next step:
- * copy what is to be kept.
+ * <p>An implementer writes {@link #stepped}. Both arguments change with the next step: copy what is
+ * to be kept.
  */
 @FunctionalInterface
 public interface StepListener {
   /** Called at the end of each step, after the observation was measured. */
   void stepped(OracleView network, StepCoverage coverage);
 
-  /** The name by which {@code run --listener NAME} finds it among users' jars. */
+  /** The name by which a run finds it among users' jars. */
   default String name() {
     return getClass().getSimpleName();
   }
@@ -24,9 +25,9 @@ public interface StepListener {
   default void started(OracleView network) {}
 
   /**
-   * Called once before the first step, for a listener that also looks at what the agents know.
+   * Called once before the first step, for listeners that also report what the policy knows.
    *
-   * @param policy what decides in this run; to be asked, not to be driven
+   * @param policy of this run; may be queried, must not be driven
    */
   default void started(OracleView network, ZoomPolicy policy) {
     started(network);

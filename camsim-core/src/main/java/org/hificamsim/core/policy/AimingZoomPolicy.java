@@ -1,14 +1,11 @@
 package org.hificamsim.core.policy;
 
-/**
- * A policy that turns cameras to any angle between the outermost of their pan angles, and at once:
- * a bound on what is possible.
- */
+/** A policy that turns cameras at once to any angle, not only to their pan angles. */
 public interface AimingZoomPolicy extends ZoomPolicy {
   /**
-   * Where a camera is to look, at the zoom level of the view that was decided for it.
+   * The angle to which a camera turns, at the zoom level of the view that was decided for it.
    *
-   * @return radians off its heading, to the right; NaN for the view's own pan angle
+   * @return radians off its heading, to the right; NaN for the pan angle of the view
    */
   double pan(int camera);
 

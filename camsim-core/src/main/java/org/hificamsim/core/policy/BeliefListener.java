@@ -1,32 +1,33 @@
 package org.hificamsim.core.policy;
 
 /**
- * Receives what a camera believes of where targets are, and who sent messages to whom; see {@link
- * ZoomPolicy#believe}.
+ * Receives a camera's belief about the positions of targets, and the messages of the step; see
+ * {@link ZoomPolicy#believe}.
  */
 public interface BeliefListener {
   /**
-   * A target that is followed.
+   * Called for each target that the camera follows.
    *
-   * @param x metres, where it should be now
+   * @param x the expected position, metres
    * @param y metres
-   * @param weight how likely it is there, [0, 1]
-   * @param spread how far it may have gone elsewhere since it was last seen, metres
+   * @param weight the probability that the target is still there, in [0, 1]
+   * @param spread how far it may have strayed from the expected position since it was last seen,
+   *     metres
    */
   void followed(double x, double y, double weight, double spread);
 
   /**
-   * A part of the field that nobody looks at.
+   * Called for each part of the field that no camera looks at.
    *
-   * @param x of its centre, metres
-   * @param y metres
-   * @param expected number of targets in it
+   * @param x of the centre, metres
+   * @param y of the centre, metres
+   * @param expected the expected number of targets there
    */
   void unseen(double x, double y, double expected);
 
-  /** A camera has sent this many messages in this step; called for all cameras. */
-  default void told(int camera, int messages) {}
+  /** Called for each camera with the number of messages that it sent in this step. */
+  default void sent(int camera, int messages) {}
 
-  /** Another camera has received some of a camera's messages in this step, perhaps late ones. */
-  default void heard(int from, int to) {}
+  /** Called if a camera received messages from another one in this step, perhaps late ones. */
+  default void received(int from, int to) {}
 }

@@ -1,12 +1,14 @@
 package org.hificamsim.core.policy;
 
 /**
- * A policy that has seen the run before it begins: a bound on what is possible, in hindsight.
+ * A bound in hindsight: a policy that has seen the whole run before it begins.
  *
- * <p>Its runner rehearses first: the same world with the same seed, {@link #rehearse} called at the
- * end of each step. The policy's own {@link #begin} follows, with the run itself.
+ * <p>Its runner rehearses first: it runs the same world with the same seed and calls {@link
+ * #rehearse} at the end of each step. Then the policy's {@link #begin} and the run itself follow.
  */
 public interface HindsightZoomPolicy extends OraclePolicy {
-  /** Looks at one step of the rehearsal, in which all cameras stay at their widest view. */
+  /**
+   * Called at the end of each step of the rehearsal, in which all cameras keep their widest view.
+   */
   void rehearse(OracleView network);
 }

@@ -1,14 +1,14 @@
 package org.hificamsim.core.policy;
 
 /**
- * A policy that looks for the best score of each step (k_min, Eq 7.1, unless the network has
- * another objective), and says where it ended its search before it had proven that it found it.
+ * A bound that searches for the best score of each step (k_min, Eq 7.1, unless the network has
+ * another objective), and counts the steps whose search ended without a proof.
  */
 public interface ProvingZoomPolicy extends OraclePolicy {
-  /** The number of steps so far whose configuration is not proven to be the best. */
+  /** The number of steps so far whose configuration is not proven to be optimal. */
   long unprovenSteps();
 
-  /** What those steps' scores might gain at most, all steps together. */
+  /** An upper bound of what the scores of these steps could gain in total. */
   double gap();
 
   /** Whether the score is the least expected coverage, before luck is drawn. */

@@ -3,11 +3,11 @@ package org.hificamsim.core.policy;
 import java.util.Arrays;
 
 /**
- * Pairs of a camera and a target that it sees, in the order of cameras; see {@link
- * NetworkView#findSeen}. Keeps its arrays from one step to the next.
+ * The pairs of a camera and a target that it sees, in the order of cameras; see {@link
+ * NetworkView#findSeen}. Reuse one for all steps: it keeps its arrays.
  */
 public final class SeenPairs {
-  private static final int FIRST_PAIRS = 16;
+  private static final int INITIAL_PAIRS = 16;
 
   private long[] found = {};
   private int[] cameras = {};
@@ -17,7 +17,7 @@ public final class SeenPairs {
   private double[] squared = {};
   private int count;
 
-  /** Forgets all pairs. */
+  /** Removes all pairs. */
   public void clear() {
     count = 0;
   }
@@ -30,7 +30,7 @@ public final class SeenPairs {
    */
   public void add(int camera, int target, double newAhead, double newRight) {
     if (count == cameras.length) {
-      grow(Math.max(FIRST_PAIRS, 2 * count));
+      grow(Math.max(INITIAL_PAIRS, 2 * count));
     }
     cameras[count] = camera;
     targets[count] = target;
@@ -49,26 +49,26 @@ public final class SeenPairs {
   }
 
   /**
-   * Brings each camera's nearest targets to the front, the nearest first; of equally near ones the
-   * lower number.
+   * Sorts the nearest targets of each camera to the front of its pairs; equally near ones by
+   * number.
    *
-   * @param wanted how many of each camera; the others are in no order
+   * @param nearest the number of targets that are sorted; the others are in no order
    */
-  public void sort(int wanted) {
+  public void sort(int nearest) {
     for (int i = 1; i < count; i++) {
       if (cameras[i] == cameras[i - 1]) { // most cameras see one target at most
-        i = sort(i - 1, wanted);
+        i = sort(i - 1, nearest);
       }
     }
   }
 
-  /** Sorts the pairs of one camera; returns where those of the next one begin. */
-  private int sort(int from, int wanted) {
+  /** Sorts the pairs of one camera; returns the index of the next camera's first pair. */
+  private int sort(int from, int nearest) {
     int to = from + 2;
     while (to < count && cameras[to] == cameras[from]) {
       to++;
     }
-    for (int at = from; at < Math.min(to - 1, from + wanted); at++) {
+    for (int at = from; at < Math.min(to - 1, from + nearest); at++) {
       bringNearest(at, to);
     }
     return to;
@@ -84,30 +84,30 @@ public final class SeenPairs {
     }
   }
 
-  private boolean isBefore(int one, int other) {
-    return squared[one] < squared[other]
-        || (squared[one] == squared[other] && targets[one] < targets[other]);
+  private boolean isBefore(int pair, int other) {
+    return squared[pair] < squared[other]
+        || (squared[pair] == squared[other] && targets[pair] < targets[other]);
   }
 
-  private void swap(int one, int other) {
-    int target = targets[one];
-    targets[one] = targets[other];
+  private void swap(int pair, int other) {
+    int target = targets[pair];
+    targets[pair] = targets[other];
     targets[other] = target;
-    swap(ahead, one, other);
-    swap(right, one, other);
-    swap(squared, one, other);
+    swap(ahead, pair, other);
+    swap(right, pair, other);
+    swap(squared, pair, other);
   }
 
-  private static void swap(double[] of, int one, int other) {
-    double kept = of[one];
-    of[one] = of[other];
-    of[other] = kept;
+  private static void swap(double[] values, int pair, int other) {
+    double value = values[pair];
+    values[pair] = values[other];
+    values[other] = value;
   }
 
   /**
-   * Memory for finding the pairs, with what was left in it.
+   * Scratch memory for finding pairs; its content is undefined.
    *
-   * @param entries how many it must have
+   * @param entries the least number of entries
    */
   public long[] scratch(int entries) {
     if (entries > found.length) {
@@ -116,7 +116,7 @@ public final class SeenPairs {
     return found;
   }
 
-  /** How many pairs there are. */
+  /** The number of pairs. */
   public int count() {
     return count;
   }
@@ -126,22 +126,22 @@ public final class SeenPairs {
     return cameras[pair];
   }
 
-  /** The target that it sees. */
+  /** The target of a pair. */
   public int target(int pair) {
     return targets[pair];
   }
 
-  /** How far the target is from the camera along the axis of its view, metres. */
+  /** The distance of a pair's target ahead of the camera along the axis of its view, metres. */
   public double ahead(int pair) {
     return ahead[pair];
   }
 
-  /** How far it is to the right of that axis, metres. */
+  /** The distance of a pair's target to the right of that axis, metres. */
   public double right(int pair) {
     return right[pair];
   }
 
-  /** The distance of the two, metres. */
+  /** The distance between camera and target of a pair, metres. */
   public double distance(int pair) {
     return Math.sqrt(squared[pair]);
   }

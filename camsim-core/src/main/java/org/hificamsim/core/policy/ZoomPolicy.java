@@ -18,16 +18,16 @@ public interface ZoomPolicy {
   String name();
 
   /**
-   * Reads the options given with the name, each through a getter of {@code options}; what is not
-   * read is refused afterwards.
+   * Reads the options that follow the name, each by a getter of {@code options}; options that are
+   * not read are refused afterwards.
    *
-   * @throws org.hificamsim.core.InputException when a value is malformed or out of range
+   * @throws org.hificamsim.core.InputException if a value is malformed or out of range
    */
   default void configure(Options options) {}
 
   /**
-   * Files that it decides by, such as a trained network, after {@link #configure}: results are of
-   * their content, and have a copy.
+   * The files by which it decides, such as a trained network, known after {@link #configure}. Run
+   * keys depend on their content, and results have a copy.
    */
   default List<Path> files() {
     return List.of();
@@ -61,37 +61,35 @@ public interface ZoomPolicy {
   default void learn(NetworkView network) {}
 
   /**
-   * What a camera's agent has learned about its views, for listeners; called at the end of a step.
+   * Reports what a camera has learned about its views, for listeners; called at the end of a step.
    *
-   * @param estimates one entry per view, receives the estimates; NaN where the agent has none
-   * @param counts one entry per view, receives how many observations each estimate rests on; NaN
-   *     where that is not counted
-   * @return what is estimated, the same at every call ("mean reward", "Q"); empty where the policy
-   *     estimates nothing, and the arrays are left as they were
+   * @param estimates receives one entry for each view; NaN for none
+   * @param counts receives the number of observations behind each estimate; NaN if not counted
+   * @return what is estimated, such as "mean reward" or "Q", the same at every call; empty if the
+   *     policy estimates nothing, which leaves the arrays unchanged
    */
   default String estimates(int camera, double[] estimates, double[] counts) {
     return "";
   }
 
   /**
-   * What a camera believes of where targets are, for listeners, and which messages all cameras
-   * sent; called at the end of a step.
+   * Reports a camera's belief about the positions of targets, and the messages of all cameras, for
+   * listeners; called at the end of a step.
    *
-   * @return whether it believes anything, the same at every call
+   * @return whether the policy has beliefs, the same at every call
    */
   default boolean believe(int camera, BeliefListener listener) {
     return false;
   }
 
   /**
-   * The number of messages that the cameras have sent each other so far; one to all others counts
-   * once.
+   * The number of messages that the cameras have sent so far; a message to all others counts once.
    */
   default long messages() {
     return 0;
   }
 
-  /** How many bits these messages had: see {@link org.hificamsim.core.channel.MessageBits}. */
+  /** The bits of these messages; see {@link org.hificamsim.core.channel.MessageBits}. */
   default long bits() {
     return 0;
   }

@@ -37,12 +37,12 @@ import org.hificamsim.core.scenario.spec.VisionGraph;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.spec.Zone;
 
-/** A scenario: the field and what stands in it, cameras, targets, and what happens when. */
+/** A scenario: the field with its obstacles, cameras, targets and events. */
 public final class Scenario extends Spec<Scenario> {
-  /** The longest run. */
+  /** The number of steps of the longest run. */
   public static final int MAX_STEPS = 1_000_000_000;
 
-  /** What follows a detection model's name where it has a threshold or rule of its own. */
+  /** The threshold or rule that may follow the name of a detection model. */
   private static final Pattern OWN_RULE = Pattern.compile("@[^@/]*$");
 
   static final Element<Scenario> ELEMENT =
@@ -85,7 +85,7 @@ floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the flo
 shows, m (ours) | the field's borders
 """);
 
-  /** West, east, south and north. */
+  /** The borders of the field: west, east, south and north. */
   static final List<Property<Scenario, Double>> BORDERS =
       Stream.of("min_x", "max_x", "min_y", "max_y")
           .map(name -> ELEMENT.required(name, Type.COORDINATE))
@@ -108,25 +108,27 @@ shows, m (ours) | the field's borders
   public static final Property<Scenario, Double> MOUNT_HEIGHT =
       ELEMENT.optional("mount_height", Type.POSITIVE_LENGTH);
   public static final Property<Scenario, Double> STEP_TIME =
-      ELEMENT.attribute("step", Type.number(Range.POSITIVE_TIME), 1.0).quiet();
+      ELEMENT.attribute("step", Type.number(Range.POSITIVE_TIME), 1.0).omittedAtDefault();
   public static final Property<Scenario, Occlusion> OCCLUSION =
-      ELEMENT.attribute("occlusion", Type.choice(Occlusion.class), Occlusion.NONE).quiet();
+      ELEMENT
+          .attribute("occlusion", Type.choice(Occlusion.class), Occlusion.NONE)
+          .omittedAtDefault();
   public static final Property<Scenario, Seen> SEEN =
       ELEMENT.optional("seen", Type.choice(Seen.class));
   public static final Property<Scenario, Foreshortening> FORESHORTENING =
       ELEMENT
           .attribute("foreshortening", Type.choice(Foreshortening.class), Foreshortening.NONE)
-          .quiet();
+          .omittedAtDefault();
   public static final Property<Scenario, ChannelModel> CHANNEL =
       ELEMENT
           .attribute(
               "channel",
               Type.named("", ChannelModel::parse, ChannelModel::text),
               ChannelModel.PERFECT)
-          .quiet();
+          .omittedAtDefault();
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
-  /** West, east, south and north of what the floorplan shows. */
+  /** The borders of the floorplan: west, east, south and north. */
   static final List<Property<Scenario, Double>> FLOORPLAN_BORDERS =
       BORDERS.stream()
           .map(border -> ELEMENT.optional("floorplan_" + border.name(), Type.COORDINATE))
@@ -136,8 +138,8 @@ shows, m (ours) | the field's borders
   public static final Property<Scenario, String> NAME = ELEMENT.property("scenario");
 
   /**
-   * Candidate radii common to all cameras, metres, rising; empty for a plain CamSim scenario, where
-   * each camera has its range alone.
+   * The radii that all cameras can choose from, metres, rising; empty for a plain CamSim scenario,
+   * in which each camera has its own range.
    */
   public static final Property<Scenario, List<Double>> ZOOMS = ELEMENT.property(List.of());
 
@@ -147,19 +149,19 @@ shows, m (ours) | the field's borders
   /** The targets of the start: objects, then objects with waypoints, in file order. */
   public static final Property<Scenario, List<TargetSpec>> TARGETS = ELEMENT.property(List.of());
 
-  /** In file order. */
+  /** The events, in file order. */
   public static final Property<Scenario, List<ScenarioEvent>> EVENTS = ELEMENT.property(List.of());
 
   /** The links between cameras at the start. */
   public static final Property<Scenario, VisionGraph> VISION_GRAPH = ELEMENT.property(null);
 
-  /** In file order. */
+  /** The obstacles, in file order. */
   public static final Property<Scenario, List<Obstacle>> OBSTACLES = ELEMENT.property(List.of());
 
-  /** What cameras take for the obstacles, where that is not what stands there; in no file. */
+  /** The obstacles that cameras believe in, if they differ from the real ones; not in files. */
   public static final Property<Scenario, List<Obstacle>> MAP = ELEMENT.property(null);
 
-  /** In file order, with unique names. */
+  /** The zones, in file order, with unique names. */
   public static final Property<Scenario, List<Zone>> ZONES = ELEMENT.property(List.of());
 
   static final Element<Scenario> ROOT =
@@ -189,11 +191,11 @@ shows, m (ours) | the field's borders
     ELEMENT.holds("obstacles? & zones? & zoom? & cameras & objects? & events? & visiongraph?");
   }
 
-  private Scenario(Spec<Scenario> said) {
-    super(said);
+  private Scenario(Spec<Scenario> spec) {
+    super(spec);
   }
 
-  /** An empty field. */
+  /** Creates a scenario with an empty field. */
   public Scenario(String name, Field field) {
     super(withArea(ELEMENT.empty().put(NAME, name), BORDERS, field));
   }
@@ -224,14 +226,14 @@ shows, m (ours) | the field's borders
   }
 
   private static Spec<Scenario> withArea(
-      Spec<Scenario> said, List<Property<Scenario, Double>> borders, Field area) {
-    return said.put(borders.get(0), area.minX())
+      Spec<Scenario> spec, List<Property<Scenario, Double>> borders, Field area) {
+    return spec.put(borders.get(0), area.minX())
         .put(borders.get(1), area.maxX())
         .put(borders.get(2), area.minY())
         .put(borders.get(3), area.maxY());
   }
 
-  /** The area that borders make. */
+  /** The area between borders. */
   static Field area(
       List<Property<Scenario, Double>> borders,
       Function<Property<Scenario, Double>, Double> value) {
@@ -269,12 +271,12 @@ shows, m (ours) | the field's borders
     return find(OBJECTIVE).orElseGet(Objective::kMin);
   }
 
-  /** Metres, if given. */
+  /** The height of the cameras, metres, if given. */
   public OptionalDouble mountHeight() {
     return number(MOUNT_HEIGHT);
   }
 
-  /** Seconds. */
+  /** The duration of a step, seconds. */
   public double stepTime() {
     return get(STEP_TIME);
   }
@@ -359,7 +361,7 @@ shows, m (ours) | the field's borders
     return events().stream().filter(kind::isInstance).map(kind::cast);
   }
 
-  /** The same scenario with every camera, now or later, changed. */
+  /** The same scenario with every camera changed, including those added later. */
   public Scenario withCameras(UnaryOperator<CameraSpec> change) {
     return with(CAMERAS, cameras().stream().map(change).toList())
         .withEvents(
@@ -369,7 +371,7 @@ shows, m (ours) | the field's borders
                     : event);
   }
 
-  /** The same scenario with every target, now or later, changed. */
+  /** The same scenario with every target changed, including those added later. */
   public Scenario withTargets(UnaryOperator<TargetSpec> change) {
     return with(TARGETS, targets().stream().map(change).toList())
         .withEvents(
@@ -383,7 +385,7 @@ shows, m (ours) | the field's borders
     return with(EVENTS, events().stream().map(change).toList());
   }
 
-  /** Whether it says anything of heights; else its world is flat. */
+  /** Whether the scenario has any heights; otherwise its world is flat. */
   public boolean hasHeights() {
     return find(SEEN).isPresent()
         || get(FORESHORTENING) != Foreshortening.NONE
@@ -392,23 +394,28 @@ shows, m (ours) | the field's borders
         || everyTarget().anyMatch(target -> target.seen().isPresent());
   }
 
-  /** The same scenario without heights: obstacles that stand hide everything, others are gone. */
+  /**
+   * The same scenario without heights: obstacles on the ground hide everything, others are removed.
+   */
   public Scenario flat() {
     return without(SEEN)
         .with(FORESHORTENING, Foreshortening.NONE)
         .with(
             OBSTACLES,
-            obstacles().stream().filter(one -> one.base() == 0).map(Obstacle::flat).toList())
+            obstacles().stream()
+                .filter(obstacle -> obstacle.base() == 0)
+                .map(Obstacle::flat)
+                .toList())
         .withCameras(CameraSpec::flat)
         .withTargets(target -> target.without(TargetSpec.SEEN));
   }
 
-  /** How high a camera is, metres; NaN in a flat world. */
+  /** The height of a camera, metres; NaN in a flat world. */
   public double z(CameraSpec camera) {
     return hasHeights() ? camera.z().orElse(mountHeight().orElse(0)) : Double.NaN;
   }
 
-  /** The same scenario with another rule of detection; its threshold goes with the old one. */
+  /** The same scenario with another rule of detection, and without a threshold. */
   public Scenario withDetect(DetectionRule rule) {
     Scenario ruled = withoutOwnRule().with(DETECT, rule);
     return rule.certain() ? ruled : ruled.without(THRESHOLD);
@@ -419,25 +426,25 @@ shows, m (ours) | the field's borders
     return OWN_RULE.matcher(detection).find();
   }
 
-  /** The same scenario with the detection that it names, but without that one's own rule. */
+  /** The same scenario with its detection, but without the rule of that detection. */
   public Scenario withoutOwnRule() {
     return with(DETECTION, find(DETECTION).map(name -> OWN_RULE.matcher(name).replaceFirst("")));
   }
 
-  /** The same scenario with every target, now or later, under one movement. */
+  /** The same scenario with one movement for every target, present or added later. */
   public Scenario withMovement(String movement) {
     return withTargets(target -> target.withMovement(movement));
   }
 
   /**
-   * The attributes and elements of CamSim's network of cameras that it uses; empty where it asks
-   * for none. Not every command simulates the network.
+   * The attributes and elements of CamSim's network that the scenario uses; not every command
+   * simulates the network.
    */
   public List<String> networkParts() {
     List<String> parts =
         new ArrayList<>(
             CameraSpec.OF_NETWORK.stream()
-                .filter(one -> everyCamera().anyMatch(camera -> one.text(camera) != null))
+                .filter(property -> everyCamera().anyMatch(camera -> property.text(camera) != null))
                 .map(Property::name)
                 .toList());
     visionGraph().ifPresent(graph -> parts.add(VisionGraph.ELEMENT.name()));

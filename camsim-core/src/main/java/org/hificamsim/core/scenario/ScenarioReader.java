@@ -78,19 +78,19 @@ public final class ScenarioReader {
    * Reads one file.
    *
    * @param movements whether a movement of this short name exists
-   * @param warnings takes one line for each thing that is odd, with its place
-   * @throws InputException when the file is missing or wrong
+   * @param warnings receives one line for each warning, with its place
+   * @throws InputException if the file is missing or invalid
    */
   public static Scenario read(Path path, Predicate<String> movements, Consumer<String> warnings) {
     return read(path, movements, AgentCheck.NONE, warnings);
   }
 
   /**
-   * Reads one file, and checks what its cameras ask of the network.
+   * Reads one file, and checks the attributes of CamSim's network.
    *
    * @param movements whether a movement of this short name exists
-   * @param warnings takes one line for each thing that is odd, with its place
-   * @throws InputException when the file is missing or wrong
+   * @param warnings receives one line for each warning, with its place
+   * @throws InputException if the file is missing or invalid
    */
   public static Scenario read(
       Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
@@ -98,12 +98,12 @@ public final class ScenarioReader {
   }
 
   /**
-   * Reads one file and reports all faults that do not follow from others: reading goes on after a
-   * camera, object, event or attribute of the simulation that is wrong, though not after broken XML
-   * or without a field.
+   * Reads one file and reports all faults that do not follow from others. Reading goes on after an
+   * invalid camera, object, event or attribute of the simulation, but not after broken XML or
+   * without a field.
    *
-   * @param faults takes each fault
-   * @return the scenario; empty where there was a fault
+   * @param faults receives each fault
+   * @return the scenario; empty if there was a fault
    */
   public static Optional<Scenario> check(
       Path path,
@@ -118,7 +118,7 @@ public final class ScenarioReader {
             () ->
                 Optional.of(
                     new ScenarioReader(path, movements, agents, warnings, reported).scenario()))
-        .filter(one -> reported.none());
+        .filter(scenario -> reported.none());
   }
 
   private Scenario scenario() {
@@ -129,9 +129,9 @@ public final class ScenarioReader {
     XmlElement simulation = simulation();
     Attributes<Scenario> attributes = new Attributes<>(simulation, Scenario.ELEMENT);
     checkArea(Scenario.area(Scenario.BORDERS, attributes::get), Scenario.BORDERS, attributes);
-    Scenario said = Scenario.ELEMENT.make(attributes.said(faults)).with(Scenario.NAME, name());
-    faults.check(() -> checkThreshold(said, attributes));
-    Scenario shown = faults.or(said, () -> withFloorplan(said, attributes));
+    Scenario given = Scenario.ELEMENT.make(attributes.spec(faults)).with(Scenario.NAME, name());
+    faults.check(() -> checkThreshold(given, attributes));
+    Scenario shown = faults.or(given, () -> withFloorplan(given, attributes));
     Scenario scenario = faults.or(shown, () -> withDetection(shown, attributes));
     scenario =
         scenario
@@ -149,11 +149,11 @@ public final class ScenarioReader {
   private void warnOfUnknown() {
     new Attributes<>(root, Scenario.ROOT).warnOfUnknown();
     Map<String, Element<?>> known =
-        Scenario.elements().stream().collect(Collectors.toMap(Element::name, one -> one));
-    root.below()
+        Scenario.elements().stream().collect(Collectors.toMap(Element::name, element -> element));
+    root.descendants()
         .filter(xml -> !known.containsKey(xml.name()))
         .forEach(xml -> xml.warn("unknown element <" + xml.name() + ">, ignored"));
-    root.below()
+    root.descendants()
         .filter(xml -> known.containsKey(xml.name()))
         .filter(xml -> known.get(xml.name()).attributes().isEmpty())
         .forEach(xml -> new Attributes<>(xml, known.get(xml.name())).warnOfUnknown());
@@ -187,25 +187,26 @@ public final class ScenarioReader {
     }
   }
 
-  /** Rules of chance have a threshold of their own, as a detection may have a rule. */
-  private static void checkThreshold(Scenario said, Attributes<Scenario> attributes) {
-    if (said.find(Scenario.DETECTION).filter(Scenario::hasOwnRule).isPresent()) {
-      String expected = "none together with detection=\"" + said.get(Scenario.DETECTION) + "\"";
+  /** Refuses a threshold in addition to a rule of chance, or to a detection with a rule. */
+  private static void checkThreshold(Scenario given, Attributes<Scenario> attributes) {
+    if (given.find(Scenario.DETECTION).filter(Scenario::hasOwnRule).isPresent()) {
+      String expected = "none together with detection=\"" + given.get(Scenario.DETECTION) + "\"";
       attributes.refuse(Scenario.THRESHOLD, expected);
       attributes.refuse(Scenario.DETECT, expected);
     }
-    if (said.threshold().isPresent() && !said.detect().map(DetectionRule::certain).orElse(true)) {
-      String rule = said.detect().get().text();
+    if (given.threshold().isPresent() && !given.detect().map(DetectionRule::certain).orElse(true)) {
+      String rule = given.detect().get().text();
       throw attributes.invalid(Scenario.THRESHOLD, "none together with detect=\"" + rule + "\"");
     }
   }
 
-  /** A model file's path is from the scenario's folder. */
-  private Scenario withDetection(Scenario said, Attributes<Scenario> attributes) {
+  /** Resolves the path of a model file from the scenario's folder. */
+  private Scenario withDetection(Scenario given, Attributes<Scenario> attributes) {
     try {
-      return said.with(
+      return given.with(
           Scenario.DETECTION,
-          said.find(Scenario.DETECTION)
+          given
+              .find(Scenario.DETECTION)
               .map(name -> MODEL_FILE.test(name) ? path.resolveSibling(name).toString() : name));
     } catch (InvalidPathException e) {
       throw attributes.invalid(Scenario.DETECTION, "a path from the scenario's folder");
@@ -213,9 +214,9 @@ public final class ScenarioReader {
   }
 
   /**
-   * An error about an attribute of {@code <simulation>} that shows only when its value is used.
+   * The error about an attribute of {@code <simulation>} whose value proves invalid in use.
    *
-   * @param path of a file that has been read
+   * @param path of a file that has been read before
    */
   public static InputException error(
       Path path, Property<Scenario, ?> attribute, InputException cause) {
@@ -226,17 +227,17 @@ public final class ScenarioReader {
         .orElse(cause);
   }
 
-  /** A floorplan without borders of its own shows the field. */
-  private static Scenario withFloorplan(Scenario said, Attributes<Scenario> attributes) {
-    if (said.find(Scenario.FLOORPLAN).isEmpty()) {
+  /** Completes the borders of the floorplan by those of the field. */
+  private static Scenario withFloorplan(Scenario given, Attributes<Scenario> attributes) {
+    if (given.find(Scenario.FLOORPLAN).isEmpty()) {
       Scenario.FLOORPLAN_BORDERS.forEach(
           border -> attributes.refuse(border, "none without floorplan"));
-      return said;
+      return given;
     }
-    Scenario shown = said;
+    Scenario shown = given;
     for (int side = 0; side < Scenario.BORDERS.size(); side++) {
       Property<Scenario, Double> border = Scenario.FLOORPLAN_BORDERS.get(side);
-      shown = shown.with(border, said.find(border).orElse(said.get(Scenario.BORDERS.get(side))));
+      shown = shown.with(border, given.find(border).orElse(given.get(Scenario.BORDERS.get(side))));
     }
     checkArea(
         Scenario.area(Scenario.FLOORPLAN_BORDERS, shown::get),
@@ -247,8 +248,9 @@ public final class ScenarioReader {
 
   private List<Obstacle> obstacles() {
     Map<String, Element<? extends Obstacle>> kinds =
-        ObstacleElements.ALL.stream().collect(Collectors.toMap(Element::name, one -> one));
-    List<XmlElement> elements = root.below().filter(xml -> kinds.containsKey(xml.name())).toList();
+        ObstacleElements.ALL.stream().collect(Collectors.toMap(Element::name, element -> element));
+    List<XmlElement> elements =
+        root.descendants().filter(xml -> kinds.containsKey(xml.name())).toList();
     return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name())));
   }
 
@@ -271,14 +273,14 @@ public final class ScenarioReader {
         });
   }
 
-  private <T> T said(
+  private <T> T value(
       XmlElement xml, Element<VisionGraph> element, Property<VisionGraph, T> property) {
     Attributes<VisionGraph> attributes = new Attributes<>(xml, element);
     attributes.warnOfUnknown();
     return attributes.get(property);
   }
 
-  /** The zoom list is what tells the dialect. */
+  /** Reads the zoom list, which marks the coverage study's dialect. */
   private Scenario withZooms(Scenario scenario, Attributes<Scenario> attributes) {
     if (!hasZooms() && !attributes.has(Scenario.ORDER) && !all(OpticsSpec.ELEMENT).isEmpty()) {
       root.warn(
@@ -322,21 +324,22 @@ public final class ScenarioReader {
     List<TargetSpec> targets =
         new ArrayList<>(faults.each(all(TargetSpec.ELEMENT), targetReader::object));
     targets.addAll(faults.each(all(TargetSpec.WITH_WAYPOINTS), targetReader::withWaypoints));
-    List<EventStory.Told> story =
+    List<EventStory.EventElement> story =
         new ArrayList<>(
             faults.each(
-                all(EventHead.ELEMENT), xml -> new EventStory.Told(eventReader.event(xml), xml)));
+                all(EventHead.ELEMENT),
+                xml -> new EventStory.EventElement(eventReader.event(xml), xml)));
     story.addAll(tracks(scenario));
-    if (faults.none()) { // else who is missing in the story may be one of those with a fault
+    if (faults.none()) { // otherwise a missing camera or target may be one with a fault
       new EventStory(story, cameras, targets, clearing).check(faults);
     }
     return scenario
         .with(Scenario.CAMERAS, cameras)
         .with(Scenario.TARGETS, targets)
-        .with(Scenario.EVENTS, story.stream().map(EventStory.Told::event).toList());
+        .with(Scenario.EVENTS, story.stream().map(EventStory.EventElement::event).toList());
   }
 
-  private List<EventStory.Told> tracks(Scenario scenario) {
+  private List<EventStory.EventElement> tracks(Scenario scenario) {
     List<XmlElement> elements = all(TracksReader.ELEMENT);
     List<List<ScenarioEvent>> events =
         faults.each(
@@ -344,7 +347,7 @@ public final class ScenarioReader {
     faults.check(() -> root.only(TracksReader.ELEMENT.name(), "one"));
     return events.stream()
         .flatMap(List::stream)
-        .map(event -> new EventStory.Told(event, elements.get(0)))
+        .map(event -> new EventStory.EventElement(event, elements.get(0)))
         .toList();
   }
 
@@ -371,7 +374,7 @@ public final class ScenarioReader {
     }
     Map<String, List<String>> neighbours = new LinkedHashMap<>();
     for (XmlElement node : all(VisionGraph.NODE)) {
-      String camera = said(node, VisionGraph.NODE, VisionGraph.NODE_NAME);
+      String camera = value(node, VisionGraph.NODE, VisionGraph.NODE_NAME);
       if (neighbours.remove(camera) != null) {
         node.warn(
             "name",
@@ -381,10 +384,10 @@ public final class ScenarioReader {
       neighbours.put(
           camera,
           node.all(VisionGraph.NEIGHBOUR.name()).stream()
-              .map(xml -> said(xml, VisionGraph.NEIGHBOUR, VisionGraph.NEIGHBOUR_NAME))
+              .map(xml -> value(xml, VisionGraph.NEIGHBOUR, VisionGraph.NEIGHBOUR_NAME))
               .toList());
     }
-    boolean isStatic = said(graphs.get(0), VisionGraph.ELEMENT, VisionGraph.STATIC);
+    boolean isStatic = value(graphs.get(0), VisionGraph.ELEMENT, VisionGraph.STATIC);
     return Optional.of(new VisionGraph(isStatic, neighbours));
   }
 }

@@ -32,11 +32,14 @@ import org.hificamsim.core.scenario.xml.XmlWriter;
  * layout of an original file are not kept.
  */
 public final class ScenarioWriter {
-  private static final double NANOS = 1e9; // in a second
+  private static final double NANOS_PER_SECOND = 1e9;
 
   private final XmlWriter xml = new XmlWriter();
   private final Scenario scenario;
-  private final List<AddTarget> tracked; // targets that follow tracks, in order
+
+  /** The events that add targets with tracks, in order. */
+  private final List<AddTarget> tracked;
+
   private final Optional<String> tracksFile;
 
   private ScenarioWriter(Scenario scenario, Optional<String> tracksFile) {
@@ -45,16 +48,16 @@ public final class ScenarioWriter {
     this.tracksFile = tracksFile;
   }
 
-  /** The scenario as an XML document. */
+  /** Returns a scenario as an XML document. */
   public static String write(Scenario scenario) {
     return new ScenarioWriter(scenario, Optional.empty()).document();
   }
 
   /**
-   * The scenario as an XML document that names a file of tracks next to it.
+   * Returns a scenario as an XML document that refers to a file of tracks.
    *
    * @param scenario without tracks of its own
-   * @param tracks the file's path from the scenario's folder
+   * @param tracks the path of the file from the scenario's folder
    */
   public static String write(Scenario scenario, String tracks) {
     return new ScenarioWriter(scenario, Optional.of(tracks)).document();
@@ -98,8 +101,8 @@ public final class ScenarioWriter {
         .forEach(element -> member(element, obstacle));
   }
 
-  private <S> void member(Element<S> element, Object one) {
-    element(element, element.said(element.type().cast(one)));
+  private <S> void member(Element<S> element, Object member) {
+    element(element, element.specOf(element.type().cast(member)));
   }
 
   private void cameras() {
@@ -127,7 +130,7 @@ public final class ScenarioWriter {
     }
   }
 
-  /** A file of tracks has a target's two events, which add and remove it. */
+  /** Events without those that add and remove targets with tracks, which the tracks stand for. */
   private List<ScenarioEvent> eventsWithoutTracks() {
     Set<ScenarioEvent> removals =
         tracked.stream()
@@ -155,10 +158,10 @@ public final class ScenarioWriter {
     }
   }
 
-  /** Between its first two samples, to the nanosecond. */
+  /** The time between the first two samples of a track, rounded to nanoseconds. */
   private static double interval(Track track) {
     double interval = track.samples() == 1 ? 1 : track.time(1) - track.time(0);
-    return Math.max(1, Math.rint(interval * NANOS)) / NANOS;
+    return Math.max(1, Math.rint(interval * NANOS_PER_SECOND)) / NANOS_PER_SECOND;
   }
 
   private static boolean isTracked(AddTarget add) {
@@ -172,7 +175,7 @@ public final class ScenarioWriter {
   private void event(ScenarioEvent event) {
     EventKind<?, ?> kind =
         ScenarioEvent.kinds().stream()
-            .filter(one -> one.type().isInstance(event))
+            .filter(known -> known.type().isInstance(event))
             .findFirst()
             .orElseThrow();
     List<Waypoint> path = event instanceof AddTarget add ? add.target().waypoints() : List.of();
@@ -187,7 +190,7 @@ public final class ScenarioWriter {
   }
 
   private void node(String camera, List<String> neighbours) {
-    Runnable all = () -> neighbours.forEach(one -> xml.element("neighbour", Map.of("name", one)));
+    Runnable all = () -> neighbours.forEach(name -> xml.element("neighbour", Map.of("name", name)));
     xml.element("graphnode", Map.of("name", camera), all);
   }
 

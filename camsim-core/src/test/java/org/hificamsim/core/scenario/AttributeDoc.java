@@ -58,7 +58,7 @@ record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String othe
   }
 
   /** Returns what applies without the attributes. */
-  String standard() {
+  String defaultValue() {
     if (isRequired()) {
       return "required";
     }
@@ -67,7 +67,7 @@ record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String othe
   }
 
   private static <T> Stream<String> standard(Property<?, T> attribute) {
-    return Stream.ofNullable(attribute.standard())
+    return Stream.ofNullable(attribute.defaultValue())
         .map(value -> "`" + attribute.type().writer().apply(value).replaceFirst("\\.0$", "") + "`");
   }
 }

@@ -53,7 +53,7 @@ public final class ScenarioFormat {
     for (Element<?> element : elements) {
       for (AttributeDoc row : AttributeDoc.all(element)) {
         String name = "`" + element.name() + "`";
-        lines.add(List.of(name, row.named(), row.meaning(), row.standard()));
+        lines.add(List.of(name, row.named(), row.meaning(), row.defaultValue()));
       }
     }
     int first = elements.size() > 1 ? 0 : 1;

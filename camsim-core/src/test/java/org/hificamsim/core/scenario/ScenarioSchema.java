@@ -143,9 +143,10 @@ final class ScenarioSchema {
   }
 
   private void attributes(AttributeDoc row, boolean required) {
-    String standard = required || row.standard().isEmpty() ? "" : ". Default: " + row.standard();
+    String defaultText =
+        required || row.defaultValue().isEmpty() ? "" : ". Default: " + row.defaultValue();
     for (Property<?, ?> attribute : row.attributes()) {
-      attribute(attribute.name(), required, row.meaning() + standard, attribute.type().schema());
+      attribute(attribute.name(), required, row.meaning() + defaultText, attribute.type().schema());
     }
   }
 

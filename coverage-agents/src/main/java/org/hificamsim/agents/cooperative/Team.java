@@ -188,10 +188,10 @@ final class Team {
   /** Reports who sent how many messages in this step, and who received any. */
   void reportMessages(NetworkView network, BeliefListener listener) {
     for (int sender = 0; sender < cameras; sender++) {
-      listener.told(sender, messagesInStep[sender]);
+      listener.sent(sender, messagesInStep[sender]);
       for (int receiver = 0; receiver < cameras; receiver++) {
         if (received(network, sender, receiver)) {
-          listener.heard(sender, receiver);
+          listener.received(sender, receiver);
         }
       }
     }

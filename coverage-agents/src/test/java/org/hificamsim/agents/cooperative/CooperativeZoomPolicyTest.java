@@ -169,12 +169,12 @@ class CooperativeZoomPolicyTest {
     public void unseen(double x, double y, double expected) {}
 
     @Override
-    public void told(int camera, int sent) {
+    public void sent(int camera, int sent) {
       messages += sent;
     }
 
     @Override
-    public void heard(int from, int to) {
+    public void received(int from, int to) {
       received.add(from + " " + to);
     }
   }

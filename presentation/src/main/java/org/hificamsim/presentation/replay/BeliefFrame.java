@@ -68,12 +68,12 @@ final class BeliefFrame implements BeliefListener {
   }
 
   @Override
-  public void told(int camera, int messages) {
+  public void sent(int camera, int messages) {
     numbers[messagesOffset() + camera] = messages;
   }
 
   @Override
-  public void heard(int from, int to) {
+  public void received(int from, int to) {
     int firstOfSender = messagesOffset() + cameras + from * numbersPerSender(cameras);
     numbers[firstOfSender + to / BITS_PER_NUMBER] += 1L << to % BITS_PER_NUMBER;
   }

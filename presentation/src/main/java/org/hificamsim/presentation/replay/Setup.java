@@ -103,7 +103,7 @@ public record Setup(
         obstacles,
         floor,
         world.scenario().zones().stream()
-            .map(zone -> zone.asking(detection.name(), world.scenario().objective()))
+            .map(zone -> zone.withDefaults(detection.name(), world.scenario().objective()))
             .toList());
   }
 

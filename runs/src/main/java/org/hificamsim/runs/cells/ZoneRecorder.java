@@ -39,7 +39,7 @@ public final class ZoneRecorder implements StepListener {
             .toArray();
     zones =
         site.zones().stream()
-            .map(zone -> zone.asking(usual.name(), site.objective()))
+            .map(zone -> zone.withDefaults(usual.name(), site.objective()))
             .filter(zone -> zone.weight() > 0)
             .map(
                 zone -> {

@@ -11,161 +11,170 @@ import java.util.TreeMap;
 import java.util.function.Function;
 
 /**
- * An element of scenario files: its attributes, what may stand in it, and what it is read as.
+ * Declares an element of scenario files: its attributes, the elements it may contain, and the
+ * object that is made of it.
  *
- * @param <S> what it is read as
+ * @param <S> the object that is made of the element
  */
 public final class Element<S> {
   private final String name;
   private final String doc;
   private final Class<S> type;
   private final Function<Spec<S>, S> make;
-  private final List<Object> standards; // of all properties of what it is read as
+
+  /** The defaults of all properties of {@code S}, by number. */
+  private final List<Object> defaults;
+
   private final List<Property<S, ?>> attributes = new ArrayList<>();
   private final List<Property<S, ?>> ignored = new ArrayList<>();
   private String content = "";
 
   private Element(
-      String name, Class<S> type, Function<Spec<S>, S> make, List<Object> standards, String doc) {
+      String name, Class<S> type, Function<Spec<S>, S> make, List<Object> defaults, String doc) {
     this.name = name;
     this.doc = doc;
     this.type = type;
     this.make = make;
-    this.standards = standards;
+    this.defaults = defaults;
   }
 
   /**
-   * An element that is read as a spec of its own.
+   * Declares an element that is read as a spec.
    *
-   * @param doc what it is, then a line of Markdown for each attribute: {@code name: what it says |
-   *     what holds without it}, the latter where no default of the attribute's says it
+   * @param doc a description of the element, then a line of Markdown for each attribute: {@code
+   *     name: meaning | what holds without it}; the latter if the attribute has no default
    */
   public static <S extends Spec<S>> Element<S> of(
       String name, Class<S> type, Function<Spec<S>, S> make, String doc) {
     return new Element<>(name, type, make, new ArrayList<>(), doc);
   }
 
-  /** An element that is read as a record: its properties are the components, in their order. */
+  /** Declares an element that is read as a record; its properties are the record's components. */
   public static <R extends Record> Element<R> ofRecord(String name, Class<R> type, String doc) {
-    return new Element<>(name, type, said -> made(type, said), new ArrayList<>(), doc);
+    return new Element<>(name, type, spec -> newRecord(type, spec), new ArrayList<>(), doc);
   }
 
-  /** An element whose reader makes something of what it says. */
+  /** Declares an element whose reader makes the object. */
   public static <S> Element<S> of(String name, String doc) {
     return new Element<>(name, null, null, new ArrayList<>(), doc);
   }
 
-  /** Another element with attributes of this one, read as the same. */
-  public Element<S> like(String otherName, String otherDoc, List<Property<S, ?>> its) {
+  /** Declares another element that is read as the same object, with some attributes of this one. */
+  public Element<S> like(String otherName, String otherDoc, List<Property<S, ?>> ownAttributes) {
     String rows = doc.substring(doc.indexOf('\n') + 1);
-    Element<S> other = new Element<>(otherName, type, make, standards, otherDoc + "\n" + rows);
-    other.attributes.addAll(its);
+    Element<S> other = new Element<>(otherName, type, make, defaults, otherDoc + "\n" + rows);
+    other.attributes.addAll(ownAttributes);
     other.ignored.addAll(ignored);
     return other;
   }
 
-  /** What may stand in it, as a DTD says it: {@code optics*, zoom?, camera+}. */
+  /** Sets the elements that it may contain, in the notation of a DTD: {@code optics*, camera+}. */
   public Element<S> holds(String elements) {
     content = elements;
     return this;
   }
 
-  /** An attribute that must be given. */
-  public <T> Property<S, T> required(String attribute, Type<T> its) {
-    return attribute(attribute, its, null).required();
+  /** Declares a required attribute. */
+  public <T> Property<S, T> required(String attribute, Type<T> valueType) {
+    return attribute(attribute, valueType, null).required();
   }
 
-  /** Attributes of one type that must be given. */
-  public Element<S> requires(Type<?> its, String... names) {
-    Arrays.stream(names).forEach(one -> required(one, its));
+  /** Declares required attributes of one type. */
+  public Element<S> requires(Type<?> valueType, String... names) {
+    Arrays.stream(names).forEach(name -> required(name, valueType));
     return this;
   }
 
-  /** An attribute without a default. */
-  public <T> Property<S, T> optional(String attribute, Type<T> its) {
-    return attribute(attribute, its, null);
+  /** Declares an optional attribute without a default. */
+  public <T> Property<S, T> optional(String attribute, Type<T> valueType) {
+    return attribute(attribute, valueType, null);
   }
 
-  /** An attribute with a default. */
-  public <T> Property<S, T> attribute(String attribute, Type<T> its, T standard) {
-    Property<S, T> property = new Property<>(standards.size(), attribute, its, standard);
+  /** Declares an attribute with a default. */
+  public <T> Property<S, T> attribute(String attribute, Type<T> valueType, T defaultValue) {
+    Property<S, T> property = new Property<>(defaults.size(), attribute, valueType, defaultValue);
     attributes.add(property);
-    standards.add(standard);
+    defaults.add(defaultValue);
     return property;
   }
 
-  /** An attribute that has no effect, and is kept for the writer. */
-  public Element<S> ignored(String attribute, Type<?> its) {
-    ignored.add(new Property<>(-1, attribute, its, null));
+  /** Declares an attribute that is ignored, but kept for the writer. */
+  public Element<S> ignored(String attribute, Type<?> valueType) {
+    ignored.add(new Property<>(-1, attribute, valueType, null));
     return this;
   }
 
-  /** Something that no attribute says. */
-  public <T> Property<S, T> property(T standard) {
-    standards.add(standard);
-    return new Property<>(standards.size() - 1, "", null, standard);
+  /** Declares a property that is not an attribute. */
+  public <T> Property<S, T> property(T defaultValue) {
+    defaults.add(defaultValue);
+    return new Property<>(defaults.size() - 1, "", null, defaultValue);
   }
 
+  /** The name of the element. */
   public String name() {
     return name;
   }
 
+  /** The description of the element and its attributes. */
   public String doc() {
     return doc;
   }
 
+  /** The elements that it may contain, in the notation of a DTD. */
   public String content() {
     return content;
   }
 
-  /** In the order in which they are written. */
+  /** The attributes, in the order in which they are written. */
   public List<Property<S, ?>> attributes() {
     return attributes;
   }
 
+  /** The attributes that are ignored. */
   public List<Property<S, ?>> ignored() {
     return ignored;
   }
 
   /** Whether it has an attribute of this name. */
   public boolean has(String attribute) {
-    return attributes.stream().anyMatch(one -> one.name().equals(attribute));
+    return attributes.stream().anyMatch(property -> property.name().equals(attribute));
   }
 
-  /** Its attribute for a property; the property itself where it has none. */
+  /** The attribute of this element for a property; the property itself if it has none. */
   public Property<S, ?> own(Property<S, ?> property) {
     return attributes.stream()
-        .filter(one -> one.number() == property.number())
+        .filter(attribute -> attribute.number() == property.number())
         .findFirst()
         .orElse(property);
   }
 
-  /** The default of each property; null for none. */
-  public Object[] standards() {
-    return standards.toArray();
+  /** The default of each property by number; null for none. */
+  public Object[] defaults() {
+    return defaults.toArray();
   }
 
-  /** The values of an element without any attribute: the defaults. */
+  /** The spec of an element without attributes, which has the defaults. */
   public Spec<S> empty() {
-    return new Spec<>(this, standards(), Map.of());
+    return new Spec<>(this, defaults(), Map.of());
   }
 
+  /** The class of the object; null if the reader makes it. */
   public Class<S> type() {
     return type;
   }
 
-  /** Makes the object from its values. */
-  public S make(Spec<S> said) {
-    return make.apply(said);
+  /** Makes the object of a spec. */
+  public S make(Spec<S> spec) {
+    return make.apply(spec);
   }
 
-  private static <R extends Record> R made(Class<R> type, Spec<R> said) {
+  private static <R extends Record> R newRecord(Class<R> type, Spec<R> spec) {
     try {
       Class<?>[] components =
           Arrays.stream(type.getRecordComponents())
               .map(RecordComponent::getType)
               .toArray(Class<?>[]::new);
-      return type.getDeclaredConstructor(components).newInstance(said.values());
+      return type.getDeclaredConstructor(components).newInstance(spec.values());
     } catch (InvocationTargetException e) {
       throw e.getCause() instanceof RuntimeException fault ? fault : new IllegalStateException(e);
     } catch (ReflectiveOperationException e) {
@@ -173,16 +182,16 @@ public final class Element<S> {
     }
   }
 
-  /** The values from which an object was made. */
+  /** The spec from which an object was made. */
   @SuppressWarnings("unchecked") // a spec of this element
-  public Spec<S> said(S made) {
-    if (made instanceof Spec<?> spec) {
+  public Spec<S> specOf(S object) {
+    if (object instanceof Spec<?> spec) {
       return (Spec<S>) spec;
     }
-    Object[] values = standards();
+    Object[] values = defaults();
     try {
       for (int i = 0; i < values.length; i++) {
-        values[i] = type.getRecordComponents()[i].getAccessor().invoke(made);
+        values[i] = type.getRecordComponents()[i].getAccessor().invoke(object);
       }
     } catch (ReflectiveOperationException e) {
       throw new IllegalStateException(e);
@@ -190,16 +199,16 @@ public final class Element<S> {
     return new Spec<>(this, values, Map.of());
   }
 
-  /** The attributes to write, in order. */
-  public Map<String, String> written(Spec<S> said) {
+  /** The attributes to write for a spec, in order. */
+  public Map<String, String> written(Spec<S> spec) {
     Map<String, String> texts = new LinkedHashMap<>();
     for (Property<S, ?> attribute : attributes) {
-      String text = attribute.text(said);
+      String text = attribute.text(spec);
       if (text != null) {
         texts.put(attribute.name(), text);
       }
     }
-    texts.putAll(new TreeMap<>(said.extras()));
+    texts.putAll(new TreeMap<>(spec.extras()));
     return texts;
   }
 }

@@ -1,9 +1,9 @@
 package org.hificamsim.core.scenario.declaration;
 
 /**
- * Something that a spec may have a value of. Most are attributes of its element in scenario files:
- * what is declared of them is all there is, and reading, writing, the schema {@code
- * scenarios/camsim.xsd} and the tables of {@code docs/scenario-format.md} follow.
+ * A property of a spec. Most properties are attributes of an element in scenario files; reading,
+ * writing, the schema {@code scenarios/camsim.xsd} and the tables of {@code
+ * docs/scenario-format.md} follow from their declarations.
  *
  * @param <S> the spec
  * @param <T> the value
@@ -12,58 +12,63 @@ public final class Property<S, T> {
   private final int number;
   private final String name;
   private final Type<T> type;
-  private final T standard;
+  private final T defaultValue;
   private boolean required;
-  private boolean quiet;
+  private boolean omittedAtDefault;
 
   /**
    * @param number among the properties of the spec, from 0
-   * @param name of the attribute; empty for what is none
-   * @param standard the value where nobody gives one; null for none
+   * @param name of the attribute; empty for a property that is not an attribute
+   * @param defaultValue null for none
    */
-  Property(int number, String name, Type<T> type, T standard) {
+  Property(int number, String name, Type<T> type, T defaultValue) {
     this.number = number;
     this.name = name;
     this.type = type;
-    this.standard = standard;
+    this.defaultValue = defaultValue;
   }
 
-  /** It must be given. */
+  /** Makes the attribute required. */
   public Property<S, T> required() {
     required = true;
     return this;
   }
 
   /**
-   * It is not written where it has its default: for a new attribute, so that files and run keys of
-   * scenarios without it stay the same.
+   * Omits the attribute from files while it has its default. New attributes need it, so that files
+   * and run keys of scenarios without them stay the same.
    */
-  public Property<S, T> quiet() {
-    quiet = true;
+  public Property<S, T> omittedAtDefault() {
+    omittedAtDefault = true;
     return this;
   }
 
-  /** The attribute of another element that says the same. */
-  public Property<S, T> as(String otherName, T otherStandard) {
-    return new Property<>(number, otherName, type, otherStandard);
+  /** The attribute of another element for the same property. */
+  public Property<S, T> as(String otherName, T otherDefault) {
+    return new Property<>(number, otherName, type, otherDefault);
   }
 
+  /** The number among the properties of the spec, from 0. */
   public int number() {
     return number;
   }
 
+  /** The name of the attribute; empty for a property that is not an attribute. */
   public String name() {
     return name;
   }
 
+  /** The type of the values. */
   public Type<T> type() {
     return type;
   }
 
-  public T standard() {
-    return standard;
+  /** The default; null for none. */
+  public T defaultValue() {
+    return defaultValue;
   }
 
+  /** Whether the attribute is required. */
   public boolean isRequired() {
     return required;
   }
@@ -73,9 +78,11 @@ public final class Property<S, T> {
     return name;
   }
 
-  /** What is written for a spec; null for nothing. */
+  /** The text to write for a spec; null to omit the attribute. */
   public String text(Spec<S> spec) {
     T value = spec.value(this);
-    return value == null || (quiet && value.equals(standard)) ? null : type.writer().apply(value);
+    return value == null || (omittedAtDefault && value.equals(defaultValue))
+        ? null
+        : type.writer().apply(value);
   }
 }

@@ -1,12 +1,12 @@
 package org.hificamsim.core.scenario.declaration;
 
 /**
- * The finite numbers that an attribute may have. Lengths are at most 1e9 m: beyond any field, and
- * far from what overflows when it is squared or added up.
+ * The range of the finite numbers that an attribute may have. Lengths are at most 1e9 m, which is
+ * beyond any field and cannot overflow when squared or added.
  *
- * @param expected as error lines say it
- * @param min the least
- * @param max the greatest
+ * @param expected the range in words, for messages
+ * @param min the least number
+ * @param max the greatest number
  */
 public record Range(String expected, double min, double max) {
   /** The least number above 0. */
@@ -31,9 +31,9 @@ public record Range(String expected, double min, double max) {
       new Range("degrees above 0 and below 180", ABOVE_0, Math.nextDown(180.0));
 
   /**
-   * The number that a text is.
+   * Parses a number.
    *
-   * @throws IllegalArgumentException where it is none, or not of these
+   * @throws IllegalArgumentException if the text is not a number in this range
    */
   double parse(String text) {
     double value = Double.parseDouble(text);

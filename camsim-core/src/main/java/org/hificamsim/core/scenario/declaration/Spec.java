@@ -8,14 +8,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What an element of a scenario file says, or code in its place: values of the properties that are
- * declared for it. It never changes; {@code with} makes another one.
+ * The values of the properties that are declared for an element of scenario files, given by a file
+ * or by code. A spec is immutable; {@code with} makes another one.
  *
- * @param <S> what the element is read as
+ * @param <S> the object that is made of the element
  */
 public class Spec<S> {
   private final Element<S> element;
-  private final Object[] values; // by the properties' numbers; null for none
+
+  /** By the number of the property; null for none. */
+  private final Object[] values;
+
   private final Map<String, String> extras;
 
   public Spec(Element<S> element, Object[] values, Map<String, String> extras) {
@@ -24,66 +27,66 @@ public class Spec<S> {
     this.extras = extras;
   }
 
-  /** The same, for a class of its own. */
-  public Spec(Spec<S> said) {
-    this(said.element, said.values, said.extras);
+  /** Creates the spec as an object of a subclass. */
+  public Spec(Spec<S> spec) {
+    this(spec.element, spec.values, spec.extras);
   }
 
-  /** By the properties' numbers; null for none. */
+  /** The values by the numbers of the properties; null for none. */
   public final Object[] values() {
     return values;
   }
 
-  /** The value of a property; null where there is none. */
-  @SuppressWarnings("unchecked") // nothing else is put there
+  /** The value of a property; null for none. */
+  @SuppressWarnings("unchecked") // only values of T are put there
   public final <T> T value(Property<S, T> property) {
     return (T) values[property.number()];
   }
 
-  /** The value of a property that has one: what was given, or the default. */
+  /** The value of a property, given or default; the property must have one. */
   public final <T> T get(Property<S, T> property) {
     return Objects.requireNonNull(value(property));
   }
 
-  /** The value of a property; empty where there is none. */
+  /** The value of a property; empty for none. */
   public final <T> Optional<T> find(Property<S, T> property) {
     return Optional.ofNullable(value(property));
   }
 
-  /** A number; empty where there is none. */
+  /** The number of a property; empty for none. */
   public final OptionalDouble number(Property<S, Double> property) {
     Double value = value(property);
     return value == null ? OptionalDouble.empty() : OptionalDouble.of(value);
   }
 
-  /** The same with another value of a property. */
+  /** Returns the spec with another value of a property. */
   public final <T> S with(Property<S, T> property, T value) {
     return element.make(put(property, Objects.requireNonNull(value)));
   }
 
-  /** The same with another number. */
+  /** Returns the spec with another number. */
   public final S with(Property<S, Double> property, double value) {
     return with(property, (Double) value);
   }
 
-  /** The same with a value of a property where there is one, else without. */
+  /** Returns the spec with a value of a property, or without one if it is empty. */
   public final <T> S with(Property<S, T> property, Optional<T> value) {
     return element.make(put(property, value.orElse(null)));
   }
 
-  /** The same without a value of a property. */
+  /** Returns the spec without a value of a property. */
   public final S without(Property<S, ?> property) {
     return element.make(put(property, null));
   }
 
-  /** The same with another value of a property, or none: null. */
+  /** Returns the values with another value of a property; null for none. */
   public final <T> Spec<S> put(Property<S, T> property, T value) {
     Object[] changed = values.clone();
     changed[property.number()] = value instanceof List<?> list ? List.copyOf(list) : value;
     return new Spec<>(element, changed, extras);
   }
 
-  /** Attributes of the element that nothing here reads, kept for the writer. */
+  /** The unknown attributes of the element, kept for the writer. */
   public final Map<String, String> extras() {
     return extras;
   }

@@ -10,12 +10,14 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.obstacle.Point;
 
 /**
- * What the values of an attribute are: how files, error lines and the schema say them.
+ * The type of the values of an attribute, for files, messages and the schema.
  *
- * @param expected what error lines say was expected
- * @param schema the schema's simple type: its base and facets, as in {@code xs:int minInclusive=0};
- *     a list has the type of its items in brackets; of types between bars any will do
- * @param parser reads a text; null for none; an IllegalArgumentException where it is no such value
+ * @param expected the expected values in words, for messages
+ * @param schema the simple type in the schema: base and facets, as in {@code xs:int
+ *     minInclusive=0}; a list has the type of its items in brackets; alternatives are separated by
+ *     bars
+ * @param parser parses a text; returns null for no value; throws an IllegalArgumentException if the
+ *     text is not a value
  * @param writer writes a value so that the parser reads an equal one
  */
 public record Type<T>(
@@ -26,7 +28,7 @@ public record Type<T>(
 
   public static final Type<String> TEXT = text("a text");
 
-  /** The name of a camera that is there. */
+  /** The name of an existing camera. */
   public static final Type<String> CAMERA = text("the name of a camera");
 
   public static final Type<Double> FINITE = number(Range.FINITE);
@@ -37,11 +39,11 @@ public record Type<T>(
   public static final Type<Double> PROPORTION = number(Range.PROPORTION);
   public static final Type<Double> OPENING = number(Range.OPENING);
 
-  /** Of targets. The schema has none below 0, which makes no sense and is read as CamSim does. */
+  /** The speed of a target. CamSim reads negative speeds, which the schema refuses as senseless. */
   public static final Type<Double> SPEED =
       new Type<>(Range.SPEED.expected(), LENGTH.schema, Range.SPEED::parse, String::valueOf);
 
-  /** Corners of a polygon. */
+  /** The corners of a polygon. */
   public static final Type<List<Point>> POINTS =
       new Type<>(
           "corners as in 0,0 4,0 4,3; three or more, each coordinate "
@@ -58,7 +60,7 @@ public record Type<T>(
           text -> text.isBlank() ? List.of() : POINTS.parser.apply(text),
           POINTS.writer);
 
-  /** Radii of zoom levels. */
+  /** The radii of zoom levels. */
   public static final Type<List<Double>> RADII =
       new Type<>(
           "rising radii above 0 and at most 1e9 (m), between spaces, 1 to " + MAX_NUMBERS,
@@ -69,12 +71,12 @@ public record Type<T>(
           },
           radii -> listed(radii.stream().map(String::valueOf)));
 
-  /** Any text, even none. */
+  /** Any text, even an empty one. */
   public static Type<String> text(String expected) {
     return named(expected, text -> text, text -> text);
   }
 
-  /** Something that is written by a name. */
+  /** A value that is written by name. */
   public static <T> Type<T> named(
       String expected, Function<String, T> parser, Function<T, String> writer) {
     return new Type<>(expected, STRING, parser, writer);
@@ -90,7 +92,7 @@ public record Type<T>(
         String::valueOf);
   }
 
-  /** The same, or -1 for a value that a change leaves as it is. */
+  /** The type with -1 as well, which stands for an unchanged value. */
   public static Type<Double> orUnchanged(Type<Double> type) {
     return new Type<>(
         type.expected + ", or -1 to leave it",
@@ -138,12 +140,12 @@ public record Type<T>(
         text -> text);
   }
 
-  /** The schema's type of one of these words. */
+  /** The type of one of these words in the schema. */
   public static String words(Stream<String> words) {
     return STRING + words.map(word -> " enumeration=" + word).collect(Collectors.joining());
   }
 
-  /** Numbers in any order, each once, at least one: between spaces, or {@code from:to:step}. */
+  /** One or more different numbers in any order, between spaces or as {@code from:to:step}. */
   public static Type<List<Double>> numbers(Range range) {
     return new Type<>(
         "numbers between spaces, each once, or from:to:step; each " + range.expected(),

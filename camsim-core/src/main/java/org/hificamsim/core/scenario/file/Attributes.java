@@ -16,9 +16,9 @@ import org.hificamsim.core.scenario.spec.EventHead;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
 /**
- * The attributes of one element of a file, read as they are declared.
+ * Reads the attributes of an XML element by their declarations.
  *
- * <p>What is wrong is an {@link InputException} that names the place, the value and what was
+ * <p>Every error is an {@link InputException} that names the place, the value and what was
  * expected.
  */
 public final class Attributes<S> {
@@ -29,23 +29,24 @@ public final class Attributes<S> {
   private final Element<S> element;
   private final Map<String, Type<?>> narrowed = new HashMap<>(0);
 
+  /** Prepares to read an element by its declaration. */
   public Attributes(XmlElement xml, Element<S> element) {
     this.xml = xml;
     this.element = element;
   }
 
-  /** Expects a narrower type of an attribute than what is declared. */
+  /** Expects a narrower type of an attribute than the declared one. */
   public Attributes<S> narrow(String attribute, Type<?> type) {
     narrowed.put(attribute, type);
     return this;
   }
 
-  @SuppressWarnings("unchecked") // a narrower one of the same values
+  @SuppressWarnings("unchecked") // a narrower type has values of T
   private <T> Type<T> type(Property<S, T> attribute) {
     return (Type<T>) narrowed.getOrDefault(attribute.name(), attribute.type());
   }
 
-  /** What an element is read as that has nothing but its attributes; warns of unknown ones. */
+  /** Reads an element that has only attributes, and warns about unknown ones. */
   public static <S> S read(XmlElement xml, Element<S> element) {
     Attributes<S> attributes = new Attributes<>(xml, element);
     S read = attributes.read();
@@ -53,38 +54,38 @@ public final class Attributes<S> {
     return read;
   }
 
-  /** What the element is read as. */
+  /** Reads the object of the element. */
   public S read() {
     try {
-      return element.make(said());
-    } catch (IllegalArgumentException e) { // of the whole, not of one attribute
+      return element.make(spec());
+    } catch (IllegalArgumentException e) { // the values do not fit together
       throw xml.place().error("<" + xml.name() + "> " + e.getMessage());
     }
   }
 
-  /** What the element says. */
-  public Spec<S> said() {
-    return said(Faults.thrown());
+  /** Reads the spec of the element. */
+  public Spec<S> spec() {
+    return spec(Faults.thrown());
   }
 
-  /** What the element says; an attribute that has a fault takes its default. */
-  public Spec<S> said(Faults faults) {
-    Object[] values = element.standards();
+  /** Reads the spec of the element; an attribute with a fault takes its default. */
+  public Spec<S> spec(Faults faults) {
+    Object[] values = element.defaults();
     for (Property<S, ?> attribute : element.attributes()) {
       faults.check(() -> values[attribute.number()] = get(attribute));
     }
     Map<String, String> extras =
         unknown()
-            .filter(name -> !name.contains(":")) // a prefix belongs to others
+            .filter(name -> !name.contains(":")) // a prefix belongs to other programs
             .collect(Collectors.toUnmodifiableMap(name -> name, xml.attributes()::get));
     return new Spec<>(element, values, extras);
   }
 
-  /** The value of an attribute, or its default; null where it has neither. */
+  /** The value of an attribute, or its default; null for neither. */
   public <T> T get(Property<S, T> attribute) {
     String text = xml.attributes().get(attribute.name());
     if (text == null) {
-      return attribute.isRequired() ? require(attribute) : attribute.standard();
+      return attribute.isRequired() ? require(attribute) : attribute.defaultValue();
     }
     try {
       return type(attribute).parser().apply(text);
@@ -95,7 +96,7 @@ public final class Attributes<S> {
     }
   }
 
-  /** The value of an attribute that must be given here. */
+  /** The value of an attribute that is required here. */
   public <T> T require(Property<S, T> attribute) {
     if (!has(attribute)) {
       throw invalid(attribute, type(attribute).expected());
@@ -103,7 +104,7 @@ public final class Attributes<S> {
     return get(attribute);
   }
 
-  /** An error where the file gives an attribute that has no place here. */
+  /** Refuses an attribute that is not allowed here. */
   public void refuse(Property<S, ?> attribute, String expected) {
     if (has(attribute)) {
       throw invalid(attribute, expected);
@@ -115,15 +116,16 @@ public final class Attributes<S> {
     return xml.attributes().containsKey(element.own(attribute).name());
   }
 
-  /** An error about one attribute's value, or that it has none. */
+  /** The error about an invalid or missing attribute. */
   public InputException invalid(Property<S, ?> attribute, String expected) {
     return xml.invalid(element.own(attribute).name(), expected);
   }
 
-  /** Warns of attributes that are not declared, with their places. */
+  /** Warns about attributes that are not declared. */
   public void warnOfUnknown() {
     unknown()
-        .filter(name -> element.ignored().stream().noneMatch(one -> one.name().equals(name)))
+        .filter(
+            name -> element.ignored().stream().noneMatch(ignored -> ignored.name().equals(name)))
         .forEach(this::warnOfUnknown);
   }
 

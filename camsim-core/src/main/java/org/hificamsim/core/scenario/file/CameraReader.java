@@ -18,8 +18,8 @@ import org.hificamsim.core.scenario.xml.XmlElement;
 
 /** Reads cameras, from their own element or from an event that adds one. */
 public final class CameraReader {
-  private final Type<Double> across;
-  private final Type<Double> along;
+  private final Type<Double> xInField;
+  private final Type<Double> yInField;
   private final Type<OpticsSpec> optics;
   private final OptionalDouble mountHeight;
   private final Clearing clearing;
@@ -37,8 +37,8 @@ public final class CameraReader {
       Clearing clearing,
       Map<String, OpticsSpec> optics,
       AgentCheck agents) {
-    this.across = inField(field.minX(), field.maxX());
-    this.along = inField(field.minY(), field.maxY());
+    this.xInField = inField(field.minX(), field.maxX());
+    this.yInField = inField(field.minY(), field.maxY());
     this.optics = oneOf(optics);
     this.mountHeight = mountHeight;
     this.clearing = clearing;
@@ -57,10 +57,13 @@ public final class CameraReader {
         OpticsSpec::name);
   }
 
-  /** Reads a camera. */
-  public CameraSpec camera(XmlElement xml, Element<CameraSpec> as) {
+  /** Reads a camera by the declaration of its element. */
+  public CameraSpec camera(XmlElement xml, Element<CameraSpec> element) {
     Attributes<CameraSpec> attributes =
-        new Attributes<>(xml, as).narrow("x", across).narrow("y", along).narrow("optics", optics);
+        new Attributes<>(xml, element)
+            .narrow("x", xInField)
+            .narrow("y", yInField)
+            .narrow("optics", optics);
     CameraSpec camera = withView(attributes.read(), attributes);
     if (!names.add(camera.name())) {
       throw attributes.invalid(CameraSpec.NAME, "a camera name that is not taken");
@@ -68,14 +71,14 @@ public final class CameraReader {
     checkHeights(camera, attributes);
     OptionalDouble z = camera.z().isPresent() ? camera.z() : mountHeight;
     clearing.requireFree(xml, camera.x(), camera.y(), z);
-    agents.check(camera, as == CameraSpec.ADDED, xml::invalid);
+    agents.check(camera, element == CameraSpec.ADDED, xml::invalid);
     attributes.warnOfUnknown();
     return camera;
   }
 
-  /** A camera with a lens needs no angle, which is then its widest, and no range. */
+  /** A camera with a lens needs no angle, which defaults to the widest, and no range. */
   private static CameraSpec withView(CameraSpec camera, Attributes<CameraSpec> attributes) {
-    Optional<OpticsSpec> lens = camera.optics().filter(one -> one.law().hasAngles());
+    Optional<OpticsSpec> lens = camera.optics().filter(optics -> optics.law().hasAngles());
     if (lens.isEmpty()) {
       attributes.require(CameraSpec.VIEWING_ANGLE);
       attributes.require(CameraSpec.RANGE);
@@ -97,18 +100,18 @@ public final class CameraReader {
           CameraSpec.Z, "the scenario's mount_height, " + mountHeight.getAsDouble() + ", or none");
     }
     List<Double> tilts = camera.optics().map(OpticsSpec::tilts).orElse(List.of(0.0));
-    if (camera.optics().filter(one -> one.law() == OpticsLaw.PINHOLE).isEmpty()) {
+    if (camera.optics().filter(optics -> optics.law() == OpticsLaw.PINHOLE).isEmpty()) {
       attributes.refuse(CameraSpec.TILT, "none without optics that have law=\"pinhole\"");
     }
-    if (!tilts.stream().allMatch(one -> Range.TILT.contains(camera.tilt() + one))) {
+    if (!tilts.stream().allMatch(tilt -> Range.TILT.contains(camera.tilt() + tilt))) {
       throw attributes.invalid(
           CameraSpec.TILT,
           "with each tilt of its optics, " + tilts + ", a sum of " + Range.TILT.expected());
     }
   }
 
-  /** Expects an event that changes a camera to leave it in the field. */
+  /** Expects an event to keep the camera in the field. */
   void narrow(Attributes<?> change) {
-    change.narrow("x", Type.orUnchanged(across)).narrow("y", Type.orUnchanged(along));
+    change.narrow("x", Type.orUnchanged(xInField)).narrow("y", Type.orUnchanged(yInField));
   }
 }

@@ -8,7 +8,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
-/** Says where cameras and targets may stand: in no solid obstacle, nor on its border. */
+/** Checks that cameras and targets stand outside all solid obstacles. */
 public final class Clearing {
   private final Obstacles obstacles;
 
@@ -16,12 +16,14 @@ public final class Clearing {
     this.obstacles = new Obstacles(obstacles);
   }
 
-  /** The same for a camera: one with a height may be above or below an obstacle. */
+  /**
+   * Checks the position of a camera, which may be above or below an obstacle if it has a height.
+   */
   void requireFree(XmlElement element, double x, double y, OptionalDouble z) {
     require(element, x, y, obstacles.containing(x, y, z.orElse(0)).isPresent());
   }
 
-  /** An error at the attribute {@code x} for what stands in an obstacle. */
+  /** Checks a position; the error is at the attribute {@code x}. */
   void requireFree(XmlElement element, double x, double y) {
     require(element, x, y, obstacles.containing(x, y).isPresent());
   }
@@ -33,7 +35,7 @@ public final class Clearing {
     }
   }
 
-  /** A warning where the way around the waypoints leads through an obstacle. */
+  /** Warns if the way around the waypoints leads through an obstacle. */
   void warnOfPath(XmlElement element, List<Waypoint> path) {
     for (int i = 0; i < path.size(); i++) {
       Waypoint from = path.get(i);

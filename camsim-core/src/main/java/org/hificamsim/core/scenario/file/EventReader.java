@@ -10,11 +10,12 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
-/** Reads events, each as its kind is declared. */
+/** Reads events by the declarations of their kinds. */
 public final class EventReader {
   private final CameraReader cameras;
   private final TargetReader targets;
 
+  /** Creates a reader that reads added cameras and targets by theirs. */
   public EventReader(CameraReader cameras, TargetReader targets) {
     this.cameras = cameras;
     this.targets = targets;
@@ -45,7 +46,7 @@ public final class EventReader {
   }
 
   /** Reads a camera or target that an event adds like one that is there from the start. */
-  @SuppressWarnings("unchecked") // a spec of its type
+  @SuppressWarnings("unchecked") // the spec has the type of the element
   private <B> Spec<B> body(Element<B> body, XmlElement xml) {
     if (body.type() == CameraSpec.class) {
       return (Spec<B>) cameras.camera(xml, CameraSpec.ADDED);
@@ -55,8 +56,8 @@ public final class EventReader {
     }
     Attributes<B> attributes = new Attributes<>(xml, body);
     cameras.narrow(attributes);
-    Spec<B> said = attributes.said();
+    Spec<B> spec = attributes.spec();
     attributes.warnOfUnknown();
-    return said;
+    return spec;
   }
 }

@@ -18,36 +18,47 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
-/** Checks that events fit each other: who is added, changed and removed, and when. */
+/** Checks that events fit together in time: what is added, changed and removed. */
 public final class EventStory {
   private static final int FOR_EVER = -1;
 
-  private final List<Told> events;
+  private final List<EventElement> events;
   private final Clearing clearing;
-  private final Set<String> names = new HashSet<>(); // of cameras that are ever there
-  private final Map<String, Waypoint> positions = new HashMap<>(); // of cameras that are there now
+
+  /** The names of all cameras that are ever added. */
+  private final Set<String> names = new HashSet<>();
+
+  /** The positions of the present cameras by name. */
+  private final Map<String, Waypoint> positions = new HashMap<>();
+
   private final Set<String> failed = new HashSet<>();
-  private final Set<Double> features = new HashSet<>(); // of targets that are there now
+
+  /** The features of the present targets. */
+  private final Set<Double> features = new HashSet<>();
 
   /** An event and the element that brings it. */
-  public record Told(ScenarioEvent event, XmlElement xml) {
+  public record EventElement(ScenarioEvent event, XmlElement xml) {
     boolean isOfTracks() {
       return xml.name().equals(TracksReader.ELEMENT.name());
     }
   }
 
   /**
-   * @param cameras those of the start
-   * @param targets those of the start
+   * @param cameras of the start
+   * @param targets of the start
    */
   public EventStory(
-      List<Told> events, List<CameraSpec> cameras, List<TargetSpec> targets, Clearing clearing) {
-    this.events = events.stream().sorted(Comparator.comparingInt(one -> one.event.step())).toList();
+      List<EventElement> events,
+      List<CameraSpec> cameras,
+      List<TargetSpec> targets,
+      Clearing clearing) {
+    this.events =
+        events.stream().sorted(Comparator.comparingInt(element -> element.event.step())).toList();
     this.clearing = clearing;
     cameras.forEach(this::add);
     targets.forEach(target -> features.add(target.features()));
-    for (Told one : events) {
-      if (one.event instanceof AddCamera add) {
+    for (EventElement element : events) {
+      if (element.event instanceof AddCamera add) {
         names.add(add.camera().name());
       }
     }
@@ -58,57 +69,58 @@ public final class EventStory {
     positions.put(camera.name(), new Waypoint(camera.x(), camera.y()));
   }
 
-  /** Goes through it in the order of time. */
+  /** Checks all events in the order of time. */
   public void check(Faults faults) {
-    events.forEach(one -> faults.check(() -> followTarget(one)));
-    events.forEach(one -> faults.check(() -> followCamera(one)));
+    events.forEach(element -> faults.check(() -> followTarget(element)));
+    events.forEach(element -> faults.check(() -> followCamera(element)));
   }
 
-  private void followTarget(Told one) {
-    if (one.event instanceof AddTarget add && !features.add(add.target().features())) {
+  private void followTarget(EventElement element) {
+    if (element.event instanceof AddTarget add && !features.add(add.target().features())) {
       String expected = "features that no object present has";
-      throw one.isOfTracks()
-          ? one.xml
+      throw element.isOfTracks()
+          ? element
+              .xml
               .place()
               .error(
                   "target %s of the tracks comes at step %s while another one is there, expected"
                       + " %s",
                   add.target().name(), add.step(), expected)
-          : one.xml.invalid("name", expected);
+          : element.xml.invalid("name", expected);
     }
-    if (one.event instanceof RemoveTarget remove
+    if (element.event instanceof RemoveTarget remove
         && !features.remove(remove.features())
-        && !one.isOfTracks()) {
-      one.xml.warn(
+        && !element.isOfTracks()) {
+      element.xml.warn(
           "name",
           "no object %s is there at step %s, nothing is removed"
               .formatted(remove.features(), remove.step()));
     }
   }
 
-  private void followCamera(Told one) {
-    one.event.existingCamera().ifPresent(camera -> requireOnline(one, camera));
-    if (one.event instanceof AddCamera add) {
+  private void followCamera(EventElement element) {
+    element.event.existingCamera().ifPresent(camera -> requireOnline(element, camera));
+    if (element.event instanceof AddCamera add) {
       add(add.camera());
-    } else if (one.event instanceof ChangeCamera change) {
-      positions.computeIfPresent(change.camera(), (name, from) -> moved(one.xml, change, from));
-    } else if (one.event instanceof FailCamera fail) {
+    } else if (element.event instanceof ChangeCamera change) {
+      positions.computeIfPresent(change.camera(), (name, from) -> moved(element.xml, change, from));
+    } else if (element.event instanceof FailCamera fail) {
       fail(fail.camera(), fail.duration());
     }
   }
 
-  /** A warning where a camera is not online; an error where it never is. */
-  private void requireOnline(Told one, String camera) {
+  /** Warns if a camera is not online; refuses one that never is. */
+  private void requireOnline(EventElement element, String camera) {
     if (!names.contains(camera)) {
-      throw one.xml.invalid("name", Type.CAMERA.expected());
+      throw element.xml.invalid("name", Type.CAMERA.expected());
     }
     if (!positions.containsKey(camera) || failed.contains(camera)) {
       String unless =
           positions.containsKey(camera) ? " (unless a quirk of CamSim lets it come back)" : "";
-      one.xml.warn(
+      element.xml.warn(
           "name",
           "camera '%s' is not online at step %s, nothing happens%s"
-              .formatted(camera, one.event.step(), unless));
+              .formatted(camera, element.event.step(), unless));
     }
   }
 
@@ -119,7 +131,7 @@ public final class EventStory {
     return new Waypoint(x, y);
   }
 
-  /** In CamSim for ever, too, where it is for some steps (quirk Q6). */
+  /** Cameras fail for good, also if a duration is given, as in CamSim (quirk Q6). */
   private void fail(String camera, int duration) {
     if (duration == FOR_EVER && !failed.contains(camera)) {
       positions.remove(camera);

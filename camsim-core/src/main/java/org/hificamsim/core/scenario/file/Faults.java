@@ -9,8 +9,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.xml.XmlElement;
 
 /**
- * What becomes of the faults of a scenario file: the first is thrown, or each is reported and
- * reading goes on with the next element.
+ * Handles the faults of a scenario file: throws the first one, or reports each one so that reading
+ * goes on with the next element.
  */
 public final class Faults {
   private final Consumer<InputException> report;

@@ -13,7 +13,7 @@ import org.hificamsim.core.scenario.xml.XmlElement;
 
 /** Reads targets, from their own elements or from an event that adds one. */
 public final class TargetReader {
-  /** A movement that starts on its first waypoint, and may leave the field. */
+  /** The movement that starts on its first waypoint and may leave the field. */
   private static final String SCRIPTED = "Scripted";
 
   private static final String WAYPOINTS = "Waypoints";
@@ -25,7 +25,10 @@ public final class TargetReader {
   private final Set<Double> features = new HashSet<>();
 
   /**
+   * Creates a reader.
+   *
    * @param coverageDialect whether paths are scripted and may leave the field
+   * @param movements whether a movement of a name exists
    */
   public TargetReader(
       Field field, Clearing clearing, boolean coverageDialect, Predicate<String> movements) {
@@ -35,12 +38,12 @@ public final class TargetReader {
     this.movements = movements;
   }
 
-  /** A target of the start. */
+  /** Reads a target of the start. */
   public TargetSpec object(XmlElement xml) {
     return unique(xml, object(xml, TargetSpec.ELEMENT));
   }
 
-  /** A target of the start that walks from waypoint to waypoint. */
+  /** Reads a target of the start with waypoints. */
   public TargetSpec withWaypoints(XmlElement xml) {
     Attributes<TargetSpec> attributes = new Attributes<>(xml, TargetSpec.WITH_WAYPOINTS);
     TargetSpec read = unique(xml, sized(attributes));
@@ -57,7 +60,7 @@ public final class TargetReader {
         .with(TargetSpec.HEADING, -1);
   }
 
-  /** The target that an event adds. */
+  /** Reads the target that an event adds. */
   public TargetSpec added(XmlElement event) {
     if (event.attributes().containsKey(TargetSpec.MOVE.name())) {
       event.warn(
@@ -75,8 +78,8 @@ public final class TargetReader {
     return target;
   }
 
-  private TargetSpec object(XmlElement xml, Element<TargetSpec> as) {
-    Attributes<TargetSpec> attributes = new Attributes<>(xml, as);
+  private TargetSpec object(XmlElement xml, Element<TargetSpec> element) {
+    Attributes<TargetSpec> attributes = new Attributes<>(xml, element);
     TargetSpec target = sized(attributes);
     boolean anywhere = coverageDialect || target.movement().equals(SCRIPTED);
     target = target.with(TargetSpec.WAYPOINTS, waypoints(xml, anywhere));
@@ -86,7 +89,7 @@ public final class TargetReader {
     return target;
   }
 
-  /** Has a size, or a width and a height. */
+  /** Reads a target with its size, or with its width and height. */
   private static TargetSpec sized(Attributes<TargetSpec> attributes) {
     TargetSpec target = attributes.read();
     if (!attributes.has(TargetSpec.WIDTH) && !attributes.has(TargetSpec.HEIGHT)) {
@@ -125,7 +128,7 @@ public final class TargetReader {
   }
 
   /**
-   * @param anywhere whether they may lie outside the field
+   * @param anywhere whether waypoints may lie outside the field
    */
   private List<Waypoint> waypoints(XmlElement xml, boolean anywhere) {
     List<XmlElement> children = xml.all(Waypoint.ELEMENT.name());

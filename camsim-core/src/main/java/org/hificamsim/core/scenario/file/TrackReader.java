@@ -14,26 +14,36 @@ import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.track.Track;
 
 /**
- * Reads what {@link TrackWriter} writes: targets on their tracks, each while it is there, in the
- * order of the file.
+ * Reads the file of tracks that {@link TrackWriter} writes, with its targets in the order of the
+ * file.
  */
 final class TrackReader {
-  /** Samples of one file; they take 24 bytes each. */
+  /** The greatest number of samples in a file; each takes 24 bytes. */
   static final int MAX_SAMPLES = 20_000_000;
 
-  private static final String START = "a number of seconds from 0, later than before";
+  private static final String EXPECTED_TIME = "a number of seconds from 0, later than before";
 
   private final TextLines lines;
   private final double stepTime;
   private final List<TargetSpec> tracks = new ArrayList<>();
   private final Map<Double, Double> lastTimes = new HashMap<>();
-  private DoubleStream.Builder samples = DoubleStream.builder(); // time, x and y of each
-  private Place begun;
+
+  /** The time, x and y of each sample of the current target. */
+  private DoubleStream.Builder samples = DoubleStream.builder();
+
+  /** The place where the current target begins; null before the first. */
+  private Place targetPlace;
+
   private TargetSpec target;
   private double interval;
-  private double last; // time of the last sample; NaN before the first
-  private double anchor;
-  private int since;
+
+  /** The time of the target's last sample; NaN before the first. */
+  private double lastTime;
+
+  /** The last time that was written out. */
+  private double writtenTime;
+
+  private int samplesSinceWrittenTime;
   private long total;
 
   /**
@@ -45,9 +55,9 @@ final class TrackReader {
   }
 
   /**
-   * Reads them all.
+   * Reads all targets.
    *
-   * @throws InputException when something is wrong
+   * @throws InputException if the file is invalid
    */
   List<TargetSpec> tracks() {
     header();
@@ -80,16 +90,16 @@ final class TrackReader {
     return lines.number(field, name, range.expected(), range::contains);
   }
 
-  private void requireFields(int most) {
-    if (lines.count() > most) {
-      throw lines.invalid(most, "a further field", "the end of the line");
+  private void requireFields(int limit) {
+    if (lines.count() > limit) {
+      throw lines.invalid(limit, "a further field", "the end of the line");
     }
   }
 
   private void begin() {
-    begun = lines.place(0);
+    targetPlace = lines.place(0);
     samples = DoubleStream.builder();
-    last = Double.NaN;
+    lastTime = Double.NaN;
     target =
         new TargetSpec(lines.number(1, "target"), 0, 0)
             .with(TargetSpec.ORIGIN, TargetSpec.Origin.TRACK)
@@ -117,27 +127,28 @@ final class TrackReader {
   }
 
   private void sample() {
-    if (begun == null) {
+    if (targetPlace == null) {
       throw lines.invalid(0, "the line", "'target', its number, 'size' and metres");
     }
     requireFields(3);
-    int first = Math.max(0, lines.count() - 2); // of x
-    if (first == 1) {
-      anchor = lines.number(0, "time", START, this::isLater);
-      since = 0;
-    } else if (Double.isNaN(last)) {
+    int xField = Math.max(0, lines.count() - 2);
+    if (xField == 1) {
+      writtenTime = lines.number(0, "time", EXPECTED_TIME, this::isLater);
+      samplesSinceWrittenTime = 0;
+    } else if (Double.isNaN(lastTime)) {
       throw lines.invalid(2, "time, x and y", "all three in a track's first line");
     }
     requireRoom();
-    last = anchor + since++ * interval;
+    lastTime = writtenTime + samplesSinceWrittenTime++ * interval;
     samples
-        .add(last)
-        .add(number(first, "x", Range.COORDINATE))
-        .add(number(first + 1, "y", Range.COORDINATE));
+        .add(lastTime)
+        .add(number(xField, "x", Range.COORDINATE))
+        .add(number(xField + 1, "y", Range.COORDINATE));
   }
 
   private boolean isLater(double time) {
-    double before = Double.isNaN(last) ? lastTimes.getOrDefault(target.features(), -1.0) : last;
+    double before =
+        Double.isNaN(lastTime) ? lastTimes.getOrDefault(target.features(), -1.0) : lastTime;
     return time >= 0 && time <= 1e9 && time > before;
   }
 
@@ -148,13 +159,13 @@ final class TrackReader {
   }
 
   private void end() {
-    if (begun == null) {
+    if (targetPlace == null) {
       return;
     }
-    if (Double.isNaN(last)) {
-      throw begun.error("a target without a sample, expected lines of time, x and y");
+    if (Double.isNaN(lastTime)) {
+      throw targetPlace.error("a target without a sample, expected lines of time, x and y");
     }
-    lastTimes.put(target.features(), last);
+    lastTimes.put(target.features(), lastTime);
     Track track = new Track(samples.build().toArray(), stepTime);
     requireNear(track);
     tracks.add(
@@ -167,7 +178,7 @@ final class TrackReader {
   private void requireNear(Track track) {
     long end = Math.max(track.firstStep(), track.lastStep());
     if (end >= Integer.MAX_VALUE) {
-      throw begun.error(
+      throw targetPlace.error(
           "the target stays until step %s of %s s, expected one below %s: a longer step",
           end, stepTime, Integer.MAX_VALUE);
     }

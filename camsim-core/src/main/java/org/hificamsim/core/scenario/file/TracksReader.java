@@ -47,7 +47,7 @@ public final class TracksReader {
     try (TextLines lines =
         attributes.has(FILE) ? open(element, attributes, path) : element.lines()) {
       List<TargetSpec> targets = new TrackReader(lines, stepTime).tracks();
-      StepPlaces.keep(targets.stream().map(one -> one.track().orElseThrow()).toList());
+      StepPlaces.precompute(targets.stream().map(one -> one.track().orElseThrow()).toList());
       warn(element, targets, track -> !isMet(track), "no step meets: they are shorter than a step");
       warn(element, targets, track -> !staysIn(track, field), "lead outside the field");
       return targets.stream().flatMap(TracksReader::events).toList();

@@ -9,7 +9,7 @@ import org.hificamsim.core.scenario.declaration.Range;
 import org.hificamsim.core.scenario.declaration.Spec;
 import org.hificamsim.core.scenario.declaration.Type;
 
-/** A camera as the scenario gives it. */
+/** A camera as the scenario describes it. */
 public final class CameraSpec extends Spec<CameraSpec> {
   public static final Element<CameraSpec> ELEMENT =
       Element.of(
@@ -51,7 +51,7 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
       ELEMENT.optional("optics", OpticsSpec.BY_NAME);
   public static final Property<CameraSpec, Double> Z = ELEMENT.optional("z", Type.LENGTH);
   public static final Property<CameraSpec, Double> TILT =
-      ELEMENT.attribute("tilt", Type.number(Range.TILT), 0.0).quiet();
+      ELEMENT.attribute("tilt", Type.number(Range.TILT), 0.0).omittedAtDefault();
   public static final Property<CameraSpec, String> ALGORITHM =
       ELEMENT.optional("ai_algorithm", Type.TEXT);
   public static final Property<CameraSpec, Integer> COMM =
@@ -59,12 +59,12 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
   public static final Property<CameraSpec, String> CUSTOM_COMM =
       ELEMENT.optional("customcom", Type.TEXT);
   public static final Property<CameraSpec, Integer> LIMIT =
-      ELEMENT.attribute("limit", Type.whole(0), 0).quiet();
+      ELEMENT.attribute("limit", Type.whole(0), 0).omittedAtDefault();
   public static final Property<CameraSpec, String> BANDIT =
       ELEMENT.optional(
           "bandit", Type.named("", text -> text.isEmpty() ? null : text, text -> text));
 
-  /** What CamSim's network of cameras is asked for. */
+  /** The attributes that only CamSim's network reads. */
   public static final List<Property<CameraSpec, ?>> OF_NETWORK =
       List.of(ALGORITHM, COMM, CUSTOM_COMM, LIMIT, BANDIT);
 
@@ -74,15 +74,15 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     ELEMENT.ignored("zoom_steps", Type.whole(0));
   }
 
-  /** A camera that an event adds: it has the attributes that are declared above. */
+  /** The event that adds a camera, with the attributes that are declared above. */
   public static final Element<CameraSpec> ADDED =
       ELEMENT.like("event", "A camera comes.", ELEMENT.attributes());
 
-  private CameraSpec(Spec<CameraSpec> said) {
-    super(said);
+  private CameraSpec(Spec<CameraSpec> spec) {
+    super(spec);
   }
 
-  /** A camera that looks all round; metres. */
+  /** Creates a camera that sees in all directions; metres. */
   public CameraSpec(String name, double x, double y, double range) {
     super(
         ELEMENT
@@ -128,7 +128,7 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return find(OPTICS);
   }
 
-  /** Height above the ground, metres; empty where the scenario's mount height counts. */
+  /** Height above the ground, metres; empty if the scenario's mount height applies. */
   public OptionalDouble z() {
     return number(Z);
   }
@@ -138,12 +138,12 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return get(TILT);
   }
 
-  /** The same without heights. */
+  /** The same camera without heights. */
   public CameraSpec flat() {
     return without(Z).with(TILT, 0).with(OPTICS, optics().map(OpticsSpec::flat));
   }
 
-  /** Whether it says anything of heights. */
+  /** Whether the camera has a height, a tilt or vertical angles. */
   public boolean hasHeights() {
     return z().isPresent() || tilt() != 0 || optics().filter(OpticsSpec::hasHeights).isPresent();
   }

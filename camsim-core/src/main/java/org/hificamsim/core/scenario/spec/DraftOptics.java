@@ -3,9 +3,9 @@ package org.hificamsim.core.scenario.spec;
 import java.util.Collections;
 import java.util.List;
 
-/** Usual lenses, and cameras with them that a program places. */
+/** Common lenses, and draft cameras with them. */
 public final class DraftOptics {
-  /** A camera that pans, from 60 to 6 degrees. */
+  /** The optics of a dome camera that pans, with angles of view from 60 to 6 degrees. */
   public static final OpticsSpec DOME =
       new OpticsSpec("dome")
           .with(OpticsSpec.PIXELS, 1920)
@@ -14,7 +14,7 @@ public final class DraftOptics {
           .with(OpticsSpec.PAN_SPEED, 100)
           .with(OpticsSpec.ZOOM_TIME, 3);
 
-  /** A camera that looks one way, from 105 to 33 degrees. */
+  /** The optics of a camera that cannot turn, with angles of view from 105 to 33 degrees. */
   public static final OpticsSpec BULLET =
       new OpticsSpec("bullet")
           .with(OpticsSpec.PIXELS, 3840)
@@ -23,32 +23,32 @@ public final class DraftOptics {
 
   private DraftOptics() {}
 
-  /** How high a camera hangs where obstacles have heights, metres. */
-  private static final double USUAL_HEIGHT = 3;
+  /** The height of a draft camera if obstacles have heights, metres. */
+  private static final double DEFAULT_HEIGHT = 3;
 
-  /** Tilts off that of the widest level, degrees: one for the narrower levels, which see far. */
+  /** Tilts relative to the camera's own, degrees; the first one lets narrow levels see far. */
   private static final List<Double> TILTS = List.of(-16.0, 0.0);
 
   /**
-   * The same camera at a usual height, tilted so that the upper edge of its widest picture is on
+   * Hangs a camera at the default height, tilted so that the upper edge of its widest picture meets
    * the ground at a distance.
    *
    * @param far metres, above 0
    */
   public static CameraSpec hung(CameraSpec camera, double far) {
     OpticsSpec optics = camera.get(CameraSpec.OPTICS).with(OpticsSpec.TILTS, TILTS);
-    double horizon = Math.toDegrees(Math.atan2(USUAL_HEIGHT, far));
+    double horizon = Math.toDegrees(Math.atan2(DEFAULT_HEIGHT, far));
     return camera
         .with(CameraSpec.OPTICS, optics)
-        .with(CameraSpec.Z, USUAL_HEIGHT)
+        .with(CameraSpec.Z, DEFAULT_HEIGHT)
         .with(CameraSpec.TILT, Math.rint(horizon + Collections.max(optics.verticalAngles()) / 2));
   }
 
-  /** A camera at a place, metres, that looks at another. */
+  /** Creates a camera at a position that looks at another one, metres. */
   public static CameraSpec camera(
-      String name, OpticsSpec optics, double x, double y, double atX, double atY) {
+      String name, OpticsSpec optics, double x, double y, double targetX, double targetY) {
     return new CameraSpec(name, x, y, 0)
-        .with(CameraSpec.HEADING, Math.rint(Math.toDegrees(Math.atan2(atX - x, atY - y))))
+        .with(CameraSpec.HEADING, Math.rint(Math.toDegrees(Math.atan2(targetX - x, targetY - y))))
         .with(CameraSpec.VIEWING_ANGLE, Collections.max(optics.anglesOfView()))
         .with(CameraSpec.OPTICS, optics);
   }

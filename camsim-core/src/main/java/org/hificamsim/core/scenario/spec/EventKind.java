@@ -41,7 +41,7 @@ public record EventKind<E extends ScenarioEvent, B>(
         type,
         body,
         (at, said) -> body.make(said.put(step, at)),
-        body::said);
+        body::specOf);
   }
 
   /** The attributes to write of an event of this kind, in order. */

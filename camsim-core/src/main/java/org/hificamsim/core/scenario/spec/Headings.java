@@ -1,10 +1,10 @@
 package org.hificamsim.core.scenario.spec;
 
-/** What the numbers given as targets' headings mean. */
+/** The unit of the headings of targets. */
 public enum Headings {
   /** Degrees, 0 is +y and 90 is +x. */
   DEGREES,
-  /** The number is fed to sine and cosine as it is: what the coverage study's simulator did. */
+  /** Radians: sine and cosine take the number itself, as the coverage study's simulator did. */
   AS_RADIANS;
 
   /** The heading in radians. */

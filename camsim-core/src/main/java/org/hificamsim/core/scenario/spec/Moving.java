@@ -4,6 +4,6 @@ package org.hificamsim.core.scenario.spec;
 public enum Moving {
   /** Nothing, until it has arrived. */
   BLIND,
-  /** What the view of its list sees that it is passing: the nearest in pan and in zoom. */
+  /** What the view sees that it passes: the nearest one in pan and zoom. */
   SEES
 }

@@ -1,6 +1,6 @@
 package org.hificamsim.core.scenario.spec;
 
-/** What hides a target besides obstacles. */
+/** What hides a target in addition to obstacles. */
 public enum Occlusion {
   /** Nothing. */
   NONE,

@@ -4,8 +4,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * What ties the opening angle of a camera's view to how far it reaches. A law declares all that
- * sets it apart: readers, worlds and commands ask it, and none of them knows a law by its name.
+ * The relation between the opening angle of a camera's view and its reach. Readers, worlds and
+ * commands ask a law for its properties, so that none of them knows a law by its name.
  */
 public enum OpticsLaw {
   /**
@@ -45,18 +45,18 @@ public enum OpticsLaw {
     return widest > 0;
   }
 
-  /** The widest angle of view that a level may have, degrees; 0 where levels have none. */
+  /** The widest angle of view that a level may have, degrees; 0 if levels have none. */
   public double widest() {
     return widest;
   }
 
-  /** Whether scenario files have to say how far such optics reach. */
+  /** Whether scenario files must give the reach of such optics. */
   public boolean needsReach() {
     return needsReach;
   }
 
   /**
-   * How far each level reaches, metres.
+   * Returns the reach of each level, metres.
    *
    * @param angles of view, degrees, from the narrowest
    * @param reach of the optics, metres

@@ -10,14 +10,14 @@ import org.hificamsim.core.scenario.declaration.Spec;
 import org.hificamsim.core.scenario.declaration.Type;
 
 /**
- * The optics of a camera: which views it can choose, and how long it takes from one to another.
- * With a name alone they are a lens without angles of view that looks ahead and moves at once.
+ * The optics of a camera: the views that it can choose, and how long it takes from one to another.
+ * Optics with only a name are a lens without angles of view that looks ahead and moves at once.
  */
 public final class OpticsSpec extends Spec<OpticsSpec> {
   /** Width over height of a picture in high definition. */
-  private static final double USUAL_ASPECT = 16.0 / 9;
+  private static final double DEFAULT_ASPECT = 16.0 / 9;
 
-  /** As cameras say which they have; the reader finds the optics. */
+  /** The optics that a camera refers to by name; the reader finds them. */
   public static final Type<OpticsSpec> BY_NAME = Type.named("", OpticsSpec::new, OpticsSpec::name);
 
   public static final Element<OpticsSpec> ELEMENT =
@@ -56,7 +56,9 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   public static final Property<OpticsSpec, Integer> PIXELS =
       ELEMENT.optional("pixels", Type.whole(1, 100_000));
   public static final Property<OpticsSpec, List<Double>> ANGLES_OF_VIEW =
-      ELEMENT.attribute("hfov", Type.numbers(Range.UP_TO_180), List.<Double>of()).quiet();
+      ELEMENT
+          .attribute("hfov", Type.numbers(Range.UP_TO_180), List.<Double>of())
+          .omittedAtDefault();
   public static final Property<OpticsSpec, List<Double>> FOCAL_LENGTHS =
       ELEMENT.optional("focal_length", Type.numbers(Range.POSITIVE));
   public static final Property<OpticsSpec, Double> SENSOR_WIDTH =
@@ -66,9 +68,11 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   public static final Property<OpticsSpec, List<Double>> PANS =
       ELEMENT.attribute("pan", Type.numbers(Range.TURN), List.of(0.0));
   public static final Property<OpticsSpec, List<Double>> TILTS =
-      ELEMENT.attribute("tilt", Type.numbers(Range.TURN), List.of(0.0)).quiet();
+      ELEMENT.attribute("tilt", Type.numbers(Range.TURN), List.of(0.0)).omittedAtDefault();
   public static final Property<OpticsSpec, List<Double>> VERTICAL_ANGLES =
-      ELEMENT.attribute("vfov", Type.numbers(Range.BELOW_180), List.<Double>of()).quiet();
+      ELEMENT
+          .attribute("vfov", Type.numbers(Range.BELOW_180), List.<Double>of())
+          .omittedAtDefault();
   public static final Property<OpticsSpec, Double> ASPECT =
       ELEMENT.optional("aspect", Type.POSITIVE);
   public static final Property<OpticsSpec, Double> PAN_SPEED =
@@ -78,11 +82,11 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   public static final Property<OpticsSpec, Moving> MOVING =
       ELEMENT.attribute("moving", Type.choice(Moving.class), Moving.BLIND);
 
-  private OpticsSpec(Spec<OpticsSpec> said) {
-    super(said);
+  private OpticsSpec(Spec<OpticsSpec> given) {
+    super(given);
   }
 
-  /** Optics of this name. */
+  /** Creates optics with a name only. */
   public OpticsSpec(String name) {
     super(ELEMENT.empty().put(NAME, name));
   }
@@ -119,31 +123,33 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
 
   /** Vertical angles of view, degrees, one for each of {@link #anglesOfView}. */
   public List<Double> verticalAngles() {
-    List<Double> said = get(VERTICAL_ANGLES);
-    double aspect = find(ASPECT).orElse(USUAL_ASPECT);
-    return said.isEmpty()
+    List<Double> given = get(VERTICAL_ANGLES);
+    double aspect = find(ASPECT).orElse(DEFAULT_ASPECT);
+    return given.isEmpty()
         ? anglesOfView().stream().map(angle -> angleOver(angle, aspect)).toList()
-        : said;
+        : given;
   }
 
-  /** The angle, degrees, of a picture that is smaller than one of another angle by a factor. */
+  /**
+   * The angle of view in degrees of a picture that is smaller by a factor than that of an angle.
+   */
   private static double angleOver(double angle, double factor) {
     return 2 * Math.toDegrees(StrictMath.atan(StrictMath.tan(Math.toRadians(angle) / 2) / factor));
   }
 
-  /** The same without heights. */
+  /** The same optics without heights. */
   public OpticsSpec flat() {
     return with(VERTICAL_ANGLES, List.<Double>of()).without(ASPECT).with(TILTS, List.of(0.0));
   }
 
-  /** Whether they say anything of heights. */
+  /** Whether the optics have tilts or vertical angles of view. */
   public boolean hasHeights() {
     return !get(VERTICAL_ANGLES).isEmpty()
         || find(ASPECT).isPresent()
         || !tilts().equals(List.of(0.0));
   }
 
-  /** Degrees a second, above 0; none where a camera turns at once. */
+  /** Degrees a second, above 0; empty if the camera turns at once. */
   public OptionalDouble panSpeed() {
     return number(PAN_SPEED);
   }

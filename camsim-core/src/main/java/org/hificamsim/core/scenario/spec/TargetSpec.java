@@ -104,7 +104,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
                   + "name: its features\nfqName: its movement, as `move` of an object",
               List.of(
                   FEATURES.as("name", null).required(),
-                  MOVE.as("fqName", "").quiet(),
+                  MOVE.as("fqName", "").omittedAtDefault(),
                   X,
                   Y,
                   HEADING,

@@ -10,10 +10,11 @@ import org.hificamsim.core.scenario.declaration.Property;
 import org.hificamsim.core.scenario.declaration.Type;
 
 /**
- * The links between cameras that a scenario starts with.
+ * The links between cameras at the start of a scenario.
  *
  * @param isStatic the file's {@code static} attribute
- * @param neighbours names linked to, by camera name, in document order; names need not exist
+ * @param neighbours by camera: the names of the cameras it is linked to, in document order; they
+ *     need not exist
  */
 public record VisionGraph(boolean isStatic, Map<String, List<String>> neighbours) {
   public static final Element<VisionGraph> ELEMENT =
@@ -54,7 +55,7 @@ public record VisionGraph(boolean isStatic, Map<String, List<String>> neighbours
   public static final Property<VisionGraph, String> NEIGHBOUR_NAME =
       NEIGHBOUR.required("name", Type.CAMERA);
 
-  /** Copies what could change. */
+  /** Copies the map. */
   public VisionGraph {
     neighbours = Collections.unmodifiableMap(new LinkedHashMap<>(neighbours));
   }

@@ -13,15 +13,15 @@ import org.hificamsim.core.scenario.declaration.Type;
 /**
  * A part of the field where something is demanded of the cameras.
  *
- * @param points metres; two opposite corners of a rectangle, the corners of a polygon, the points
- *     along a line; none for the field
- * @param detection what has to see there, as {@code simulation} names one; null for the scenario's
- * @param k how many cameras; null for as many as the scenario's objective asks for
- * @param weight what seeing it is worth, 0 for a zone that demands nothing
+ * @param points metres; two opposite corners of a rectangle, the corners of a polygon, or the
+ *     points along a line; empty for the whole field
+ * @param detection the detection that must see there; null for the scenario's
+ * @param k the number of cameras that must see there; null for that of the scenario's objective
+ * @param weight the worth of seeing the zone; 0 for a zone that demands nothing
  */
 public record Zone(
     String name, Shape shape, List<Point> points, String detection, Integer k, Double weight) {
-  /** What zones are. */
+  /** The shape of a zone. */
   public enum Shape {
     RECTANGLE(2, 2),
     POLYGON(3, Integer.MAX_VALUE),
@@ -37,7 +37,7 @@ public record Zone(
     }
   }
 
-  /** Half the width of the strip that a line is, metres. */
+  /** Half the width of the strip along a polyline, metres. */
   private static final double HALF_STRIP = 0.5;
 
   public static final Element<Zone> ELEMENT =
@@ -59,18 +59,18 @@ weight: what seeing a part of it is worth compared with as large a part of other
   static {
     ELEMENT.required("name", Type.text("a name that no other zone has"));
     ELEMENT.attribute("shape", Type.choice(Shape.class), Shape.RECTANGLE);
-    ELEMENT.attribute("points", Type.PLACES, List.<Point>of()).quiet();
+    ELEMENT.attribute("points", Type.PLACES, List.<Point>of()).omittedAtDefault();
     ELEMENT.optional("detection", Type.TEXT);
     ELEMENT.optional("k", Type.whole(1, 100));
     ELEMENT
         .attribute("weight", Type.number(new Range("a number from 0 to 1e9", 0, 1e9)), 1.0)
-        .quiet();
+        .omittedAtDefault();
   }
 
   /**
    * Checks the number of points.
    *
-   * @throws IllegalArgumentException where the shape has others
+   * @throws IllegalArgumentException if the number does not fit the shape
    */
   public Zone {
     points = List.copyOf(points);
@@ -81,7 +81,7 @@ weight: what seeing a part of it is worth compared with as large a part of other
               .formatted(points.size(), number, Spelling.of(shape)));
     }
     if (shape == Shape.POLYGON) {
-      new Obstacle.Polygon(points, 1); // checks it
+      new Obstacle.Polygon(points, 1); // checks the points
     }
   }
 
@@ -90,14 +90,14 @@ weight: what seeing a part of it is worth compared with as large a part of other
     return new Zone("field", Shape.FIELD, List.of(), null, null, 1.0);
   }
 
-  /** The same, asking for these where it does not say what. */
-  public Zone asking(String usual, Objective objective) {
+  /** Fills in the detection and the number of cameras that the zone does not give. */
+  public Zone withDefaults(String defaultDetection, Objective objective) {
     int cameras = objective instanceof Objective.Covered covered ? covered.k() : 1;
-    String seen = detection == null ? usual : detection;
-    return new Zone(name, shape, points, seen, k == null ? cameras : k, weight);
+    String required = detection == null ? defaultDetection : detection;
+    return new Zone(name, shape, points, required, k == null ? cameras : k, weight);
   }
 
-  /** Whether a point of the field is in it, or on its border. */
+  /** Whether a point of the field is in the zone or on its border. */
   public boolean contains(double x, double y) {
     return switch (shape) {
       case FIELD -> true;
@@ -109,8 +109,8 @@ weight: what seeing a part of it is worth compared with as large a part of other
     };
   }
 
-  private static boolean between(double value, double one, double other) {
-    return value >= Math.min(one, other) && value <= Math.max(one, other);
+  private static boolean between(double value, double end, double otherEnd) {
+    return value >= Math.min(end, otherEnd) && value <= Math.max(end, otherEnd);
   }
 
   private boolean isOnLine(double x, double y) {

@@ -5,21 +5,24 @@ import java.util.function.UnaryOperator;
 import org.hificamsim.core.obstacle.Point;
 
 /**
- * Where a target was from when it came to when it went: samples in order of time, as a recording
- * has them, on the clock of a scenario's steps. Between two samples it went straight on.
+ * The recorded way of a target from its first to its last sample, on the clock of a scenario's
+ * steps. Between two samples the target moves straight.
  */
 public final class Track {
-  /** Seconds a step may be off a sample and still count as at it: rounding, no time. */
+  /** A step this close to a sample counts as being at it: allows for rounding, seconds. */
   private static final double SLACK = 1e-6;
 
-  private static final int FIELDS = 3; // time, x and y of a sample lie side by side
+  /** Each sample has a time, an x and a y. */
+  private static final int FIELDS = 3;
 
   private final double[] samples;
   private final double stepTime;
   private StepPlaces places;
 
   /**
-   * @param samples seconds from step 0, rising, x and y in metres, of each
+   * Creates a track.
+   *
+   * @param samples for each sample the time in seconds from step 0, rising, and x and y in metres
    * @param stepTime seconds, above 0
    */
   public Track(double[] samples, double stepTime) {
@@ -32,7 +35,7 @@ public final class Track {
     return samples.length / FIELDS;
   }
 
-  /** When a sample was taken, seconds from step 0. */
+  /** The time of a sample, seconds from step 0. */
   public double time(int sample) {
     return samples[FIELDS * sample];
   }
@@ -47,35 +50,36 @@ public final class Track {
     return samples[FIELDS * sample + 2];
   }
 
-  /** How long a step takes, seconds. */
+  /** The duration of a step, seconds. */
   public double stepTime() {
     return stepTime;
   }
 
-  /** The first step at which the target is there. */
+  /** The first step at which the target is present. */
   public long firstStep() {
     return (long) Math.ceil((time(0) - SLACK) / stepTime);
   }
 
-  /** The last step at which the target is there; before the first one where no step meets it. */
+  /** The last step at which the target is present; below the first one if there is none. */
   public long lastStep() {
     return (long) Math.floor((time(samples() - 1) + SLACK) / stepTime);
   }
 
-  /** Keeps where it is at each step, before anybody else knows the track. */
-  void keep(StepPlaces itsPlaces) {
-    places = itsPlaces;
+  /** Stores the precomputed positions, before the track is used. */
+  void store(StepPlaces newPlaces) {
+    places = newPlaces;
   }
 
-  /** Where it is at each step; null where that is worked out on the way. */
+  /** The precomputed positions; null if they are computed on the way. */
   StepPlaces places() {
     return places;
   }
 
   /**
-   * The same from a time on, by a clock that begins then, at other places.
+   * Returns the rest of the track from a time on, with times from that time and moved positions.
    *
-   * @param start seconds, at or before the last sample
+   * @param start seconds, not after the last sample
+   * @param moved maps each position to the new one
    */
   public Track from(double start, UnaryOperator<Point> moved) {
     int first = 0;
@@ -98,7 +102,7 @@ public final class Track {
     return new Track(rest, stepTime);
   }
 
-  /** The speed from the first sample to the last along the way, metres a step. */
+  /** The mean speed along the way, metres a step. */
   public double meanSpeed() {
     double way = 0;
     for (int i = 1; i < samples(); i++) {
@@ -107,7 +111,7 @@ public final class Track {
     return way == 0 ? 0 : way / (time(samples() - 1) - time(0)) * stepTime;
   }
 
-  /** Which way it goes at first, degrees, 0 is +y and 90 is +x. */
+  /** The heading from the first to the second sample, degrees, 0 is +y and 90 is +x. */
   public double heading() {
     return samples() == 1 ? 0 : Math.toDegrees(Math.atan2(x(1) - x(0), y(1) - y(0)));
   }

@@ -1,81 +1,91 @@
 package org.hificamsim.core.scenario.track;
 
 /**
- * Follows a track step by step: where the target is at the step's number times the length of a
- * step, on the straight line between two samples. Before its first sample and after its last one it
- * is there. Steps whose places were computed in advance are read, and nothing else is touched.
+ * Follows a track step by step and interpolates the position between two samples. Before the first
+ * and after the last sample the target stays there. Precomputed positions are read from one array,
+ * and no other memory is touched.
  */
 public final class TrackWalk {
-  private final double[] worked = new double[2];
+  private final double[] computed = new double[2];
   private Track track;
-  private double[] coordinates; // x and y in turn, of this step and of some that follow
-  private int at; // of this step
-  private int last; // of the last step there
-  private long step; // the last step there
-  private int leg; // from this sample to the next
 
-  /** Begins to follow a track at a step. */
+  /** The alternating x and y of the current step and of some following ones. */
+  private double[] coordinates;
+
+  /** The index of the current step in {@link #coordinates}. */
+  private int index;
+
+  /** The index of the last step in {@link #coordinates}. */
+  private int lastIndex;
+
+  /** The number of the last step in {@link #coordinates}. */
+  private long lastStep;
+
+  /** The sample before the current time. */
+  private int leg;
+
+  /** Starts to follow a track at a step. */
   public void begin(Track newTrack, long firstStep) {
     track = newTrack;
-    step = firstStep;
+    lastStep = firstStep;
     leg = 0;
     find();
   }
 
-  /** Goes on by one step. */
+  /** Moves on by one step. */
   public void next() {
-    if (at < last) {
-      at += 2;
+    if (index < lastIndex) {
+      index += 2;
     } else {
-      step++;
+      lastStep++;
       find();
     }
   }
 
   /** Metres. */
   public double x() {
-    return coordinates[at];
+    return coordinates[index];
   }
 
   /** Metres. */
   public double y() {
-    return coordinates[at + 1];
+    return coordinates[index + 1];
   }
 
   private void find() {
     StepPlaces places = track.places();
-    if (places == null || !places.has(step)) {
-      workOut();
+    if (places == null || !places.has(lastStep)) {
+      compute();
       return;
     }
-    int more = places.following(step);
+    int following = places.following(lastStep);
     coordinates = places.coordinates();
-    at = places.at(step);
-    last = at + 2 * more;
-    step += more;
+    index = places.at(lastStep);
+    lastIndex = index + 2 * following;
+    lastStep += following;
   }
 
-  private void workOut() {
-    coordinates = worked;
-    at = 0;
-    last = 0;
-    double time = step * track.stepTime();
+  private void compute() {
+    coordinates = computed;
+    index = 0;
+    lastIndex = 0;
+    double time = lastStep * track.stepTime();
     int end = track.samples() - 1;
     while (leg < end && track.time(leg + 1) <= time) {
       leg++;
     }
     if (leg == end) {
-      worked[0] = track.x(end);
-      worked[1] = track.y(end);
+      computed[0] = track.x(end);
+      computed[1] = track.y(end);
     } else {
-      workOut(time);
+      interpolate(time);
     }
   }
 
-  private void workOut(double time) {
+  private void interpolate(double time) {
     double from = track.time(leg);
     double part = Math.max(0, (time - from) / (track.time(leg + 1) - from));
-    worked[0] = track.x(leg) + part * (track.x(leg + 1) - track.x(leg));
-    worked[1] = track.y(leg) + part * (track.y(leg + 1) - track.y(leg));
+    computed[0] = track.x(leg) + part * (track.x(leg + 1) - track.x(leg));
+    computed[1] = track.y(leg) + part * (track.y(leg + 1) - track.y(leg));
   }
 }

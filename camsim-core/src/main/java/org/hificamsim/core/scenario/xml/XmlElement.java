@@ -12,7 +12,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 
-/** An element of a scenario file, which knows where it stands. */
+/** An XML element with its place in the file. */
 public final class XmlElement {
   private final XmlText source;
   private final String name;
@@ -22,7 +22,9 @@ public final class XmlElement {
   private StringBuilder text;
 
   /**
-   * @param end where the start tag ends
+   * Creates an element without attributes and children.
+   *
+   * @param end the end of its start tag
    */
   public XmlElement(XmlText source, String name, Place end) {
     this.source = source;
@@ -30,10 +32,12 @@ public final class XmlElement {
     this.end = end;
   }
 
+  /** Adds a child. */
   public void add(XmlElement child) {
     children.add(child);
   }
 
+  /** Appends to the text directly inside. */
   public void append(char[] characters, int start, int length) {
     if (text == null) {
       text = new StringBuilder(0);
@@ -41,44 +45,47 @@ public final class XmlElement {
     text.append(characters, start, length);
   }
 
+  /** The name of the element. */
   public String name() {
     return name;
   }
 
+  /** The attributes by name, modifiable. */
   public Map<String, String> attributes() {
     return attributes;
   }
 
+  /** The children, in document order. */
   public List<XmlElement> children() {
     return Collections.unmodifiableList(children);
   }
 
-  /** The text directly inside, as it stands. */
+  /** The text directly inside. */
   public String text() {
     return text == null ? "" : text.toString();
   }
 
-  /** The lines of that text, which know where they stand. */
+  /** The lines of the text directly inside, with their places. */
   public TextLines lines() {
     return new TextLines(end.file(), new StringReader(text()), end.line());
   }
 
-  /** Where the start tag begins. */
+  /** The place where the start tag begins. */
   public Place place() {
     return source.tag(end);
   }
 
-  /** Where an attribute of the start tag begins. */
+  /** The place of an attribute of the start tag. */
   public Place place(String attribute) {
     return source.attribute(end, attribute);
   }
 
-  /** Warns of the element. */
+  /** Reports a warning about the element. */
   public void warn(String problem) {
     source.warn(place().line(problem));
   }
 
-  /** Warns of an attribute. */
+  /** Reports a warning about an attribute. */
   public void warn(String attribute, String problem) {
     source.warn(place(attribute).line(problem));
   }
@@ -91,15 +98,16 @@ public final class XmlElement {
         : place(attribute).invalid("<" + name + "> " + attribute, value, expected);
   }
 
-  /** The elements below with this name, at any depth, in document order. */
+  /** The descendants with a name, in document order. */
   public List<XmlElement> all(String wanted) {
-    return below().filter(element -> element.name.equals(wanted)).toList();
+    return descendants().filter(element -> element.name.equals(wanted)).toList();
   }
 
   /**
-   * The element below with this name; empty where there is none.
+   * The only descendant with a name; empty if there is none.
    *
-   * @param expected what error lines say of a second one
+   * @param expected what is expected instead of a second one, for messages
+   * @throws InputException if there are several
    */
   public Optional<XmlElement> only(String wanted, String expected) {
     List<XmlElement> all = all(wanted);
@@ -109,8 +117,8 @@ public final class XmlElement {
     return all.stream().findFirst();
   }
 
-  /** All elements below, in document order. */
-  public Stream<XmlElement> below() {
-    return children.stream().flatMap(child -> Stream.concat(Stream.of(child), child.below()));
+  /** All descendants, in document order. */
+  public Stream<XmlElement> descendants() {
+    return children.stream().flatMap(child -> Stream.concat(Stream.of(child), child.descendants()));
   }
 }

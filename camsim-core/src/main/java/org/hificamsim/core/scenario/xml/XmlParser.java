@@ -19,16 +19,16 @@ import org.xml.sax.SAXParseException;
 /**
  * Reads untrusted XML of bounded size and depth as a tree of elements.
  *
- * <p>Namespaces are not looked at: {@code a:camera} is a name like any other.
+ * <p>Namespaces are ignored: {@code a:camera} is a name like any other.
  */
 public final class XmlParser extends PlainXml {
-  /** Bytes; a scenario of 100,000 cameras takes about 12 million. */
+  /** The greatest size in bytes; a scenario of 100,000 cameras takes about 12 million. */
   static final int MAX_BYTES = 64 << 20;
 
-  /** Elements inside each other; a real scenario has six. */
+  /** The greatest depth of nested elements; a real scenario has six. */
   static final int MAX_DEPTH = 32;
 
-  /** Elements and attributes; a scenario of 100,000 cameras has about a million. */
+  /** The greatest number of elements and attributes; 100,000 cameras have about a million. */
   static final int MAX_PARTS = 4_000_000;
 
   // Parts of the parser's messages.
@@ -45,10 +45,10 @@ public final class XmlParser extends PlainXml {
   }
 
   /**
-   * The root element of a file.
+   * Parses a file and returns its root element.
    *
-   * @param warnings takes one line for each thing that is odd with an element
-   * @throws InputException when the file cannot be read, is too big, or is not plain XML
+   * @param warnings receives one line for each warning about an element
+   * @throws InputException if the file cannot be read, is too big, or is not plain XML
    */
   public static XmlElement parse(Path path, Consumer<String> warnings) {
     String file = path.toString();
@@ -81,7 +81,7 @@ public final class XmlParser extends PlainXml {
     checkSize(element);
     if (root == null) {
       root = element;
-      text.encodedIn(encoding());
+      text.setEncoding(encoding());
     } else {
       open.getLast().add(element);
     }
@@ -116,7 +116,7 @@ public final class XmlParser extends PlainXml {
   protected InputException fault(SAXParseException e) {
     String words = String.valueOf(e.getMessage());
     Place place = place(e.getLineNumber(), e.getColumnNumber());
-    text.encodedIn(encoding());
+    text.setEncoding(encoding());
     Optional<InputException> undecodable = text.undecodable();
     if (undecodable.isPresent()) {
       return undecodable.get();

@@ -14,10 +14,10 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
 /**
- * The content of a scenario file, for finding places.
+ * Finds places in the text of a scenario file, for messages.
  *
- * <p>The parser reports where a start tag ends; since no attribute can hold {@code <}, the tag
- * begins at the last one before that. Only asked when there is something to report.
+ * <p>The parser reports where a start tag ends. Since no attribute can contain {@code <}, the tag
+ * begins at the last one before that.
  */
 final class XmlText {
   private static final Pattern LINE_END = Pattern.compile("\r\n|\r|\n");
@@ -29,10 +29,10 @@ final class XmlText {
   private final Consumer<String> warnings;
   private Charset charset;
   private String text;
-  private int[] lines; // where each begins
+  private int[] lineStarts;
 
   /**
-   * @param warnings takes one line for each thing that is odd
+   * @param warnings receives one line for each warning
    */
   XmlText(String file, byte[] bytes, Consumer<String> warnings) {
     this.file = file;
@@ -40,17 +40,20 @@ final class XmlText {
     this.warnings = warnings;
   }
 
-  /** Takes note of the encoding that the parser has found. */
-  void encodedIn(String encoding) {
+  /** Sets the encoding that the parser has found. */
+  void setEncoding(String encoding) {
     charset = Charset.forName(encoding);
   }
 
-  /** Reports something odd. */
+  /** Reports a warning. */
   void warn(String line) {
     warnings.accept(line);
   }
 
-  /** The first byte that is not in the encoding: the parser reads ahead, and names its block. */
+  /**
+   * The error about the first byte that is invalid in the encoding; the parser names only its
+   * block.
+   */
   Optional<InputException> undecodable() {
     ByteBuffer in = ByteBuffer.wrap(bytes);
     CharBuffer out = CharBuffer.allocate(bytes.length);
@@ -66,20 +69,20 @@ final class XmlText {
     return text.startsWith("\uFEFF") ? text.substring(1) : text;
   }
 
-  /** Where a tag begins that ends at a place. */
+  /** The place where a tag begins that ends at a place. */
   Place tag(Place end) {
     return at(start(offset(end)));
   }
 
-  /** Where an attribute begins of a tag that ends at a place; without such a one, the tag. */
+  /** The place of an attribute in the tag that ends at a place; the place of the tag without it. */
   Place attribute(Place end, String name) {
     int start = start(offset(end));
     Matcher attribute = ATTRIBUTE.matcher(text).region(start, offset(end));
     return attribute
         .results()
-        .filter(one -> one.group(1).equals(name))
+        .filter(found -> found.group(1).equals(name))
         .findFirst()
-        .map(one -> at(one.start(1)))
+        .map(found -> at(found.start(1)))
         .orElseGet(() -> at(start));
   }
 
@@ -88,24 +91,24 @@ final class XmlText {
   }
 
   private int offset(Place place) {
-    int[] begins = lines();
+    int[] begins = lineStarts();
     return Math.min(
         begins[Math.min(place.line(), begins.length) - 1] + place.column() - 1, text.length());
   }
 
-  /** The place of a character, from 0; at most the text's length. */
+  /** The place of an offset in the text. */
   private Place at(int offset) {
-    int found = Arrays.binarySearch(lines(), offset);
+    int found = Arrays.binarySearch(lineStarts(), offset);
     int line = found >= 0 ? found : -found - 2;
-    return new Place(file, line + 1, offset - lines()[line] + 1);
+    return new Place(file, line + 1, offset - lineStarts()[line] + 1);
   }
 
-  private int[] lines() {
-    if (lines == null) {
+  private int[] lineStarts() {
+    if (lineStarts == null) {
       text = text == null ? withoutMark(new String(bytes, charset)) : text;
       IntStream ends = LINE_END.matcher(text).results().mapToInt(MatchResult::end);
-      lines = IntStream.concat(IntStream.of(0), ends).toArray();
+      lineStarts = IntStream.concat(IntStream.of(0), ends).toArray();
     }
-    return lines;
+    return lineStarts;
   }
 }

@@ -3,12 +3,12 @@ package org.hificamsim.core.scenario.xml;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** An XML document under way, an element a line. */
+/** Writes an XML document with one element on each line. */
 public final class XmlWriter {
   private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
   private int depth;
 
-  /** An element with others in it. */
+  /** Writes an element that contains others. */
   public void element(String name, Map<String, String> attributes, Runnable content) {
     tag(name, attributes, ">");
     depth++;
@@ -18,19 +18,19 @@ public final class XmlWriter {
     end(name);
   }
 
-  /** An element without content. */
+  /** Writes an element without content. */
   public void element(String name, Map<String, String> attributes) {
     tag(name, attributes, "/>");
   }
 
-  /** An element with a text, in which nothing needs to be escaped. */
+  /** Writes an element with a text that needs no escapes. */
   public void text(String name, String text) {
     tag(name, Map.of(), ">");
     out.append(text);
     end(name);
   }
 
-  /** An element with lines, in which nothing needs to be escaped. */
+  /** Writes an element with lines that need no escapes. */
   public void lines(String name, Consumer<Appendable> lines) {
     tag(name, Map.of(), ">");
     out.append('\n');
@@ -39,7 +39,7 @@ public final class XmlWriter {
     end(name);
   }
 
-  /** The document, all of whose elements have ended. */
+  /** The finished document. */
   public String document() {
     return out + "\n";
   }
@@ -61,7 +61,7 @@ public final class XmlWriter {
     out.append("</").append(name).append('>');
   }
 
-  /** A value between double quotes; tabs and line ends would be read as spaces if left as is. */
+  /** Escapes a value between double quotes; unescaped tabs and line ends would become spaces. */
   private static String escaped(String value) {
     return value
         .replace("&", "&amp;")

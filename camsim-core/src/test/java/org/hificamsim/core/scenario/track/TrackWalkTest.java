@@ -35,7 +35,7 @@ class TrackWalkTest {
       List<double[]> samples =
           Stream.generate(() -> samples(random)).limit(1 + random.nextInt(5)).toList();
       List<Track> precomputed = samples.stream().map(values -> new Track(values, STEP)).toList();
-      StepPlaces.keep(precomputed);
+      StepPlaces.precompute(precomputed);
       for (int i = 0; i < precomputed.size(); i++) {
         assertNotNull(precomputed.get(i).places());
         assertSameWay(new Track(samples.get(i), STEP), precomputed.get(i), random.nextInt(30));
@@ -48,8 +48,8 @@ class TrackWalkTest {
     double end = (StepPlaces.MAX_PLACES - 1) * STEP;
     Track most = new Track(new double[] {0, 0, 0, end, 8, 4}, STEP);
     Track tooLong = new Track(new double[] {0, 0, 0, end + STEP, 8, 4}, STEP);
-    StepPlaces.keep(List.of(most));
-    StepPlaces.keep(List.of(tooLong));
+    StepPlaces.precompute(List.of(most));
+    StepPlaces.precompute(List.of(tooLong));
     assertNotNull(most.places());
     assertNull(tooLong.places());
   }
