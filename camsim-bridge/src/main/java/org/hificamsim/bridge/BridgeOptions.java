@@ -33,7 +33,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 
-/** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
+/** Parses the options after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
   private static final String OWNER = "options";
   private static final double MAX_METRES = 1e6;
@@ -44,24 +44,27 @@ final class BridgeOptions {
 
   private final Catalogue catalogue;
   private final Options given;
-  private final Map<String, String> question; // of the scenario on the command line
+
+  /** The attributes of the scenario on the command line, which are defaults of some options. */
+  private final Map<String, String> scenarioAttributes;
 
   private BridgeOptions(String text, Catalogue catalogue) {
     this.catalogue = catalogue;
     this.given = Options.parse(OWNER, text);
-    this.question = ScenarioFile.onCommandLine().map(ScenarioFile::question).orElse(Map.of());
+    this.scenarioAttributes =
+        ScenarioFile.onCommandLine().map(ScenarioFile::attributes).orElse(Map.of());
   }
 
-  /** The words of {@code strict}. */
+  /** The values of the option {@code strict}. */
   private enum Strict {
     FALSE,
     TRUE
   }
 
   /**
-   * The settings that {@code text} asks for.
+   * Parses the options.
    *
-   * @throws InputException naming the option that is unknown, malformed or without effect
+   * @throws InputException naming an option that is unknown, malformed or without effect
    */
   static BridgeSettings parse(String text, Catalogue catalogue) {
     return new BridgeOptions(text, catalogue).settings();
@@ -69,10 +72,11 @@ final class BridgeOptions {
 
   private BridgeSettings settings() {
     Optional<String> named = text("detection");
-    Optional<String> model = named.or(() -> asks("detection", true));
-    boolean follows = named.isEmpty() && model.isPresent();
-    Optional<String> threshold = text("threshold").or(() -> asks("threshold", follows));
-    Optional<String> detect = text("detect").or(() -> asks("detect", model.isPresent()));
+    Optional<String> model = named.or(() -> fromScenario("detection", true));
+    boolean modelFromScenario = named.isEmpty() && model.isPresent();
+    Optional<String> threshold =
+        text("threshold").or(() -> fromScenario("threshold", modelFromScenario));
+    Optional<String> detect = text("detect").or(() -> fromScenario("detect", model.isPresent()));
     Optional<String> size = text("size");
     Optional<String> policy = text("policy");
     Optional<String> zooms = text("zooms");
@@ -80,19 +84,19 @@ final class BridgeOptions {
     Optional<String> law = text("law");
     Optional<String> pan = text("pan");
     Optional<String> pixels = text("pixels");
-    Optional<String> told = text("objective");
+    Optional<String> givenObjective = text("objective");
     Optional<String> seed = text("seed");
     Optional<String> tracks = text("tracks");
     Optional<String> out = text("out");
     boolean scores = policy.isPresent() || out.isPresent();
-    Optional<String> objective = told.or(() -> asks("objective", scores));
+    Optional<String> objective = givenObjective.or(() -> fromScenario("objective", scores));
     given.choice("strict", Strict.FALSE, "");
     rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
     requireFor("detect", detect, model.isPresent(), "detection");
     requireFor("size", size, model.isPresent(), "detection");
-    Optional<Detection> used = model.map(name -> detection(name, threshold, detect));
-    boolean draws = policy.isPresent() || used.filter(one -> !one.certain()).isPresent();
+    Optional<Detection> detection = model.map(name -> detection(name, threshold, detect));
+    boolean draws = policy.isPresent() || (detection.isPresent() && !detection.get().certain());
     requireFor("seed", seed, draws, "policy or detect");
     requireFor("objective", objective, scores, "policy or out");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
@@ -105,7 +109,7 @@ final class BridgeOptions {
           "hfov is '%s' and zooms '%s', expected one of them", hfov.get(), zooms.get());
     }
     return new BridgeSettings(
-        used,
+        detection,
         size.map(value -> number("size", value, Double.MIN_VALUE, MAX_METRES))
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
@@ -119,16 +123,16 @@ final class BridgeOptions {
         out.map(Path::of));
   }
 
-  /** What the scenario asks, where that counts. */
-  private Optional<String> asks(String key, boolean counts) {
-    return Optional.ofNullable(question.get(key)).filter(any -> counts);
+  /** Returns an attribute of the scenario if it has an effect. */
+  private Optional<String> fromScenario(String key, boolean hasEffect) {
+    return hasEffect ? Optional.ofNullable(scenarioAttributes.get(key)) : Optional.empty();
   }
 
   private Optional<String> text(String key) {
     return Optional.ofNullable(given.text(key, null, ""));
   }
 
-  /** After a comma, what was meant for a policy is an unknown option here. */
+  /** Rejects unknown options, with a hint, since a comma ends the options of a policy. */
   private void rejectUnknown() {
     try {
       given.rejectUnknown();
@@ -137,7 +141,7 @@ final class BridgeOptions {
     }
   }
 
-  /** Refuses an option that has no effect without another. */
+  /** Rejects an option that has no effect without another. */
   private static void requireFor(
       String key, Optional<String> value, boolean present, String needed) {
     if (value.isPresent() && !present) {
@@ -146,15 +150,15 @@ final class BridgeOptions {
   }
 
   private Detection detection(String name, Optional<String> threshold, Optional<String> detect) {
-    Settings asked = Settings.NONE;
+    Settings settings = Settings.NONE;
     if (threshold.isPresent()) {
       number("threshold", threshold.get(), 0, 1);
-      asked = asked.with(Setting.THRESHOLD, threshold.get());
+      settings = settings.with(Setting.THRESHOLD, threshold.get());
     }
     if (detect.isPresent()) {
-      asked = asked.with(Setting.DETECT, detect.get().replace(';', ','));
+      settings = settings.with(Setting.DETECT, detect.get().replace(';', ','));
     }
-    return DetectionSpec.parse(name, catalogue::detection).detection(asked);
+    return DetectionSpec.parse(name, catalogue::detection).detection(settings);
   }
 
   private static Map<String, List<Track>> tracks(String file) {
@@ -178,30 +182,30 @@ final class BridgeOptions {
     return tracks;
   }
 
-  /** Commas separate the agent's own options: a policy's are separated by semicolons. */
-  private BridgeSettings.Policy policy(String given) {
-    String spec = given.replace(';', ',');
-    ZoomPolicy made = catalogue.policies().create(spec);
-    if (made instanceof HindsightZoomPolicy) {
+  /** Parses a policy, whose options are separated by semicolons, since commas separate ours. */
+  private BridgeSettings.Policy policy(String text) {
+    String spec = text.replace(';', ',');
+    ZoomPolicy policy = catalogue.policies().create(spec);
+    if (policy instanceof HindsightZoomPolicy) {
       throw InputException.of(
           "policy '%s' has to see the run before it begins, expected one that learns or"
               + " decides as the run goes",
           spec);
     }
-    if (made instanceof AimingZoomPolicy) {
+    if (policy instanceof AimingZoomPolicy) {
       throw InputException.of(
           "policy '%s' turns cameras to any angle, expected one that chooses among views", spec);
     }
     return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }
 
-  /** A lens for every camera, each camera's own range being its reach. */
+  /** Returns a lens for all cameras, whose reach is the range of each camera. */
   private static OpticsSpec optics(
       String angles, Optional<String> law, Optional<String> pan, Optional<String> pixels) {
-    OpticsLaw used = law.map(BridgeOptions::lens).orElse(OpticsLaw.PINHOLE);
+    OpticsLaw opticsLaw = law.map(BridgeOptions::lens).orElse(OpticsLaw.PINHOLE);
     OpticsSpec optics =
         new OpticsSpec("bridge")
-            .with(OpticsSpec.LAW, used)
+            .with(OpticsSpec.LAW, opticsLaw)
             .with(OpticsSpec.PIXELS, pixels.map(text -> integer("pixels", text, 1, MAX_PIXELS)))
             .with(
                 OpticsSpec.ANGLES_OF_VIEW,
@@ -209,7 +213,7 @@ final class BridgeOptions {
                     "hfov",
                     angles,
                     Double.MIN_VALUE,
-                    Math.floor(used.widest()),
+                    Math.floor(opticsLaw.widest()),
                     "angles",
                     "8;15;25;40;58"))
             .with(
@@ -244,10 +248,10 @@ final class BridgeOptions {
   }
 
   /**
-   * Rising numbers between semicolons, commas or blanks, at least one.
+   * Parses one or more rising numbers, separated by semicolons, commas or blanks.
    *
-   * @param what they are, as in "radii"
-   * @param example of such a list
+   * @param what the plural name of the numbers, such as "radii"
+   * @param example an example of such a list
    */
   private static List<Double> rising(
       String key, String text, double least, double most, String what, String example) {

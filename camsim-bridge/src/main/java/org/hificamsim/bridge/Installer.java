@@ -18,27 +18,27 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
- * Reads the options, makes sure that this CamSim has what they need, and has the hooks woven into
- * its classes as the JVM loads them. Nothing is installed when anything is wrong.
+ * Reads the options, checks that this CamSim has the methods they need, and registers the weaver
+ * that inserts hooks into its classes. Installs nothing if a check fails.
  */
 public final class Installer implements BiConsumer<String, Instrumentation> {
   @Override
   public void accept(String options, Instrumentation instrumentation) {
-    boolean strict = FaultLine.strict(options);
+    boolean strict = FaultLine.isStrict(options);
     try {
       BridgeSettings settings = BridgeOptions.parse(options, catalogue());
-      if (settings.asksForAnything()) {
+      if (settings.needsWeaving()) {
         check(settings);
         install(settings, instrumentation, strict);
       }
     } catch (InputException e) {
-      FaultLine.tell(Place.printable(e.getMessage()), strict);
+      FaultLine.report(Place.printable(e.getMessage()), strict);
     } catch (IOException | RuntimeException | LinkageError e) {
-      FaultLine.tell(Place.printable(e.toString()), strict);
+      FaultLine.report(Place.printable(e.toString()), strict);
     }
   }
 
-  /** What comes with the bridge; what lies on CamSim's class path is none of its business. */
+  /** Loads the catalogue of the bridge, without extensions on the class path of CamSim. */
   private static Catalogue catalogue() {
     Thread thread = Thread.currentThread();
     ClassLoader before = thread.getContextClassLoader();

@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class BridgeOptionsTest {
   @Test
-  void readsAll() {
+  void readsAllOptions() {
     BridgeSettings settings =
         parse(
             "detection=hifi:orb-lin,policy=sarsa:gamma=0.9;epsilon=0.1,threshold=0.0441,size=1.5,"
@@ -41,14 +41,14 @@ class BridgeOptionsTest {
   }
 
   @Test
-  void aDetectionsOwnThresholdGoesBeforeTheOption() {
+  void thresholdOfDetectionOverridesOption() {
     BridgeSettings settings = parse("detection=hifi:orb-lin@0.06,threshold=0.0441");
     assertEquals(0.06, settings.detection().orElseThrow().threshold());
     assertEquals("hifi:orb-lin@0.06", settings.detection().orElseThrow().name());
   }
 
   @Test
-  void defaultsAreTheModelsThresholdAndTheLargestTargetOfTheLab() {
+  void defaultsAreModelThresholdAndLargestLabTarget() {
     BridgeSettings settings = parse("detection=hifi:orb-lin");
     double own = OwnSimulation.detection("hifi:orb-lin").threshold();
     assertEquals(own, settings.detection().orElseThrow().threshold());
@@ -60,7 +60,7 @@ class BridgeOptionsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"zooms=2.5;5;7.5", "zooms=2.5 5 7.5", "zooms=2.5,5,7.5"})
-  void radiiStandBetweenSemicolonsBlanksOrCommas(String zooms) {
+  void acceptsRadiiSeparatedBySemicolonsBlanksOrCommas(String zooms) {
     assertEquals(List.of(2.5, 5.0, 7.5), parse("policy=random," + zooms).zooms());
   }
 
@@ -79,7 +79,7 @@ class BridgeOptionsTest {
   }
 
   @Test
-  void opticsAreALensThatCannotTurnUnlessTheySayOtherwise() {
+  void opticsDefaultToFixedLens() {
     OpticsSpec optics = parse("policy=random,hfov=58").optics().orElseThrow();
     assertEquals(OpticsLaw.PINHOLE, optics.law());
     assertEquals(List.of(0.0), optics.pans());
@@ -88,19 +88,19 @@ class BridgeOptionsTest {
   }
 
   @Test
-  void asksForNothingWithoutDetectionPolicyAndOut() {
-    assertFalse(parse("strict=true").asksForAnything());
-    assertTrue(parse("out=results").asksForAnything());
+  void needsNothingWithoutDetectionPolicyAndOut() {
+    assertFalse(parse("strict=true").needsWeaving());
+    assertTrue(parse("out=results").needsWeaving());
   }
 
   @ParameterizedTest
   @MethodSource
-  void whatIsWrongIsNamedWithWhatWasExpected(String options, String problem) {
+  void errorsNameProblemAndExpectation(String options, String problem) {
     InputException thrown = assertThrows(InputException.class, () -> parse(options));
     assertTrue(thrown.getMessage().startsWith(problem), thrown.getMessage());
   }
 
-  static Stream<Arguments> whatIsWrongIsNamedWithWhatWasExpected() {
+  static Stream<Arguments> errorsNameProblemAndExpectation() {
     return Stream.of(
         arguments(
             "detection=hifi:orb-line",

@@ -36,7 +36,7 @@ class DetectionTest {
   }
 
   @Test
-  void withoutAnOptionNothingChanges() {
+  void changesNothingWithoutOptions() {
     CamSimRun with = alone("with", CamSimRun.WITHOUT_OPTIONS);
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
@@ -44,7 +44,7 @@ class DetectionTest {
   }
 
   @Test
-  void camSimsOwnVisibilityGivesCamSimsOwnNumbers() {
+  void camSimVisibilityReproducesCamSimNumbers() {
     CamSimRun with = run("with", "detection=camsim-visibility");
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
@@ -52,7 +52,7 @@ class DetectionTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"own1006", "own1008", "own1018"})
-  void camSimsOwnVisibilityGivesCamSimsOwnNumbersForOtherScenarios(String name) {
+  void camSimVisibilityReproducesCamSimNumbersForOtherScenarios(String name) {
     Path scenario = Reference.file("own-camsim/" + name + ".xml");
     CamSimRun own = CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
     CamSimRun with =
@@ -69,7 +69,7 @@ class DetectionTest {
   }
 
   @Test
-  void aHiFiModelDecidesWhatIsVisibleAndHowSureCamerasAre() {
+  void hiFiModelDecidesVisibilityAndConfidence() {
     CamSimRun with = CamSimRun.shared("detection=hifi:orb-lin,out=results");
     assertEquals("", with.err());
     Detection detection = OwnSimulation.detection("hifi:orb-lin");
@@ -79,7 +79,7 @@ class DetectionTest {
   }
 
   @Test
-  void thresholdAndSizeAreTheGivenOnes() {
+  void usesGivenThresholdAndSize() {
     CamSimRun with = run("with", "detection=hifi:sift-power,threshold=0.3,size=1.7");
     Detection detection = new Detection(OwnSimulation.CATALOGUE.detection("hifi:sift-power"), 0.3);
     int visible = assertFollows(with, detection, 1.7);
@@ -87,7 +87,7 @@ class DetectionTest {
   }
 
   @Test
-  void aModelMayComeFromAFileBesideTheRun() throws IOException {
+  void readsModelFromFileInWorkingDirectory() throws IOException {
     Path model =
         CamSimRun.ROOT.resolve(
             "hifi-detection/src/main/resources/org/hificamsim/hifi/model/lab/surf-power.json");
@@ -100,7 +100,7 @@ class DetectionTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"hifi:orb-lin", "camsim-range", "camsim-visibility", "geometric"})
-  void filesAreThoseOfOurOwnEngine(String name) throws IOException {
+  void filesEqualThoseOfOwnEngine(String name) throws IOException {
     CamSimRun with = CamSimRun.shared("detection=" + name + ",out=results");
     Path expected = folder.resolve("engine");
     RunCoverage sums =
@@ -124,7 +124,7 @@ class DetectionTest {
   }
 
   @Test
-  void withoutAModelFilesTellWhatCamSimSees() {
+  void filesRecordCamSimSightingsWithoutModel() {
     CamSimRun with = CamSimRun.shared("out=results");
     Map<Integer, Long> seen =
         with.rows("looks.csv").stream()
@@ -182,7 +182,7 @@ class DetectionTest {
   }
 
   @Test
-  void theScenariosQuestionIsTakenWhereOptionsNameNone() throws IOException {
+  void takesDetectionQuestionFromScenarioWithoutOptions() throws IOException {
     String asks = " detection=\"hifi:orb-lin\" threshold=\"0.2\" objective=\"covered:k=1\">";
     Path asking =
         Files.writeString(

@@ -15,7 +15,7 @@ class DoublesTest {
   @TempDir Path folder;
 
   @Test
-  void giveCamSimsNumbers() throws IOException {
+  void reproduceCamSimNumbers() throws IOException {
     assertOutput("SASO/scenario6", "SASO-scenario6__Active__c0__s0__t1000", 1000);
     assertOutput("ICDSC2012/scenario_5", "ICDSC2012-scenario_5__Active__c0__s0__t400", 400);
     assertOutput("scenario1_active", "scenario1_active__Active__c0__s0__t200", 200);

@@ -26,7 +26,7 @@ class IsolationTest {
   @TempDir Path folder;
 
   @Test
-  void otherVersionsOfItsLibrariesOnCamSimsClassPathDoNotHurt() throws IOException {
+  void toleratesOtherLibraryVersionsOnCamSimClassPath() throws IOException {
     Path hostile = folder.resolve("hostile");
     for (String name : LIBRARIES) {
       int dot = name.lastIndexOf('.');
@@ -55,7 +55,7 @@ class IsolationTest {
   }
 
   @Test
-  void camSimSeesNoneOfTheBridgesLibraries() throws IOException {
+  void hidesLibrariesOfBridgeFromCamSim() throws IOException {
     Path classes =
         Variant.compile(
             folder,
@@ -84,7 +84,7 @@ public class Probe {
   }
 
   @Test
-  void theJarsRootHoldsTheAgentAlone() throws IOException {
+  void jarRootHoldsOnlyTheAgent() throws IOException {
     try (JarFile jar = new JarFile(CamSimRun.AGENT.toFile())) {
       List<String> classes =
           jar.stream()
@@ -100,7 +100,7 @@ public class Probe {
   }
 
   @Test
-  void theJarCarriesTheLicencesOfWhatItHolds() throws IOException {
+  void jarContainsLicencesOfItsLibraries() throws IOException {
     try (JarFile jar = new JarFile(CamSimRun.AGENT.toFile())) {
       TreeSet<String> licensed =
           jar.stream()

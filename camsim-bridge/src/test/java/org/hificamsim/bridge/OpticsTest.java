@@ -44,8 +44,8 @@ class OpticsTest {
 
   @ParameterizedTest
   @MethodSource
-  void decidesAsInOurOwnEngineWhileCamerasTurnFailAndCome(
-      String detection, String policy, String law) throws IOException {
+  void decidesLikeOwnEngineWhileCamerasTurnFailAndJoin(String detection, String policy, String law)
+      throws IOException {
     String optics = TURNING + ",law=" + law;
     CamSimRun with =
         run("with", "detection=%s,policy=%s,%s,out=results".formatted(detection, policy, optics));
@@ -53,7 +53,7 @@ class OpticsTest {
     assertSameFiles(own(detection(detection), policy, optics), with);
   }
 
-  static Stream<Arguments> decidesAsInOurOwnEngineWhileCamerasTurnFailAndCome() {
+  static Stream<Arguments> decidesLikeOwnEngineWhileCamerasTurnFailAndJoin() {
     String density = "dori-2014:level=observe";
     return Stream.of(
         Arguments.of(density, "fixed:levels=1;pans=2", "pinhole"),
@@ -69,7 +69,7 @@ class OpticsTest {
   }
 
   @Test
-  void withoutAModelCamSimLooksWhereThePolicyTurnsItsCameras() throws IOException {
+  void camSimLooksWherePolicyTurnsCamerasWithoutModel() throws IOException {
     CamSimRun with = run("with", "policy=epsilon-greedy," + TURNING + ",out=results");
     assertEquals("", with.err());
     assertSameFiles(own(detection("camsim-visibility"), "epsilon-greedy", TURNING), with);
@@ -77,7 +77,7 @@ class OpticsTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void turnsAndZoomsBeforeTheStepsLooksWhateverUnitItIsToldIn(boolean radians) throws IOException {
+  void turnsAndZoomsBeforeLookingInEitherAngleUnit(boolean radians) throws IOException {
     String options = RANDOM_BY_AREA + ",out=results";
     CamSimRun with = radians ? run("with", options, Variant.of(folder, IN_RADIANS)) : turning();
     assertEquals("", with.err());
@@ -108,7 +108,7 @@ class OpticsTest {
   }
 
   @Test
-  void reachFollowsTheAngleByConstantAreaAndStaysThroughAPinhole() {
+  void reachFollowsAngleByConstantAreaButNotByPinhole() {
     CamSimRun area = turning();
     assertEquals(Set.of(12.0, 12 * Math.sqrt(15.0 / 40), 12 * Math.sqrt(0.15)), ranges(area, "A"));
     assertEquals(Set.of(16.0, 16 * Math.sqrt(15.0 / 40), 16 * Math.sqrt(0.15)), ranges(area, "B"));
@@ -125,7 +125,7 @@ class OpticsTest {
   }
 
   @Test
-  void aCameraThatLooksOneDegreeToTheLeftOfNorthIsNotLeftAsItWas() throws IOException {
+  void turnsCameraToOneDegreeLeftOfNorth() throws IOException {
     String before = Files.readString(CamSimRun.CROSSING);
     Path file = folder.resolve("left.xml");
     Files.writeString(file, before.replace("heading=\"30\"", "heading=\"-1\""));
@@ -141,7 +141,7 @@ class OpticsTest {
   }
 
   @Test
-  void filesTellWhereCamerasLookAndThroughWhichOptics() {
+  void filesRecordViewsAndOptics() {
     CamSimRun with = turning();
     assertTrue(
         with.text("results/zooms.csv")
@@ -158,7 +158,7 @@ class OpticsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {10, 100})
-  void whenARunEndsCamerasLookAsTheyDidOrAsAnEventTurnedThem(int steps) throws IOException {
+  void endOfRunRestoresCamerasUnlessEventTurnedThem(int steps) throws IOException {
     Path classes = Variant.compile(folder, "Ends.java", ENDS);
     List<String> with = ended("with", RANDOM_BY_AREA, classes, steps);
     assertEquals(ended("without", CamSimRun.WITHOUT_AGENT, classes, steps), with);
@@ -197,7 +197,7 @@ public class Ends {
   }
 
   @Test
-  void aFailureInTheMiddleGivesCamerasBackTheirHeadingAngleAndRange() throws IOException {
+  void failureRestoresHeadingAngleAndRange() throws IOException {
     Path classes =
         Variant.of(
             folder,
@@ -229,7 +229,7 @@ public class Ends {
   }
 
   @Test
-  void aCamSimThatTurnsCamerasInNeitherUnitIsOneLineAndRunsOnAsItWas() throws IOException {
+  void reportsUnknownAngleUnitAndLetsCamSimRun() throws IOException {
     Path classes =
         Variant.of(
             folder,

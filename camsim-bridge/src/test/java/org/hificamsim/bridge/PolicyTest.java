@@ -51,7 +51,7 @@ class PolicyTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"fixed:0;1;2;3;1", "random", "optimal", "one-hop", "ucb1", "qb-sarsa:k=2"})
-  void decidesAsInOurOwnEngineWhileCamerasAndObjectsComeAndGo(String policy) throws IOException {
+  void decidesLikeOwnEngineWhileCamerasAndObjectsChange(String policy) throws IOException {
     CamSimRun with =
         run("with", "detection=hifi:orb-power,policy=" + policy + "," + ZOOMS + ",out=results");
     assertEquals("", with.err());
@@ -70,7 +70,7 @@ class PolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"chance", "chance:alpha=0.2;memory=4;phantoms=on", "probability"})
-  void meetsTheSameLuckAsOurOwnEngine(String rule) throws IOException {
+  void drawsSameRandomNumbersAsOwnEngine(String rule) throws IOException {
     CamSimRun with =
         run(
             "with",
@@ -91,7 +91,7 @@ class PolicyTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"dense.xml", "so-that-the-policy-starts-over.scenario"})
-  void theSummaryTellsWhatTheOptimumCouldNotProve(String name) throws IOException {
+  void summaryRecordsWhatOptimumCouldNotProve(String name) throws IOException {
     Path file = Files.writeString(folder.resolve(name), dense());
     String options = "detection=geometric,policy=one-hop:nodes=0," + LENS + ",out=results";
     CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);
@@ -151,7 +151,7 @@ class PolicyTest {
   }
 
   @Test
-  void withoutAModelItIsRewardedFromWhatCamSimSees() throws IOException {
+  void rewardsFollowCamSimSightingsWithoutModel() throws IOException {
     CamSimRun with = run("with", "policy=epsilon-greedy," + ZOOMS + ",out=results");
     Path expected = folder.resolve("engine");
     OwnSimulation.record(
@@ -165,7 +165,7 @@ class PolicyTest {
   }
 
   @Test
-  void setsTheRangesBeforeTheStepsLooksTwentyMetresAndMoreIncluded() {
+  void setsRangesBeforeLookingEvenBeyondTwentyMetres() {
     CamSimRun with = run("with", "policy=random," + ZOOMS + ",out=results");
     Map<String, Double> radii = new HashMap<>();
     for (String row : with.rows("results/zooms.csv")) {
@@ -182,7 +182,7 @@ class PolicyTest {
   }
 
   @Test
-  void levelsAreFiveUpToEachCamerasOwnRangeWhereNoneAreGiven() {
+  void defaultsToFiveLevelsUpToOwnRange() {
     CamSimRun with = CamSimRun.shared("policy=random,out=results");
     Map<String, Set<Double>> ranges =
         with.rows("looks.csv").stream()
@@ -196,14 +196,14 @@ class PolicyTest {
   }
 
   @Test
-  void theSeedDecides() {
+  void seedDeterminesRun() {
     String first = CamSimRun.shared("policy=random,out=results").text("looks.csv");
     assertEquals(first, run("again", "policy=random,seed=0").text("looks.csv"));
     assertTrue(!first.equals(run("other", "policy=random,seed=1").text("looks.csv")));
   }
 
   @Test
-  void aPolicyThatDoesNotSuitTheCamerasLeavesCamSimAsItIs() {
+  void unsuitablePolicyLeavesCamSimUnchanged() {
     CamSimRun with = run("with", "policy=fixed:0;1");
     assertEquals(CamSimRun.shared(CamSimRun.WITHOUT_AGENT).all(), with.all());
     assertEquals(
@@ -213,7 +213,7 @@ class PolicyTest {
   }
 
   @Test
-  void levelsOneByOneSuitTheCamerasThatAreThere() {
+  void explicitLevelsSuitPresentCameras() {
     Path scenario = CamSimRun.ROOT.resolve("scenarios/lattice-random.xml");
     CamSimRun with =
         CamSimRun.of(folder.resolve("with"), "policy=fixed:0;1;2;3;4;3;2;1;0", scenario, 20);

@@ -32,7 +32,7 @@ class RefusalTest {
   }
 
   @Test
-  void aWrongOptionIsOneLineAndCamSimRunsOn() {
+  void reportsWrongOptionInOneLineAndLetsCamSimRun() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "policy=random,zooms=5;3", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
@@ -44,7 +44,7 @@ class RefusalTest {
   }
 
   @Test
-  void aFolderThatCannotBeMadeIsOneLine() {
+  void reportsFolderThatCannotBeCreated() {
     CamSimRun with = CamSimRun.alone(folder.resolve("with"), "out=stdout", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(
@@ -52,7 +52,7 @@ class RefusalTest {
   }
 
   @Test
-  void aFolderInAFileIsOneLineWithTheReason() {
+  void reportsReasonForFolderInsideFile() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
     assertEquals(
@@ -83,7 +83,7 @@ class RefusalTest {
     "'class ', SimCore, OtherCore",
     "'method ', CameraController.removeVisibleObject(TraceableObject), hide"
   })
-  void anotherCamSimIsOneLineThatNamesWhatIsMissing(String kind, String name, String replacement)
+  void namesWhatAnotherCamSimLacks(String kind, String name, String replacement)
       throws IOException {
     String text = name.replaceAll(".*\\.|\\(.*", "");
     Path classes = Variant.of(folder, text, replacement);
@@ -96,7 +96,7 @@ class RefusalTest {
   }
 
   @Test
-  void aClassPathWithoutCamSimIsOneLine() throws IOException {
+  void reportsClassPathWithoutCamSim() throws IOException {
     Path classes =
         Variant.compile(
             folder,
@@ -115,7 +115,7 @@ class RefusalTest {
   }
 
   @Test
-  void whatTheOptionsDoNotNeedMayBeMissing() throws IOException {
+  void membersNotNeededByOptionsMayBeMissing() throws IOException {
     Path classes =
         Variant.of(
             folder,
@@ -126,7 +126,7 @@ class RefusalTest {
   }
 
   @Test
-  void aFailureInTheMiddleLeavesCamSimToItselfWithItsOwnRanges() throws IOException {
+  void failureLetsCamSimRunOnWithItsOwnRanges() throws IOException {
     CamSimRun with = start("policy=random,out=results", failingOnce());
     assertEquals(0, with.exit());
     assertEquals(
@@ -146,7 +146,7 @@ class RefusalTest {
   }
 
   @Test
-  void strictStopsAtAFailureInTheMiddle() throws IOException {
+  void strictStopsAtFailureDuringRun() throws IOException {
     CamSimRun with = start("policy=random,out=results,strict=true", failingOnce());
     assertEquals(2, with.exit());
     assertEquals(1, with.err().lines().count(), with.err());

@@ -24,7 +24,7 @@ class RunsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"--no-gui", "-x"})
-  void runsOneAfterTheOtherHaveFoldersOfTheirOwn(String closing) {
+  void consecutiveRunsHaveSeparateFolders(String closing) {
     CamSimRun both =
         start(
             "epics.camwin.Main",
@@ -46,7 +46,7 @@ class RunsTest {
   }
 
   @Test
-  void filesOfARunThatIsNeverClosedAreThereWhenTheJvmEnds() {
+  void unclosedRunWritesItsFilesAtExit() {
     CamSimRun open = start("epics.camwin.Main", "out=results", "-x", "-t", "40", "" + OTHER);
     CamSimRun closed = CamSimRun.of(folder.resolve("closed"), "out=results", OTHER, 40);
     assertEquals(closed.text("results/steps.csv"), open.text("results/steps.csv"));
@@ -54,7 +54,7 @@ class RunsTest {
   }
 
   @Test
-  void aRunThatStopsInTheMiddleOfAStepHasTheStepsBefore() throws IOException {
+  void runStoppedDuringStepKeepsEarlierSteps() throws IOException {
     Path classes =
         Variant.of(folder, "    trade();", "    if (time == 25) System.exit(3);\n    trade();");
     CamSimRun stopped =
@@ -73,7 +73,7 @@ class RunsTest {
   }
 
   @Test
-  void runsInSeveralThreadsDoNotMeet() throws IOException {
+  void runsInSeveralThreadsAreIndependent() throws IOException {
     Path classes =
         Variant.compile(
             folder,
@@ -124,7 +124,7 @@ public class Threads {
   }
 
   @Test
-  void coresThatStepInTurnHaveARunEach() throws IOException {
+  void coresSteppedInTurnHaveSeparateRuns() throws IOException {
     CamSimRun both =
         stepped(
             "policy=sarsa,out=results",
@@ -148,7 +148,7 @@ public class Threads {
   }
 
   @Test
-  void aCoreThatGoesOnAfterItsEndZoomsWithinItsOwnRanges() throws IOException {
+  void coreContinuedAfterItsEndZoomsWithinItsOwnRanges() throws IOException {
     CamSimRun on =
         stepped(
             "policy=zoom-in,out=results",
@@ -170,7 +170,7 @@ public class Threads {
   }
 
   @Test
-  void noRunNumberIsLeftOut() throws IOException {
+  void runNumbersHaveNoGaps() throws IOException {
     CamSimRun on =
         stepped(
             "policy=random,seed=7,out=results",
@@ -188,7 +188,7 @@ public class Threads {
   }
 
   @Test
-  void moreThanCouldBeExpectedMakesThePolicyBeginAnew() throws IOException {
+  void unexpectedCameraRestartsPolicy() throws IOException {
     Path file = folder.resolve("hidden.scenario"); // not told by its name to be a scenario
     Files.copy(CamSimRun.CROSSING, file);
     CamSimRun run =
@@ -207,7 +207,7 @@ public class Threads {
   }
 
   @Test
-  void theScenarioIsFoundBehindALongClassPath() {
+  void findsScenarioBehindLongClassPath() {
     List<Path> classPath = new ArrayList<>(Collections.nCopies(500, Path.of("libraries/none.jar")));
     classPath.add(CamSimRun.DOUBLES);
     CamSimRun run =

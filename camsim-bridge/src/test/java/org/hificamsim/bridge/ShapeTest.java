@@ -35,18 +35,18 @@ class ShapeTest {
   @TempDir Path folder;
 
   @Test
-  void theDoublesHaveItAll() throws IOException {
+  void doublesHaveEveryRequiredMember() throws IOException {
     assertEquals(List.of(), missing(ALL, CamSimRun.DOUBLES));
   }
 
   @ParameterizedTest
   @MethodSource
-  void whatIsMissingOrOtherwiseIsNamed(Map<String, String> replacements, Set<String> missing)
+  void namesMissingOrDifferentMembers(Map<String, String> replacements, Set<String> missing)
       throws IOException {
     assertEquals(missing, Set.copyOf(missing(ALL, Variant.of(folder, replacements))));
   }
 
-  static Stream<Arguments> whatIsMissingOrOtherwiseIsNamed() {
+  static Stream<Arguments> namesMissingOrDifferentMembers() {
     return Stream.of(
         arguments(Map.of("double update_visiblity", "Double update_visiblity"), Set.of(LOOK)),
         arguments(Map.of("SimCore", "OtherCore"), Set.of("class SimCore")),
@@ -84,7 +84,7 @@ class ShapeTest {
   }
 
   @Test
-  void whatIsNotNeededMayBeMissing() throws IOException {
+  void membersThatAreNotNeededMayBeMissing() throws IOException {
     Path classes = Variant.of(folder, "change(", "alter(");
     assertEquals(List.of(), missing(DETECTING, classes));
     assertEquals(List.of(CHANGE), missing(ALL, classes));

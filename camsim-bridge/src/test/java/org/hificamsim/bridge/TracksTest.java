@@ -63,7 +63,7 @@ class TracksTest {
         "hifi:orb-lin|'detection=hifi:orb-lin,'|greedy",
         "camsim-visibility|''|random"
       })
-  void anObjectIsWhereItsTrackHasItInEachStep(String detection, String option, String policy)
+  void objectsFollowTheirTracksInEachStep(String detection, String option, String policy)
       throws IOException {
     Path tracked = tracked();
     CamSimRun run =
@@ -87,7 +87,7 @@ class TracksTest {
   }
 
   @Test
-  void withoutAnotherOptionCamSimItselfSeesTheTracks() throws IOException {
+  void camSimSeesTracksWithoutOtherOptions() throws IOException {
     Path tracked = tracked();
     CamSimRun run = CamSimRun.of(folder.resolve("run"), "tracks=" + tracked, forCamSim(), STEPS);
     assertEquals("", run.err());
@@ -106,7 +106,7 @@ class TracksTest {
   }
 
   @Test
-  void aCamSimThatLooksElsewhereIsSaidAndLetGo() throws IOException {
+  void reportsCamSimThatMovesTrackedObjectsItself() throws IOException {
     Path classes =
         Variant.of(
             folder.resolve("variant"),
@@ -126,14 +126,14 @@ class TracksTest {
   }
 
   @Test
-  void aScenarioWithoutTracksIsRefused() throws IOException {
+  void rejectsScenarioWithoutTracks() throws IOException {
     Path plain = forCamSim();
     CamSimRun run = CamSimRun.of(folder.resolve("run"), "tracks=" + plain, plain, 3);
     assertTrue(run.err().contains("which has none, expected a scenario with <tracks>"), run.err());
   }
 
   @Test
-  void aScenarioWithHeightsIsRefused() throws IOException {
+  void rejectsScenarioWithHeights() throws IOException {
     Path file = tracked();
     String text = Files.readString(file);
     Files.writeString(file, text.replace(" step='0.5'", " step='0.5' seen='head'"));

@@ -1,6 +1,6 @@
 package org.hificamsim.bridge.agent;
 
-/** What CamSim calls, through {@link Hooks}, from the places where the agent has changed it. */
+/** The calls from CamSim's woven methods, through {@link Hooks}. */
 public interface Bridge {
   /** {@code SimCore.update()} begins. */
   void stepBegins(Object core);
@@ -12,25 +12,25 @@ public interface Bridge {
   void runEnds(Object core);
 
   /**
-   * A camera looks at an object, in the place of {@code CameraController.update_visiblity}.
+   * Lets a camera look at an object, in place of {@code CameraController.update_visiblity}.
    *
-   * @return the confidence, 0 where the object is not visible; NaN when CamSim is to look itself
+   * @return the confidence, 0 if the object is not visible; NaN if CamSim has to look itself
    */
   double look(Object camera, Object object);
 
   /**
-   * CamSim has looked itself.
+   * Called after CamSim has looked itself.
    *
-   * @param confidence above 0 where the object is visible
+   * @param confidence above 0 if the object is visible
    */
   void looked(Object camera, Object object, double confidence);
 
   /**
-   * {@code TraceableObject.getX()} or {@code getY()} is about to return.
+   * Called before {@code TraceableObject.getX()} or {@code getY()} returns.
    *
-   * @param upwards whether it is y
-   * @param own what CamSim has, metres
-   * @return metres
+   * @param upwards whether the coordinate is y, else x
+   * @param own the coordinate that CamSim has, metres
+   * @return the coordinate to return, metres
    */
   double place(Object object, boolean upwards, double own);
 }

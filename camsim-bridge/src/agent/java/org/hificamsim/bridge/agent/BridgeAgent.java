@@ -15,7 +15,7 @@ public final class BridgeAgent {
   private BridgeAgent() {}
 
   /**
-   * Called by the JVM before CamSim's main method. Without an option nothing is loaded or changed.
+   * Called by the JVM before CamSim's main method. Without options nothing is loaded or changed.
    */
   public static void premain(String options, Instrumentation instrumentation) {
     if (options == null || options.trim().isEmpty()) {
@@ -33,7 +33,7 @@ public final class BridgeAgent {
     }
   }
 
-  @SuppressWarnings("unchecked") // Installer is one
+  @SuppressWarnings("unchecked") // Installer implements this interface
   private static BiConsumer<String, Instrumentation> installer()
       throws ReflectiveOperationException, java.io.IOException {
     URL jar = BridgeAgent.class.getProtectionDomain().getCodeSource().getLocation();
@@ -42,6 +42,6 @@ public final class BridgeAgent {
   }
 
   private static void refuse(String options, String problem) {
-    FaultLine.tell(problem, FaultLine.strict(options));
+    FaultLine.report(problem, FaultLine.isStrict(options));
   }
 }

@@ -11,7 +11,7 @@ public final class FaultLine {
    *
    * @param strict whether the JVM stops, with exit code 2; else CamSim runs on without the bridge
    */
-  public static void tell(String problem, boolean strict) {
+  public static void report(String problem, boolean strict) {
     String outcome = strict ? "stopped, as strict=true asks" : "CamSim runs on unchanged";
     note(problem + "; " + outcome);
     if (strict) {
@@ -19,13 +19,13 @@ public final class FaultLine {
     }
   }
 
-  /** Reports something worth knowing. */
+  /** Prints a note. */
   public static void note(String text) {
     System.err.println("hificamsim-bridge: " + text);
   }
 
-  /** Whether the options ask to stop, also when they are wrong otherwise. */
-  public static boolean strict(String options) {
+  /** Returns whether options contain {@code strict=true}, even if they are invalid otherwise. */
+  public static boolean isStrict(String options) {
     return ("," + options.replace(" ", "") + ",").contains(",strict=true,");
   }
 }

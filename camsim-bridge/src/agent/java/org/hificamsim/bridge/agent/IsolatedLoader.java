@@ -5,9 +5,9 @@ import java.net.URL;
 import java.net.URLClassLoader;
 
 /**
- * Loads the bridge and its libraries from the folder {@code isolated/} of the agent's jar. CamSim's
- * class path is none of its parents, and it is none of CamSim's: neither sees the other's
- * libraries, whatever their versions. Only this package is shared.
+ * Loads the bridge and its libraries from the folder {@code isolated/} of the agent's jar. Neither
+ * this loader nor that of CamSim's class path is a parent of the other, so neither sees the
+ * libraries of the other, whatever their versions. Only this package is shared.
  */
 final class IsolatedLoader extends URLClassLoader {
   private static final String SHARED = IsolatedLoader.class.getPackage().getName() + ".";

@@ -3,11 +3,11 @@ package org.hificamsim.bridge.camsim;
 import net.bytebuddy.asm.Advice;
 import org.hificamsim.bridge.agent.Hooks;
 
-/** The code that is woven into CamSim's methods, each of which calls a hook. */
+/** The code woven into CamSim's methods; each part calls a hook. */
 final class Advices {
   private Advices() {}
 
-  /** Woven into {@code SimCore.update()}. A step that ends by an exception is not reported. */
+  /** Woven into {@code SimCore.update()}; a step that throws an exception does not end. */
   static final class Step {
     private Step() {}
 
@@ -34,7 +34,7 @@ final class Advices {
 
   /**
    * Woven into {@code CameraController.update_visiblity(TraceableObject)}: CamSim's own code runs
-   * only where the bridge does not look in its place.
+   * only if the bridge does not look in its place.
    */
   static final class Look {
     private Look() {}
@@ -49,7 +49,10 @@ final class Advices {
     }
 
     @Advice.OnMethodExit
-    @SuppressWarnings({"ParameterReassign", "UnusedVariable"}) // assigning sets what is returned
+    @SuppressWarnings({
+      "ParameterReassign",
+      "UnusedVariable"
+    }) // The assignment sets the returned value.
     static void exit(
         @Advice.Enter boolean looked,
         @Advice.This Object camera,
@@ -69,7 +72,10 @@ final class Advices {
     private Place() {}
 
     @Advice.OnMethodExit
-    @SuppressWarnings({"ParameterReassign", "UnusedVariable"}) // assigning sets what is returned
+    @SuppressWarnings({
+      "ParameterReassign",
+      "UnusedVariable"
+    }) // The assignment sets the returned value.
     static void exit(
         @Advice.This Object object,
         @Advice.Origin("#m") String method,

@@ -1,7 +1,7 @@
 package org.hificamsim.bridge.camsim;
 
 /**
- * Which way a camera looks, how wide and how far.
+ * The direction, opening angle and range of a camera.
  *
  * @param heading radians, 0 is +y and pi/2 is +x; not normalised
  * @param angle the full opening angle, radians
@@ -11,7 +11,7 @@ public record Aim(double heading, double angle, double range) {
   private static final double TOLERANCE = 1e-9;
   private static final double FULL_TURN = 2 * Math.PI;
 
-  /** Whether the directions and the opening angles are the same but for rounding and full turns. */
+  /** Returns whether heading and angle are equal, apart from rounding and full turns. */
   boolean isNear(Aim other) {
     double turn = Math.IEEEremainder(heading - other.heading, FULL_TURN);
     return Math.abs(turn) <= TOLERANCE * Math.max(1, Math.abs(other.heading))

@@ -4,14 +4,14 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 
 /**
- * Aims CamSim's cameras. Whether {@code change} takes degrees or radians is found out from what it
- * does: the first camera is aimed in each unit until it looks as asked.
+ * Aims CamSim's cameras. Finds out whether {@code change} takes degrees or radians by aiming the
+ * first camera in each unit until it has the wanted aim.
  */
 public final class Aiming {
   private final CamSim camsim;
   private List<AngleUnit> units = List.of(AngleUnit.values());
 
-  /** The cameras of one CamSim. */
+  /** Creates an aiming for the cameras of one CamSim. */
   public Aiming(CamSim camsim) {
     this.camsim = camsim;
   }
@@ -19,16 +19,16 @@ public final class Aiming {
   /**
    * Aims a camera as a {@code change} event does.
    *
-   * @param wanted with an angle above 0
-   * @return how CamSim has it now, which may be rounded or have made a full turn
-   * @throws InputException when this CamSim turns cameras otherwise; the camera then looks as it
-   *     did, as far as it can be made to
+   * @param wanted the aim, with an angle above 0
+   * @return the aim that CamSim reports, which may be rounded or differ by full turns
+   * @throws InputException if this CamSim turns cameras in another way; the camera then gets its
+   *     former aim back, if possible
    */
   public Aim aim(Object camera, Aim wanted) {
     Aim before = camsim.aim(camera);
-    if (!turns(camera, wanted)) {
+    if (!tryUnits(camera, wanted)) {
       Aim now = camsim.aim(camera);
-      turns(camera, before);
+      tryUnits(camera, before);
       throw InputException.of(
           "CamSim has heading %s and angle %s (radians) after a change to %s and %s,"
               + " expected the same",
@@ -37,8 +37,8 @@ public final class Aiming {
     return camsim.aim(camera);
   }
 
-  /** Tries the units that may be CamSim's, and remembers the one that is. */
-  private boolean turns(Object camera, Aim wanted) {
+  /** Tries the remaining units, and keeps only the one that works. */
+  private boolean tryUnits(Object camera, Aim wanted) {
     for (AngleUnit unit : units) {
       camsim.change(
           camera, unit.heading(wanted.heading()), unit.of(wanted.angle()), wanted.range());

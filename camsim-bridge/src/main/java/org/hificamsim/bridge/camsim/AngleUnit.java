@@ -1,6 +1,6 @@
 package org.hificamsim.bridge.camsim;
 
-/** What a method of CamSim's may count angles in; inside, CamSim has radians (behaviour 2). */
+/** The units in which a method of CamSim may take angles; it stores radians (behaviour 2). */
 enum AngleUnit {
   DEGREES(360) {
     @Override
@@ -34,12 +34,14 @@ enum AngleUnit {
     this.fullTurn = fullTurn;
   }
 
-  /** An angle in this unit, which gives these radians again, to the bit where any does. */
+  /**
+   * Returns the angle in this unit that converts back to exactly these radians, if there is one.
+   */
   abstract double of(double radians);
 
-  /** The same of a heading, which must not be taken for {@link CamSim#AS_IT_IS}. */
+  /** Returns a heading in this unit, a full turn more if it equals {@link CamSim#UNCHANGED}. */
   double heading(double radians) {
     double heading = of(radians);
-    return heading == CamSim.AS_IT_IS ? heading + fullTurn : heading;
+    return heading == CamSim.UNCHANGED ? heading + fullTurn : heading;
   }
 }

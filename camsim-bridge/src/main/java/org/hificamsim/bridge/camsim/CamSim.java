@@ -11,19 +11,19 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
- * CamSim's cameras and objects: calls of their methods, public or not. Cameras, objects and cores
- * are CamSim's own and known here as {@link Object} alone.
+ * Calls methods of CamSim's cameras and objects, public or not. Cameras, objects and cores are
+ * instances of CamSim's classes, which are known here only as {@link Object}.
  *
- * <p>What CamSim throws comes out as an {@link IllegalStateException}.
+ * <p>Exceptions of CamSim are wrapped in an {@link IllegalStateException}.
  */
 public final class CamSim {
-  /** What {@code change} takes for a value that is to stay. */
-  static final double AS_IT_IS = -1;
+  /** The argument of {@code change} that leaves a value unchanged. */
+  static final double UNCHANGED = -1;
 
   private final ClassLoader loader;
   private final Map<CamSimMethod, MethodHandle> handles = new EnumMap<>(CamSimMethod.class);
 
-  /** The CamSim that {@code part}, a core, camera or object of it, belongs to. */
+  /** Binds the methods of the CamSim that {@code part}, a core, camera or object, belongs to. */
   public CamSim(Object part) {
     loader = part.getClass().getClassLoader();
     for (CamSimMethod method : CamSimMethod.values()) {
@@ -31,7 +31,7 @@ public final class CamSim {
     }
   }
 
-  /** A method as a handle; none where this CamSim does not have it, and no option needs it. */
+  /** Binds a method; skips one that this CamSim lacks, since then no option needs it. */
   private void bind(CamSimMethod method) {
     try {
       for (Class<?> owner = Class.forName(method.type.name, false, loader);
@@ -53,38 +53,38 @@ public final class CamSim {
     }
   }
 
-  /** The cameras of a core, in CamSim's order, those that are offline included. */
+  /** The cameras of a core, in CamSim's order, including those that are offline. */
   public Collection<?> cameras(Object core) {
-    return (Collection<?>) any(CamSimMethod.CAMERAS, core);
+    return (Collection<?>) value(CamSimMethod.CAMERAS, core);
   }
 
   /** The objects in the world, in CamSim's order. */
   public Collection<?> objects(Object core) {
-    return (Collection<?>) any(CamSimMethod.OBJECTS, core);
+    return (Collection<?>) value(CamSimMethod.OBJECTS, core);
   }
 
-  /** Metres. */
+  /** The x coordinate of a camera, in metres. */
   public double cameraX(Object camera) {
     return number(CamSimMethod.CAMERA_X, camera);
   }
 
-  /** Metres. */
+  /** The y coordinate of a camera, in metres. */
   public double cameraY(Object camera) {
     return number(CamSimMethod.CAMERA_Y, camera);
   }
 
-  /** How the camera is aimed. */
+  /** The heading, opening angle and range of a camera. */
   public Aim aim(Object camera) {
     return new Aim(
         number(CamSimMethod.HEADING, camera), number(CamSimMethod.ANGLE, camera), range(camera));
   }
 
-  /** Metres. */
+  /** The range of a camera, in metres. */
   public double range(Object camera) {
     return number(CamSimMethod.RANGE, camera);
   }
 
-  /** Whether the camera has failed. */
+  /** Returns whether a camera has failed. */
   public boolean offline(Object camera) {
     try {
       return (boolean) handles.get(CamSimMethod.OFFLINE).invokeExact(camera);
@@ -93,36 +93,36 @@ public final class CamSim {
     }
   }
 
-  /** The camera's name; {@code Offline} while it is (behaviour 11, Q7). */
+  /** The name of a camera; {@code Offline} while it is offline (behaviour 11, Q7). */
   public String cameraName(Object camera) {
-    return String.valueOf(any(CamSimMethod.CAMERA_NAME, camera));
+    return String.valueOf(value(CamSimMethod.CAMERA_NAME, camera));
   }
 
-  /** Metres. */
+  /** The x coordinate of an object, in metres. */
   public double objectX(Object object) {
     return number(CamSimMethod.OBJECT_X, object);
   }
 
-  /** Metres. */
+  /** The y coordinate of an object, in metres. */
   public double objectY(Object object) {
     return number(CamSimMethod.OBJECT_Y, object);
   }
 
-  /** The object's features, several between semicolons; empty where this CamSim has none. */
+  /** The features of an object, joined by semicolons; empty if this CamSim has none. */
   public String features(Object object) {
     if (!handles.containsKey(CamSimMethod.FEATURES)) {
       return "";
     }
-    Object value = any(CamSimMethod.FEATURES, object);
+    Object value = value(CamSimMethod.FEATURES, object);
     return value instanceof Collection<?> several
         ? several.stream().map(String::valueOf).collect(Collectors.joining(";"))
         : String.valueOf(value);
   }
 
   /**
-   * Sets whether a camera sees an object from now on, whether or not it did.
+   * Sets whether a camera sees an object.
    *
-   * @param confidence what CamSim keeps for it; 0 where it is not visible
+   * @param confidence the confidence that CamSim stores; 0 if the object is not visible
    */
   public void setVisible(Object camera, Object object, double confidence) {
     try {
@@ -142,15 +142,15 @@ public final class CamSim {
    * @param metres 0 or more
    */
   public void changeRange(Object camera, double metres) {
-    change(camera, AS_IT_IS, AS_IT_IS, metres);
+    change(camera, UNCHANGED, UNCHANGED, metres);
   }
 
-  /** The same of heading and opening angle, in the unit that {@code change} takes. */
+  /** Sets heading, opening angle and range, with angles in the unit of {@code change}. */
   void change(Object camera, double heading, double angle, double metres) {
     try {
       handles
           .get(CamSimMethod.CHANGE)
-          .invokeExact(camera, AS_IT_IS, AS_IT_IS, heading, angle, metres);
+          .invokeExact(camera, UNCHANGED, UNCHANGED, heading, angle, metres);
     } catch (Throwable e) {
       throw failed(e);
     }
@@ -164,7 +164,7 @@ public final class CamSim {
     }
   }
 
-  private Object any(CamSimMethod getter, Object owner) {
+  private Object value(CamSimMethod getter, Object owner) {
     try {
       return handles.get(getter).invokeExact(owner);
     } catch (Throwable e) {

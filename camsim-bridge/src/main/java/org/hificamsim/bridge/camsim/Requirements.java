@@ -10,14 +10,14 @@ import net.bytebuddy.description.type.TypeDescription;
 import net.bytebuddy.dynamic.ClassFileLocator;
 import net.bytebuddy.pool.TypePool;
 
-/** What CamSim has to look like; looked up in the class files without loading them. */
+/** Checks that CamSim has the required classes and methods, without loading its classes. */
 public final class Requirements {
   private Requirements() {}
 
   /**
-   * The classes and methods that a class path lacks, or has in another form.
+   * Lists the classes and methods that a class path lacks or has with other signatures.
    *
-   * @return empty when all is there
+   * @return empty if nothing is missing
    */
   public static List<String> missing(Set<Use> uses, ClassLoader loader) {
     TypePool pool = TypePool.Default.of(ClassFileLocator.ForClassLoader.of(loader));
@@ -27,7 +27,7 @@ public final class Requirements {
       if (found.isResolved()) {
         Arrays.stream(CamSimMethod.values())
             .filter(method -> method.type == type && uses.contains(method.use))
-            .filter(method -> !isThere(method, found.resolve()))
+            .filter(method -> !hasMethod(method, found.resolve()))
             .map(method -> "method " + method.signature())
             .distinct()
             .forEach(missing::add);
@@ -38,7 +38,7 @@ public final class Requirements {
     return missing;
   }
 
-  private static boolean isThere(CamSimMethod method, TypeDescription type) {
+  private static boolean hasMethod(CamSimMethod method, TypeDescription type) {
     for (TypeDefinition owner = type; owner != null; owner = owner.getSuperClass()) {
       if (owner.getDeclaredMethods().stream().anyMatch(found -> matches(method, found))) {
         return true;

@@ -1,8 +1,8 @@
 package org.hificamsim.bridge.camsim;
 
-/** What the bridge may be asked to do with CamSim; each takes some of its methods. */
+/** The ways in which the bridge uses CamSim; each needs some of its methods. */
 public enum Use {
-  /** Read cameras and objects, in any case. */
+  /** Read cameras and objects; always needed. */
   READ,
   /** Decide what cameras see. */
   DETECT,
@@ -10,8 +10,8 @@ public enum Use {
   STEER,
   /** Write files. */
   RECORD,
-  /** Have objects follow tracks. */
+  /** Move objects along tracks. */
   TRACK,
-  /** Tell objects apart by their features. */
+  /** Identify objects by their features. */
   NAME
 }

@@ -29,9 +29,9 @@ public final class Weaver implements ClassFileTransformer {
   }
 
   /**
-   * Has the hooks woven from now on.
+   * Starts weaving hooks into classes that are loaded from now on.
    *
-   * @param onFailure called when a class cannot be changed; CamSim then gets it as it was
+   * @param onFailure called if a class cannot be changed; CamSim then gets the original class
    */
   public static void weave(
       Instrumentation instrumentation, Set<Use> uses, Consumer<Throwable> onFailure) {

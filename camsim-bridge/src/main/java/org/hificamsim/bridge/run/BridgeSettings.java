@@ -17,18 +17,18 @@ import org.hificamsim.core.scenario.track.Track;
 import org.hificamsim.runs.output.Detail;
 
 /**
- * What the bridge is asked to do; without any of detection, policy, tracks and out it has nothing
- * to do.
+ * The settings of the bridge. Without detection, policy, tracks and out it has nothing to do.
  *
- * @param detection decides what cameras see; CamSim's own rule where it is missing
- * @param size edge of every target's bounding box, metres, above 0
- * @param policy chooses the cameras' views; CamSim does where it is missing
- * @param zooms radii common to all cameras, metres, rising; empty for those of each camera's range
- * @param optics of all cameras that the policy steers, each with its own range for a reach
- * @param objective what a step is scored by
- * @param seed of the first run's policy; run i uses seed + i
- * @param tracks that objects follow, by their features, in the order of time
- * @param out folder of the result files
+ * @param detection decides what cameras see; empty for CamSim's own rule
+ * @param size the edge of the bounding box of every target, metres, above 0
+ * @param policy chooses the views of the cameras; empty if CamSim does
+ * @param zooms the radii of all cameras, metres, rising; empty for radii from the range of each
+ *     camera
+ * @param optics the optics of all cameras, each with its own range as its reach
+ * @param objective the objective that scores a step
+ * @param seed the seed of the first run; run i uses seed + i
+ * @param tracks the tracks that objects follow, by their features, in the order of time
+ * @param out the folder of the result files
  */
 public record BridgeSettings(
     Optional<Detection> detection,
@@ -41,9 +41,10 @@ public record BridgeSettings(
     Optional<Map<String, List<Track>>> tracks,
     Optional<Path> out) {
   /**
-   * A policy by its name and options, made for each run.
+   * A policy with its options, created for each run.
    *
-   * @param spec as result files name it
+   * @param spec the text that selects the policy, as in the result files
+   * @param maker creates the policy of a run
    */
   public record Policy(String spec, Supplier<ZoomPolicy> maker) {}
 
@@ -51,12 +52,12 @@ public record BridgeSettings(
     zooms = List.copyOf(zooms);
   }
 
-  /** Whether CamSim has to be changed at all. */
-  public boolean asksForAnything() {
+  /** Returns whether any of CamSim's classes has to be changed. */
+  public boolean needsWeaving() {
     return uses().size() > 1;
   }
 
-  /** What it takes of CamSim. */
+  /** The uses of CamSim that these settings need. */
   public Set<Use> uses() {
     Set<Use> uses = EnumSet.of(Use.READ);
     detection.ifPresent(given -> uses.add(Use.DETECT));
@@ -66,22 +67,22 @@ public record BridgeSettings(
     return uses;
   }
 
-  /** What cameras see by: the given detection, else CamSim's own. */
+  /** The given detection, or CamSim's own. */
   Detection seen() {
     return detection.orElseGet(() -> Detection.of(new CamSimVisibilityDetection()));
   }
 
-  /** The views among which a camera's is chosen. */
+  /** The views that cameras may have. */
   CameraViews views() {
     return new CameraViews(policy.isPresent(), zooms, optics);
   }
 
-  /** What result files tell of each step. */
+  /** The detail of the result files. */
   Detail detail() {
     return optics.isPresent() ? Detail.VIEWS : Detail.ZOOMS;
   }
 
-  /** The same with result files elsewhere, or nowhere. */
+  /** Returns these settings with another folder for result files, or none. */
   BridgeSettings with(Optional<Path> newOut) {
     return new BridgeSettings(
         detection, size, policy, zooms, optics, objective, seed, tracks, newOut);

@@ -10,24 +10,24 @@ import org.hificamsim.core.world.ViewSet;
 /**
  * The views of CamSim's cameras.
  *
- * <p>A camera that a policy steers has the views of the given optics, or the given radii, or
- * {@value #LEVELS} of its own: evenly spaced from a third of its range to its range, as in the
- * thesis's scenarios (2.5 to 7.5 m). Any other camera has one level, its range; given radii then
- * only say how far its lens zooms.
+ * <p>A camera steered by a policy has the views of the given optics, or those with the given radii,
+ * or {@value #LEVELS} levels of its own, evenly spaced from a third of its range to its range, as
+ * in the scenarios of the thesis (2.5 to 7.5 m). Any other camera has one level, its range; given
+ * radii then only limit the zoom of its lens.
  *
  * @param steered whether a policy chooses among the views
  * @param radii metres, rising; may be empty
- * @param optics without a reach, which is each camera's range
+ * @param optics the optics, whose reach is the range of each camera
  */
 record CameraViews(boolean steered, List<Double> radii, Optional<OpticsSpec> optics) {
   private static final int LEVELS = 5;
   private static final int STEPS_BELOW = 2;
 
   /**
-   * A camera's views; as many for all cameras.
+   * Returns the views of a camera; their number is the same for all cameras.
    *
-   * @param range metres
-   * @param viewingAngle radians
+   * @param range the range of the camera, metres
+   * @param viewingAngle the full opening angle of the camera, radians
    */
   ViewSet of(double range, double viewingAngle) {
     return optics

@@ -14,11 +14,11 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Io;
 
 /**
- * The bridge at work: finds the run that a call from CamSim belongs to, and keeps CamSim from harm.
- * A failure is reported in one line, and from then on CamSim runs on its own.
+ * The running bridge: finds the run that a call from CamSim belongs to, and shields CamSim from
+ * failures. The first failure is reported in one line; after it CamSim runs on its own.
  *
  * <p>A run begins with the first step of a {@code SimCore} and ends with its {@code close_files()},
- * or with the JVM. Cores that step in turn, or in several threads, do not meet.
+ * or with the JVM. Cores that step in turn or in several threads have separate runs.
  */
 public final class LiveBridge implements Bridge {
   private final BridgeSettings settings;
@@ -29,14 +29,14 @@ public final class LiveBridge implements Bridge {
   @SuppressWarnings("ThreadLocalUsage") // a JVM has one bridge
   private final ThreadLocal<Run> current = new ThreadLocal<>();
 
-  private int begun;
+  private int runCount;
   private volatile boolean off;
 
   /** A core whose run has ended, and that run's number. */
   private record Ended(WeakReference<Object> core, int number) {}
 
   /**
-   * @param strict whether the JVM stops when something goes wrong
+   * @param strict whether the JVM stops at the first failure
    */
   public LiveBridge(BridgeSettings settings, boolean strict) {
     this.settings = settings;
@@ -77,10 +77,10 @@ public final class LiveBridge implements Bridge {
 
   @Override
   public void runEnds(Object core) {
-    guarded(() -> live(core).ifPresent(this::endAndLetGo));
+    guarded(() -> findRun(core).ifPresent(this::endAndRelease));
   }
 
-  /** Puts the files of all runs into place; the JVM is about to end, and cannot be stopped. */
+  /** Commits the files of all runs; called while the JVM shuts down. */
   public void close() {
     try {
       runs().forEach(this::end);
@@ -89,7 +89,7 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** Reports what failed, and leaves CamSim alone from now on. */
+  /** Reports a failure, and turns the bridge off. */
   public void fail(Throwable fault) {
     fail(fault, strict);
   }
@@ -101,8 +101,8 @@ public final class LiveBridge implements Bridge {
       }
       off = true;
     }
-    letGo();
-    FaultLine.tell(Place.printable(message(fault)), stop);
+    releaseCamSim();
+    FaultLine.report(Place.printable(message(fault)), stop);
   }
 
   private static String message(Throwable fault) {
@@ -111,14 +111,14 @@ public final class LiveBridge implements Bridge {
         : fault.toString();
   }
 
-  /** Gives cameras back what they had, and puts into place what has been written until now. */
-  private void letGo() {
+  /** Restores the cameras, and commits what has been written so far. */
+  private void releaseCamSim() {
     for (Run run : runs()) {
       try {
-        run.letGo();
+        run.releaseCamSim();
         run.end();
       } catch (IOException | RuntimeException e) {
-        // What failed first is reported.
+        // Only the first failure is reported.
       }
     }
   }
@@ -134,17 +134,17 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** What the run that is under way says; {@code otherwise} where there is none, or it fails. */
-  private double guarded(double otherwise, ToDoubleFunction<Run> question) {
+  /** Asks the current run; returns {@code fallback} if there is none, or it fails. */
+  private double guarded(double fallback, ToDoubleFunction<Run> question) {
     Run run = current.get();
     if (off || run == null) {
-      return otherwise;
+      return fallback;
     }
     try {
       return question.applyAsDouble(run);
     } catch (Throwable e) {
       fail(e);
-      return otherwise;
+      return fallback;
     }
   }
 
@@ -153,19 +153,19 @@ public final class LiveBridge implements Bridge {
   }
 
   private synchronized Run run(Object core) {
-    return live(core).orElseGet(() -> begin(core));
+    return findRun(core).orElseGet(() -> begin(core));
   }
 
-  private synchronized Optional<Run> live(Object core) {
+  private synchronized Optional<Run> findRun(Object core) {
     return runs.stream().filter(run -> run.isOf(core)).findFirst();
   }
 
-  /** A core that goes on after its end is steered still, but its files stay as they are. */
+  /** Begins a run. A core that continues after its end is steered, but writes no more files. */
   private Run begin(Object core) {
     Optional<Ended> earlier = ended.stream().filter(end -> end.core().refersTo(core)).findFirst();
-    BridgeSettings its = earlier.isPresent() ? settings.with(Optional.empty()) : settings;
+    BridgeSettings runSettings = earlier.isPresent() ? settings.with(Optional.empty()) : settings;
     try {
-      Run run = new Run(its, earlier.map(Ended::number).orElseGet(() -> begun++), core);
+      Run run = new Run(runSettings, earlier.map(Ended::number).orElseGet(() -> runCount++), core);
       runs.add(run);
       return run;
     } catch (IOException e) {
@@ -173,11 +173,11 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** What cameras had before is known to the run alone: another one has to find them as before. */
-  private void endAndLetGo(Run run) {
+  /** Ends a run and restores its cameras, since only this run knows their former aims. */
+  private void endAndRelease(Run run) {
     current.remove();
     end(run);
-    run.letGo();
+    run.releaseCamSim();
   }
 
   private void end(Run run) {

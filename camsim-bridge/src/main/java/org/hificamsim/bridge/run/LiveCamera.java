@@ -10,47 +10,50 @@ import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.ViewSet;
 
 /**
- * A camera of CamSim's as it was at the last {@link #refresh}, with its views.
+ * A camera of CamSim, as of the last {@link #refresh}, with its views.
  *
- * <p>Its mounted heading and its own opening angle are those that CamSim has, unless CamSim has
- * what {@link #turnTo} made of them: then they are those of before.
+ * <p>Its mounted heading and its own opening angle are the current ones of CamSim, unless those are
+ * the result of {@link #turnTo}: then the former values count.
  */
 final class LiveCamera {
   private static final String UNNAMED = "";
   private static final Aim NEVER = new Aim(Double.NaN, Double.NaN, Double.NaN);
 
   private final Object handle;
-  private final CameraViews kind;
+  private final CameraViews cameraViews;
   private final BitSet seen = new BitSet();
   private String name = UNNAMED;
   private boolean online;
-  private Pose mounted = Pose.of(0, 0, 0);
+  private Pose mountPose = Pose.of(0, 0, 0);
   private double angle;
   private final double ownRange;
   private double reach = Double.NaN;
   private ViewSet views;
   private int view;
-  private Aim asked = NEVER;
-  private Aim turned = NEVER; // what CamSim made of it
-  private Aim now = NEVER;
+  private Aim requestedAim = NEVER;
+
+  /** The aim that CamSim reported after {@link #requestedAim} was requested. */
+  private Aim resultingAim = NEVER;
+
+  private Aim currentAim = NEVER;
 
   /**
-   * A camera at its widest level, ahead; it is offline until the first {@link #refresh}.
+   * Creates a camera in its home view; it is offline until the first {@link #refresh}.
    *
-   * @param ownRange metres
+   * @param ownRange the range that CamSim gave it, metres
    */
-  LiveCamera(Object handle, double ownRange, CameraViews kind) {
+  LiveCamera(Object handle, double ownRange, CameraViews cameraViews) {
     this.handle = handle;
     this.ownRange = ownRange;
-    this.kind = kind;
-    this.views = kind.of(0, 2 * Math.PI);
+    this.cameraViews = cameraViews;
+    this.views = cameraViews.of(0, 2 * Math.PI);
     this.view = views.home();
   }
 
   /**
-   * Looks where the camera is and what it can do now.
+   * Reads the current position, aim and range of the camera from CamSim.
    *
-   * @return whether anything has changed but the view
+   * @return whether anything other than the view has changed
    */
   boolean refresh(CamSim camsim) {
     if (camsim.offline(handle)) {
@@ -59,27 +62,30 @@ final class LiveCamera {
     boolean changed = !online;
     online = true;
     if (name.equals(UNNAMED)) {
-      name = camsim.cameraName(handle); // while it is offline, CamSim calls it "Offline"
+      // Read only while online: CamSim calls an offline camera "Offline".
+      name = camsim.cameraName(handle);
     }
-    now = camsim.aim(handle);
+    currentAim = camsim.aim(handle);
     changed |= place(camsim.cameraX(handle), camsim.cameraY(handle), ownHeading());
-    changed |= refit(ownAngle(), kind.steered() ? ownRange : now.range());
+    changed |= refit(ownAngle(), cameraViews.steered() ? ownRange : currentAim.range());
     return changed;
   }
 
   private double ownHeading() {
-    return now.heading() == turned.heading() ? mounted.heading() : now.heading();
+    return currentAim.heading() == resultingAim.heading()
+        ? mountPose.heading()
+        : currentAim.heading();
   }
 
   private double ownAngle() {
-    return now.angle() == turned.angle() ? angle : now.angle();
+    return currentAim.angle() == resultingAim.angle() ? angle : currentAim.angle();
   }
 
   private boolean place(double newX, double newY, double newHeading) {
-    if (newX == mounted.x() && newY == mounted.y() && newHeading == mounted.heading()) {
+    if (newX == mountPose.x() && newY == mountPose.y() && newHeading == mountPose.heading()) {
       return false;
     }
-    mounted = Pose.of(newX, newY, newHeading);
+    mountPose = Pose.of(newX, newY, newHeading);
     return true;
   }
 
@@ -89,21 +95,21 @@ final class LiveCamera {
     }
     angle = newAngle;
     reach = newReach;
-    views = kind.of(reach, angle);
+    views = cameraViews.of(reach, angle);
     return true;
   }
 
-  /** The camera takes no part, since it has failed or is gone; returns whether it did. */
+  /** Marks a camera that has failed or is gone as offline; returns whether it was online. */
   boolean switchOff() {
-    boolean was = online;
+    boolean wasOnline = online;
     online = false;
-    return was;
+    return wasOnline;
   }
 
-  /** Turns to a view, and CamSim's camera with it; where it has no optics, its range alone. */
+  /** Turns CamSim's camera to a view; without optics, only changes its range. */
   void turnTo(int newView, CamSim camsim, Aiming aiming) {
     view = newView;
-    if (kind.optics().isPresent()) {
+    if (cameraViews.optics().isPresent()) {
       aim(new Aim(viewPose().heading(), zoom().viewingAngle(), zoom().radius()), aiming);
     } else {
       changeRange(zoom().radius(), camsim);
@@ -111,49 +117,49 @@ final class LiveCamera {
   }
 
   private void aim(Aim wanted, Aiming aiming) {
-    if (!wanted.equals(asked) || !now.equals(turned)) {
-      turned = aiming.aim(handle, wanted);
-      now = turned;
-      asked = wanted;
+    if (!wanted.equals(requestedAim) || !currentAim.equals(resultingAim)) {
+      resultingAim = aiming.aim(handle, wanted);
+      currentAim = resultingAim;
+      requestedAim = wanted;
     }
   }
 
-  /** Gives the camera back what it had before any policy, or was given by CamSim since. */
+  /** Restores the aim before any policy, with the changes that CamSim has made since. */
   void restore(CamSim camsim, Aiming aiming) {
-    if (!asked.equals(NEVER)) {
-      now = camsim.aim(handle);
+    if (!requestedAim.equals(NEVER)) {
+      currentAim = camsim.aim(handle);
       aiming.aim(handle, new Aim(ownHeading(), ownAngle(), ownRange));
-    } else if (kind.optics().isEmpty()) {
+    } else if (cameraViews.optics().isEmpty()) {
       changeRange(ownRange, camsim);
     }
   }
 
   private void changeRange(double radius, CamSim camsim) {
-    if (radius != now.range()) {
+    if (radius != currentAim.range()) {
       camsim.changeRange(handle, radius);
-      now = new Aim(now.heading(), now.angle(), radius);
+      currentAim = new Aim(currentAim.heading(), currentAim.angle(), radius);
     }
   }
 
-  /** Where the camera stands and which way it is mounted. */
+  /** The position and the mounted heading of the camera. */
   Pose pose() {
-    return mounted;
+    return mountPose;
   }
 
-  /** Where the camera stands and which way it looks. */
+  /** The position and the current heading of the camera. */
   Pose viewPose() {
-    return mounted.turned(views.pan(view));
+    return mountPose.turned(views.pan(view));
   }
 
   /** The camera as a scenario describes one. */
   CameraSpec spec() {
-    return new CameraSpec(name, mounted.x(), mounted.y(), now.range())
-        .with(CameraSpec.HEADING, Math.toDegrees(mounted.heading()))
+    return new CameraSpec(name, mountPose.x(), mountPose.y(), currentAim.range())
+        .with(CameraSpec.HEADING, Math.toDegrees(mountPose.heading()))
         .with(CameraSpec.VIEWING_ANGLE, Math.toDegrees(angle))
-        .with(CameraSpec.OPTICS, kind.optics());
+        .with(CameraSpec.OPTICS, cameraViews.optics());
   }
 
-  /** The targets seen at the last look. */
+  /** The targets that the camera saw at its last look. */
   BitSet seen() {
     return seen;
   }

@@ -28,42 +28,48 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 
 /**
- * The cameras and objects of a running CamSim as a {@link World} of ours, and what they see there:
- * in CamSim, cameras look at objects one by one.
+ * Represents the cameras and objects of a running CamSim, and what the cameras see, as a {@link
+ * World}.
  *
- * <p>CamSim does not say who is to come: the world has room for some that are not online (not
- * present) yet, see {@link #expect}. Where more come, it takes another one: {@link #begin}.
+ * <p>CamSim does not announce future cameras and objects, so the world has a capacity for those not
+ * yet online or present, see {@link #expect}. If it is exceeded, {@link #begin} creates a larger
+ * world.
  */
 final class LiveWorld implements Cooperation {
-  private static final int MIN_ROOM = 8; // for targets
-  private static final int NEVER = Integer.MAX_VALUE; // a step
+  private static final int MIN_TARGET_CAPACITY = 8;
+
+  /** A step that is never reached. */
+  private static final int NEVER = Integer.MAX_VALUE;
 
   private final CamSim camsim;
   private final Aiming aiming;
   private final Object core;
   private final Visibility visibility;
   private final double size;
-  private final CameraViews kind;
+  private final CameraViews cameraViews;
   private final Roster<LiveCamera> cameras = new Roster<>();
   private final Roster<LiveTarget> targets = new Roster<>();
-  private int cameraRoom;
-  private int targetRoom;
-  private World world; // null before the first step
+  private int cameraCapacity;
+  private int targetCapacity;
 
-  /** An object of CamSim's, and its features. */
+  /** Null before the first step. */
+  private World world;
+
+  /** An object of CamSim, with its features as its name. */
   private record LiveTarget(Object handle, String name) {}
 
   /**
-   * @param core CamSim's {@code SimCore}
-   * @param visibility what cameras see of objects, CamSim's rules included
-   * @param size of every object, metres
+   * @param core the {@code SimCore} of CamSim
+   * @param visibility decides which objects cameras see, by CamSim's rules
+   * @param size the size of every object, metres
    */
-  LiveWorld(CamSim camsim, Object core, Visibility visibility, double size, CameraViews kind) {
+  LiveWorld(
+      CamSim camsim, Object core, Visibility visibility, double size, CameraViews cameraViews) {
     this.camsim = camsim;
     this.core = core;
     this.visibility = visibility;
     this.size = size;
-    this.kind = kind;
+    this.cameraViews = cameraViews;
     this.aiming = new Aiming(camsim);
   }
 
@@ -72,86 +78,91 @@ final class LiveWorld implements Cooperation {
     return visibility;
   }
 
-  /** Takes note of where everything is now; what was seen stays. */
+  /** Updates cameras and objects from CamSim, but not what was seen. */
   void refresh() {
     cameras.update(
-        camsim.cameras(core), handle -> new LiveCamera(handle, camsim.range(handle), kind));
+        camsim.cameras(core), handle -> new LiveCamera(handle, camsim.range(handle), cameraViews));
     targets.update(camsim.objects(core), handle -> new LiveTarget(handle, camsim.features(handle)));
     for (int camera = 0; camera < cameras.all().size(); camera++) {
-      LiveCamera eye = cameras.get(camera);
-      boolean changed = cameras.isThere(camera) ? eye.refresh(camsim) : eye.switchOff();
-      if (changed && fits()) {
-        showCamera(camera);
+      LiveCamera liveCamera = cameras.get(camera);
+      boolean changed =
+          cameras.isPresent(camera) ? liveCamera.refresh(camsim) : liveCamera.switchOff();
+      if (changed && hasCapacity()) {
+        updateCamera(camera);
       }
     }
-    if (fits()) {
-      showTargets();
+    if (hasCapacity()) {
+      updateTargets();
     }
   }
 
-  private void showCamera(int camera) {
-    LiveCamera eye = cameras.get(camera);
-    world.setCamera(camera, eye.name(), eye.pose(), eye.views());
-    if (world.cameras().online(camera) != eye.online()) {
-      world.switchCamera(camera, eye.online());
+  private void updateCamera(int camera) {
+    LiveCamera liveCamera = cameras.get(camera);
+    world.setCamera(camera, liveCamera.name(), liveCamera.pose(), liveCamera.views());
+    if (world.cameras().online(camera) != liveCamera.online()) {
+      world.switchCamera(camera, liveCamera.online());
     }
   }
 
-  private void showTargets() {
+  private void updateTargets() {
     for (int number = 0; number < targets.all().size(); number++) {
       LiveTarget target = targets.get(number);
-      boolean there = targets.isThere(number);
-      double x = there ? camsim.objectX(target.handle) : 0;
-      double y = there ? camsim.objectY(target.handle) : 0;
-      world.setTarget(number, target.name, there, x, y);
+      boolean present = targets.isPresent(number);
+      double x = present ? camsim.objectX(target.handle) : 0;
+      double y = present ? camsim.objectY(target.handle) : 0;
+      world.setTarget(number, target.name, present, x, y);
     }
   }
 
-  /** Expects this many cameras and targets, of which some are to come. */
+  /** Sets the expected numbers of cameras and targets, including future ones. */
   void expect(int allCameras, int allTargets) {
-    cameraRoom = allCameras;
-    targetRoom = allTargets;
+    cameraCapacity = allCameras;
+    targetCapacity = allTargets;
   }
 
-  /** Whether there is a world, and room in it for all that there are. */
-  boolean fits() {
+  /** Returns whether there is a world that has the capacity for all cameras and targets. */
+  boolean hasCapacity() {
     return world != null
-        && cameras.all().size() <= cameraRoom
-        && targets.all().size() <= targetRoom;
+        && cameras.all().size() <= cameraCapacity
+        && targets.all().size() <= targetCapacity;
   }
 
   /**
-   * Makes another world. Where there are more than were expected, it has room for the cameras there
-   * are, and for twice the targets, which come more often.
+   * Creates a new world. If there are more cameras or targets than expected, it has the capacity
+   * for the present cameras and twice the present targets, since more targets than cameras are
+   * added.
    */
   World begin(Objective objective) {
-    if (cameras.all().size() > cameraRoom || targets.all().size() > targetRoom) {
-      expect(cameras.all().size(), 2 * targets.all().size() + MIN_ROOM);
+    if (cameras.all().size() > cameraCapacity || targets.all().size() > targetCapacity) {
+      expect(cameras.all().size(), 2 * targets.all().size() + MIN_TARGET_CAPACITY);
     }
     CameraSpec camera = new CameraSpec("", 0, 0, 0);
-    TargetSpec target = new TargetSpec(0, 0, 0).withSize(size); // at speed 0: CamSim moves it
-    List<ScenarioEvent> toCome = new ArrayList<>();
-    toCome.addAll(Collections.nCopies(cameraRoom, new ScenarioEvent.AddCamera(NEVER, camera)));
-    toCome.addAll(Collections.nCopies(targetRoom, new ScenarioEvent.AddTarget(NEVER, target)));
+    // Speed 0, since CamSim moves the targets.
+    TargetSpec target = new TargetSpec(0, 0, 0).withSize(size);
+    List<ScenarioEvent> futureEvents = new ArrayList<>();
+    futureEvents.addAll(
+        Collections.nCopies(cameraCapacity, new ScenarioEvent.AddCamera(NEVER, camera)));
+    futureEvents.addAll(
+        Collections.nCopies(targetCapacity, new ScenarioEvent.AddTarget(NEVER, target)));
     world =
         new World(
             new Scenario("", field())
                 .with(Scenario.OBJECTIVE, objective)
-                .with(Scenario.EVENTS, toCome),
+                .with(Scenario.EVENTS, futureEvents),
             Movements.register(new Registry<>("movement")),
             0);
-    LiveCamera unknown = new LiveCamera(null, 0, kind);
-    for (int i = 0; i < cameraRoom; i++) {
+    LiveCamera placeholder = new LiveCamera(null, 0, cameraViews);
+    for (int i = 0; i < cameraCapacity; i++) {
       boolean known = i < cameras.all().size();
-      world.setCamera(i, "", Pose.of(0, 0, 0), unknown.views());
-      world.cameras().turnTo(i, known ? cameras.get(i).view() : unknown.view());
+      world.setCamera(i, "", Pose.of(0, 0, 0), placeholder.views());
+      world.cameras().turnTo(i, known ? cameras.get(i).view() : placeholder.view());
     }
-    IntStream.range(0, cameras.all().size()).forEach(this::showCamera);
-    showTargets();
+    IntStream.range(0, cameras.all().size()).forEach(this::updateCamera);
+    updateTargets();
     return world;
   }
 
-  /** One that holds all cameras: CamSim's own is not asked for. */
+  /** Returns a field that contains all cameras; CamSim's own field is not read. */
   private Field field() {
     DoubleSummaryStatistics x = new DoubleSummaryStatistics();
     DoubleSummaryStatistics y = new DoubleSummaryStatistics();
@@ -164,7 +175,7 @@ final class LiveWorld implements Cooperation {
         : new Field(x.getMin(), x.getMax(), y.getMin(), y.getMax());
   }
 
-  /** Turns CamSim's cameras to the views that were chosen. */
+  /** Turns CamSim's cameras to the chosen views. */
   void turn() {
     for (int camera = 0; camera < cameras.all().size(); camera++) {
       if (cameras.get(camera).online()) {
@@ -173,46 +184,47 @@ final class LiveWorld implements Cooperation {
     }
   }
 
-  /** Gives all cameras back what they had before any policy. */
+  /** Restores the aims that all cameras had before any policy. */
   void restore() {
     cameras.all().forEach(camera -> camera.restore(camsim, aiming));
   }
 
-  /** Forgets what was seen: cameras are about to look. */
+  /** Clears what was seen, before the cameras look again. */
   void forget() {
     cameras.all().forEach(camera -> camera.seen().clear());
   }
 
-  /** The names of the cameras that there have been; empty where one is not known. */
+  /** The names of all cameras so far; an unknown name is empty. */
   List<String> cameraNames() {
     return cameras.all().stream().map(LiveCamera::name).toList();
   }
 
-  /** The cameras that there have been, as a scenario describes them. */
+  /** The specifications of all cameras so far. */
   List<CameraSpec> cameraSpecs() {
     return cameras.all().stream().map(LiveCamera::spec).toList();
   }
 
   /**
-   * One of CamSim's cameras looks at one of its objects.
+   * Lets a camera look at an object.
    *
-   * @return the confidence; 0 where it is not visible; NaN where CamSim's lists lack one of them
+   * @return the confidence; 0 if the object is not visible; NaN if CamSim's lists lack one of the
+   *     two
    */
   double look(Object camera, Object object, long step) {
     if (cameras.number(camera) < 0 || targets.number(object) < 0) {
       refresh();
     }
-    int eye = cameras.number(camera);
+    int number = cameras.number(camera);
     int target = targets.number(object);
-    if (eye < 0 || target < 0) {
+    if (number < 0 || target < 0) {
       return Double.NaN;
     }
-    LiveCamera looking = cameras.get(eye);
+    LiveCamera looking = cameras.get(number);
     double x = camsim.objectX(object);
     double y = camsim.objectY(object);
-    double luck = visibility.luck(step, eye, target);
+    double luck = visibility.luck(step, number, target);
     double confidence = sight(looking).confidence(looking.viewPose(), x, y, luck, 1);
-    saw(camera, object, confidence > 0);
+    recordLook(camera, object, confidence > 0);
     return confidence;
   }
 
@@ -220,12 +232,12 @@ final class LiveWorld implements Cooperation {
     return visibility.at(camera.zoom(), size);
   }
 
-  /** Records what came of a camera's look at an object in this step. */
-  void saw(Object camera, Object object, boolean visible) {
-    int eye = cameras.number(camera);
+  /** Records whether a camera saw an object in this step. */
+  void recordLook(Object camera, Object object, boolean visible) {
+    int number = cameras.number(camera);
     int target = targets.number(object);
-    if (eye >= 0 && target >= 0) {
-      cameras.get(eye).seen().set(target, visible);
+    if (number >= 0 && target >= 0) {
+      cameras.get(number).seen().set(target, visible);
     }
   }
 
@@ -235,24 +247,24 @@ final class LiveWorld implements Cooperation {
     int[] coverage = observation.coverage();
     Arrays.fill(detected, 0);
     Arrays.fill(coverage, 0);
-    for (int camera = 0; camera < Math.min(cameraRoom, cameras.all().size()); camera++) {
+    for (int camera = 0; camera < Math.min(cameraCapacity, cameras.all().size()); camera++) {
       BitSet seen = cameras.get(camera).seen();
       detected[camera] = cameras.get(camera).online() ? seen.cardinality() : 0;
-      seen.stream().filter(target -> target < targetRoom).forEach(target -> coverage[target]++);
+      seen.stream().filter(target -> target < targetCapacity).forEach(target -> coverage[target]++);
     }
   }
 
   /**
-   * Whether what CamSim sees of an object comes from where the object says that it is, by CamSim's
-   * own formula (behaviour 6.1). Where nothing is seen and nothing was to be, that is not known.
+   * Checks by CamSim's formula (behaviour 6.1) that CamSim looks at an object where its track is.
    *
-   * @throws InputException when it does not
+   * @return whether the check was possible: false if the object is invisible as expected
+   * @throws InputException if CamSim looks elsewhere
    */
-  boolean agrees(Object camera, Object object, double confidence) {
-    LiveCamera eye = cameras.get(cameras.number(camera));
+  boolean checkTrack(Object camera, Object object, double confidence) {
+    LiveCamera liveCamera = cameras.get(cameras.number(camera));
     double x = camsim.objectX(object);
     double y = camsim.objectY(object);
-    double expected = DetectionModel.clamp(sight(eye).value(eye.viewPose(), x, y));
+    double expected = DetectionModel.clamp(sight(liveCamera).value(liveCamera.viewPose(), x, y));
     double seen = DetectionModel.clamp(confidence);
     if (Math.abs(seen - expected) > 1e-9) {
       throw InputException.of(

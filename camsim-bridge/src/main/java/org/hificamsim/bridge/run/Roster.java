@@ -8,24 +8,23 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * CamSim's cameras, or its objects, in the order in which they were first seen; each keeps its
- * number for the whole run. They are distinguished by identity: CamSim's own hash codes change as a
- * camera does.
+ * The cameras or objects of CamSim, numbered in the order in which they first appeared. They are
+ * distinguished by identity, since their hash codes change with their state.
  *
- * @param <T> what stands for one of them
+ * @param <T> our representation of a camera or object
  */
 final class Roster<T> {
   private final IdentityHashMap<Object, Integer> numbers = new IdentityHashMap<>();
   private final List<T> all = new ArrayList<>();
-  private final BitSet there = new BitSet();
+  private final BitSet present = new BitSet();
 
   /**
-   * Takes note of who is there now.
+   * Updates which cameras or objects are present.
    *
-   * @param newcomer makes what stands for one that is seen for the first time
+   * @param newcomer creates the representation of a new camera or object
    */
   void update(Collection<?> handles, Function<Object, T> newcomer) {
-    there.clear();
+    present.clear();
     for (Object handle : handles) {
       int number = number(handle);
       if (number < 0) {
@@ -33,26 +32,26 @@ final class Roster<T> {
         numbers.put(handle, number);
         all.add(newcomer.apply(handle));
       }
-      there.set(number);
+      present.set(number);
     }
   }
 
-  /** The number of one of CamSim's own; -1 when it has not been seen. */
+  /** The number of a camera or object of CamSim; -1 if it has never appeared. */
   int number(Object handle) {
     return numbers.getOrDefault(handle, -1);
   }
 
-  /** Whether it was there at the last update. */
-  boolean isThere(int number) {
-    return there.get(number);
+  /** Returns whether the camera or object was present at the last update. */
+  boolean isPresent(int number) {
+    return present.get(number);
   }
 
-  /** What stands for this number. */
+  /** Returns the representation with a number. */
   T get(int number) {
     return all.get(number);
   }
 
-  /** What stands for all that have been seen. */
+  /** The representations of all that have ever appeared. */
   List<T> all() {
     return all;
   }

@@ -29,8 +29,8 @@ import org.hificamsim.runs.output.SingleRun;
  * turned, when the first camera is about to look; the policy learns, and coverage is measured, when
  * the step is over.
  *
- * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
- * were expected then, the policy starts over and has to learn again, which is reported.
+ * <p>Policies allocate their tables when they begin. If events add more cameras or targets than
+ * were expected then, a new policy begins and learns from scratch, which is reported.
  */
 final class Run {
   private static final String NO_POLICY = "none";
@@ -44,17 +44,26 @@ final class Run {
   private final Optional<SingleRun> files;
   private final Optional<TrackedObjects> tracked;
   private Optional<ScenarioFile> scenario = Optional.empty();
-  private Simulation simulation; // null before the first step
+
+  /** Null before the first step. */
+  private Simulation simulation;
+
   private ZoomPolicy policy;
-  private Traffic earlier = Traffic.NONE; // of policies that started over
+
+  /** The traffic of policies that were replaced. */
+  private Traffic earlierTraffic = Traffic.NONE;
+
   private Proof earlierProof = Proof.OF_NOTHING;
   private long step;
   private boolean prepared;
-  private boolean checked; // that CamSim looks where the tracks have its objects
+
+  /** Whether it was checked that CamSim looks at objects on their tracks. */
+  private boolean tracksChecked;
+
   private boolean ended;
 
   /**
-   * @param number counts the runs of this JVM, from 0
+   * @param number the number of the run in this JVM, from 0
    */
   Run(BridgeSettings settings, int number, Object core) throws IOException {
     this.settings = settings;
@@ -81,31 +90,31 @@ final class Run {
             : Optional.empty();
   }
 
-  /** Whether this is the run of that core. */
+  /** Returns whether this is the run of a core. */
   boolean isOf(Object otherCore) {
     return core == otherCore;
   }
 
-  /** CamSim's own {@code SimCore}. */
+  /** The {@code SimCore} of CamSim. */
   Object core() {
     return core;
   }
 
-  /** Counts the runs of this JVM, from 0. */
+  /** The number of the run in this JVM, from 0. */
   int number() {
     return number;
   }
 
-  /** A step begins. */
+  /** Called when a step begins. */
   void stepBegins() {
     prepared = false;
     tracked.ifPresent(objects -> objects.begin(step));
   }
 
   /**
-   * A camera looks at an object, which CamSim's own visible set of the camera will say.
+   * Lets a camera look at an object, and updates the set of objects that CamSim's camera sees.
    *
-   * @return the confidence, 0 where it is not visible; NaN where CamSim is to look itself
+   * @return the confidence, 0 if the object is not visible; NaN if CamSim has to look itself
    */
   double look(Object camera, Object object) {
     prepare();
@@ -119,27 +128,27 @@ final class Run {
     return confidence;
   }
 
-  /** CamSim has looked itself. */
+  /** Records that CamSim has looked itself. */
   void looked(Object camera, Object object, double confidence) {
-    live.saw(camera, object, confidence > 0);
-    if (!checked && tracked.isPresent() && tracked.get().hasLeft(object)) {
-      checked = live.agrees(camera, object, confidence);
+    live.recordLook(camera, object, confidence > 0);
+    if (!tracksChecked && tracked.isPresent() && tracked.get().hasLeft(object)) {
+      tracksChecked = live.checkTrack(camera, object, confidence);
     }
   }
 
-  /** Where an object is, on one axis. */
+  /** Returns a coordinate of an object. */
   double place(Object object, boolean upwards, double own) {
     return tracked.isPresent() ? tracked.get().place(object, upwards, own) : own;
   }
 
-  /** A step is over. */
+  /** Called when a step ends. */
   synchronized void stepEnds() {
     prepare();
     simulation.phases().finishStep();
     step++;
   }
 
-  /** Puts the files into place, once. */
+  /** Commits the files; further calls have no effect. */
   synchronized void end() throws IOException {
     if (!ended) {
       ended = true;
@@ -151,8 +160,8 @@ final class Run {
     }
   }
 
-  /** Leaves CamSim as it would be without a policy. */
-  void letGo() {
+  /** Restores the aims that the cameras would have without a policy. */
+  void releaseCamSim() {
     if (settings.policy().isPresent()) {
       live.restore();
     }
@@ -160,7 +169,8 @@ final class Run {
 
   private void prepare() {
     if (!prepared) {
-      prepared = true; // before CamSim is called, which may call back
+      // Before the calls to CamSim, which may call back.
+      prepared = true;
       readAndSteer();
     }
   }
@@ -170,9 +180,9 @@ final class Run {
     if (step == 0) {
       scenario = ScenarioFile.with(live.cameraNames());
       scenario.ifPresent(file -> live.expect(file.allCameras(), file.allTargets()));
-      scenario.map(file -> file.question().get("channel")).ifPresent(Run::tell);
+      scenario.map(file -> file.attributes().get("channel")).ifPresent(Run::warnAboutChannel);
     }
-    if (!live.fits()) {
+    if (!live.hasCapacity()) {
       begin();
     }
     simulation.phases().runUntil(StepPhase.OBSERVE);
@@ -188,8 +198,11 @@ final class Run {
     }
     World world = live.begin(settings.objective());
     StepListener listener =
-        (network, coverage) ->
-            files.filter(open -> !ended).ifPresent(open -> open.stepped(network, coverage));
+        (network, coverage) -> {
+          if (!ended && files.isPresent()) {
+            files.get().stepped(network, coverage);
+          }
+        };
     simulation =
         new Simulation(
                 world, settings.seen(), new Behaviour(policy, live), seed(), List.of(listener))
@@ -201,7 +214,7 @@ final class Run {
         Texts.format(
             "step %s: more cameras or objects than expected: policy %s starts over",
             step, given.spec()));
-    earlier = traffic();
+    earlierTraffic = traffic();
     earlierProof = proof().orElse(earlierProof);
     policy = newPolicy();
   }
@@ -210,17 +223,17 @@ final class Run {
     return settings.policy().map(given -> given.maker().get()).orElseGet(NoPolicy::new);
   }
 
-  /** What the cameras have sent each other for the policy's sake. */
+  /** The messages that the cameras have sent for the policy. */
   private Traffic traffic() {
-    return earlier.plus(new Traffic(policy.messages(), policy.bits(), Double.NaN));
+    return earlierTraffic.plus(new Traffic(policy.messages(), policy.bits(), Double.NaN));
   }
 
-  /** What the policies proved; empty for one that does not claim to be the best. */
+  /** The proof of the policies so far; empty if the policy does not claim an optimum. */
   private Optional<Proof> proof() {
     return Proof.of(policy).map(earlierProof::plus);
   }
 
-  private static void tell(String channel) {
+  private static void warnAboutChannel(String channel) {
     FaultLine.note(
         Texts.format(
             "channel is '%s' in the scenario, which has no effect in CamSim: messages"
@@ -230,7 +243,7 @@ final class Run {
 
   private RunPlan plan(int steps) {
     return new RunPlan(
-        described(),
+        describedScenario(),
         settings.seen(),
         settings.policy().map(BridgeSettings.Policy::spec).orElse(NO_POLICY),
         steps,
@@ -238,8 +251,8 @@ final class Run {
         1);
   }
 
-  /** What result files say of the scenario; the field and what moves in it are not asked for. */
-  private Scenario described() {
+  /** Returns the scenario for the result files, without field and targets. */
+  private Scenario describedScenario() {
     Field unknown = new Field(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     return new Scenario(scenario.map(ScenarioFile::name).orElse(NO_SCENARIO), unknown)
         .with(Scenario.OBJECTIVE, settings.objective())
@@ -251,12 +264,15 @@ final class Run {
     return (long) settings.seed() + number;
   }
 
-  /** The first run's files go into the folder itself, those of run i into {@code run-i} in it. */
+  /**
+   * Returns the folder of a run: {@code out} for the first run, its subfolder {@code run-i} for run
+   * i.
+   */
   private static Path folder(Path out, int number) {
     return number == 0 ? out : out.resolve("run-" + number);
   }
 
-  /** CamSim chooses the views. */
+  /** Leaves the choice of views to CamSim. */
   private static final class NoPolicy implements ZoomPolicy {
     @Override
     public String name() {

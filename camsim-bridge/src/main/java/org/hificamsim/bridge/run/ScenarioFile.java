@@ -19,47 +19,47 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 
 /**
- * The scenario file that CamSim was started with, as far as the bridge needs it: CamSim's cores do
- * not tell their scenario's name, nor who is to come.
+ * The parts of CamSim's scenario file that the bridge needs: CamSim's cores know neither the name
+ * of their scenario nor the cameras and objects that will be added.
  *
- * @param name the file's name without its ending
- * @param cameras names of the cameras of the start, in order
- * @param allCameras how many cameras there will ever be
- * @param allTargets how many targets there will ever be
- * @param question the attributes of its simulation: what was asked of it
+ * @param name the name of the file without its extension
+ * @param cameras the names of the cameras at the start, in order
+ * @param allCameras the number of cameras, including those that events add
+ * @param allTargets the number of targets, including those that events add
+ * @param attributes the attributes of the simulation element
  */
 public record ScenarioFile(
     String name,
     List<String> cameras,
     int allCameras,
     int allTargets,
-    Map<String, String> question) {
-  private static final String ENDING = ".xml";
+    Map<String, String> attributes) {
+  private static final String EXTENSION = ".xml";
   private static final Set<String> TARGETS = Set.of("object", "object_with_waypoints");
 
-  /** The first scenario on the JVM's command line. */
+  /** Finds the first scenario on the command line of the JVM. */
   public static Optional<ScenarioFile> onCommandLine() {
     return all().findFirst();
   }
 
   /**
-   * The file on the JVM's command line that has these cameras.
+   * Finds the scenario on the command line of the JVM that has these cameras.
    *
-   * @param names of the cameras in the first step; empty for one whose name is not known
+   * @param names the names of the cameras in the first step; an unknown name is empty
    */
   static Optional<ScenarioFile> with(List<String> names) {
-    return all().filter(file -> file.starts(names)).findFirst();
+    return all().filter(file -> file.mayStartWith(names)).findFirst();
   }
 
   private static Stream<ScenarioFile> all() {
     return arguments()
-        .filter(argument -> argument.toLowerCase(Locale.ROOT).endsWith(ENDING))
+        .filter(argument -> argument.toLowerCase(Locale.ROOT).endsWith(EXTENSION))
         .flatMap(argument -> read(Path.of(argument)));
   }
 
   /**
-   * What follows {@code java}, which not every system gives, and none where it is long; and what
-   * HotSpot knows of it.
+   * Returns the arguments of the JVM, from the process and from HotSpot. Not every system gives
+   * those of the process, and none gives a long command line.
    */
   private static Stream<String> arguments() {
     return Stream.concat(
@@ -67,7 +67,7 @@ public record ScenarioFile(
         Arrays.stream(System.getProperty("sun.java.command", "").split(" ")));
   }
 
-  /** The file; nothing where it cannot be read, which is CamSim's matter. */
+  /** Reads a file; returns an empty stream if it is not readable, which CamSim reports. */
   static Stream<ScenarioFile> read(Path file) {
     XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
     factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
@@ -75,7 +75,7 @@ public record ScenarioFile(
       String name = file.getFileName().toString();
       return Stream.of(
           read(
-              name.substring(0, name.length() - ENDING.length()),
+              name.substring(0, name.length() - EXTENSION.length()),
               factory.createXMLStreamReader(in)));
     } catch (IOException | XMLStreamException e) {
       return Stream.empty();
@@ -86,12 +86,12 @@ public record ScenarioFile(
     List<String> cameras = new ArrayList<>();
     int cameraEvents = 0;
     int targets = 0;
-    Map<String, String> question = new HashMap<>();
+    Map<String, String> attributes = new HashMap<>();
     while (xml.hasNext()) {
       if (xml.next() == XMLStreamConstants.START_ELEMENT) {
         String tag = xml.getLocalName();
         for (int i = 0; tag.equals("simulation") && i < xml.getAttributeCount(); i++) {
-          question.put(xml.getAttributeLocalName(i), xml.getAttributeValue(i));
+          attributes.put(xml.getAttributeLocalName(i), xml.getAttributeValue(i));
         }
         if (tag.equals("camera")) {
           cameras.add(String.valueOf(xml.getAttributeValue(null, "name")));
@@ -100,7 +100,7 @@ public record ScenarioFile(
         targets += TARGETS.contains(tag) || adds(xml, "object") ? 1 : 0;
       }
     }
-    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets, question);
+    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets, attributes);
   }
 
   private static boolean adds(XMLStreamReader xml, String participant) {
@@ -109,8 +109,8 @@ public record ScenarioFile(
         && "add".equals(xml.getAttributeValue(null, "event"));
   }
 
-  /** Whether a run that begins with these cameras may be one of this file. */
-  boolean starts(List<String> names) {
+  /** Returns whether a run that begins with these cameras may be a run of this file. */
+  boolean mayStartWith(List<String> names) {
     if (names.size() < cameras.size() || names.size() > allCameras) {
       return false;
     }

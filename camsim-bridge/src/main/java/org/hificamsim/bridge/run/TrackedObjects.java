@@ -8,11 +8,14 @@ import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.scenario.track.Track;
 import org.hificamsim.core.scenario.track.TrackWalk;
 
-/** CamSim's objects, where their tracks have them. */
+/** The positions of CamSim's objects on their tracks. */
 final class TrackedObjects {
-  private static final double NEAR = 1e-6; // m
+  /** In metres. */
+  private static final double TOLERANCE = 1e-6;
 
-  private final Map<String, List<Track>> tracks; // by features
+  /** The tracks by the features of their object. */
+  private final Map<String, List<Track>> tracks;
+
   private final CamSim camsim;
   private final IdentityHashMap<Object, Optional<Walker>> walkers = new IdentityHashMap<>();
   private long step;
@@ -22,12 +25,14 @@ final class TrackedObjects {
     this.camsim = camsim;
   }
 
-  /** An object on its way. */
+  /** An object on its track. */
   private static final class Walker {
     private final TrackWalk walk = new TrackWalk();
     private final long lastStep;
     private long step;
-    private boolean left; // the place where CamSim has it
+
+    /** Whether the track has ever differed from the position that CamSim has. */
+    private boolean hasLeft;
 
     private Walker(Track track, long firstStep) {
       walk.begin(track, firstStep);
@@ -35,7 +40,7 @@ final class TrackedObjects {
       lastStep = track.lastStep();
     }
 
-    private void goTo(long newStep) {
+    private void advanceTo(long newStep) {
       while (step < Math.min(newStep, lastStep)) {
         walk.next();
         step++;
@@ -43,39 +48,40 @@ final class TrackedObjects {
     }
   }
 
-  /** A step begins. */
+  /** Begins a step. */
   void begin(long newStep) {
     step = newStep;
   }
 
   /**
-   * Where an object is: its own place where it has no track.
+   * Returns a coordinate of an object on its track, or its own coordinate if it has no track.
    *
-   * @param upwards whether y is asked for, and not x
+   * @param upwards whether to return y, else x
+   * @param own the coordinate that CamSim has
    */
   double place(Object object, boolean upwards, double own) {
-    Optional<Walker> known = walkers.get(object);
-    if (known == null) {
-      known =
+    Optional<Walker> walker = walkers.get(object);
+    if (walker == null) {
+      walker =
           tracks.getOrDefault(camsim.features(object), List.of()).stream()
               .filter(track -> track.firstStep() <= step && step <= track.lastStep())
               .findFirst()
               .map(track -> new Walker(track, step));
-      walkers.put(object, known);
+      walkers.put(object, walker);
     }
-    return known.isEmpty() ? own : place(known.get(), upwards, own);
+    return walker.isEmpty() ? own : place(walker.get(), upwards, own);
   }
 
   private double place(Walker walker, boolean upwards, double own) {
-    walker.goTo(step);
+    walker.advanceTo(step);
     double place = upwards ? walker.walk.y() : walker.walk.x();
-    walker.left |= Math.abs(place - own) > NEAR;
+    walker.hasLeft |= Math.abs(place - own) > TOLERANCE;
     return place;
   }
 
-  /** Whether an object is, by its track, where CamSim does not have it. */
+  /** Returns whether the track of an object has ever differed from CamSim's position. */
   boolean hasLeft(Object object) {
-    Optional<Walker> known = walkers.get(object);
-    return known != null && known.isPresent() && known.get().left;
+    Optional<Walker> walker = walkers.get(object);
+    return walker != null && walker.isPresent() && walker.get().hasLeft;
   }
 }

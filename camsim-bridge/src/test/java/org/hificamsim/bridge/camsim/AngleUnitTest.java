@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 /** Angles on their way into CamSim. */
 class AngleUnitTest {
   @Test
-  void whatCameFromDegreesComesBackToTheBit() {
+  void convertsToDegreesAndBackExactly() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 100_000; i++) {
       double degrees = i < 3600 ? i / 10.0 - 180 : random.nextDouble(-1000, 1000);
@@ -19,7 +19,7 @@ class AngleUnitTest {
   }
 
   @Test
-  void anyOtherAngleIsRoundedOnce() {
+  void roundsOtherAnglesOnce() {
     SplittableRandom random = new SplittableRandom(2);
     for (int i = 0; i < 100_000; i++) {
       double radians = random.nextDouble(-20, 20);
@@ -29,9 +29,9 @@ class AngleUnitTest {
   }
 
   @Test
-  void noHeadingIsTakenForOneThatIsToStay() {
+  void neverSendsHeadingThatMeansUnchanged() {
     double degrees = AngleUnit.DEGREES.heading(Math.toRadians(-1));
-    assertNotEquals(CamSim.AS_IT_IS, degrees);
+    assertNotEquals(CamSim.UNCHANGED, degrees);
     assertEquals(359, degrees, 1e-9);
     assertEquals(2 * Math.PI - 1, AngleUnit.RADIANS.heading(-1));
     assertEquals(-1.5, AngleUnit.RADIANS.heading(-1.5));

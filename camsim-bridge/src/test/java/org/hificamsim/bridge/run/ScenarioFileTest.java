@@ -31,21 +31,21 @@ class ScenarioFileTest {
   @TempDir Path folder;
 
   @Test
-  void countsWhoIsThereAndWhoIsToCome() throws IOException {
+  void countsPresentAndFutureObjects() throws IOException {
     ScenarioFile read = read(TEXT);
     assertEquals(
         new ScenarioFile("some", List.of("A", "B"), 3, 3, Map.of("channel", "loss=0.2")), read);
   }
 
   @Test
-  void isTheOneOfTheCamerasThatCamSimHas() throws IOException {
+  void findsScenarioWithCamerasOfCamSim() throws IOException {
     ScenarioFile read = read(TEXT);
-    assertTrue(read.starts(List.of("A", "B")));
-    assertTrue(read.starts(List.of("A", "B", "C")), "added by an event of the first step");
-    assertTrue(read.starts(List.of("", "B")), "a camera that is offline has no name");
-    assertTrue(!read.starts(List.of("A")));
-    assertTrue(!read.starts(List.of("A", "X")));
-    assertTrue(!read.starts(List.of("A", "B", "C", "D")));
+    assertTrue(read.mayStartWith(List.of("A", "B")));
+    assertTrue(read.mayStartWith(List.of("A", "B", "C")), "added by an event of the first step");
+    assertTrue(read.mayStartWith(List.of("", "B")), "a camera that is offline has no name");
+    assertTrue(!read.mayStartWith(List.of("A")));
+    assertTrue(!read.mayStartWith(List.of("A", "X")));
+    assertTrue(!read.mayStartWith(List.of("A", "B", "C", "D")));
   }
 
   @ParameterizedTest
@@ -56,7 +56,7 @@ class ScenarioFileTest {
         "<root><camera name=\"A\">",
         "<!DOCTYPE r [<!ENTITY e 'x'>]><r>&e;</r>"
       })
-  void isNothingWhereTheFileIsNone(String text) throws IOException {
+  void isEmptyIfFileIsNoScenario(String text) throws IOException {
     Files.writeString(folder.resolve("some.xml"), text);
     assertEquals(0, ScenarioFile.read(folder.resolve("some.xml")).count());
     assertEquals(0, ScenarioFile.read(folder.resolve("none.xml")).count());
