@@ -30,7 +30,7 @@ import org.xml.sax.SAXException;
 class ScenarioSchemaTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
 
-  /** A small scenario with one of everything that the broken ones break. */
+  /** A small valid scenario with every part that {@link #rejectsBrokenSnippets} breaks. */
   private static final String SOUND =
       """
 <root>

@@ -15,9 +15,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * The least that Broadcast could cost if its messages were brought one by one: nanoseconds for a
- * StartSearch that every camera takes note of, which is who searches and since when, in what that
- * camera knows of the target. Divided by the cameras it is the limit for each message.
+ * A lower limit for the cost of Broadcast with messages that are delivered one by one: nanoseconds
+ * for a StartSearch message to all cameras, each of which only notes who searches for the target
+ * and since when. Divided by the number of cameras, this is the limit per message.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -34,7 +34,10 @@ public class BroadcastLimitBenchmark {
   private long[][] since;
   private long time;
 
-  /** Makes what the cameras know: half as many targets as cameras, as on the fields of growth. */
+  /**
+   * Creates the notes of each camera about each target; there are half as many targets as cameras,
+   * as in {@link NetworkGrowthBenchmark}.
+   */
   @Setup
   public void start() {
     searcher = new int[cameras][cameras / 2];

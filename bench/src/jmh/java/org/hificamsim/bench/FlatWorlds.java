@@ -19,8 +19,8 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Settings;
 
 /**
- * How wrong a flat world is: the share of the floor on which a target is detected, by a scenario
- * with heights and by the same scenario without.
+ * Measures the error of a flat world: compares the share of the floor on which a target is detected
+ * between a scenario with heights and the same scenario without them.
  */
 public final class FlatWorlds {
   private static final double CELL = 0.5; // metres
@@ -28,7 +28,7 @@ public final class FlatWorlds {
   private FlatWorlds() {}
 
   /**
-   * Prints a row for the views in which cameras start and one for all views.
+   * Prints two rows for each scenario: one for the views in which cameras start, one for all views.
    *
    * @param args scenario files
    */
@@ -78,7 +78,11 @@ public final class FlatWorlds {
     return field.minY() + (cell / columns(field) + 0.5) * CELL;
   }
 
-  /** Whether some camera detects a target in the middle of each cell. */
+  /**
+   * Returns for each cell whether some camera detects a target in its middle.
+   *
+   * @param any whether any view of a camera counts, else only the one in which it starts
+   */
   private static boolean[] seen(Scenario scenario, String file, boolean any) {
     Catalogue catalogue = Catalogue.load();
     Detection detection = DetectionSpec.of(Settings.NONE, scenario, Path.of(file), catalogue);

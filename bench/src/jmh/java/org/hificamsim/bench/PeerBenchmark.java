@@ -22,14 +22,16 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
-/** Microseconds per step, ours and the plain objects' of the same scenario and policy. */
+/**
+ * Microseconds per step of our engine and of the plain objects, with the same scenario and policy.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 @Fork(2)
 public class PeerBenchmark {
-  /** What both are given. */
+  /** The scenario and policy that both run. */
   @State(Scope.Thread)
   public static class Task {
     @Param({"bench/cluster-8.xml"})

@@ -11,7 +11,8 @@ import java.util.SplittableRandom;
 /**
  * One step of a world with optics and walls as a coverage problem: 14 cameras on the border of a
  * field of 30 m by 20 m, each with five headings and five angles of view, 8 targets and 2 walls. A
- * narrower view reaches farther, as far as it has 62.5 of 640 pixels for each metre.
+ * view is 640 pixels wide and reaches to the distance at which a metre has 62.5 pixels, so that
+ * narrower views reach farther.
  */
 final class SectorInstance {
   private static final double WIDTH = 30;

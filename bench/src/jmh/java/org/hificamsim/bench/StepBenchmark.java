@@ -28,11 +28,11 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of a whole run: move, decide, observe, learn, measure. With {@code -p
- * targets=...} the scenario's own targets, of which the thesis does not say how many there are,
- * give way to that many at random places; 0 keeps them. {@code -p randomCameras=...} takes a random
- * field with that many cameras, at the density of the cluster scenarios and with 0.6 targets for
- * each camera, in place of the scenario.
+ * Microseconds per step of a whole run: move, decide, observe, learn, measure. {@code -p
+ * targets=...} replaces the targets of the scenario, whose number the thesis does not give, by that
+ * many at random places; 0 keeps them. {@code -p randomCameras=...} replaces the scenario by a
+ * random field with that many cameras, at the density of the cluster scenarios and with 0.6 targets
+ * per camera.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

@@ -26,10 +26,10 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per instance of the optimum, filled and solved with proof, one instance of a file
- * after the other. The file is that of {@code bench/peers/step_instances.py}; the optima are
- * written to its folder, under its name with {@code .values}, of another objective than kmin with
- * its name before that.
+ * Microseconds to fill and solve one instance of the optimum with proof. The instances, solved in
+ * turn, are those of a file that {@code bench/peers/step_instances.py} wrote. Their optima go into
+ * a file beside it: {@code FILE.values} for kmin, {@code FILE-OBJECTIVE.values} for any other
+ * objective.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -109,7 +109,9 @@ public class StepOptimumBenchmark {
     Files.write(Path.of(name + ".values"), values);
   }
 
-  /** Shares are given as numbers of targets. */
+  /**
+   * The score of the solution; for {@code covered}, the number of targets instead of their share.
+   */
   private String score(Instance instance) {
     Arrays.fill(k, 0);
     for (int camera = 0; camera < instance.cameras().length; camera++) {

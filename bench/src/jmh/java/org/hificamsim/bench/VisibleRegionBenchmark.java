@@ -22,8 +22,9 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.openjdk.jmh.infra.Blackhole;
 
 /**
- * Nanoseconds of asking whether a camera sees a target past walls of 2 to 20 m in a field of 60 x
- * 40 m, all at random places; of the same without the look-up; and of making the look-up.
+ * Nanoseconds to tell whether a camera sees a target, with the look-up of a visible region and wall
+ * by wall; whether another target hides one; and to construct the look-up. Walls of 2 to 20 m stand
+ * in a field of 60 m x 40 m; all places are random.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

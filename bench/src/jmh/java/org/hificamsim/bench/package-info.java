@@ -1,2 +1,2 @@
-/** Benchmarks of the step (JMH). */
+/** JMH benchmarks, and programs that make their instances and draw their results. */
 package org.hificamsim.bench;

@@ -99,7 +99,7 @@ public class SimCore {
     return !(x > maxX || x < minX || y > maxY || y < minY);
   }
 
-  /** CamSim's ordinate from the top. */
+  /** The top-left based y coordinate, as CamSim computes it (behaviour 2). */
   double top(double y) {
     return (minY + y) * -1;
   }
@@ -229,7 +229,7 @@ public class SimCore {
         given.number("range"));
   }
 
-  /** Waypoints by class name swap speed and heading (behaviour 11, Q3). */
+  /** An object that follows waypoints takes its heading as its speed (behaviour 11, Q3). */
   private static TraceableObject object(Attributes given) {
     Point start = new Point(given.number("x"), given.number("y"));
     double heading = Math.toRadians(given.number("heading"));
@@ -277,7 +277,7 @@ public class SimCore {
     }
   }
 
-  /** Writes the table of steps, and beside it who saw what. */
+  /** Writes the table of steps and, beside it, the table of looks. */
   public void close_files() throws IOException {
     write(output, HEADER, rows);
     write(output.resolveSibling("looks.csv"), LOOKS, looks);

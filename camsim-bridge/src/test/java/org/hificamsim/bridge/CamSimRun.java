@@ -36,9 +36,7 @@ record CamSimRun(int exit, String out, String err, Path folder) {
 
   private static final Map<String, CamSimRun> SHARED = new HashMap<>();
 
-  /**
-   * The run of the scenario of the tests for 200 steps, made once for all tests that only read it.
-   */
+  /** A run of the tests' scenario for 200 steps, shared by all tests that only read it. */
   static synchronized CamSimRun shared(String options) {
     return SHARED.computeIfAbsent(options, key -> of(untilTheEnd(), options));
   }

@@ -30,7 +30,9 @@ final class ScenarioOptions {
     return warning + "; expected no warning, with --strict";
   }
 
-  /** Takes warnings: each is a line on {@code err}, or an error with {@code --strict}. */
+  /**
+   * Returns a consumer that prints a warning on {@code err}, or throws it with {@code --strict}.
+   */
   private Consumer<String> warningsTo(PrintWriter err) {
     return warning -> {
       if (strict) {

@@ -24,7 +24,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 
-/** Computes Table 8.1 again: each cell is a ratio of sums over the two scenarios of a layout. */
+/** Recomputes Table 8.1: each cell is a ratio of sums over the two scenarios of a layout. */
 public final class Table81 {
   private final Cases cases;
 
@@ -35,7 +35,7 @@ public final class Table81 {
   /**
    * A cell compared with the published one.
    *
-   * @param ours performance over that of the same detection model's optimum
+   * @param ours the policy's performance over that of the optimum under the same detection model
    * @param readings the proportion under each other reading; NaN if the reading does not change it
    */
   public record Cell(
@@ -55,7 +55,7 @@ public final class Table81 {
       return ours.mean() - published.proportion();
     }
 
-    /** The hi-fi column is what our defaults were fitted to. */
+    /** Whether the cell was fitted or held out: our defaults were fitted to the hi-fi column. */
     public FitRole role() {
       return published.hifi() ? FitRole.FITTED : FitRole.HELD_OUT;
     }
@@ -150,14 +150,19 @@ public final class Table81 {
         .mean();
   }
 
-  /** A cell of one policy under another one; NaN for all others. */
+  /**
+   * The proportion of a cell with another policy in place of its own, which must be {@code policy};
+   * NaN for the cells of other policies.
+   */
   private double instead(PublishedCell cell, String policy, String other) {
     return cell.policy().equals(policy)
         ? mean(cell.layout().scenarios(), cell.detection(), other)
         : Double.NaN;
   }
 
-  /** CamSim's cell over the hi-fi optimum; NaN for hi-fi. */
+  /**
+   * The proportion of a CamSim cell under a detection, over the hi-fi optimum; NaN for hi-fi cells.
+   */
   private double overHiFi(PublishedCell cell, String detection) {
     List<String> scenarios = cell.layout().scenarios();
     return cell.hifi()

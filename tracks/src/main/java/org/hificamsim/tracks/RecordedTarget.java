@@ -99,8 +99,8 @@ final class RecordedTarget {
   }
 
   /**
-   * Returns the tracks, of which each ends at a gap. Times are rounded to microseconds, positions
-   * to millimetres.
+   * Cuts the samples into tracks wherever there is a gap. Times are rounded to microseconds,
+   * positions to millimetres.
    *
    * @param first the time of the recording's first sample, ticks
    * @param settings the part of the recording that is kept

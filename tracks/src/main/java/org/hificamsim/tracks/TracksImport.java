@@ -27,7 +27,7 @@ public final class TracksImport {
   /**
    * Reads a recording.
    *
-   * @param projection of degrees
+   * @param projection converts degrees to metres
    * @throws org.hificamsim.core.InputException if the file or a setting of the recording is wrong
    */
   public TracksImport(
@@ -45,10 +45,10 @@ public final class TracksImport {
    * Writes the tracks. Targets keep their names if all are whole numbers, otherwise they become 1,
    * 2, 3, ... in the order of their first samples.
    *
-   * @param obstacles that no target should pass
+   * @param obstacles the summary reports tracks that pass through them
    * @param folder in which the file is written
    * @param name of the file
-   * @throws org.hificamsim.core.InputException if nothing is left of the recording
+   * @throws org.hificamsim.core.InputException if the settings leave no samples of the recording
    */
   public ImportSummary write(
       TrackSettings settings, Obstacles obstacles, OutputFolder folder, String name)

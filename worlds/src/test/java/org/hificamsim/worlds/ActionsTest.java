@@ -69,7 +69,7 @@ class ActionsTest {
     }
   }
 
-  /** Five degrees a step, and 2.5 of the angle of view, of which a level has 30. */
+  /** At full speed, a step pans by 5 degrees and zooms by 2.5; levels are 30 degrees apart. */
   @Test
   void ratesTurnAndZoomAtDriveSpeed() {
     try (Played played = played("mate-4v8-9", ActionKind.RATES)) {

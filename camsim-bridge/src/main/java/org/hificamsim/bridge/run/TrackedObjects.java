@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.track.TrackWalk;
 
 /** The positions of CamSim's objects on their tracks. */
 final class TrackedObjects {
-  /** In metres. */
+  /** An object is on its track if it is no farther off in x or y, metres. */
   private static final double TOLERANCE = 1e-6;
 
   /** The tracks by the features of their object. */

@@ -92,7 +92,7 @@ public final class Targets {
     return x.length;
   }
 
-  /** The name in result files: the features value, as CamSim prints it. */
+  /** The target's name in result files: its features value, as CamSim prints it. */
   public String name(int target) {
     return names[target];
   }

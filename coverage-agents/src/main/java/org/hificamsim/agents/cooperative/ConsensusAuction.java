@@ -9,7 +9,7 @@ import org.hificamsim.core.policy.NetworkView;
  * outcome is that of a greedy algorithm which always takes the best view of all cameras next.
  */
 final class ConsensusAuction implements Agreement {
-  /** In place of the bid of a camera that has its view, or is offline. */
+  /** Stands for the missing bid of a camera that already has its view or is offline. */
   private static final double NO_BID = -1;
 
   private final double[] bids;

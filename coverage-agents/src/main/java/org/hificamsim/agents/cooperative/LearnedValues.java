@@ -63,7 +63,7 @@ final class LearnedValues {
     errors[camera] += weight * added * ((isSeen ? 1 : 0) - chance);
   }
 
-  /** Learns from all comparisons of a camera in a step, in which it had this view. */
+  /** Learns from a camera's comparisons of one step, in which it had this view. */
   void learn(int camera, int view) {
     if (!learns()) {
       return;

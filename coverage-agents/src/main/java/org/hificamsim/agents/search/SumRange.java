@@ -47,9 +47,10 @@ final class SumRange {
   }
 
   /**
-   * Removes the sets that lack an indispensable target: one that must be covered by all cameras
-   * that can cover it, because the sum can do with {@code surplus} less than its maximum at most.
+   * Removes the sets that lack an indispensable target. A target is indispensable if the sum falls
+   * below what is required unless all cameras that can cover the target do so.
    *
+   * @param surplus how far the maximum exceeds the sum required
    * @return whether every camera still has a set
    */
   boolean removeSetsWithoutIndispensable(long surplus) {
@@ -83,8 +84,8 @@ final class SumRange {
   }
 
   /**
-   * The number of further cameras, beyond those that cover a target in any case, without which the
-   * sum cannot reach what is required.
+   * The number of cameras that must cover a target, beyond those that do in any case, for the sum
+   * to reach what is required.
    *
    * @param surplus how far the maximum exceeds the sum required
    */

@@ -12,7 +12,7 @@ import org.hificamsim.core.policy.NetworkView;
  * answers a query at once from its present table, even while it moves.
  */
 final class Inquiries {
-  /** In place of the vote of a neighbour that has not answered. */
+  /** Stands for the missing vote of a neighbour that has not answered. */
   static final int NO_VOTE = -1;
 
   /**

@@ -29,7 +29,7 @@ public final class PolicyFiles {
   }
 
   /**
-   * The content of such a file.
+   * The content of a file that a policy reads.
    *
    * @throws InputException when it cannot be read
    */

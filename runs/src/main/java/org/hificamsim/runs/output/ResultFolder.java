@@ -62,7 +62,7 @@ public record ResultFolder(Path path) {
     throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
   }
 
-  /** The name of a folder for pages. */
+  /** The name by which pages call a result folder. */
   public static String name(Path folder) {
     return folder.toAbsolutePath().normalize().getFileName().toString();
   }
