@@ -141,7 +141,7 @@ class OpticsTest {
   }
 
   @Test
-  void filesRecordViewsAndOptics() {
+  void resultFilesContainViewsAndOptics() {
     CamSimRun with = turning();
     assertTrue(
         with.text("results/zooms.csv")

@@ -52,7 +52,7 @@ class RefusalTest {
   }
 
   @Test
-  void reportsReasonForFolderInsideFile() {
+  void reportsWhyFolderInsideFileCannotBeCreated() {
     CamSimRun with =
         CamSimRun.alone(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
     assertEquals(

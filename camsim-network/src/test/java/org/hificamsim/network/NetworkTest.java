@@ -102,7 +102,7 @@ class NetworkTest {
     "epics.ai.dynamicZoom.NewActiveBCBanditRange, BANDIT_ZOOM",
     "BanditSolverZoom, BANDIT_ZOOM",
   })
-  void acceptsOldNewAndShortNames(String name, ScheduleKind kind) {
+  void acceptsOldNewAndShortNamesOfSchedules(String name, ScheduleKind kind) {
     assertEquals(kind, Named.find(ScheduleKind.class, name).orElseThrow());
   }
 

@@ -56,7 +56,7 @@ public final class ImportSummary {
   /**
    * @param interval between most samples of a target, seconds
    * @param gap the longest time between two samples of a target that is present meanwhile, seconds
-   * @param obstacles that no target should pass
+   * @param obstacles the summary reports tracks that pass through them
    */
   ImportSummary(Collector collected, double interval, double gap, Obstacles obstacles) {
     this.collected = collected;

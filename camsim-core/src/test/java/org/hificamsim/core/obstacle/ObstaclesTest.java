@@ -73,7 +73,7 @@ class ObstaclesTest {
   }
 
   @Test
-  void noneBlocksNothing() {
+  void emptyObstaclesBlockNothing() {
     assertTrue(Obstacles.NONE.isEmpty());
     assertEquals(1, Obstacles.NONE.transmittance(0, 0, 1, 1));
     assertTrue(Obstacles.NONE.clear(0, 0, 0, 0));

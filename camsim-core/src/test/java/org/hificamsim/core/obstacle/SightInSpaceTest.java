@@ -31,7 +31,7 @@ class SightInSpaceTest {
   }
 
   @Test
-  void agreesWithRayCasterUpToTheEdge() {
+  void agreesWithRayCasterExceptNearEdges() {
     int hidden = 0;
     for (int scene = 0; scene < SCENES; scene++) {
       List<Obstacle> obstacles = new ArrayList<>();

@@ -93,7 +93,7 @@ class OptimalExpectedZoomPolicyTest {
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-  void reportsGapWhenItGivesUp(@ForAll long seed) {
+  void reportsGapAtNodeLimit(@ForAll long seed) {
     RandomChances network = network(6, 5, new SplittableRandom(seed));
     OptimalExpectedZoomPolicy policy =
         network.begin(

@@ -40,7 +40,7 @@ class DetectorModelTest {
 
   @ParameterizedTest
   @MethodSource("shapes")
-  void confidenceIsANumberThatNeverFalls(DetectorModel g) {
+  void confidenceIsFiniteAndNeverFalls(DetectorModel g) {
     double before = g.confidence(0);
     for (double pip = 1e-12; pip <= 1; pip *= 1.01) {
       double here = g.confidence(pip);

@@ -118,7 +118,7 @@ class PublishedModelsTest {
   }
 
   @Test
-  void everyNumberNamesItsSource() {
+  void everyFeatureAndLineNamesItsSource() {
     CATALOGUE.features().forEach(f -> assertFalse(f.provenance().source().isEmpty(), f.name()));
     CATALOGUE.lines().forEach(line -> assertFalse(line.source().isEmpty(), line.toString()));
   }

@@ -154,7 +154,7 @@ class ViewServerTest {
   }
 
   @Test
-  void rejectsCommandsWithoutOriginAndForeignStreams() throws Exception {
+  void rejectsForeignStreamsAndCommandsWithoutOrigin() throws Exception {
     HttpRequest.Builder bare =
         HttpRequest.newBuilder(address.resolve("command"))
             .header("Content-Type", "application/json")

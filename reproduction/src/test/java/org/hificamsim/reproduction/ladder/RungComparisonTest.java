@@ -60,7 +60,7 @@ class RungComparisonTest {
   }
 
   @Test
-  void regretOfTiedChoicesIsTheirMean() {
+  void regretOfTiedChoicesIsMeanOfTheirRegrets() {
     RungComparison comparison = new RungComparison(scores(1, 1, 0), scores(0.4, 0.8, 0.9));
     assertEquals(0.9 - 0.6, comparison.regret(ONE), 1e-12);
     RungComparison blind = new RungComparison(scores(0, 0, 0), scores(0.3, 0.6, 0.9));
