@@ -13,7 +13,7 @@ public interface Cooperation {
   Cooperation NONE = new Cooperation() {};
 
   /**
-   * The rules by which cameras see with a detection model.
+   * The rules by which cameras see with a detection model; called once, before {@link #begin}.
    *
    * @param seed of the run
    */

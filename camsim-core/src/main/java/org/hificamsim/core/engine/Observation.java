@@ -7,7 +7,11 @@ public final class Observation {
   private final Sight sight;
   private final int[] detected;
   private final int[] coverage;
+
+  /** Scratch memory. */
   private final long[] found;
+
+  /** The coverage in the order of the grid. */
   private final int[] gridCounts;
 
   Observation(Sight sight, int cameras, int targets) {

@@ -122,7 +122,10 @@ public final class Simulation {
     return this;
   }
 
-  /** Runs a number of steps, and then calls the listeners' {@code ended}. */
+  /**
+   * Runs a number of steps, and then calls the listeners' {@code ended}, at every call. A run in
+   * pieces calls {@link #step} instead, which never does.
+   */
   public void run(long steps) {
     for (long i = 0; i < steps; i++) {
       step();
@@ -133,7 +136,8 @@ public final class Simulation {
   }
 
   /**
-   * Runs one step; the first one calls the listeners' {@code started}.
+   * Runs one step, each {@link StepPhase} in its order; the first one calls the listeners' {@code
+   * started}.
    *
    * @throws IllegalStateException if {@link #phases} has left a step unfinished
    */
@@ -155,6 +159,7 @@ public final class Simulation {
     return phases;
   }
 
+  /** Events come before {@link Sight#beginStep}, which takes in the cameras that they changed. */
   void fireEvents() {
     if (!started) {
       start();
@@ -170,6 +175,7 @@ public final class Simulation {
     }
   }
 
+  /** Also where nothing moves, targets are located here, once for the whole step. */
   void moveBeforeLooking() {
     if (order == StepOrder.CAMSIM) {
       world.moveTargets();
@@ -178,7 +184,10 @@ public final class Simulation {
     sight.locate();
   }
 
-  /** All cameras decide from the same snapshot, then all set out for their views. */
+  /**
+   * All cameras decide from the same snapshot, then all set out for their views and move for the
+   * time of one step, before they look.
+   */
   void decide() {
     for (int camera = 0; camera < views.length; camera++) {
       views[camera] = oracle.view(camera);
@@ -223,6 +232,7 @@ public final class Simulation {
     policy.learn(policyView);
   }
 
+  /** Measures for the listeners, who are told next; the policy has learned already. */
   void measure() {
     coverage.measure(oracle);
     coverage.measureScore(oracle);

@@ -13,7 +13,10 @@ import org.hificamsim.core.policy.ZoomPolicy;
  */
 @FunctionalInterface
 public interface StepListener {
-  /** Called at the end of each step, after the observation was measured. */
+  /**
+   * Called at the end of each step, after the observation was measured. Targets have not moved
+   * since it was made.
+   */
   void stepped(OracleView network, StepCoverage coverage);
 
   /** The name by which a run finds it among users' jars. */
@@ -33,6 +36,6 @@ public interface StepListener {
     started(network);
   }
 
-  /** Called once after the last step. */
+  /** Called after the last step of {@link Simulation#run}. */
   default void ended(OracleView network) {}
 }

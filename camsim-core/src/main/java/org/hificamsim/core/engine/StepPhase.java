@@ -4,9 +4,16 @@ package org.hificamsim.core.engine;
 public enum StepPhase {
   /** Events of the scenario happen, and a new step begins for all that counts steps. */
   FIRE_EVENTS,
-  /** Targets move, where they move before cameras look (CamSim's order). */
+  /**
+   * Targets move, where they move before cameras look (CamSim's order). In both orders the
+   * cooperation then prepares, and the positions of targets are read that cameras see until the
+   * step ends.
+   */
   MOVE_BEFORE_LOOKING,
-  /** The policy chooses a view for each camera, and the cameras set out for it. */
+  /**
+   * The policy chooses a view for each camera, and the cameras move towards it for the time of one
+   * step. The policy can still see through the views of the step before.
+   */
   DECIDE,
   /** The cameras look at the targets. */
   OBSERVE,
@@ -16,7 +23,7 @@ public enum StepPhase {
   LEARN,
   /** Coverage and score are measured. */
   MEASURE,
-  /** The listeners are called. */
+  /** The listeners are called, while all is still where it was observed. */
   REPORT,
   /** Targets move, where cameras look before they move (the coverage study's order). */
   MOVE_AFTER_LOOKING

@@ -18,6 +18,11 @@ import org.hificamsim.core.visibility.Body;
  * detection model make of a position. It gives no access to the positions of targets, nor to what a
  * camera would detect at another view: see {@link OracleView}.
  *
+ * <p>Two times meet here while a policy decides: {@link #detected} and {@link #coverage} are still
+ * those of the last observation, whereas {@link #sees}, {@link #findSeen}, {@link #distance},
+ * {@link #bearing} and {@link #confidence} look anew, where targets are now, through the present
+ * views.
+ *
  * <p>Cameras and targets are numbered from 0 and keep their numbers for the whole run. The counts
  * include those that a later event adds; until then, and after an event removes them, these are not
  * online (cameras) or not present (targets).

@@ -3,7 +3,10 @@ package org.hificamsim.agents.cooperative;
 import java.util.SplittableRandom;
 import org.hificamsim.core.policy.NetworkView;
 
-/** How cameras agree, in each step, which of them chooses which view. */
+/**
+ * How cameras agree, in each step, which of them chooses which view. They begin with plans in which
+ * every camera keeps to its last choice ({@link Mind#beginPlan}), until they hear of a new one.
+ */
 interface Agreement {
   /** The rules by name. */
   enum Rule {
@@ -25,7 +28,7 @@ interface Agreement {
     }
   }
 
-  /** Lets all online cameras choose. */
+  /** Lets all online cameras choose; called after {@link Team#share}. */
   void agree(NetworkView network, Team team);
 
   /**
@@ -33,6 +36,9 @@ interface Agreement {
    * of; this is repeated until no camera changes its choice. If the worth is submodular, the first
    * choices are at least half as good as the best plan (Fisher, Nemhauser and Wolsey, 1978), and so
    * is a plan that no camera would leave (Vetta, 2002).
+   *
+   * @param rounds in which each camera chooses once, at most; the first one always counts as a
+   *     change, because no camera has chosen in this step before
    */
   static void chooseInTurn(NetworkView network, Team team, int rounds) {
     boolean changed = true;
@@ -49,8 +55,8 @@ interface Agreement {
 
   /**
    * Each camera plans for all cameras, in turn as in {@link #chooseInTurn}, and follows its own
-   * part of the plan: no message is needed. Over a perfect channel all have the same belief, and so
-   * the same plan.
+   * part of the plan: apart from the reports, no message is needed. Over a perfect channel all have
+   * the same belief, and so the same plan.
    */
   private static void planWithoutMessages(NetworkView network, Team team, int rounds) {
     for (Mind mind : team.minds()) {

@@ -10,7 +10,10 @@ import java.util.Arrays;
  * is a new target. Allocates in each step.
  */
 final class Association {
-  /** How far a target may be from where it should be, in mean step lengths for each step passed. */
+  /**
+   * How far a target may be from where it should be, in mean step lengths for each step passed; a
+   * step counts as the side of a cell at least.
+   */
   private static final double REACH = 3;
 
   /** The cost of a sighting at the limit of a track's reach, and of all beyond. */

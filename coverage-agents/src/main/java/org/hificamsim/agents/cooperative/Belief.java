@@ -37,6 +37,7 @@ final class Belief {
     learnedSight = new LearnedSight(learnsSight, site.grid(), network.cameras());
     int[] views = IntStream.range(0, network.cameras()).map(network::views).toArray();
     learnedValues = new LearnedValues(parameters, worth, views);
+    // How many targets there are is not known: at first, as many as cameras are expected.
     searchMap = new SearchMap(parameters, site.grid(), site.free(), network.cameras());
     viewChances = new double[IntStream.of(views).max().orElse(0)];
   }
@@ -62,7 +63,10 @@ final class Belief {
     }
   }
 
-  /** Ends a step: draws conclusions from what cameras should have seen, and did not. */
+  /**
+   * Ends a step: draws conclusions from what cameras should have seen, and did not. This waits
+   * until all reports have been received, because a target that another camera saw is not missed.
+   */
   void end(NetworkView network) {
     for (int i = 0; i < reports.size(); i++) {
       SightingReport report = reports.get(i);
@@ -114,6 +118,9 @@ final class Belief {
     return cameras;
   }
 
+  /**
+   * Takes in a miss, unless a camera, this one or another, saw the target in that step or later.
+   */
   private void miss(int track, double chance, long step) {
     if (tracks.seenAt(track) < step && chance > 0) {
       double lost = tracks.miss(track, Math.min(1, chance));

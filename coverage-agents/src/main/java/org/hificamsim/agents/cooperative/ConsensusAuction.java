@@ -6,13 +6,16 @@ import org.hificamsim.core.policy.NetworkView;
  * An auction of views. Each camera bids what its best view adds; a camera that receives no higher
  * bid takes its view and announces it, and the others bid again, knowing that. This is the
  * consensus-based bundle algorithm (Choi, Brunet and How, 2009) for bundles of one view. The
- * outcome is that of a greedy algorithm which always takes the best view of all cameras next.
+ * outcome is that of a greedy algorithm which always takes the best view of all cameras next, and
+ * until then counts a camera with its last choice.
  */
 final class ConsensusAuction implements Agreement {
   /** Stands for the missing bid of a camera that already has its view or is offline. */
   private static final double NO_BID = -1;
 
   private final double[] bids;
+
+  /** By camera, the view that it bids for; {@link Plan#NONE} once it has that view. */
   private final int[] views;
 
   ConsensusAuction(int cameras) {
@@ -46,7 +49,10 @@ final class ConsensusAuction implements Agreement {
     return anyBid;
   }
 
-  /** Gives all cameras that received no higher bid their views at the same time. */
+  /**
+   * Gives all cameras that received no higher bid their views at the same time: their bids are
+   * withdrawn only after all have been compared.
+   */
   private void award(NetworkView network, Team team) {
     for (int camera = 0; camera < bids.length; camera++) {
       if (bids[camera] >= 0 && !isOutbid(camera, team)) {

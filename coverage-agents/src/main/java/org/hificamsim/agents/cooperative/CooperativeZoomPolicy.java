@@ -19,7 +19,9 @@ import org.hificamsim.core.scenario.ScenarioReader;
  * camera sees, nor how many targets there are.
  *
  * <p>In each step, cameras send reports ({@link SightingReport}), update what they believe ({@link
- * Belief}), look ahead ({@link Plan}), and agree on their views ({@link Agreement}).
+ * Belief}), look ahead ({@link Plan}), and agree on their views ({@link Agreement}). All of this is
+ * done in {@link #decide}: a {@link Team} passes the messages between the {@link Mind}s, which have
+ * a belief and a plan each.
  */
 public final class CooperativeZoomPolicy implements ZoomPolicy {
   private static final String SITE_MAP = "site";
@@ -117,6 +119,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
     return true;
   }
 
+  /** Reports where targets are now, as seen through the views of the step before. */
   private void look(NetworkView network) {
     for (int camera = 0; camera < reports.length; camera++) {
       reports[camera].begin(network, camera);

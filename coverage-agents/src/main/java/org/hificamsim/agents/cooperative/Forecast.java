@@ -2,7 +2,8 @@ package org.hificamsim.agents.cooperative;
 
 /**
  * Where known targets are going to be, step by step up to the horizon. Each pair of a target and a
- * step has a slot, with the number {@code target * horizon + step}.
+ * step has a slot: {@code i * horizon + step} for the i-th known target, which is not the number of
+ * its track ({@link Plan#targetAndStep}).
  */
 final class Forecast {
   private final int horizon;

@@ -7,7 +7,8 @@ import org.hificamsim.core.policy.NetworkView;
  * Log-linear learning (Marden, Arslan and Shamma, 2009; spatial adaptive play). One camera at a
  * time, drawn at random, draws its next view, with a chance that rises exponentially with what the
  * view adds. In this potential game, the best joint choice is the more likely, the less noise there
- * is. The noise falls to 0 in the last round, in which cameras take their best views.
+ * is. The noise falls to 0 in the last round, in which cameras take their best views. Before the
+ * first round, each camera chooses once in turn.
  */
 final class LogLinearLearning implements Agreement {
   /** The noise of the first round, in units of what a view adds. */

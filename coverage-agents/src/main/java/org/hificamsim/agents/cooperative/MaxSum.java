@@ -23,14 +23,15 @@ final class MaxSum implements Agreement {
   /** In place of infinity. */
   private static final double MAX_LOSS = 1e6;
 
-  /** In place of a loss: the camera does not take part, or cannot detect the target. */
+  /** In place of a message: the camera does not take part, or cannot detect the target. */
   private static final double NO_MESSAGE = -MAX_LOSS;
 
   private final int rounds;
 
   /**
    * The last messages, by camera and by number of target and step: the best total without the
-   * detection subtracted from the best total with it.
+   * detection subtracted from the best total with it, which is the camera's loss with its sign
+   * changed. Who reads a message asks first whether the sender's last one arrived.
    */
   private final double[][] messages;
 

@@ -3,10 +3,13 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 
 /**
- * The number of targets expected in each cell of a grid that no camera sees. It spreads to
- * neighbouring cells, falls where cameras look and find nothing, takes up targets that were lost,
- * and relaxes towards a learned occupancy: the average number of targets seen per look at the cell
- * and its neighbours.
+ * How many targets that no camera sees are expected in each cell of a grid. This number spreads to
+ * neighbouring cells, falls where cameras look, takes up targets that were lost, and relaxes
+ * towards a learned occupancy: the average number of targets seen per look at the cell and its
+ * neighbours.
+ *
+ * <p>All arrays are by cell. In each step call {@link #look}, {@link #countSighting} and {@link
+ * #absorb} for all that happens, then {@link #step}.
  */
 final class SearchMap {
   /** The number of steps from one estimate of the occupancy to the next. */
@@ -63,7 +66,7 @@ final class SearchMap {
     Arrays.fill(missChances, 1);
   }
 
-  /** The number of targets expected in each cell that no camera sees. */
+  /** By cell, the number of targets expected in it that no camera sees. */
   double[] unseenTargets() {
     return unseenTargets;
   }

@@ -31,7 +31,10 @@ final class Site {
     cellSight = new CellSight(grid, network.cameras());
   }
 
-  /** Updates the site for cameras that were added, moved or changed. */
+  /**
+   * Updates the site if a camera stands elsewhere than before. A camera that was only turned, or
+   * given other views, keeps its old cells until any camera moves.
+   */
   void refresh(NetworkView network) {
     if (revision == network.revision()) {
       return;

@@ -16,11 +16,20 @@ final class TargetTracks {
 
   private static final class Track {
     private boolean known;
+
+    /** Where the target is believed to be now. */
     private double x;
+
     private double y;
+
+    /** What it moves in a step, by its last two sightings. */
     private double stepX;
+
     private double stepY;
+
+    /** Where, and in which step, it was last seen. */
     private double seenX;
+
     private double seenY;
     private long seenAt;
     private double size;
@@ -59,7 +68,7 @@ final class TargetTracks {
     return number;
   }
 
-  /** Moves all targets by one step. */
+  /** Moves all targets by one step, and lowers their weights, which a sighting restores. */
   void step() {
     for (int i = 0; i < knownCount; i++) {
       Track track = tracks[knownTracks[i]];
@@ -115,6 +124,7 @@ final class TargetTracks {
     measuredSteps += steps;
   }
 
+  /** Follows a target from its last sighting, with a weight of 1, to the present step. */
   private void predictPresent(Track track, long stepsAgo) {
     track.x = track.seenX;
     track.y = track.seenY;

@@ -44,6 +44,7 @@ final class Team {
     cameras = network.cameras();
     shared = !individual || cameras <= 1;
     boolean perfect = network.channel().isPerfect();
+    // Channel.PERFECT knows no cameras, and so cannot carry messages between separate minds.
     channel = perfect ? new Channel(ChannelModel.PERFECT, network, 0) : network.channel();
     reportPost = new Post<>(network, channel);
     choicePost = new Post<>(network, channel);
@@ -161,7 +162,10 @@ final class Team {
     chosenViews[camera] = plan(camera).view(camera);
   }
 
-  /** Lets a camera send the others a bid of this many numbers. */
+  /**
+   * Lets a camera send the others a bid of this many numbers. The numbers themselves stay with the
+   * {@link Agreement}; what is simulated is where they arrive ({@link #bidArrived}).
+   */
   void bid(int camera, int numbers) {
     int length = MessageBits.address(cameras) + numbers * MessageBits.REAL;
     count(camera, length);

@@ -8,9 +8,16 @@ final class ViewForecast {
   private static final int FIRST_ROWS = 16;
 
   private int views;
+
+  /** By view. */
   private int[] delays = {};
+
+  /** Scratch memory, by view. */
   private double[] viewChances = {};
+
   private int rows;
+
+  /** By row. */
   private int[] slots = {};
 
   /** By row and view. */
@@ -40,6 +47,7 @@ final class ViewForecast {
     }
   }
 
+  /** Adds a row, unless its chances are 0 in all views that the camera reaches in time. */
   private void add(int slot, int step) {
     if (rows == slots.length) {
       slots = Arrays.copyOf(slots, Math.max(FIRST_ROWS, 2 * rows));
@@ -97,7 +105,7 @@ final class ViewForecast {
     }
   }
 
-  /** Computes what each view adds to the planned coverage. */
+  /** Computes what each view adds to the planned coverage, which must not include the camera. */
   void gains(Forecast forecast, PlannedCoverage coverage, double[] gains) {
     Arrays.fill(gains, 0, views, 0);
     for (int row = 0; row < rows; row++) {

@@ -9,6 +9,7 @@ import org.hificamsim.core.metrics.Objective;
  * one add a part in advance. If the least k counts, the worth is a harmonic sum.
  */
 final class Worth {
+  /** No more cameras than these count, unless a target needs more. */
   private static final int MAX_COUNTED = 4;
 
   /** What a further camera adds, by the number of cameras that detect the target without it. */
@@ -27,6 +28,7 @@ final class Worth {
       last++;
     }
     added = new double[last];
+    // If several are needed, they share a worth of 1: the last one 1 - lead, those before it lead.
     for (int k = 1; k <= last; k++) {
       boolean enough = k > needed || needed == 1;
       double before = lead / Math.max(1, needed - 1);

@@ -42,7 +42,10 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
 
   private final BranchAndBound search = new BranchAndBound();
   private int depth;
+
+  /** The weighted sums of the rows of the cameras before {@link #depth}. */
   private double chosenWeight;
+
   private double value;
   private double bound;
 

@@ -29,7 +29,11 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   private final BiFunction<Objective, CoverageProblem, Solver> solverFactory;
   private DetectionSets sets;
   private int revision;
+
+  /** Whether each online camera has one candidate left, so that nothing needs to be solved. */
   private boolean hasDominantViews;
+
+  /** Whether there is a solver, which is made in the first step that needs one. */
   private boolean hasSolver;
 
   /** Reads the option {@code nodes}. */

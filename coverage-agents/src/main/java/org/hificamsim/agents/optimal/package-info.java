@@ -1,5 +1,6 @@
 /**
  * Bounds, which know what no camera can know: the exactly best configurations of each step and of a
- * run.
+ * run. They turn a network into a problem of detection sets, which {@code agents.search} solves and
+ * proves.
  */
 package org.hificamsim.agents.optimal;

@@ -14,8 +14,13 @@ final class Prices {
   private final long[] targetPrices;
   private final long[] bestTargetPrices;
   private final long[] maxTargetPrices;
+
+  /** By set, the sum of its targets' prices; to be computed again when these have changed. */
   private final long[] setPrices;
+
+  /** By camera, the greatest price of its remaining sets, as of the last {@link #bound}. */
   private final long[] cameraPrices;
+
   private final int[] offers;
   private final int[] demands;
   private boolean tuned;
@@ -49,7 +54,7 @@ final class Prices {
     return lowestBound;
   }
 
-  /** No choice among the remaining sets has a greater sum of worths. */
+  /** No choice among the remaining sets has a greater sum of worths, by the present set prices. */
   long bound(TargetWorth worth) {
     long bound = 0;
     for (int target = 0; target < problem.targets(); target++) {

@@ -7,6 +7,9 @@ import java.util.stream.IntStream;
  * The sets that each camera may still choose, and the range of coverage that follows for each
  * target: from the number of cameras all of whose remaining sets hold it to the number of cameras
  * with any remaining set that holds it. Removals can be undone, the last one first.
+ *
+ * <p>A choosing camera had more than one set at {@link #reset}, an open camera has more than one
+ * now, and a target is undecided for a camera if that depends on which of these the camera chooses.
  */
 final class RemainingSets {
   private final CoverageProblem problem;

@@ -69,7 +69,7 @@ final class Stage {
     prices.reset();
   }
 
-  /** Requires this value or a greater one from now on. */
+  /** Requires this value or a greater one from now on, in place of what was required before. */
   void require(long value) {
     requirement.require(value);
   }

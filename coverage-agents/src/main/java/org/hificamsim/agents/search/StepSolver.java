@@ -123,6 +123,10 @@ public final class StepSolver extends Solver {
   /**
    * Improves the configuration by the last of some stages, and keeps its value of the earlier ones.
    *
+   * <p>What the stage requires changes on the way, because local search, prices and tree all read
+   * it: first the bound, as a goal for local search; then the next value above the best one, which
+   * the proof shows to be out of reach; at last the value reached, which later stages have to keep.
+   *
    * @return whether its value is proven to be the best
    */
   private boolean improve(int stageCount) {
@@ -140,6 +144,13 @@ public final class StepSolver extends Solver {
     return done;
   }
 
+  /**
+   * Looks for a proof that nothing is better, with more and more effort. The value is the best if
+   * it equals the bound, if prices show that the next value is out of reach, or if the tree of all
+   * configurations with that value was searched to its end.
+   *
+   * @return whether there is a proof; there is at least one attempt, even if no nodes are left
+   */
   private boolean closeGap(int stageCount, long bound) {
     Stage stage = stages[stageCount - 1];
     int mark = remaining.mark();

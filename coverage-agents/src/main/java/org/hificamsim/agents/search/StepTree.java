@@ -12,7 +12,12 @@ final class StepTree implements BranchAndBound.Tree {
   private final CoverageProblem problem;
   private final RemainingSets remaining;
   private final Stage[] stages;
+
+  /**
+   * By depth, the {@link RemainingSets#mark} before its decision; first, that of the whole search.
+   */
   private final int[] marks;
+
   private int depth;
   private int stageCount;
   private boolean improving;
@@ -70,6 +75,10 @@ final class StepTree implements BranchAndBound.Tree {
     return found && !improving;
   }
 
+  /**
+   * Narrows until nothing changes, and only then decides. A configuration that is kept raises the
+   * requirement, so that more can be removed.
+   */
   @Override
   public int branch() {
     while (!isDeadEnd) {
@@ -125,6 +134,7 @@ final class StepTree implements BranchAndBound.Tree {
     return met;
   }
 
+  /** Keeps a configuration, when any choice of the remaining sets would do: that of most gain. */
   private void keep() {
     result.clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
@@ -198,7 +208,10 @@ final class StepTree implements BranchAndBound.Tree {
     remaining.choose(set);
   }
 
-  /** Removes the set, and the camera's other sets that add no open target to those of the set. */
+  /**
+   * Removes the set, and the camera's other sets that add no open target to those of the set: they
+   * lead to nothing better than the set, and all that follows from it has been searched.
+   */
   @Override
   public void refuse(int set) {
     remaining.undo(marks[--depth]);

@@ -48,8 +48,14 @@ public final class CoverSearch {
   private final Goal goal;
   private final SplittableRandom random;
   private final BooleanSupplier stop;
+
+  /** The plan that is being changed. */
   private final Selection selection;
+
+  /** The best plan so far, rising; only {@link #keep} replaces it. */
   private int[] best = {};
+
+  /** The score of the best plan. */
   private double score;
 
   private CoverSearch(CoverInstance instance, Goal goal, Effort effort) {
@@ -113,7 +119,13 @@ public final class CoverSearch {
     return scoreIsBetter ? score : bound; // better by rounding
   }
 
-  /** Solves the problem of some candidates, which include the best plan; returns their bound. */
+  /**
+   * Solves the problem of some candidates; returns their bound. Where the gap is wide and the
+   * problem suits it, {@link Enumeration} takes the place of the method that was asked for.
+   *
+   * @param candidates rising, among them those of the best plan
+   * @param bound known already
+   */
   private double solveExactly(int[] candidates, double bound, Effort effort, BooleanSupplier end) {
     int[] start =
         Arrays.stream(best).map(candidate -> Arrays.binarySearch(candidates, candidate)).toArray();
@@ -178,7 +190,8 @@ public final class CoverSearch {
   }
 
   /**
-   * Removes redundant candidates, the most expensive first, and keeps the plan if it is the best.
+   * Keeps the selected plan if it is the best; for full cover, redundant candidates are removed
+   * first, beginning with the most expensive.
    */
   private void finish() {
     if (goal.isFullCover()) {
@@ -196,6 +209,7 @@ public final class CoverSearch {
     }
   }
 
+  /** Makes a plan the best one, if the goal allows it and it is better. */
   private void keep(int[] candidates) {
     double newScore = goal.score(instance, candidates);
     boolean better =

@@ -49,7 +49,10 @@ public record Goal(double budget) {
     return values.length == 0 ? 0 : values[0];
   }
 
-  /** Moves a bound to the nearest score that is possible. */
+  /**
+   * Moves a bound to the nearest possible score within it: up for full cover, else down. It stays
+   * where it is if the step is not known.
+   */
   double tightened(double bound, double scoreStep) {
     if (scoreStep == 0) {
       return bound;

@@ -24,13 +24,17 @@ public final class LagrangianBound {
   private final CoverInstance instance;
   private final Goal goal;
   private final double scoreStep;
+
+  /** By point; a change is followed by new {@link #multiplierSums} and {@link #worthOfPrice}. */
   private final double[] multipliers;
+
+  /** Those that prove {@link #bound}. */
   private final double[] bestMultipliers;
 
   /** By candidate, the sum of the multipliers of its points. */
   private final double[] multiplierSums;
 
-  /** The worth of a price of 1, for the present multipliers. */
+  /** The worth of a price of 1, for the present multipliers: the multiplier of the budget. */
   private double worthOfPrice = 1;
 
   private double bound;

@@ -94,7 +94,10 @@ public record Candidates(List<Candidate> list, int[][] covered) {
         .toList();
   }
 
-  /** Returns a camera of each kind, at each tilt, that can look in every heading. */
+  /**
+   * Returns a camera of each kind, at each tilt, that can look in every heading: one simulated
+   * world then shows what the candidates of all headings see.
+   */
   private static List<Candidate> scouts(
       Point point, List<CameraKind> kinds, CoverageReading reading, Scenario site) {
     boolean ownHeight = site.hasHeights() && site.mountHeight().isEmpty();
@@ -139,7 +142,11 @@ public record Candidates(List<Candidate> list, int[][] covered) {
     return reading == CoverageReading.FIXED ? fixed(scout, seen) : turning(scout, seen);
   }
 
-  /** Returns a candidate for each heading and zoom level. */
+  /**
+   * Returns a candidate for each heading and zoom level. The scout's views are numbered as in
+   * {@link org.hificamsim.core.policy.NetworkView}: all levels of a heading, then those of the
+   * next.
+   */
   private static Stream<CoveringCandidate> fixed(Candidate scout, int[][] seen) {
     OpticsSpec optics = scout.kind.optics();
     List<Double> headings = headings();

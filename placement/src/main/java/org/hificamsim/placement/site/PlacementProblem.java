@@ -26,7 +26,7 @@ import org.hificamsim.placement.site.SitePlan.Shares;
 /**
  * Where to put cameras on a site, as a covering problem.
  *
- * @param instance the whole demand, by candidate
+ * @param instance the whole demand, as if no camera were kept; {@link #remaining} is searched
  * @param keptCounts by point, the number of kept cameras that cover it
  */
 public record PlacementProblem(
@@ -172,7 +172,10 @@ public record PlacementProblem(
     return instance.worth(keptCounts);
   }
 
-  /** By price: a bound on the share that candidates can meet, by the multipliers of a plan. */
+  /**
+   * By price: a bound on the share that candidates can meet, by the multipliers of a plan. Those of
+   * full cover are prices and not worths, so that the unit worths take their place.
+   */
   DoubleUnaryOperator shareBound(CoverPlan plan) {
     CoverInstance undominated = instance.remaining(keptCounts).undominated();
     double[] multipliers =
@@ -183,7 +186,10 @@ public record PlacementProblem(
     };
   }
 
-  /** Searches for a plan, whose cameras may then be refined. */
+  /**
+   * Searches for a plan, whose cameras may then be refined. Bounds are on plans of candidates; a
+   * refined plan may exceed them.
+   */
   public SitePlan solve(
       Effort effort, CoverSearch.Watcher watcher, Optional<Refinement> refinement) {
     CoverPlan plan =

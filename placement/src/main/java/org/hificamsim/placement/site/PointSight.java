@@ -75,7 +75,7 @@ public final class PointSight {
                 catalogue.policies().create("fixed"),
                 0,
                 List.of());
-        simulation.phases().runUntil(StepPhase.DECIDE);
+        simulation.phases().runUntil(StepPhase.DECIDE); // targets are located, no camera has moved
         OracleView oracle = simulation.network();
         for (int camera = 0; camera < seen.length; camera++) {
           addSeen(oracle, camera, zone, seen);
@@ -106,7 +106,7 @@ public final class PointSight {
   /** Returns, by camera, the points that the camera covers according to a reading, rising. */
   public int[][] covered(List<CameraSpec> cameras, CoverageReading reading) {
     int[][][] seen = seenByView(cameras);
-    World world = world(demand.zones().get(0), cameras);
+    World world = world(demand.zones().get(0), cameras); // for the views in which cameras start
     int[][] covered = new int[seen.length][];
     for (int camera = 0; camera < seen.length; camera++) {
       covered[camera] =

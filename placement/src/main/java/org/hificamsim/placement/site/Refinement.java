@@ -59,7 +59,7 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
     return cameras.stream().map(CoveringCamera::candidate).toList();
   }
 
-  /** Makes each camera's best move; returns whether any camera moved. */
+  /** Makes each camera's best move, given the moves made before it; returns whether any moved. */
   private static boolean moveAll(
       PlacementProblem problem,
       int[] counts,
@@ -91,7 +91,7 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
         .collect(Collectors.toCollection(ArrayList::new));
   }
 
-  /** Returns a candidate turned, tilted and moved by one step each. */
+  /** Returns the candidates that differ from one by a single step: turned, tilted or moved. */
   private static List<Candidate> moves(
       PlacementProblem problem, Candidate candidate, double turn, List<Point> points) {
     Mount mount = candidate.mount();

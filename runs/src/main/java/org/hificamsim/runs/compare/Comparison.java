@@ -71,6 +71,7 @@ public final class Comparison {
     /** Runs by repeat that have to wait until those of earlier seeds are added. */
     private final Map<Integer, FinishedRun> waiting = new HashMap<>();
 
+    /** The number of runs in {@link #scoreSums}, and so the repeat that is added next. */
     private int added;
 
     CaseUnderWay(RunPlan plan) {

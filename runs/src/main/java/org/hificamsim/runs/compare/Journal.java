@@ -36,13 +36,20 @@ import org.hificamsim.runs.RunResult;
 /**
  * A file of finished runs, each a line of JSON with a checksum, which is appended when the run
  * finishes. An incomplete last line, left by a killed process, is dropped; damaged lines are
- * counted. The runs of such lines are computed again.
+ * counted. The runs of such lines are computed again, but the lines stay.
+ *
+ * <p>The journal of a comparison is deleted when its results are in place; that of a shard is its
+ * result. {@link JournalledEngine} skips the runs that a journal had when it was opened: those that
+ * are added later are not found.
  */
 public final class Journal implements Closeable {
   /** The name of the file in the folder of a comparison. */
   public static final String NAME = ".compare.journal";
 
+  /** The name of the file in the folder of a shard. */
   private static final String RUNS = "runs.jsonl";
+
+  /** What each line begins with, by which a journal is told from other files. */
   private static final byte[] BEGIN = "{\"sum\":\"".getBytes(StandardCharsets.UTF_8);
 
   private static final int MAX_LINE = 1 << 28; // bytes
@@ -53,7 +60,10 @@ public final class Journal implements Closeable {
 
   private final Path file;
   private final FileChannel channel;
+
+  /** By the plan's key with the seed, the last line of the run; as of the opening. */
   private final Map<String, Line> lines = new HashMap<>();
+
   private final List<Integer> damagedLines = new ArrayList<>();
   private int lineCount;
 
@@ -84,7 +94,7 @@ public final class Journal implements Closeable {
             LinkOption.NOFOLLOW_LINKS);
     Journal journal = new Journal(file, channel);
     long end = resume ? journal.index() : 0;
-    channel.truncate(end);
+    channel.truncate(end); // drops an incomplete last line, or all lines
     channel.position(end);
     return journal;
   }
@@ -176,14 +186,18 @@ public final class Journal implements Closeable {
     return bytes.array();
   }
 
-  /** Whether the journal has a run. */
+  /**
+   * Whether the journal had a run when it was opened.
+   *
+   * @param key the {@link RunKey#text} of its plan
+   */
   boolean has(String key, long seed) {
     return lines.containsKey(JournalLine.key(key, seed));
   }
 
   /**
    * Checks that the runs in the journal are of the same inputs as a comparison's. Inputs of other
-   * names may be among them.
+   * names may be among them, and so may runs with other settings, which are never found.
    *
    * @throws InputException naming an input that has changed under the same name
    */
@@ -203,13 +217,21 @@ public final class Journal implements Closeable {
             });
   }
 
-  /** A run in the journal; empty if it is not there. */
+  /**
+   * A run that the journal had when it was opened; empty if it is not there.
+   *
+   * @param key the {@link RunKey#text} of its plan
+   */
   synchronized Optional<FinishedRun> find(String key, long seed) throws IOException {
     Line line = lines.get(JournalLine.key(key, seed));
     return line == null ? Optional.empty() : JournalLine.parse(bytes(line)).map(JournalLine::run);
   }
 
-  /** Appends a finished run. */
+  /**
+   * Appends a finished run, for the next time that the journal is opened.
+   *
+   * @param key the {@link RunKey#text} of its plan
+   */
   synchronized void add(String key, long seed, FinishedRun run) throws IOException {
     ByteBuffer line = ByteBuffer.wrap(new JournalLine(JournalLine.key(key, seed), run).bytes());
     while (line.hasRemaining()) {

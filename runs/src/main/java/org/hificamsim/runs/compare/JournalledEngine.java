@@ -22,6 +22,9 @@ public record JournalledEngine(RunEngine engine, Journal journal, RunProgress pr
   /**
    * {@inheritDoc}
    *
+   * <p>Runs of the journal are taken first, then the others as they finish. Each is in the journal
+   * before it is taken, so that it is kept even if {@code finished} fails.
+   *
    * @throws org.hificamsim.core.InputException when the journal has runs of other inputs of the
    *     same names
    */

@@ -123,7 +123,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
 
   /**
    * An input that has the same name but another content in another key; empty if results of both
-   * keys may be in one table.
+   * keys may be in one table. Settings are not compared.
    */
   public Optional<String> changed(RunKey other) {
     return inputs.stream()
