@@ -51,7 +51,8 @@ class SightByChanceTest {
   }
 
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
-  void detectsTheSameFromTableAndFullModel(@ForAll @IntRange(max = 2) int which, @ForAll long seed) {
+  void detectsTheSameFromTableAndFullModel(
+      @ForAll @IntRange(max = 2) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = world(random, seed);
     String rule = List.of("chance", "chance:memory=3", "probability").get(which);
