@@ -86,7 +86,7 @@ class LocaleTest {
     }
   }
 
-  static Stream<String> commandsPrintAndWriteTheSame() {
+  static Stream<String> everyLocaleGivesSameOutput() {
     return COMMANDS.stream().map(LocaleTest::name);
   }
 

@@ -33,9 +33,9 @@ public record Candidates(List<Candidate> list, int[][] covered) {
   private static final double DEFAULT_HEIGHT = 3;
 
   /** A camera that could be mounted. */
-  public record Candidate(CameraKind kind, OpticsSpec optics, Mount mount) {
+  public record Candidate(CameraKind kind, OpticsSpec optics, Mounting mount) {
     /** Returns the candidate on another mount. */
-    Candidate on(Mount newMount) {
+    Candidate on(Mounting newMount) {
       return new Candidate(kind, optics, newMount);
     }
 
@@ -109,7 +109,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
       OpticsSpec optics = fixed ? panning.with(OpticsSpec.TILTS, List.of(0.0)) : panning;
       boolean tilts = site.hasHeights() && optics.law() == OpticsLaw.PINHOLE;
       for (double tilt : tilts ? TILTS : List.of(0.0)) {
-        scouts.add(new Candidate(kind, optics, new Mount(point, z, tilt, 0)));
+        scouts.add(new Candidate(kind, optics, new Mounting(point, z, tilt, 0)));
       }
     }
     return scouts;
@@ -126,7 +126,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
     return reading == CoverageReading.FIXED
         ? headings()
         : headings().stream()
-            .flatMap(heading -> optics.pans().stream().map(pan -> Mount.sum(heading, pan)))
+            .flatMap(heading -> optics.pans().stream().map(pan -> Mounting.sum(heading, pan)))
             .distinct()
             .sorted()
             .toList();
@@ -154,7 +154,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
     return IntStream.range(0, headings.size() * levels)
         .mapToObj(
             view -> {
-              Mount mount = scout.mount.turnedBy(headings.get(view / levels));
+              Mounting mount = scout.mount.turnedBy(headings.get(view / levels));
               OpticsSpec fixedOptics = atLevel(optics, view % levels);
               return new CoveringCandidate(
                   new Candidate(scout.kind, fixedOptics, mount), seen[view]);
@@ -178,7 +178,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
         .map(
             heading -> {
               Stream<int[]> inReach =
-                  optics.pans().stream().map(pan -> seenByAngle.get(Mount.sum(heading, pan)));
+                  optics.pans().stream().map(pan -> seenByAngle.get(Mounting.sum(heading, pan)));
               return new CoveringCandidate(
                   new Candidate(scout.kind, optics, scout.mount.turnedBy(heading)),
                   PointSight.union(inReach));

@@ -94,16 +94,16 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
   /** Returns the candidates that differ from one by a single step: turned, tilted or moved. */
   private static List<Candidate> moves(
       PlacementProblem problem, Candidate candidate, double turn, List<Point> points) {
-    Mount mount = candidate.mount();
+    Mounting mount = candidate.mount();
     boolean tilts =
         problem.demand().site().hasHeights() && candidate.optics().law() == OpticsLaw.PINHOLE;
-    Stream<Mount> turned = DoubleStream.of(-turn, turn).mapToObj(mount::turnedBy);
-    Stream<Mount> tilted =
+    Stream<Mounting> turned = DoubleStream.of(-turn, turn).mapToObj(mount::turnedBy);
+    Stream<Mounting> tilted =
         DoubleStream.of(mount.tilt() - turn, mount.tilt() + turn)
             .filter(tilt -> tilts && Math.abs(tilt) <= 90)
             .mapToObj(mount::tiltedTo);
     Point position = mount.position();
-    Stream<Mount> moved =
+    Stream<Mounting> moved =
         points.stream()
             .filter(point -> !point.equals(position))
             .sorted(Comparator.comparingDouble(point -> distance(point, position)))

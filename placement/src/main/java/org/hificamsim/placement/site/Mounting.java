@@ -10,20 +10,20 @@ import org.hificamsim.core.obstacle.Point;
  * @param tilt degrees below the horizon
  * @param heading degrees, from -180
  */
-public record Mount(Point position, Optional<Double> z, double tilt, double heading) {
+public record Mounting(Point position, Optional<Double> z, double tilt, double heading) {
   /** Returns the mount with a heading that is turned by an angle, degrees. */
-  Mount turnedBy(double degrees) {
-    return new Mount(position, z, tilt, sum(heading, degrees));
+  Mounting turnedBy(double degrees) {
+    return new Mounting(position, z, tilt, sum(heading, degrees));
   }
 
   /** Returns the mount at another tilt, degrees. */
-  Mount tiltedTo(double newTilt) {
-    return new Mount(position, z, newTilt, heading);
+  Mounting tiltedTo(double newTilt) {
+    return new Mounting(position, z, newTilt, heading);
   }
 
   /** Returns the mount at another position. */
-  Mount movedTo(Point newPosition) {
-    return new Mount(newPosition, z, tilt, heading);
+  Mounting movedTo(Point newPosition) {
+    return new Mounting(newPosition, z, tilt, heading);
   }
 
   /** The sum of two angles, degrees from -180, rounded to millionths. */
