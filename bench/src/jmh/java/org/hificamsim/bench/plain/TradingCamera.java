@@ -118,7 +118,7 @@ final class TradingCamera {
 
   private void found(Target target, TradingCamera bidder, double value) {
     if (advertised.contains(target)) {
-      bids.computeIfAbsent(target, one -> new LinkedHashMap<>()).putIfAbsent(bidder, value);
+      bids.computeIfAbsent(target, key -> new LinkedHashMap<>()).putIfAbsent(bidder, value);
     }
   }
 

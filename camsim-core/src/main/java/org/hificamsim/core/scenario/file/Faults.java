@@ -60,7 +60,7 @@ public final class Faults {
   /** What is made of the elements that have no fault. */
   public <T> List<T> each(List<XmlElement> elements, Function<XmlElement, T> reader) {
     List<T> read = new ArrayList<>();
-    elements.forEach(one -> check(() -> read.add(reader.apply(one))));
+    elements.forEach(element -> check(() -> read.add(reader.apply(element))));
     return read;
   }
 }

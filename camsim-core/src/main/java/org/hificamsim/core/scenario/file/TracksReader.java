@@ -47,7 +47,7 @@ public final class TracksReader {
     try (TextLines lines =
         attributes.has(FILE) ? open(element, attributes, path) : element.lines()) {
       List<TargetSpec> targets = new TrackReader(lines, stepTime).tracks();
-      StepPlaces.precompute(targets.stream().map(one -> one.track().orElseThrow()).toList());
+      StepPlaces.precompute(targets.stream().map(target -> target.track().orElseThrow()).toList());
       warn(element, targets, track -> !isMet(track), "no step meets: they are shorter than a step");
       warn(element, targets, track -> !staysIn(track, field), "lead outside the field");
       return targets.stream().flatMap(TracksReader::events).toList();
@@ -77,7 +77,7 @@ public final class TracksReader {
 
   private static void warn(
       XmlElement element, List<TargetSpec> targets, Predicate<Track> odd, String what) {
-    long count = targets.stream().filter(one -> odd.test(one.track().orElseThrow())).count();
+    long count = targets.stream().filter(target -> odd.test(target.track().orElseThrow())).count();
     if (count > 0) {
       element.warn(count + " of the tracks " + what);
     }
