@@ -1,7 +1,5 @@
 package org.hificamsim.core.scenario;
 
-import static java.util.stream.Collectors.joining;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -20,21 +18,16 @@ import org.hificamsim.core.scenario.declaration.Property;
 import org.hificamsim.core.scenario.declaration.Range;
 import org.hificamsim.core.scenario.declaration.Spec;
 import org.hificamsim.core.scenario.declaration.Type;
-import org.hificamsim.core.scenario.file.TracksReader;
 import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.core.scenario.spec.EventHead;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.Headings;
-import org.hificamsim.core.scenario.spec.ObstacleElements;
 import org.hificamsim.core.scenario.spec.Occlusion;
-import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.VisionGraph;
-import org.hificamsim.core.scenario.spec.Waypoint;
 import org.hificamsim.core.scenario.spec.Zone;
 
 /** A scenario: the field with its obstacles, cameras, targets and events. */
@@ -164,29 +157,6 @@ shows, m (ours) | the field's borders
   /** The zones, in file order, with unique names. */
   public static final Property<Scenario, List<Zone>> ZONES = ELEMENT.property(List.of());
 
-  static final Element<Scenario> ROOT =
-      Element.<Scenario>of("root", "A scenario.").holds("simulation");
-  static final Element<Scenario> OBSTACLES_HOLDER =
-      Element.<Scenario>of(
-              "obstacles",
-              "What hides targets from cameras; where `transmittance` is 0 no target walks (ours).")
-          .holds(
-              ObstacleElements.ALL.stream().map(Element::name).collect(joining(" | ", "(", ")*")));
-  static final Element<Scenario> ZONES_HOLDER =
-      Element.<Scenario>of("zones", "What is demanded of the cameras, and where (ours).")
-          .holds("zone*");
-  static final Element<Scenario> ZOOM_LIST =
-      Element.<Scenario>of(
-              "zoom", "The radii that every camera can choose from, between spaces, rising, m.")
-          .holds("#" + Type.RADII.schema());
-  static final Element<Scenario> CAMERAS_HOLDER =
-      Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera+");
-  static final Element<Scenario> TARGETS_HOLDER =
-      Element.<Scenario>of("objects", "The targets of the start, and recorded ones.")
-          .holds("(object | object_with_waypoints | tracks)*");
-  static final Element<Scenario> EVENTS_HOLDER =
-      Element.<Scenario>of("events", "What happens when.").holds("event*");
-
   static {
     ELEMENT.holds("obstacles? & zones? & zoom? & cameras & objects? & events? & visiongraph?");
   }
@@ -198,31 +168,6 @@ shows, m (ours) | the field's borders
   /** Creates a scenario with an empty field. */
   public Scenario(String name, Field field) {
     super(withArea(ELEMENT.empty().put(NAME, name), BORDERS, field));
-  }
-
-  /** All elements of scenario files. */
-  static List<Element<?>> elements() {
-    List<Element<?>> all = new ArrayList<>(List.of(ROOT, ELEMENT, OBSTACLES_HOLDER));
-    all.addAll(ObstacleElements.ALL);
-    all.addAll(
-        List.of(
-            ZONES_HOLDER,
-            Zone.ELEMENT,
-            CAMERAS_HOLDER,
-            OpticsSpec.ELEMENT,
-            ZOOM_LIST,
-            CameraSpec.ELEMENT,
-            TARGETS_HOLDER,
-            TargetSpec.ELEMENT,
-            TargetSpec.WITH_WAYPOINTS,
-            Waypoint.ELEMENT,
-            TracksReader.ELEMENT,
-            EVENTS_HOLDER,
-            EventHead.ELEMENT,
-            VisionGraph.ELEMENT,
-            VisionGraph.NODE,
-            VisionGraph.NEIGHBOUR));
-    return all;
   }
 
   private static Spec<Scenario> withArea(
@@ -448,9 +393,9 @@ shows, m (ours) | the field's borders
                 .map(Property::name)
                 .toList());
     visionGraph().ifPresent(graph -> parts.add(VisionGraph.ELEMENT.name()));
-    events(ScenarioEvent.FailRegistration.class)
-        .findAny()
-        .ifPresent(any -> parts.add("grc events"));
+    if (events(ScenarioEvent.FailRegistration.class).findAny().isPresent()) {
+      parts.add("grc events");
+    }
     return parts;
   }
 }

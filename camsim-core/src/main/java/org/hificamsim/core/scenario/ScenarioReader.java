@@ -122,7 +122,7 @@ public final class ScenarioReader {
   }
 
   private Scenario scenario() {
-    if (!root.name().equals(Scenario.ROOT.name())) {
+    if (!root.name().equals(ScenarioElements.ROOT.name())) {
       throw root.place().error("the root element is <" + root.name() + ">, expected <root>");
     }
     warnOfUnknown();
@@ -147,9 +147,10 @@ public final class ScenarioReader {
   }
 
   private void warnOfUnknown() {
-    new Attributes<>(root, Scenario.ROOT).warnOfUnknown();
+    new Attributes<>(root, ScenarioElements.ROOT).warnOfUnknown();
     Map<String, Element<?>> known =
-        Scenario.elements().stream().collect(Collectors.toMap(Element::name, element -> element));
+        ScenarioElements.all().stream()
+            .collect(Collectors.toMap(Element::name, element -> element));
     root.descendants()
         .filter(xml -> !known.containsKey(xml.name()))
         .forEach(xml -> xml.warn("unknown element <" + xml.name() + ">, ignored"));
@@ -295,11 +296,11 @@ public final class ScenarioReader {
   }
 
   private boolean hasZooms() {
-    return !all(Scenario.ZOOM_LIST).isEmpty();
+    return !all(ScenarioElements.ZOOM_LIST).isEmpty();
   }
 
   private List<Double> zooms() {
-    return root.only(Scenario.ZOOM_LIST.name(), "one for all cameras")
+    return root.only(ScenarioElements.ZOOM_LIST.name(), "one for all cameras")
         .map(list -> zooms(list, list.text().strip()))
         .orElse(List.of());
   }

@@ -65,7 +65,7 @@ public final class ScenarioWriter {
 
   private String document() {
     xml.element(
-        Scenario.ROOT.name(),
+        ScenarioElements.ROOT.name(),
         Map.of(),
         () ->
             xml.element(
@@ -76,21 +76,22 @@ public final class ScenarioWriter {
   private void simulation() {
     if (!scenario.obstacles().isEmpty()) {
       xml.element(
-          Scenario.OBSTACLES_HOLDER.name(),
+          ScenarioElements.OBSTACLES_HOLDER.name(),
           Map.of(),
           () -> scenario.obstacles().forEach(this::obstacle));
     }
     if (!scenario.zones().isEmpty()) {
       xml.element(
-          Scenario.ZONES_HOLDER.name(),
+          ScenarioElements.ZONES_HOLDER.name(),
           Map.of(),
           () -> scenario.zones().forEach(zone -> member(Zone.ELEMENT, zone)));
     }
-    xml.element(Scenario.CAMERAS_HOLDER.name(), Map.of(), this::cameras);
-    xml.element(Scenario.TARGETS_HOLDER.name(), Map.of(), this::targets);
+    xml.element(ScenarioElements.CAMERAS_HOLDER.name(), Map.of(), this::cameras);
+    xml.element(ScenarioElements.TARGETS_HOLDER.name(), Map.of(), this::targets);
     List<ScenarioEvent> events = eventsWithoutTracks();
     if (!events.isEmpty()) {
-      xml.element(Scenario.EVENTS_HOLDER.name(), Map.of(), () -> events.forEach(this::event));
+      xml.element(
+          ScenarioElements.EVENTS_HOLDER.name(), Map.of(), () -> events.forEach(this::event));
     }
     scenario.visionGraph().ifPresent(this::visionGraph);
   }
@@ -112,7 +113,7 @@ public final class ScenarioWriter {
         .distinct()
         .forEach(optics -> element(OpticsSpec.ELEMENT, optics));
     if (!scenario.zooms().isEmpty()) {
-      xml.text(Scenario.ZOOM_LIST.name(), Type.RADII.writer().apply(scenario.zooms()));
+      xml.text(ScenarioElements.ZOOM_LIST.name(), Type.RADII.writer().apply(scenario.zooms()));
     }
     scenario.cameras().forEach(camera -> element(CameraSpec.ELEMENT, camera));
   }

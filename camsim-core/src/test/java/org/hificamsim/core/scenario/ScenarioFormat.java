@@ -37,10 +37,10 @@ public final class ScenarioFormat {
 
   /** Returns the element of this name, or all kinds of obstacles for their holder. */
   private static List<Element<?>> elements(String name) {
-    if (name.equals(Scenario.OBSTACLES_HOLDER.name())) {
+    if (name.equals(ScenarioElements.OBSTACLES_HOLDER.name())) {
       return List.copyOf(ObstacleElements.ALL);
     }
-    return Scenario.elements().stream()
+    return ScenarioElements.all().stream()
         .filter(element -> element.name().equals(name))
         .limit(1)
         .toList();

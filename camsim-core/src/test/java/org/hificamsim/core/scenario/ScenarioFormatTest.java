@@ -23,7 +23,7 @@ class ScenarioFormatTest {
 
   @Test
   void everyElementHasSummary() {
-    for (Element<?> element : Scenario.elements()) {
+    for (Element<?> element : ScenarioElements.all()) {
       assertTrue(AttributeDoc.summary(element).endsWith("."), element.name());
     }
   }

@@ -56,7 +56,7 @@ final class ScenarioSchema {
   /** Returns the text of the schema file. */
   static String text() {
     ScenarioSchema schema = new ScenarioSchema();
-    Scenario.elements().forEach(schema::element);
+    ScenarioElements.all().forEach(schema::element);
     return schema.out.append("</xs:schema>\n").toString();
   }
 
