@@ -2,7 +2,6 @@ package org.hificamsim.core.engine;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.DetectionModel;
-import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.spec.Field;
@@ -20,13 +19,10 @@ import org.hificamsim.core.world.World;
  * Answers what cameras can see where everything is now: {@link Visibility}, asked for many targets
  * at a time.
  *
- * <p>The distances and angles at which a zoom level detects are computed when the level is first
- * used, once for each body of targets. Where there are many targets, a camera looks only at those
- * in the grid cells that its reach touches.
- *
- * <p>The distance test is unpredictable, so we read the sign bit of a difference of squared
+ * <p>Where there are many targets, a camera looks only at those in the grid cells that its reach
+ * touches. The distance test is unpredictable, so we read the sign bit of a difference of squared
  * distances instead of branching. A camera that detects every target within reach ({@link
- * #detectsAllInReach}) needs no other test.
+ * LevelTable#detectsAllInReach}) needs no other test.
  */
 final class Sight {
   /** Pairs of cameras and targets below which looking at all takes no longer. */
@@ -34,8 +30,6 @@ final class Sight {
 
   /** With fewer cells most cameras would look at most targets anyway. */
   private static final int MIN_CELLS = 40;
-
-  private static final double UNKNOWN = -1;
 
   private final Cameras cameras;
   private final Targets targets;
@@ -50,24 +44,10 @@ final class Sight {
   /** By target: the index of its body in {@link #bodies}. */
   private final int[] bodyOfTarget;
 
+  private final LevelTable levels;
   private final PointGrid grid;
+  private final DetectionMasks masksByView;
 
-  /** By the zoom level's number, then by body. */
-  private LevelSight[] levelSights = {};
-
-  /** By the zoom level's number: at this squared distance and beyond, nothing is detected. */
-  private double[] squaredLimit = {};
-
-  /** By the zoom level's number: the distance beyond which nothing is detected, metres. */
-  private double[] reach = {};
-
-  /** By the zoom level's number: whether every target nearer than the limit is detected. */
-  private boolean[] detectsAllInReach = {};
-
-  /** Whether {@link #detectsAllInReach} holds for all zoom levels. */
-  private boolean allDetectAllInReach = true;
-
-  private int revision = -1;
   private long step;
 
   Sight(World world, Visibility visibility) {
@@ -90,15 +70,16 @@ final class Sight {
     this.bodies = Arrays.stream(all).sorted(Body.ORDER).distinct().toArray(Body[]::new);
     this.bodyOfTarget = new int[all.length];
     Arrays.setAll(bodyOfTarget, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
-    findLevels();
+    this.levels = new LevelTable(cameras, visibility, bodies, open);
     this.grid = Double.isNaN(side) ? chosenGrid() : over(side);
+    this.masksByView = new DetectionMasks(this, world, levels, grid);
   }
 
   private PointGrid chosenGrid() {
     if ((long) cameras.count() * targets.count() < MIN_PAIRS) {
       return PointGrid.single(targets.count());
     }
-    PointGrid cells = over(meanReach());
+    PointGrid cells = over(levels.meanReach());
     return cells.cells() < MIN_CELLS ? PointGrid.single(targets.count()) : cells;
   }
 
@@ -107,59 +88,10 @@ final class Sight {
         field.minX(), field.minY(), field.width(), field.height(), side, bodyOfTarget.length);
   }
 
-  /** The mean distance at which cameras see, metres. */
-  private double meanReach() {
-    double sum = 0;
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      int last = cameras.views(camera) - 1;
-      ZoomLevel widest = cameras.zoom(camera, last);
-      sum +=
-          widest.hasLens()
-              ? Math.sqrt(reach(camera, 0) * reach(camera, last)) // of the narrowest and the widest
-              : widest.radius();
-    }
-    return sum / cameras.count();
-  }
-
   /** Begins a step: finds the zoom levels of cameras that changed since the last one. */
   void beginStep(long newStep) {
     step = newStep;
-    if (revision != cameras.revision()) {
-      findLevels();
-    }
-  }
-
-  private void findLevels() {
-    revision = cameras.revision();
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      for (int view = 0; view < cameras.views(camera); view++) {
-        int number = cameras.zoomNumber(camera, view);
-        if (number >= squaredLimit.length || squaredLimit[number] == 0) {
-          findLevel(number, camera, view);
-        }
-      }
-    }
-  }
-
-  private void findLevel(int number, int camera, int view) {
-    if (number >= squaredLimit.length) {
-      int length = Math.max(number + 1, 2 * squaredLimit.length);
-      levelSights = Arrays.copyOf(levelSights, length * bodies.length);
-      squaredLimit = Arrays.copyOf(squaredLimit, length);
-      reach = Arrays.copyOf(reach, length);
-      detectsAllInReach = Arrays.copyOf(detectsAllInReach, length);
-    }
-    double farthest = -1;
-    for (int body = 0; body < bodies.length; body++) {
-      LevelSight level = visibility.at(cameras.zoom(camera, view), bodies[body]);
-      levelSights[number * bodies.length + body] = level;
-      farthest = Math.max(farthest, level.farthestSquared());
-      reach[number] = Math.max(reach[number], level.reach());
-      detectsAllInReach[number] =
-          bodies.length == 1 && level.isDisc() && level.byDistance() && open;
-    }
-    squaredLimit[number] = Math.nextUp(farthest);
-    allDetectAllInReach &= detectsAllInReach[number];
+    levels.update();
   }
 
   /** Reads the positions of the targets. No camera detects a target whose position is NaN. */
@@ -199,11 +131,15 @@ final class Sight {
     return grid;
   }
 
-  private LevelSight level(int camera, int view, int target) {
-    return levelSights[cameras.zoomNumber(camera, view) * bodies.length + bodyOfTarget[target]];
+  LevelSight level(int camera, int view, int target) {
+    return levels.level(cameras.zoomNumber(camera, view), bodyOfTarget[target]);
   }
 
-  private double transmittance(int camera, int target) {
+  double luck(int camera, int target) {
+    return visibility.luck(step, camera, target);
+  }
+
+  double transmittance(int camera, int target) {
     return open ? 1 : lines.transmittance(camera, target);
   }
 
@@ -240,12 +176,7 @@ final class Sight {
     return level.isInReach(squared)
         && level.isInAngle(pose, x, y)
         && level.detectsInView(
-            pose,
-            x,
-            y,
-            squared,
-            visibility.luck(step, camera, target),
-            transmittance(camera, target));
+            pose, x, y, squared, luck(camera, target), transmittance(camera, target));
   }
 
   double chance(int camera, int view, int target) {
@@ -267,8 +198,8 @@ final class Sight {
     for (int view = 0; view < cameras.views(camera) && nearest >= 0; view++) {
       int number = cameras.zoomNumber(camera, view);
       chances[view] = 0;
-      if (squared < squaredLimit[number] && transmittance > 0) {
-        LevelSight level = levelSights[number * bodies.length + nearest];
+      if (squared < levels.squaredLimit(number) && transmittance > 0) {
+        LevelSight level = levels.level(number, nearest);
         chances[view] = level.chance(cameras.pose(camera, view), x, y, transmittance);
         any |= chances[view] > 0;
       }
@@ -315,8 +246,8 @@ final class Sight {
       return view == other;
     }
     for (int body = 0; body < bodies.length; body++) {
-      LevelSight dominating = levelSights[cameras.zoomNumber(camera, view) * bodies.length + body];
-      LevelSight dominated = levelSights[cameras.zoomNumber(camera, other) * bodies.length + body];
+      LevelSight dominating = levels.level(cameras.zoomNumber(camera, view), body);
+      LevelSight dominated = levels.level(cameras.zoomNumber(camera, other), body);
       if (!dominating.byDistance() || !dominating.includes(dominated)) {
         return false;
       }
@@ -327,7 +258,7 @@ final class Sight {
 
   /** Rounded up. */
   double reach(int camera, int view) {
-    return reach[cameras.zoomNumber(camera, view)];
+    return levels.reach(cameras.zoomNumber(camera, view));
   }
 
   /**
@@ -351,8 +282,8 @@ final class Sight {
       return 0;
     }
     int zoom = cameras.zoomNumber(camera, view);
-    if (grid.cells() == 1 && detectsAllInReach[zoom]) {
-      return count(camera, squaredLimit[zoom], counts);
+    if (grid.cells() == 1 && levels.detectsAllInReach(zoom)) {
+      return count(camera, levels.squaredLimit(zoom), counts);
     }
     int seen = find(camera, view, found);
     for (int k = 0; k < seen; k++) {
@@ -376,7 +307,7 @@ final class Sight {
   }
 
   /** Returns 1 for a negative number, else 0. */
-  private static int negative(double difference) {
+  static int negative(double difference) {
     return (int) (Double.doubleToRawLongBits(difference) >>> 63);
   }
 
@@ -407,7 +338,7 @@ final class Sight {
 
   private int find(int camera, int view, int from, int to, long[] found, int first) {
     int number = cameras.zoomNumber(camera, view);
-    double below = squaredLimit[number];
+    double below = levels.squaredLimit(number);
     double x = cameras.x(camera);
     double y = cameras.y(camera);
     int filled = first;
@@ -417,7 +348,9 @@ final class Sight {
       found[filled] = i;
       filled += negative(dx * dx + dy * dy - below);
     }
-    return detectsAllInReach[number] ? filled : keepDetected(camera, view, found, first, filled);
+    return levels.detectsAllInReach(number)
+        ? filled
+        : keepDetected(camera, view, found, first, filled);
   }
 
   /** Keeps those targets in reach that are detected. */
@@ -473,71 +406,6 @@ final class Sight {
   }
 
   void detections(int camera, long[] masks, int words) {
-    int views = cameras.views(camera);
-    Arrays.fill(masks, 0, views * words, 0);
-    if (grid.cells() == 1) {
-      mark(camera, views, 0, grid.count(), masks, words);
-      return;
-    }
-    double far = 0;
-    for (int view = 0; view < views; view++) {
-      far = Math.max(far, reach(camera, view));
-    }
-    int left = grid.column(cameras.x(camera) - far);
-    int right = grid.column(cameras.x(camera) + far);
-    int top = grid.row(cameras.y(camera) + far);
-    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
-      mark(camera, views, grid.start(row, left), grid.end(row, right), masks, words);
-    }
-  }
-
-  private void mark(int camera, int views, int from, int to, long[] masks, int words) {
-    double below = farthestOutside(camera, views);
-    for (int i = from; i < to; i++) {
-      double dx = grid.x(i) - cameras.x(camera);
-      double dy = grid.y(i) - cameras.y(camera);
-      double squared = dx * dx + dy * dy;
-      if (allDetectAllInReach) {
-        markNear(camera, views, grid.point(i), squared, masks, words);
-      } else if (squared < below) {
-        markDetected(camera, views, grid.point(i), squared, masks, words);
-      }
-    }
-  }
-
-  private double farthestOutside(int camera, int views) {
-    double farthest = 0;
-    for (int view = 0; view < views && !allDetectAllInReach; view++) {
-      farthest = Math.max(farthest, squaredLimit[cameras.zoomNumber(camera, view)]);
-    }
-    return farthest;
-  }
-
-  private void markNear(
-      int camera, int views, int target, double squared, long[] masks, int words) {
-    for (int view = 0; view < views; view++) {
-      long hit = negative(squared - squaredLimit[cameras.zoomNumber(camera, view)]);
-      masks[view * words + (target >> 6)] |= hit << target;
-    }
-  }
-
-  /**
-   * The transmittance is computed once for all views, when the first one has the target in view.
-   */
-  private void markDetected(
-      int camera, int views, int target, double squared, long[] masks, int words) {
-    double luck = visibility.luck(step, camera, target);
-    double x = targets.x(target);
-    double y = targets.y(target);
-    double transmittance = UNKNOWN;
-    for (int view = 0; view < views; view++) {
-      LevelSight level = level(camera, view, target);
-      Pose pose = cameras.pose(camera, view);
-      if (level.isInReach(squared) && level.isInAngle(pose, x, y)) {
-        transmittance = transmittance < 0 ? transmittance(camera, target) : transmittance;
-        long hit = level.detectsInView(pose, x, y, squared, luck, transmittance) ? 1 : 0;
-        masks[view * words + (target >> 6)] |= hit << target;
-      }
-    }
+    masksByView.fill(camera, masks, words);
   }
 }
