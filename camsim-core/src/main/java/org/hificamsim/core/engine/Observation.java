@@ -5,6 +5,7 @@ import java.util.Arrays;
 /** The numbers of detections in the current step, by camera and by target. */
 public final class Observation {
   private final Sight sight;
+  private final boolean hasPhantoms;
   private final int[] detected;
   private final int[] coverage;
 
@@ -16,6 +17,7 @@ public final class Observation {
 
   Observation(Sight sight, int cameras, int targets) {
     this.sight = sight;
+    this.hasPhantoms = sight.hasPhantoms();
     this.detected = new int[cameras];
     this.coverage = new int[targets];
     this.found = new long[targets + 1];
@@ -44,7 +46,7 @@ public final class Observation {
 
   /** Adds the phantoms that a detection by chance reports; they cover no target. */
   void addPhantoms() {
-    for (int camera = 0; camera < detected.length; camera++) {
+    for (int camera = 0; hasPhantoms && camera < detected.length; camera++) {
       detected[camera] += sight.phantoms(camera);
     }
   }

@@ -221,7 +221,13 @@ class ObservedNetwork implements NetworkView {
 
   @Override
   public double bearing(int camera, int target) {
-    return sight.bearing(camera, target);
+    if (!sees(camera, target)) {
+      return Double.NaN;
+    }
+    double axis = cameras.heading(camera) + cameras.pan(camera, cameras.seeing(camera));
+    double direction =
+        Math.atan2(targets.x(target) - cameras.x(camera), targets.y(target) - cameras.y(camera));
+    return Math.IEEEremainder(direction - axis, 2 * Math.PI);
   }
 
   @Override

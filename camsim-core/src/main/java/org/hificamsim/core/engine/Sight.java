@@ -153,17 +153,6 @@ final class Sight {
     return cameras.online(camera) && view != Cameras.NO_VIEW && detects(camera, view, target);
   }
 
-  /** See {@link org.hificamsim.core.policy.NetworkView#bearing}. */
-  double bearing(int camera, int target) {
-    if (!sees(camera, target)) {
-      return Double.NaN;
-    }
-    double axis = cameras.heading(camera) + cameras.pan(camera, cameras.seeing(camera));
-    double direction =
-        Math.atan2(targets.x(target) - cameras.x(camera), targets.y(target) - cameras.y(camera));
-    return Math.IEEEremainder(direction - axis, 2 * Math.PI);
-  }
-
   boolean detects(int camera, int view, int target) {
     return targets.present(target) && detects(camera, view, target, cameras.pose(camera, view));
   }

@@ -48,7 +48,6 @@ public final class Simulation {
   private final StepCoverage coverage;
   private final StepPhases phases = new StepPhases(this);
   private final int[] views;
-  private final boolean hasPhantoms;
   private final boolean byChance;
   private final boolean policyJumps;
   private final AimingZoomPolicy aimingPolicy;
@@ -101,7 +100,6 @@ public final class Simulation {
       oracle.connect(channel);
     }
     this.policyView = policy instanceof OraclePolicy ? oracle : known;
-    this.hasPhantoms = sight.hasPhantoms();
     this.byChance = !detection.certain();
     this.policyJumps = policy.jumps();
     this.aimingPolicy = policy instanceof AimingZoomPolicy aiming ? aiming : null;
@@ -219,9 +217,7 @@ public final class Simulation {
 
   void observe() {
     cooperation.observe(observation);
-    if (hasPhantoms) {
-      observation.addPhantoms();
-    }
+    observation.addPhantoms();
   }
 
   void cooperate() {

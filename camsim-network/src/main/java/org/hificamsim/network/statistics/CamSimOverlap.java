@@ -1,5 +1,6 @@
 package org.hificamsim.network.statistics;
 
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Field;
 
 /**
@@ -10,9 +11,6 @@ import org.hificamsim.core.scenario.spec.Field;
  * @param field the field, whose top left corner is CamSim's origin
  */
 record CamSimOverlap(Field field) {
-  /** A point in CamSim's coordinates, metres. */
-  private record Point(double x, double y) {}
-
   /** The overlap of two cameras, of which the first is earlier in the list, in square metres. */
   double overlap(RangeCircle first, RangeCircle second) {
     return lensArea(inCamSim(first), inCamSim(second));
@@ -61,8 +59,8 @@ record CamSimOverlap(Field field) {
 
   /** The direction from one point to another, in degrees, as CamSim computes it. */
   private static double degrees(Point from, Point to) {
-    double dx = from.x - to.x;
-    double dy = from.y - to.y;
+    double dx = from.x() - to.x();
+    double dy = from.y() - to.y();
     if (dx == 0) {
       return dy == 0 ? 0 : dy > 0 ? 90 : -90;
     }

@@ -46,7 +46,6 @@ interface Agreement {
       changed = false;
       for (int camera = 0; camera < network.cameras(); camera++) {
         if (network.online(camera)) {
-          team.plan(camera).withdraw(camera);
           changed |= team.choose(network, camera, team.plan(camera).best(network, camera));
         }
       }

@@ -78,7 +78,6 @@ final class Mind {
   /** Plans the best view for a camera; returns whether it differs from the one planned before. */
   boolean replan(NetworkView network, int camera) {
     int before = plan.view(camera);
-    plan.withdraw(camera);
     int view = plan.best(network, camera);
     learnChoice(camera, view, network.step(), network.step());
     return view != before;

@@ -180,8 +180,9 @@ final class Plan {
     return forecast.weight(slot) * coverage.worth(k);
   }
 
-  /** Returns the view of a camera that adds most to the views of the others. */
+  /** Withdraws a camera and returns the view that adds most to the views of the others. */
   int best(NetworkView network, int camera) {
+    withdraw(camera);
     return best(network, camera, gains(network, camera));
   }
 
