@@ -51,8 +51,7 @@ public final class LagrangianBound {
     this.multiplierSums = new double[instance.candidates()];
     this.multipliers = goal.isFullCover() ? cheapestShares() : openUnitWorths(counts);
     this.bestMultipliers = multipliers.clone();
-    bound = value(instance, goal, multipliers, multiplierSums);
-    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+    bound = updatedValue();
   }
 
   /** By point, the least price per point of a candidate that covers it; 0 if it needs no cover. */
@@ -131,25 +130,39 @@ public final class LagrangianBound {
    * @param multipliers by point, 0 or more
    */
   public static double value(CoverInstance instance, Goal goal, double[] multipliers) {
-    double value = value(instance, goal, multipliers, new double[instance.candidates()]);
+    double[] sums = new double[instance.candidates()];
+    addUp(instance, multipliers, sums);
+    double value = value(instance, goal, multipliers, sums, worthOfPrice(instance, goal, sums));
     return goal.tightened(value, goal.scoreStep(instance));
   }
 
-  /** Computes the bound that multipliers prove, and their sums by candidate. */
+  /** Updates sums and worth of price after a change of multipliers; returns what these prove. */
+  private double updatedValue() {
+    addUp(instance, multipliers, multiplierSums);
+    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+    return value(instance, goal, multipliers, multiplierSums, worthOfPrice);
+  }
+
+  private static void addUp(CoverInstance instance, double[] multipliers, double[] sums) {
+    for (int candidate = 0; candidate < sums.length; candidate++) {
+      sums[candidate] = 0;
+      for (int point : instance.covered()[candidate]) {
+        sums[candidate] += multipliers[point];
+      }
+    }
+  }
+
   private static double value(
-      CoverInstance instance, Goal goal, double[] multipliers, double[] multiplierSums) {
+      CoverInstance instance,
+      Goal goal,
+      double[] multipliers,
+      double[] multiplierSums,
+      double worthOfPrice) {
     double value = 0;
     for (int point = 0; point < multipliers.length; point++) {
       double rest = Math.max(0, instance.unitWorths()[point] - multipliers[point]);
       value += instance.needs()[point] * (goal.isFullCover() ? multipliers[point] : rest);
     }
-    for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
-      multiplierSums[candidate] = 0;
-      for (int point : instance.covered()[candidate]) {
-        multiplierSums[candidate] += multipliers[point];
-      }
-    }
-    double worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
     double surpluses = 0;
     for (int candidate = 0; candidate < multiplierSums.length; candidate++) {
       double price = worthOfPrice * instance.prices()[candidate];
@@ -206,8 +219,7 @@ public final class LagrangianBound {
 
   private void step(double score) {
     move(relaxedCoverage(), Math.abs(bound - score));
-    double value = value(instance, goal, multipliers, multiplierSums);
-    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
+    double value = updatedValue();
     boolean better = goal.isFullCover() ? value > bound : value < bound;
     idleSteps = better ? 0 : idleSteps + 1;
     if (better) {
@@ -251,9 +263,7 @@ public final class LagrangianBound {
   /** Goes back to the best multipliers, and returns the value that they prove. */
   private double goBack() {
     System.arraycopy(bestMultipliers, 0, multipliers, 0, bestMultipliers.length);
-    double value = value(instance, goal, multipliers, multiplierSums);
-    worthOfPrice = worthOfPrice(instance, goal, multiplierSums);
-    return value;
+    return updatedValue();
   }
 
   private void add(double[] coverage, int candidate, double share) {

@@ -107,12 +107,16 @@ public record Candidates(List<Candidate> list, int[][] covered) {
       OpticsSpec panning = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
       boolean fixed = reading == CoverageReading.FIXED;
       OpticsSpec optics = fixed ? panning.with(OpticsSpec.TILTS, List.of(0.0)) : panning;
-      boolean tilts = site.hasHeights() && optics.law() == OpticsLaw.PINHOLE;
-      for (double tilt : tilts ? TILTS : List.of(0.0)) {
+      for (double tilt : canTilt(site, optics) ? TILTS : List.of(0.0)) {
         scouts.add(new Candidate(kind, optics, new Mounting(point, z, tilt, 0)));
       }
     }
     return scouts;
+  }
+
+  /** Whether cameras hang at a height and have lenses with vertical angles. */
+  static boolean canTilt(Scenario site, OpticsSpec optics) {
+    return site.hasHeights() && optics.law() == OpticsLaw.PINHOLE;
   }
 
   private static List<Double> headings() {

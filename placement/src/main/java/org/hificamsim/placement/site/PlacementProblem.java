@@ -76,8 +76,9 @@ public record PlacementProblem(
     int[] keptCounts = counts(sight, request, request.kept);
     PlacementProblem problem =
         new PlacementProblem(request, candidates, sight, instance, keptCounts);
+    int[] possibleNeeds = instance.coverable().needs();
     for (ZoneDemand zone : request.demand.zones()) {
-      if (zone.count() > 0 && !problem.isCoverable(zone)) {
+      if (zone.count() > 0 && !problem.isCoverable(zone, possibleNeeds)) {
         throw InputException.of(
             "zone '%s' is seen from none of %s places: %s; expected other %s,"
                 + " lenses or demands",
@@ -111,8 +112,7 @@ public record PlacementProblem(
     return counts;
   }
 
-  private boolean isCoverable(ZoneDemand zone) {
-    int[] possibleNeeds = instance.coverable().needs();
+  private boolean isCoverable(ZoneDemand zone, int[] possibleNeeds) {
     return IntStream.range(zone.first(), zone.end())
         .anyMatch(point -> possibleNeeds[point] + keptCounts[point] > 0);
   }

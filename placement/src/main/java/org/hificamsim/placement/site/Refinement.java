@@ -15,7 +15,6 @@ import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.placement.site.Candidates.Candidate;
 
 /**
@@ -95,8 +94,7 @@ public record Refinement(List<List<Point>> pointsByStep, int threads, BooleanSup
   private static List<Candidate> moves(
       PlacementProblem problem, Candidate candidate, double turn, List<Point> points) {
     Mounting mount = candidate.mount();
-    boolean tilts =
-        problem.demand().site().hasHeights() && candidate.optics().law() == OpticsLaw.PINHOLE;
+    boolean tilts = Candidates.canTilt(problem.demand().site(), candidate.optics());
     Stream<Mounting> turned = DoubleStream.of(-turn, turn).mapToObj(mount::turnedBy);
     Stream<Mounting> tilted =
         DoubleStream.of(mount.tilt() - turn, mount.tilt() + turn)
