@@ -132,7 +132,8 @@ final class CompareCommand implements Callable<Integer> {
     List<RunPlan> plans = new ArrayList<>();
     for (int i = 0; i < files.size(); i++) {
       for (RunPlan plan : plans(asked, scenarios.get(i), files.get(i), specs, catalogue)) {
-        scenarioOptions.warnAbout(files.get(i), plan.scenario(), plan.detection(), screen.err());
+        scenarioOptions.warnAbout(
+            files.get(i), plan.scenario(), plan.detection(), catalogue, screen.err());
         policySpecs.forEach(policy -> plans.add(plan.withPolicy(policy)));
       }
     }

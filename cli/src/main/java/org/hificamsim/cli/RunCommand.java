@@ -196,7 +196,7 @@ final class RunCommand implements Callable<Integer> {
     Settings asked = settings.settings();
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, screen.err());
     Detection used = DetectionSpec.of(asked, scenario, file, catalogue);
-    scenarioOptions.warnAbout(file, scenario, used, screen.err());
+    scenarioOptions.warnAbout(file, scenario, used, catalogue, screen.err());
     return asked.plan(scenario, used);
   }
 

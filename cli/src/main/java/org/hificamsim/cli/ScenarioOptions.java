@@ -68,8 +68,9 @@ final class ScenarioOptions {
   }
 
   /** Warns if a scenario and a detection do not suit each other. */
-  void warnAbout(Path file, Scenario scenario, Detection used, PrintWriter err) {
-    DetectionHints.of(scenario, used, Catalogue.load())
+  void warnAbout(
+      Path file, Scenario scenario, Detection used, Catalogue catalogue, PrintWriter err) {
+    DetectionHints.of(scenario, used, catalogue)
         .forEach(line -> warningsTo(err).accept(file + ": " + line));
   }
 }
