@@ -11,16 +11,16 @@ import java.util.concurrent.locks.LockSupport;
  * <p>Only one thread may call {@link #run} at a time. A worker spins for a short time while it
  * waits for work, then sleeps.
  */
-public final class Workers implements AutoCloseable {
+final class Workers implements AutoCloseable {
   /** A single worker, the thread of the caller. */
-  public static final Workers CALLER = new Workers(1);
+  static final Workers CALLER = new Workers(1);
 
   /** The number of spins before a worker sleeps: some tens of microseconds. */
   private static final int SPINS = 2_000;
 
   /** The share of a worker in some work. */
   @FunctionalInterface
-  public interface Share {
+  interface Share {
     /**
      * Does the share of a worker.
      *
@@ -52,18 +52,18 @@ public final class Workers implements AutoCloseable {
    *
    * @param count 1 or more, including the caller
    */
-  public static Workers of(int count) {
+  static Workers of(int count) {
     return count == 1 ? CALLER : new Workers(count);
   }
 
   /** The number of workers, including the caller. */
-  public int count() {
+  int count() {
     return threads.length + 1;
   }
 
   /** The index of the first item of a worker; its items end before the first of the next worker. */
-  public int first(int worker, int items) {
-    return threads.length == 0 ? items * worker : (int) ((long) items * worker / count());
+  int first(int worker, int items) {
+    return (int) ((long) items * worker / count());
   }
 
   /**
@@ -71,7 +71,7 @@ public final class Workers implements AutoCloseable {
    *
    * @throws RuntimeException the exception of a share, if one failed
    */
-  public void run(Share newShare) {
+  void run(Share newShare) {
     if (threads.length == 0) {
       newShare.run(0);
       return;

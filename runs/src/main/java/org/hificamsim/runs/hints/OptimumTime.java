@@ -63,9 +63,9 @@ public final class OptimumTime {
             .filter(plan -> plan.policy().equals(Yardstick.OPTIMAL.policy()))
             .map(this::trial)
             .toList();
-    double seconds = trials.stream().mapToDouble(Trial::seconds).sum() / threads;
+    double seconds = trials.stream().mapToDouble(Trial::planSeconds).sum() / threads;
     return trials.stream()
-        .max(Comparator.comparingDouble(Trial::seconds))
+        .max(Comparator.comparingDouble(Trial::planSeconds))
         .map(
             slowest ->
                 new Forecast(
@@ -77,7 +77,7 @@ public final class OptimumTime {
   /** Tries more steps if the first few were quick: their code is not compiled yet. */
   private Trial trial(RunPlan plan) {
     Trial trial = new Trial(plan, FEW_STEPS);
-    return trial.seconds < ENOUGH_SECONDS ? new Trial(plan, MANY_STEPS) : trial;
+    return trial.triedSeconds < ENOUGH_SECONDS ? new Trial(plan, MANY_STEPS) : trial;
   }
 
   /** Cameras that never change, while every n-th step's optimum is searched and timed. */
@@ -88,7 +88,7 @@ public final class OptimumTime {
     private final RunPlan plan;
     private final int interval;
     private int tried;
-    private double seconds;
+    private double triedSeconds;
 
     /** Seconds if each search that gave up its proof had used all nodes of a real run. */
     private double mostSeconds;
@@ -110,7 +110,7 @@ public final class OptimumTime {
     }
 
     /** Seconds of all runs of the plan. */
-    double seconds() {
+    double planSeconds() {
       return secondsPerStep() * plan.work();
     }
 
@@ -132,7 +132,7 @@ public final class OptimumTime {
         optimal.decide(network, views.clone());
         double took = secondsSince(start);
         tried++;
-        seconds += took;
+        triedSeconds += took;
         mostSeconds += optimal.unprovenSteps() > unproven ? NODES_FACTOR * took : took;
       }
     }
