@@ -73,13 +73,13 @@ class ScenarioSchemaTest {
 
   @TestFactory
   Stream<DynamicTest> acceptsOwnScenarios() throws IOException {
-    return takesAll(
+    return acceptsAll(
         ROOT.resolve("scenarios"), Reference.file("own-camsim"), Reference.file("own-coverage"));
   }
 
   @TestFactory
   Stream<DynamicTest> acceptsPublishedScenarios() throws IOException {
-    return takesAll(Reference.file("camsim/scenarios"), Reference.file("coverage-study"));
+    return acceptsAll(Reference.file("camsim/scenarios"), Reference.file("coverage-study"));
   }
 
   @Test
@@ -147,7 +147,7 @@ class ScenarioSchemaTest {
         SAXException.class, () -> validate(new StreamSource(new StringReader(text))), text);
   }
 
-  private static Stream<DynamicTest> takesAll(Path... folders) throws IOException {
+  private static Stream<DynamicTest> acceptsAll(Path... folders) throws IOException {
     List<Path> scenarios = new ArrayList<>();
     for (Path folder : folders) {
       try (Stream<Path> files = Files.walk(folder)) {
@@ -155,10 +155,10 @@ class ScenarioSchemaTest {
       }
     }
     assertTrue(scenarios.size() > 20, "" + scenarios);
-    return scenarios.stream().sorted().map(ScenarioSchemaTest::takes);
+    return scenarios.stream().sorted().map(ScenarioSchemaTest::accepts);
   }
 
-  private static DynamicTest takes(Path file) {
+  private static DynamicTest accepts(Path file) {
     return DynamicTest.dynamicTest(
         file.getParent().getFileName() + "/" + file.getFileName(),
         () -> assertDoesNotThrow(() -> validate(new StreamSource(file.toFile()))));

@@ -34,16 +34,17 @@ public final class FlatWorlds {
    */
   public static void main(String[] args) {
     System.out.println(
-        "site, views: flat claims, there is, claimed and not there, there and not claimed");
+        "site, views: seen in the flat world, seen with heights, flat only, heights only");
     for (String file : args) {
       Scenario scenario = ScenarioReader.read(Path.of(file), name -> true, warning -> {});
-      for (boolean any : new boolean[] {false, true}) {
-        print(scenario, seen(scenario.flat(), file, any), seen(scenario, file, any), any);
+      for (boolean anyView : new boolean[] {false, true}) {
+        print(
+            scenario, seen(scenario.flat(), file, anyView), seen(scenario, file, anyView), anyView);
       }
     }
   }
 
-  private static void print(Scenario scenario, boolean[] flat, boolean[] high, boolean any) {
+  private static void print(Scenario scenario, boolean[] flat, boolean[] high, boolean anyView) {
     int[] counts = new int[4];
     int floor = 0;
     Field field = scenario.field();
@@ -59,7 +60,7 @@ public final class FlatWorlds {
         Locale.ROOT,
         "%s, %s: %.1f %%, %.1f %%, %.1f %%, %.1f %%%n",
         scenario.name(),
-        any ? "any view" : "the view each camera starts in",
+        anyView ? "any view" : "the view each camera starts in",
         percent * (counts[2] + counts[3]),
         percent * (counts[1] + counts[3]),
         percent * counts[2],
@@ -81,9 +82,9 @@ public final class FlatWorlds {
   /**
    * Returns for each cell whether some camera detects a target in its middle.
    *
-   * @param any whether any view of a camera counts, else only the one in which it starts
+   * @param anyView whether any view of a camera counts, else only the one in which it starts
    */
-  private static boolean[] seen(Scenario scenario, String file, boolean any) {
+  private static boolean[] seen(Scenario scenario, String file, boolean anyView) {
     Catalogue catalogue = Catalogue.load();
     Detection detection = DetectionSpec.of(Settings.NONE, scenario, Path.of(file), catalogue);
     ZoomPolicy idle = catalogue.policies().create("zoom-out");
@@ -104,7 +105,7 @@ public final class FlatWorlds {
         double y = y(field, cell);
         double through = region.transmittance(x, y, z, body.low(), body.high());
         if (through > 0 && network.chancesAt(camera, x, y, size, through, chances)) {
-          seen[cell] |= any || chances[network.view(camera)] > 0;
+          seen[cell] |= anyView || chances[network.view(camera)] > 0;
         }
       }
     }

@@ -31,10 +31,10 @@ final class SectorInstance {
   private SectorInstance(long seed) {
     random = new SplittableRandom(seed);
     for (int target = 0; target < TARGETS; target++) {
-      targets[target] = inside();
+      targets[target] = randomPosition();
     }
     for (int wall = 0; wall < walls.length; wall++) {
-      double[] from = inside();
+      double[] from = randomPosition();
       double angle = random.nextDouble(Math.PI);
       walls[wall] =
           new Line2D.Double(
@@ -56,16 +56,16 @@ final class SectorInstance {
     Files.write(Path.of(args[0]), lines);
   }
 
-  private double[] inside() {
+  private double[] randomPosition() {
     return new double[] {random.nextDouble(WIDTH), random.nextDouble(HEIGHT)};
   }
 
   private OptimumInstance instance() {
     long[][] sets = new long[CAMERAS][HEADINGS.length * OPENINGS.length];
     for (int camera = 0; camera < CAMERAS; camera++) {
-      double[] place = onBorder((camera + 0.5) / CAMERAS * 2 * (WIDTH + HEIGHT));
+      double[] position = onBorder((camera + 0.5) / CAMERAS * 2 * (WIDTH + HEIGHT));
       for (int view = 0; view < sets[camera].length; view++) {
-        sets[camera][view] = seen(place, view);
+        sets[camera][view] = seen(position, view);
       }
     }
     return new OptimumInstance(TARGETS, sets);

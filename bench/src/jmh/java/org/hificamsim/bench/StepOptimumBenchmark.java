@@ -76,15 +76,15 @@ public class StepOptimumBenchmark {
   @Param({"build/bench/general.jsonl"})
   private String instances;
 
-  private final List<Instance> read = new ArrayList<>();
+  private final List<Instance> parsedInstances = new ArrayList<>();
   private CoverageProblem problem;
 
   @Param({"kmin"})
   private String objective;
 
-  private Objective scored;
+  private Objective parsedObjective;
   private Solver solver;
-  private int[] k;
+  private int[] counts;
   private int next;
 
   /** Reads the instances, at most 64 targets each, and writes their optima. */
@@ -92,20 +92,25 @@ public class StepOptimumBenchmark {
   public void start() throws IOException {
     ObjectMapper json = new ObjectMapper();
     for (String line : Files.readAllLines(Path.of(instances))) {
-      read.add(Instance.of(json.readTree(line)));
+      parsedInstances.add(Instance.of(json.readTree(line)));
     }
-    int cameras = read.stream().mapToInt(instance -> instance.cameras().length).max().orElseThrow();
-    int sets = read.stream().mapToInt(Instance::sets).max().orElseThrow();
+    int cameras =
+        parsedInstances.stream()
+            .mapToInt(instance -> instance.cameras().length)
+            .max()
+            .orElseThrow();
+    int sets = parsedInstances.stream().mapToInt(Instance::sets).max().orElseThrow();
     problem = new CoverageProblem(cameras, sets, Long.SIZE);
-    scored = Objective.parse(objective);
-    solver = new StepSolver(scored, problem, Solver.UNLIMITED);
-    k = new int[Long.SIZE];
+    parsedObjective = Objective.parse(objective);
+    solver = new StepSolver(parsedObjective, problem, Solver.UNLIMITED);
+    counts = new int[Long.SIZE];
     List<String> values = new ArrayList<>();
-    for (Instance instance : read) {
+    for (Instance instance : parsedInstances) {
       solve();
       values.add(score(instance));
     }
-    String name = scored.equals(Objective.kMin()) ? instances : instances + "-" + objective;
+    String name =
+        parsedObjective.equals(Objective.kMin()) ? instances : instances + "-" + objective;
     Files.write(Path.of(name + ".values"), values);
   }
 
@@ -113,21 +118,21 @@ public class StepOptimumBenchmark {
    * The score of the solution; for {@code covered}, the number of targets instead of their share.
    */
   private String score(Instance instance) {
-    Arrays.fill(k, 0);
+    Arrays.fill(counts, 0);
     for (int camera = 0; camera < instance.cameras().length; camera++) {
       for (int target = 0; target < instance.targets(); target++) {
-        k[target] += problem.contains(solver.chosen(camera), target) ? 1 : 0;
+        counts[target] += problem.contains(solver.chosen(camera), target) ? 1 : 0;
       }
     }
-    double factor = scored instanceof Objective.Covered ? instance.targets() : 1;
-    return Long.toString(Math.round(factor * scored.score(k, 0, instance.targets())));
+    double factor = parsedObjective instanceof Objective.Covered ? instance.targets() : 1;
+    return Long.toString(Math.round(factor * parsedObjective.score(counts, 0, instance.targets())));
   }
 
-  /** One instance. */
+  /** Fills and solves the next instance; returns whether its optimum is proven. */
   @Benchmark
   public boolean solve() {
-    read.get(next).fill(problem);
-    next = (next + 1) % read.size();
+    parsedInstances.get(next).fill(problem);
+    next = (next + 1) % parsedInstances.size();
     solver.solve();
     return solver.proven();
   }

@@ -272,7 +272,7 @@ public class CameraController {
     List<TraceableObject> tracked = tracked();
     for (TraceableObject object : tracked) {
       double dx = (object.getX() - world.get_min_x()) - left(world);
-      double dy = world.top(object.getY()) - top(world);
+      double dy = world.distanceFromTop(object.getY()) - top(world);
       double distance = Math.sqrt(dx * dx + dy * dy);
       sum += Math.max(0, (1 - distance / MAX_VISIBILITY) * closeness());
     }
@@ -284,6 +284,6 @@ public class CameraController {
   }
 
   double top(SimCore world) {
-    return world.top(y);
+    return world.distanceFromTop(y);
   }
 }

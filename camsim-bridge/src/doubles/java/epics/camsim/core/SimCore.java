@@ -20,12 +20,13 @@ public class SimCore {
   private static final String HEADER =
       "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion";
 
-  private static final String LOOKS = "time,camera,object,range,x,y,returned,kept,heading,angle";
+  private static final String LOOKS_HEADER =
+      "time,camera,object,range,x,y,returned,kept,heading,angle";
 
   private final ArrayList<CameraController> cameras = new ArrayList<>();
   private final ArrayList<TraceableObject> objects = new ArrayList<>();
   private final List<Attributes> events;
-  private final Random turn;
+  private final Random turns;
   private final Path output;
   private final List<String> rows = new ArrayList<>();
   private final List<String> looks = new ArrayList<>();
@@ -39,7 +40,7 @@ public class SimCore {
   public SimCore(File scenario, long seed, Path output) throws IOException {
     Element root = root(scenario);
     this.output = output;
-    this.turn = new Random(seed);
+    this.turns = new Random(seed);
     Attributes field = Attributes.all(root, "simulation").get(0);
     minX = field.number("min_x");
     maxX = field.number("max_x");
@@ -100,7 +101,7 @@ public class SimCore {
   }
 
   /** The top-left based y coordinate, as CamSim computes it (behaviour 2). */
-  double top(double y) {
+  double distanceFromTop(double y) {
     return (minY + y) * -1;
   }
 
@@ -112,7 +113,7 @@ public class SimCore {
       }
     }
     for (TraceableObject object : objects) {
-      object.move(this, turn);
+      object.move(this, turns);
     }
     for (CameraController camera : cameras) {
       if (!camera.isOffline()) {
@@ -197,9 +198,9 @@ public class SimCore {
   private void fire(Attributes event) {
     String what = event.text("participant") + " " + event.text("event");
     if (what.equals("camera error")) {
-      online(event.text("name")).switchOff();
+      cameraNamed(event.text("name")).switchOff();
     } else if (what.equals("camera change")) {
-      online(event.text("name"))
+      cameraNamed(event.text("name"))
           .change(
               event.number("x"),
               event.number("y"),
@@ -209,13 +210,13 @@ public class SimCore {
     } else if (what.equals("camera add")) {
       add(camera(event));
     } else if (what.equals("object add")) {
-      add(added(event));
+      add(addedObject(event));
     } else if (what.equals("object error")) {
       remove(event.number("name"));
     }
   }
 
-  private CameraController online(String name) {
+  private CameraController cameraNamed(String name) {
     return cameras.stream().filter(camera -> camera.getName().equals(name)).findFirst().get();
   }
 
@@ -242,7 +243,7 @@ public class SimCore {
         path ? given.waypoints() : Collections.emptyList());
   }
 
-  private static TraceableObject added(Attributes event) {
+  private static TraceableObject addedObject(Attributes event) {
     List<Point> path = event.waypoints();
     Point start = path.isEmpty() ? new Point(event.number("x"), event.number("y")) : path.get(0);
     double heading = Math.toRadians(event.number("heading"));
@@ -280,7 +281,7 @@ public class SimCore {
   /** Writes the table of steps and, beside it, the table of looks. */
   public void close_files() throws IOException {
     write(output, HEADER, rows);
-    write(output.resolveSibling("looks.csv"), LOOKS, looks);
+    write(output.resolveSibling("looks.csv"), LOOKS_HEADER, looks);
   }
 
   private static void write(Path file, String header, List<String> rows) throws IOException {

@@ -6,7 +6,7 @@ import java.util.Random;
 
 /** An object that moves straight or along waypoints, and turns about at the border. */
 public class TraceableObject {
-  private static final double CLOSE = 1 - 0.00001;
+  private static final double REACHED_DISTANCE = 1 - 0.00001;
 
   private final List<Double> features;
   private final List<Point> waypoints;
@@ -41,7 +41,7 @@ public class TraceableObject {
 
   void move(SimCore world, Random turn) {
     if (!waypoints.isEmpty()) {
-      head();
+      headForWaypoint();
     }
     double dx = Math.sin(heading) * speed;
     double dy = Math.cos(heading) * speed;
@@ -54,11 +54,11 @@ public class TraceableObject {
     }
   }
 
-  private void head() {
+  private void headForWaypoint() {
     Point target = waypoints.get(waypoint);
-    double ex = x - target.x;
-    double ey = y - target.y;
-    if (Math.sqrt(ex * ex + ey * ey) < CLOSE) {
+    double dx = x - target.x;
+    double dy = y - target.y;
+    if (Math.sqrt(dx * dx + dy * dy) < REACHED_DISTANCE) {
       waypoint = (waypoint + 1) % waypoints.size();
       target = waypoints.get(waypoint);
     }

@@ -173,7 +173,7 @@ final class BatchRun {
   private Consumer<PrintWriter> computeAll(RunEngine computing, Runs runs, Work work)
       throws IOException {
     try (OutputFolder folder = screen.folder(out);
-        Journal journal = Journal.open(folder, Journal.NAME, resume)) {
+        Journal journal = Journal.open(folder, Journal.COMPARISON_FILE, resume)) {
       folder.claim(
           List.of(
               ResultFolder.SETTINGS,

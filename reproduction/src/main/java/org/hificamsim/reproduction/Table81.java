@@ -86,10 +86,10 @@ public final class Table81 {
       }
       return published.hifi()
           ? off + "; state, discount and reward of SARSA, and the targets, are not published"
-          : off + camSim();
+          : off + camSimReason();
     }
 
-    private String camSim() {
+    private String camSimReason() {
       String formula =
           published.policy().equals(ZOOM_OUT)
               ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
@@ -120,17 +120,17 @@ public final class Table81 {
   private double mean(PublishedCell cell, Reading reading) {
     List<String> scenarios = cell.layout().scenarios();
     return switch (reading) {
-      case ONE_HOP_GREEDY -> over(scenarios, cell.detection(), cell.policy(), ONE_HOP);
+      case ONE_HOP_GREEDY -> ratioTo(scenarios, cell.detection(), cell.policy(), ONE_HOP);
       case HIFI_OPTIMUM -> overHiFi(cell, CAMSIM);
       case HIFI_OPTIMUM_AT_45 -> overHiFi(cell, CAMSIM_45);
-      case EXPLORE_ANY -> instead(cell, EPSILON_GREEDY, EXPLORE_ANY);
+      case EXPLORE_ANY -> withPolicyReplaced(cell, EPSILON_GREEDY, EXPLORE_ANY);
       case SCRIPT_AT_ORIGIN ->
           cell.layout() == Layout.CLUSTER
               ? mean(List.of(cell.layout().random(), ORIGIN), cell.detection(), cell.policy())
               : Double.NaN;
       case EQ_62 -> cell.hifi() ? Double.NaN : mean(scenarios, STANDARD, cell.policy());
-      case SIGN_REWARD -> instead(cell, SARSA, REWARD_SIGN);
-      case LITERAL_REWARD -> instead(cell, SARSA, REWARD_LITERAL);
+      case SIGN_REWARD -> withPolicyReplaced(cell, SARSA, REWARD_SIGN);
+      case LITERAL_REWARD -> withPolicyReplaced(cell, SARSA, REWARD_LITERAL);
     };
   }
 
@@ -144,7 +144,7 @@ public final class Table81 {
   }
 
   /** The ratio to another policy's performance, in place of the optimum's. */
-  private double over(List<String> scenarios, String detection, String policy, String other) {
+  private double ratioTo(List<String> scenarios, String detection, String policy, String other) {
     return Ratio.overPerformance(
             find(scenarios, detection, policy), find(scenarios, detection, other))
         .mean();
@@ -154,7 +154,7 @@ public final class Table81 {
    * The proportion of a cell with another policy in place of its own, which must be {@code policy};
    * NaN for the cells of other policies.
    */
-  private double instead(PublishedCell cell, String policy, String other) {
+  private double withPolicyReplaced(PublishedCell cell, String policy, String other) {
     return cell.policy().equals(policy)
         ? mean(cell.layout().scenarios(), cell.detection(), other)
         : Double.NaN;

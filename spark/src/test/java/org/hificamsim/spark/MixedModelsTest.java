@@ -68,7 +68,7 @@ class MixedModelsTest {
     RunPlan plan = plan(model("0.026"));
     try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
       compare(CATALOGUE, plan, out); // and ends before its tables are written
-      Path journal = out.path().resolve(Journal.NAME);
+      Path journal = out.path().resolve(Journal.COMPARISON_FILE);
       byte[] finished = Files.readAllBytes(journal);
       InputException fault =
           assertThrows(InputException.class, () -> compare(CATALOGUE, plan(model("0.2")), out));
@@ -103,7 +103,7 @@ class MixedModelsTest {
       throws IOException {
     SparkEngine engine = new SparkEngine();
     engine.configure(new EngineSettings(catalogue, 1, Optional.of("local[2]")));
-    try (Journal journal = Journal.open(folder, Journal.NAME, true)) {
+    try (Journal journal = Journal.open(folder, Journal.COMPARISON_FILE, true)) {
       RunEngine journalled = new JournalledEngine(engine, journal, () -> {});
       return Comparison.run(List.of(plan), ReferencePolicies.OPTIMUM, journalled);
     }

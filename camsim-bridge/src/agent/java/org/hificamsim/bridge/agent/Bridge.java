@@ -28,9 +28,9 @@ public interface Bridge {
   /**
    * Called before {@code TraceableObject.getX()} or {@code getY()} returns.
    *
-   * @param upwards whether the coordinate is y, else x
-   * @param own the coordinate that CamSim has, metres
+   * @param isY whether the coordinate is y, else x
+   * @param camSimValue the coordinate that CamSim has, metres
    * @return the coordinate to return, metres
    */
-  double place(Object object, boolean upwards, double own);
+  double coordinate(Object object, boolean isY, double camSimValue);
 }

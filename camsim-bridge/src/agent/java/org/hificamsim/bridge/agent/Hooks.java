@@ -40,7 +40,7 @@ public final class Hooks {
   }
 
   /** See {@link Bridge#place}. */
-  public static double place(Object object, boolean upwards, double own) {
-    return bridge.place(object, upwards, own);
+  public static double coordinate(Object object, boolean isY, double camSimValue) {
+    return bridge.coordinate(object, isY, camSimValue);
   }
 }

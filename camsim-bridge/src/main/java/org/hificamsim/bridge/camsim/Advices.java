@@ -80,7 +80,7 @@ final class Advices {
         @Advice.This Object object,
         @Advice.Origin("#m") String method,
         @Advice.Return(readOnly = false) double returned) {
-      returned = Hooks.place(object, method.equals("getY"), returned);
+      returned = Hooks.coordinate(object, method.equals("getY"), returned);
     }
   }
 }

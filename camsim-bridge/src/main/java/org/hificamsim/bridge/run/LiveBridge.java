@@ -66,8 +66,8 @@ public final class LiveBridge implements Bridge {
   }
 
   @Override
-  public double place(Object object, boolean upwards, double own) {
-    return guarded(own, run -> run.place(object, upwards, own));
+  public double coordinate(Object object, boolean isY, double camSimValue) {
+    return guarded(camSimValue, run -> run.coordinate(object, isY, camSimValue));
   }
 
   @Override

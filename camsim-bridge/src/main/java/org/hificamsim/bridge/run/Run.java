@@ -137,8 +137,8 @@ final class Run {
   }
 
   /** Returns a coordinate of an object. */
-  double place(Object object, boolean upwards, double own) {
-    return tracked.isPresent() ? tracked.get().place(object, upwards, own) : own;
+  double coordinate(Object object, boolean isY, double camSimValue) {
+    return tracked.isPresent() ? tracked.get().coordinate(object, isY, camSimValue) : camSimValue;
   }
 
   /** Called when a step ends. */

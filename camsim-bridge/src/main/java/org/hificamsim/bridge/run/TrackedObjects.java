@@ -54,12 +54,12 @@ final class TrackedObjects {
   }
 
   /**
-   * Returns a coordinate of an object on its track, or its own coordinate if it has no track.
+   * Returns a coordinate of an object on its track, or the one that CamSim has if it has no track.
    *
-   * @param upwards whether to return y, else x
-   * @param own the coordinate that CamSim has
+   * @param isY whether to return y, else x
+   * @param camSimValue the coordinate that CamSim has
    */
-  double place(Object object, boolean upwards, double own) {
+  double coordinate(Object object, boolean isY, double camSimValue) {
     Optional<Walker> walker = walkers.get(object);
     if (walker == null) {
       walker =
@@ -69,14 +69,14 @@ final class TrackedObjects {
               .map(track -> new Walker(track, step));
       walkers.put(object, walker);
     }
-    return walker.isEmpty() ? own : place(walker.get(), upwards, own);
+    return walker.isEmpty() ? camSimValue : coordinate(walker.get(), isY, camSimValue);
   }
 
-  private double place(Walker walker, boolean upwards, double own) {
+  private double coordinate(Walker walker, boolean isY, double camSimValue) {
     walker.advanceTo(step);
-    double place = upwards ? walker.walk.y() : walker.walk.x();
-    walker.hasLeft |= Math.abs(place - own) > TOLERANCE;
-    return place;
+    double coordinate = isY ? walker.walk.y() : walker.walk.x();
+    walker.hasLeft |= Math.abs(coordinate - camSimValue) > TOLERANCE;
+    return coordinate;
   }
 
   /** Returns whether the track of an object has ever differed from CamSim's position. */

@@ -93,7 +93,7 @@ public final class SightLines {
 
   /** Sets what must be seen of a target, unless the scenario says so. */
   public void require(Seen usual) {
-    targets.require(
+    targets.setRule(
         scenario.find(Scenario.SEEN).orElse(usual),
         scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE);
   }

@@ -133,7 +133,7 @@ public final class Targets {
   }
 
   /** Sets what must be seen of targets that have no rule of their own. */
-  void require(Seen newCommonSeen, boolean foreshortened) {
+  void setRule(Seen newCommonSeen, boolean foreshortened) {
     commonSeen = newCommonSeen;
     this.foreshortened = foreshortened;
   }

@@ -70,7 +70,7 @@ final class ConsensusAuction implements Agreement {
     for (int rival = 0; rival < bids.length && !outbid; rival++) {
       boolean higher =
           bids[rival] > bids[camera] || (bids[rival] == bids[camera] && rival < camera);
-      outbid = higher && team.bidArrived(rival, camera);
+      outbid = higher && team.bidHasArrived(rival, camera);
     }
     return outbid;
   }

@@ -93,7 +93,7 @@ final class MaxSum implements Agreement {
     int others = 0;
     for (int sender = 0; sender < messages.length; sender++) {
       double message = messages[sender][plan.targetAndStep(slot)];
-      if (sender != camera && message > NO_MESSAGE && team.bidArrived(sender, camera)) {
+      if (sender != camera && message > NO_MESSAGE && team.bidHasArrived(sender, camera)) {
         sortedLosses[others++] = -message;
       }
     }

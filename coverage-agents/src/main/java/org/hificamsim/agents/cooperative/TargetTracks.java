@@ -11,7 +11,7 @@ final class TargetTracks {
   /** A target that is there with a lower probability is forgotten. */
   private static final double MIN_WEIGHT = 0.05;
 
-  /** In place of an unknown size, metres. */
+  /** The size of a target whose size is unknown, metres. */
   private static final double DEFAULT_SIZE = 1;
 
   private static final class Track {

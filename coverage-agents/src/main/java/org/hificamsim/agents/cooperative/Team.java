@@ -28,7 +28,7 @@ final class Team {
   private final int[] messagesInStep;
 
   /** By sender and receiver, whether the last bid arrived in time. */
-  private final boolean[] bidArrived;
+  private final boolean[] bidHasArrived;
 
   /** By sender and receiver, whether any report or choice arrived in this step. */
   private final boolean[] messageArrived;
@@ -50,8 +50,8 @@ final class Team {
     choicePost = new Post<>(network, channel);
     chosenViews = new int[cameras];
     messagesInStep = new int[cameras];
-    bidArrived = new boolean[shared ? 0 : cameras * cameras];
-    messageArrived = new boolean[bidArrived.length];
+    bidHasArrived = new boolean[shared ? 0 : cameras * cameras];
+    messageArrived = new boolean[bidHasArrived.length];
     Worth worth = new Worth(network.objective(), parameters.lead());
     minds = new Mind[shared ? Math.min(1, cameras) : cameras];
     Arrays.setAll(minds, camera -> new Mind(parameters, worth, site, network));
@@ -164,7 +164,7 @@ final class Team {
 
   /**
    * Lets a camera send the others a bid of this many numbers. The numbers themselves stay with the
-   * {@link Agreement}; what is simulated is where they arrive ({@link #bidArrived}).
+   * {@link Agreement}; what is simulated is where they arrive ({@link #bidHasArrived}).
    */
   void bid(int camera, int numbers) {
     int length = MessageBits.address(cameras) + numbers * MessageBits.REAL;
@@ -173,14 +173,14 @@ final class Team {
       boolean sent = channel.send(camera, length);
       for (int receiver = 0; receiver < cameras; receiver++) {
         boolean arrived = sent && channel.delay(camera, receiver) == 0;
-        bidArrived[camera * cameras + receiver] = arrived;
+        bidHasArrived[camera * cameras + receiver] = arrived;
       }
     }
   }
 
   /** Whether the last bid of a camera arrived at another one in time. */
-  boolean bidArrived(int sender, int receiver) {
-    return shared || bidArrived[sender * cameras + receiver];
+  boolean bidHasArrived(int sender, int receiver) {
+    return shared || bidHasArrived[sender * cameras + receiver];
   }
 
   private void count(int camera, int length) {

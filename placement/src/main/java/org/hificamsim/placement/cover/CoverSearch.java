@@ -78,18 +78,18 @@ public final class CoverSearch {
     CoverInstance instance = all.with(undominated);
     CoverSearch search = new CoverSearch(instance, goal, effort);
     search.makeFirstPlan();
-    LagrangianBound relaxation = new LagrangianBound(instance, goal, instance.counts(search.best));
-    watcher.improved(search.score, relaxation.bound());
-    search.improve(effort.idleRounds(), relaxation, watcher);
-    double bound = relaxation.bound();
-    if (effort.exact().isPresent() && !relaxation.proves(search.score)) {
-      bound = search.closeGap(relaxation, effort, watcher);
+    LagrangianBound lagrangian = new LagrangianBound(instance, goal, instance.counts(search.best));
+    watcher.improved(search.score, lagrangian.bound());
+    search.improve(effort.idleRounds(), lagrangian, watcher);
+    double bound = lagrangian.bound();
+    if (effort.exact().isPresent() && !lagrangian.proves(search.score)) {
+      bound = search.closeGap(lagrangian, effort, watcher);
     }
     return new CoverPlan(
         Arrays.stream(search.best).map(candidate -> undominated[candidate]).toArray(),
         search.score,
         bound,
-        new CoverPlan.MultiplierBound(relaxation.bound(), relaxation.bestMultipliers()),
+        new CoverPlan.MultiplierBound(lagrangian.bound(), lagrangian.bestMultipliers()),
         (System.nanoTime() - started) / 1e9);
   }
 
@@ -100,14 +100,14 @@ public final class CoverSearch {
    *
    * @return the new bound
    */
-  private double closeGap(LagrangianBound relaxation, Effort effort, Watcher watcher) {
-    double before = relaxation.bound();
-    int[] open = relaxation.openCandidates(score, best);
+  private double closeGap(LagrangianBound lagrangian, Effort effort, Watcher watcher) {
+    double before = lagrangian.bound();
+    int[] open = lagrangian.openCandidates(score, best);
     if (open.length > 2 * KERNEL_CANDIDATES) {
-      int[] kernel = relaxation.cheapestCandidates(KERNEL_CANDIDATES, best);
+      int[] kernel = lagrangian.cheapestCandidates(KERNEL_CANDIDATES, best);
       solveExactly(kernel, before, effort, effort.limits().kernel());
       watcher.improved(score, before);
-      open = relaxation.openCandidates(score, best);
+      open = lagrangian.openCandidates(score, best);
     }
     double exactBound = solveExactly(open, before, effort, effort.limits().all());
     double bound = goal.tightened(exactBound, goal.scoreStep(instance));
@@ -140,31 +140,31 @@ public final class CoverSearch {
 
   private void makeFirstPlan() {
     new Greedy(instance, goal, selection, candidate -> 1).fill();
-    finish();
+    keepSelectionIfBest();
     selection.set(new int[0]);
     new Greedy(instance, goal, selection, candidate -> instance.prices()[candidate]).fill();
-    finish();
+    keepSelectionIfBest();
     selection.set(best);
     exchange();
   }
 
-  private void improve(int maxIdleRounds, LagrangianBound relaxation, Watcher watcher) {
+  private void improve(int maxIdleRounds, LagrangianBound lagrangian, Watcher watcher) {
     int idleRounds = 0;
-    while (idleRounds < maxIdleRounds && !stop.getAsBoolean() && !relaxation.proves(score)) {
-      double before = relaxation.bound();
-      if (!relaxation.isExhausted()) {
-        relaxation.improve(BOUND_STEPS_PER_ROUND, score, stop);
+    while (idleRounds < maxIdleRounds && !stop.getAsBoolean() && !lagrangian.proves(score)) {
+      double before = lagrangian.bound();
+      if (!lagrangian.isExhausted()) {
+        lagrangian.improve(BOUND_STEPS_PER_ROUND, score, stop);
       }
-      boolean better = refillBest(relaxation);
-      idleRounds = better || !relaxation.isExhausted() ? 0 : idleRounds + 1;
-      if (better || relaxation.bound() != before) {
-        watcher.improved(score, relaxation.bound());
+      boolean better = refillBest(lagrangian);
+      idleRounds = better || !lagrangian.isExhausted() ? 0 : idleRounds + 1;
+      if (better || lagrangian.bound() != before) {
+        watcher.improved(score, lagrangian.bound());
       }
     }
   }
 
   /** Removes a random part of the best plan and fills it again; returns whether it improved. */
-  private boolean refillBest(LagrangianBound relaxation) {
+  private boolean refillBest(LagrangianBound lagrangian) {
     selection.set(best);
     int removals = 1 + random.nextInt(Math.max(1, best.length / 2));
     for (int i = 0; i < removals && best.length > 0; i++) {
@@ -176,12 +176,12 @@ public final class CoverSearch {
     double[] weights = instance.prices().clone();
     for (int candidate = 0; goal.isFullCover() && candidate < weights.length; candidate++) {
       double least = MIN_PRICE_SHARE * weights[candidate];
-      double price = Math.max(least, relaxation.reducedPrice(candidate));
+      double price = Math.max(least, lagrangian.reducedPrice(candidate));
       weights[candidate] = price * (1 + PRICE_NOISE * random.nextDouble());
     }
     new Greedy(instance, goal, selection, candidate -> weights[candidate]).fill();
     double before = score;
-    finish();
+    keepSelectionIfBest();
     boolean promising = selection.worth() > MIN_EXCHANGED_SHARE * score;
     if (!goal.isFullCover() && score == before && promising) {
       exchange();
@@ -193,7 +193,7 @@ public final class CoverSearch {
    * Keeps the selected plan if it is the best; for full cover, redundant candidates are removed
    * first, beginning with the most expensive.
    */
-  private void finish() {
+  private void keepSelectionIfBest() {
     if (goal.isFullCover()) {
       IntStream.of(selection.candidates())
           .boxed()

@@ -44,10 +44,10 @@ import org.hificamsim.runs.RunResult;
  */
 public final class Journal implements Closeable {
   /** The name of the file in the folder of a comparison. */
-  public static final String NAME = ".compare.journal";
+  public static final String COMPARISON_FILE = ".compare.journal";
 
   /** The name of the file in the folder of a shard. */
-  private static final String RUNS = "runs.jsonl";
+  private static final String SHARD_FILE = "runs.jsonl";
 
   /** What each line begins with, by which a journal is told from other files. */
   private static final byte[] BEGIN = "{\"sum\":\"".getBytes(StandardCharsets.UTF_8);
@@ -106,7 +106,7 @@ public final class Journal implements Closeable {
    * @throws InputException when the file exists and may not, or is not a journal
    */
   public static Journal ofShard(OutputFolder folder, boolean resume) throws IOException {
-    Path file = folder.path().resolve(RUNS);
+    Path file = folder.path().resolve(SHARD_FILE);
     if (!resume && Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       throw InputException.of(
           "'%s' would be replaced: expected another folder, or %s to keep its runs",
@@ -116,7 +116,7 @@ public final class Journal implements Closeable {
       throw InputException.of(
           "'%s' would be replaced, and no shard wrote it: expected another folder", file);
     }
-    return open(folder, RUNS, resume);
+    return open(folder, SHARD_FILE, resume);
   }
 
   /** Whether a file begins like a journal; a killed command may have left only part of a line. */
@@ -133,7 +133,7 @@ public final class Journal implements Closeable {
    * @throws InputException when it is missing
    */
   static Journal ofShard(Path folder) throws IOException {
-    Path file = folder.resolve(RUNS);
+    Path file = folder.resolve(SHARD_FILE);
     if (!Files.isRegularFile(file)) {
       throw InputException.of("no file '%s', expected what %s writes", file, setting("shard"));
     }

@@ -32,10 +32,10 @@ public record JournalledEngine(RunEngine engine, Journal journal, RunProgress pr
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
     List<RunKey> keys = RunKey.of(plans);
     journal.requireUnchanged(keys);
-    List<String> lines = keys.stream().map(RunKey::text).toList();
+    List<String> keyTexts = keys.stream().map(RunKey::text).toList();
     List<RunTask> missing = new ArrayList<>();
     for (RunTask task : tasks) {
-      Optional<FinishedRun> found = journal.find(lines.get(task.plan()), seed(plans, task));
+      Optional<FinishedRun> found = journal.find(keyTexts.get(task.plan()), seed(plans, task));
       if (found.isPresent()) {
         finished.take(task, found.get());
       } else {
@@ -47,7 +47,7 @@ public record JournalledEngine(RunEngine engine, Journal journal, RunProgress pr
         plans,
         missing,
         (task, run) -> {
-          journal.add(lines.get(task.plan()), seed(plans, task), run);
+          journal.add(keyTexts.get(task.plan()), seed(plans, task), run);
           finished.take(task, run);
           progress.advance();
         });

@@ -30,9 +30,9 @@ class ComparisonTest {
   /** Otherwise a second comparison could use a journal that the first one then deletes. */
   @Test
   void locksFolderUntilJournalIsDeleted() throws IOException {
-    Path file = folder.resolve(Journal.NAME);
+    Path file = folder.resolve(Journal.COMPARISON_FILE);
     try (OutputFolder output = new OutputFolder(folder);
-        Journal journal = Journal.open(output, Journal.NAME, false)) {
+        Journal journal = Journal.open(output, Journal.COMPARISON_FILE, false)) {
       List<CaseResult> results = compare(journal, () -> {});
       assertEquals(2, results.size(), "the plan and its optimum");
       assertTrue(Files.exists(file));
@@ -48,16 +48,16 @@ class ComparisonTest {
   @Test
   void reusesRunsInJournal() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
-      try (Journal journal = Journal.open(output, Journal.NAME, false)) {
+      try (Journal journal = Journal.open(output, Journal.COMPARISON_FILE, false)) {
         compare(journal, () -> {});
       }
-      assertEquals(2, Files.readAllLines(folder.resolve(Journal.NAME)).size());
-      try (Journal journal = Journal.open(output, Journal.NAME, true)) {
+      assertEquals(2, Files.readAllLines(folder.resolve(Journal.COMPARISON_FILE)).size());
+      try (Journal journal = Journal.open(output, Journal.COMPARISON_FILE, true)) {
         compare(journal, () -> fail("computed again"));
         journal.finish();
       }
     }
-    assertFalse(Files.exists(folder.resolve(Journal.NAME)));
+    assertFalse(Files.exists(folder.resolve(Journal.COMPARISON_FILE)));
   }
 
   private void assertHeld() {

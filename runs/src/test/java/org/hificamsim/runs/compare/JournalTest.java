@@ -174,10 +174,10 @@ class JournalTest {
   }
 
   private Journal open(boolean resume) throws IOException {
-    return Journal.open(output, Journal.NAME, resume);
+    return Journal.open(output, Journal.COMPARISON_FILE, resume);
   }
 
   private Path file() {
-    return folder.resolve(Journal.NAME);
+    return folder.resolve(Journal.COMPARISON_FILE);
   }
 }
