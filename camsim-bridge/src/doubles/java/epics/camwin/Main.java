@@ -10,9 +10,9 @@ import java.util.List;
 
 /**
  * Runs scenarios in batch mode: {@code [-t STEPS] [-s SEED] [-o FILE] [-a CLASS] [-c N] [--no-gui]
- * SCENARIO.xml...}. Several scenarios run one after the other, the table of each but the first in a
- * folder {@code 1}, {@code 2}, ... of the output's. {@code -x} leaves files unclosed, as a window
- * that is shut does.
+ * SCENARIO.xml...}. Several scenarios run one after the other, the table of each but the first in
+ * the subfolder {@code 1}, {@code 2}, ... of the output's folder. {@code -x} leaves files unclosed,
+ * as a window that is shut does.
  */
 public final class Main {
   private int steps = 100;

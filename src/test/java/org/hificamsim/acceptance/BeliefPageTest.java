@@ -69,7 +69,7 @@ class BeliefPageTest {
   }
 
   @Test
-  void liveViewShowsGainsAndReceivers() {
+  void liveViewShowsReceiversAndOffersBeliefs() {
     try (ViewProcess view = new ViewProcess(Cli.scenario("corridor"), "--policy", "cooperative")) {
       browser.open(view.address());
       browser.until("return hificamsim.runs[0].count > 3");

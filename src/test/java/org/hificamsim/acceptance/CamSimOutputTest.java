@@ -40,7 +40,7 @@ class CamSimOutputTest {
   }
 
   @Test
-  void scenariosOfCamSimEqualItsOutput() throws IOException {
+  void reproducesOutputsOfCamSimsScenarios() throws IOException {
     int compared = 0;
     for (String[] row : Reference.rows("camsim/outputs/index.csv")) {
       if (row[0].startsWith("SASO-scenario") || row[0].startsWith("custom-")) {

@@ -130,7 +130,7 @@ class ChanceTest {
   }
 
   @Test
-  void writesNoChanceWithoutRule() throws IOException {
+  void summaryHasNoExpectedValuesWithoutChance() throws IOException {
     Path out = folder.resolve("out");
     run("run", LATTICE, "--steps", 10, "--out", out);
     assertFalse(Files.readString(out.resolve("summary.json")).contains("expected"));

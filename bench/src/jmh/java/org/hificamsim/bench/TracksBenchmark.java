@@ -32,7 +32,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Microseconds per step with a thousand targets: {@code Straight} ones, and the same as they were
- * recorded, with a sample a step. Cameras see the same in both, so that the ratio is of moving
+ * recorded, with a sample a step. Cameras see the same in both, so that the times differ by moving
  * alone.
  */
 @State(Scope.Thread)
@@ -119,7 +119,7 @@ public class TracksBenchmark {
             List.of());
   }
 
-  /** The run; the sum is the same for both movements, or they are not the same. */
+  /** Runs all steps; returns the detections, which must be equal for both movements. */
   @Benchmark
   @OperationsPerInvocation(STEPS)
   public long run() {

@@ -62,7 +62,7 @@ public enum Metric {
       "number",
       "how often a camera's view (its zoom level or pan angle) differed from that of the step"
           + " before",
-      measured(run -> run.coverage().zoomChanges())),
+      measured(run -> run.coverage().viewChanges())),
   MESSAGES(
       "number",
       "sent between cameras; [what counts](channel.md#messages-and-bits)",

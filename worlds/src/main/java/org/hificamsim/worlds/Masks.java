@@ -5,9 +5,9 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The allowed actions of each camera: 1 for each allowed choice of each number of its action. A
- * moving camera may only continue. An offline camera may get any action that it has, since none has
- * an effect.
+ * The allowed actions of each camera. An action is one or more numbers; each has a mask with an
+ * entry for each choice, 1 if it is allowed. A moving camera may only continue. An offline camera
+ * may get any action that it has, since none has an effect.
  */
 public final class Masks {
   private final ActionKind kind;

@@ -55,7 +55,10 @@ final class Steering {
     return Math.max(least, Math.min(most, value));
   }
 
-  /** Returns the pan angle nearest to the wanted one, among those with the current tilt. */
+  /**
+   * Returns the number of the pan angle nearest to the wanted one, among those with the current
+   * tilt.
+   */
   private int nearest(NetworkView network, int camera) {
     double tilt = network.zoom(camera, network.view(camera)).vertical().tilt();
     int nearest = network.panOf(camera, network.view(camera));

@@ -19,7 +19,7 @@ public final class RunCoverage implements StepListener {
   private long coveredMore;
   private double sumOfMeans;
   private long detections;
-  private long zoomChanges;
+  private long viewChanges;
   private int[] views = {};
   private boolean byChance;
   private double expectedPerformance;
@@ -41,7 +41,7 @@ public final class RunCoverage implements StepListener {
     coveredMore += coverage.coveredK();
     sumOfMeans += coverage.meanK();
     detections += coverage.detections();
-    countZoomChanges(network);
+    countViewChanges(network);
     if (coverage.byChance()) {
       byChance = true;
       add(coverage.expected());
@@ -59,7 +59,7 @@ public final class RunCoverage implements StepListener {
   }
 
   /** The first view does not count as a change; cameras may join later. */
-  private void countZoomChanges(OracleView network) {
+  private void countViewChanges(OracleView network) {
     int known = views.length;
     if (network.cameras() > known) {
       views = Arrays.copyOf(views, network.cameras());
@@ -67,7 +67,7 @@ public final class RunCoverage implements StepListener {
     for (int camera = 0; camera < network.cameras(); camera++) {
       int view = network.view(camera);
       if (camera < known && view != views[camera]) {
-        zoomChanges++;
+        viewChanges++;
       }
       views[camera] = view;
     }
@@ -119,8 +119,8 @@ public final class RunCoverage implements StepListener {
   }
 
   /** The number of times that a camera's view differed from that of the step before. */
-  public long zoomChanges() {
-    return zoomChanges;
+  public long viewChanges() {
+    return viewChanges;
   }
 
   /** The performance expected before luck is drawn; NaN under a threshold. */
@@ -148,7 +148,7 @@ public final class RunCoverage implements StepListener {
     return expected(sumOfExpectedMeans, steps);
   }
 
-  /** The mean over the steps of the least expected k_j. */
+  /** The mean over the steps of the smallest of the expected k_j. */
   public double leastExpectedK() {
     return expected(sumOfLeastK, steps);
   }

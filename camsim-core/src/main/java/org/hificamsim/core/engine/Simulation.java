@@ -55,7 +55,7 @@ public final class Simulation {
   private long step;
 
   /**
-   * Prepares a run of cameras that do not cooperate.
+   * Prepares a run without a {@link Cooperation}: cameras act by their policy alone.
    *
    * @param world before its first step
    * @param seed seeds the policy's generator and the luck of detections; the world has its own seed

@@ -12,14 +12,14 @@ class RunCoverageTest {
   private final RunCoverage coverage = new RunCoverage();
 
   @Test
-  void countsZoomChangesOfLaterCameras() {
+  void countsViewChangesOfLaterCameras() {
     step(2);
     step(2, 0);
-    assertEquals(0, coverage.zoomChanges());
+    assertEquals(0, coverage.viewChanges());
     step(1, 0, 1);
-    assertEquals(1, coverage.zoomChanges());
+    assertEquals(1, coverage.viewChanges());
     step(1, 2, 0);
-    assertEquals(3, coverage.zoomChanges());
+    assertEquals(3, coverage.viewChanges());
   }
 
   @Test

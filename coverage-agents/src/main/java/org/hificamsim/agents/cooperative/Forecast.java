@@ -65,7 +65,7 @@ final class Forecast {
   }
 
   /** The sum of the discounts of a step and all later ones. */
-  double weightFrom(int step) {
+  double sumOfDiscountsFrom(int step) {
     double sum = 0;
     for (int later = step; later < horizon; later++) {
       sum += discounts[later];

@@ -150,7 +150,7 @@ final class Plan {
     if (!arrivesInTime(camera, view)) {
       return 0;
     }
-    double stepWeight = forecast.weightFrom(viewForecasts[camera].delay(view));
+    double stepWeight = forecast.sumOfDiscountsFrom(viewForecasts[camera].delay(view));
     return parameters.search() * stepWeight * unseenTargetsIn(camera, view)
         + learnedValues.correction(camera, view, stepWeight);
   }

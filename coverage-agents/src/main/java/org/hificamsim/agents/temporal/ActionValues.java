@@ -24,7 +24,7 @@ public final class ActionValues {
   /** The number of values up to which all tables have all their states at once: 32 MiB. */
   private static final long MAX_COMPLETE_VALUES = 1 << 22;
 
-  /** The greatest number of values of one table, which an array can hold. */
+  /** The greatest number of values of one table: 2 GiB, within the limit of an array. */
   private static final long MAX_TABLE_VALUES = 1 << 28;
 
   /** The number of percepts of a table of a big network at the beginning. */

@@ -33,7 +33,8 @@ public record Curve(double[] x, double[] y) {
   /**
    * Returns the means of groups of neighbours of nearly equal size.
    *
-   * @param groups the number of groups, 1 or more; a curve without more points stays as it is
+   * @param groups the number of groups, 1 or more; a curve of at most this many points is returned
+   *     unchanged
    */
   public Curve thinned(int groups) {
     if (size() <= groups) {

@@ -11,8 +11,8 @@ import java.util.Set;
 
 /**
  * Accepts requests only from pages that this server has sent, on this machine. The token keeps out
- * other users and programs of the machine, the check of the host DNS rebinding, and the check of
- * the origin other sites in the same browser.
+ * other users and programs of the machine; checking the host prevents DNS rebinding; checking the
+ * origin keeps out other sites in the same browser.
  */
 final class Guard {
   private static final int TOKEN_BYTES = 24;

@@ -53,8 +53,8 @@ public final class OptimumTime {
   public record Forecast(String slowest, double secondsPerStep, Duration total) {}
 
   /**
-   * How long the optima take that a comparison runs in addition to its plans; empty where there are
-   * none. It takes up to four seconds for each scenario and detection.
+   * Estimates the time of the optima that a comparison computes in addition to its plans; empty if
+   * there are none. Estimating takes up to four seconds for each scenario and detection.
    */
   public Optional<Forecast> forecast(List<RunPlan> plans, ReferencePolicies references) {
     List<RunPlan> withReferences = references.with(plans);

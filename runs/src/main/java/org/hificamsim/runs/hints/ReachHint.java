@@ -16,7 +16,7 @@ import org.hificamsim.runs.ShortNumber;
  * detect them.
  */
 final class ReachHint {
-  /** The share of targets within reach from which there is no warning. */
+  /** The least share of targets within reach for which no warning is given. */
   private static final double ENOUGH_TARGETS = 0.1;
 
   /** Models that the warning may propose, in this order. */
