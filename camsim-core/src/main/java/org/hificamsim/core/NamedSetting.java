@@ -65,7 +65,7 @@ public final class NamedSetting {
   }
 
   /** A message with the settings that it names in a front end's notation. */
-  static String written(String message, Notation notation) {
+  public static String written(String message, Notation notation) {
     return MARKED
         .matcher(message)
         .replaceAll(

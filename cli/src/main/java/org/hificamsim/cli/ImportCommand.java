@@ -9,12 +9,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.tracks.ImportSummary;
+import org.hificamsim.tracks.Plausibility;
 import org.hificamsim.tracks.SiteSettings;
 import org.hificamsim.tracks.TrackSettings;
 import org.hificamsim.tracks.TrackedSite;
@@ -42,6 +44,9 @@ final class ImportCommand implements Callable<Integer> {
   @Option(names = "--out", required = true, paramLabel = "DIR")
   private Path out;
 
+  @Option(names = "--force-reading")
+  private boolean forceReading;
+
   @Mixin private RecordingOptions recording;
   @Mixin private SiteOptions site;
 
@@ -58,15 +63,22 @@ final class ImportCommand implements Callable<Integer> {
     TrackSettings settings = recording.settings();
     TracksImport tracks =
         new TracksImport(reader, recording.recording(file), recording.homography(), projection);
+    ImportSummary summary = tracks.summary(settings, new Obstacles(walls));
+    TrackedSite made = new TrackedSite(siteSettings, summary);
+    List<String> signs = Plausibility.of(summary, made).signs(forceReading);
     try (OutputFolder folder = Destination.folder(spec, out)) {
-      ImportSummary summary =
-          tracks.write(settings, new Obstacles(walls), folder, name + ".tracks");
-      TrackedSite made = new TrackedSite(siteSettings, summary);
+      tracks.write(settings, folder, name + ".tracks");
       write(folder, name, made);
       folder.commit(List.of());
       print(name, summary, made, walls, projection);
+      signs.forEach(this::warn);
     }
     return 0;
+  }
+
+  private void warn(String sign) {
+    String line = NamedSetting.written(sign, Flags.NOTATION);
+    spec.commandLine().getErr().println("warning: " + Place.printable(line));
   }
 
   /** The names of the files that are written. */

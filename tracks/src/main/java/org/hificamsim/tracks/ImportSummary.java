@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.RecordedTarget.Sample;
+import org.hificamsim.tracks.place.Way;
 
 /** What an import found: the extent in time and space, speeds, gaps, and oddities. */
 public final class ImportSummary {
@@ -41,7 +42,11 @@ public final class ImportSummary {
   private final List<Move> fastMoves = new ArrayList<>();
   private int targets;
   private int singleSampleTargets;
+  private long moves;
   private long blockedMoves;
+  private int movingTargets;
+  private int blockedTargets;
+  private final Way way = new Way();
   private String firstBlocked = "";
 
   /**
@@ -73,6 +78,8 @@ public final class ImportSummary {
   void add(String target, List<List<Sample>> tracks) {
     Sample last = null;
     int samples = 0;
+    long movesBefore = moves;
+    long blockedBefore = blockedMoves;
     for (List<Sample> track : tracks) {
       if (last != null) {
         gaps.accept(track.get(0).time() - last.time());
@@ -81,12 +88,15 @@ public final class ImportSummary {
         times.accept(sample.time());
         xs.accept(sample.x());
         ys.accept(sample.y());
+        way.add(sample.x(), sample.y());
       }
       addMoves(target, track);
       samples += track.size();
       last = track.get(track.size() - 1);
     }
     targets += samples > 0 ? 1 : 0;
+    movingTargets += moves > movesBefore ? 1 : 0;
+    blockedTargets += blockedMoves > blockedBefore ? 1 : 0;
     singleSampleTargets += samples == 1 ? 1 : 0;
   }
 
@@ -99,6 +109,7 @@ public final class ImportSummary {
       double speed = length / (to.time() - from.time());
       moves.add(new Move(target, to.time(), length, speed));
       allSpeeds.add(speed);
+      this.moves++;
       if (!obstacles.isEmpty()
           && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
           && blockedMoves++ == 0) {
@@ -182,6 +193,21 @@ public final class ImportSummary {
   /** The bounding box of all samples, metres. */
   Field box() {
     return new Field(xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax());
+  }
+
+  /** The positions of all samples, thinned out. */
+  Way way() {
+    return way;
+  }
+
+  /**
+   * Whether the ways of all targets go through a wall. A single crossing by a single target does
+   * not count: one sample may be off.
+   */
+  boolean isEveryWayBlocked() {
+    return blockedTargets > 0
+        && blockedTargets == movingTargets
+        && (movingTargets > 1 || 2 * blockedMoves > moves);
   }
 
   /** The number of targets whose size the file has. */

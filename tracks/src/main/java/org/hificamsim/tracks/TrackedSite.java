@@ -1,5 +1,6 @@
 package org.hificamsim.tracks;
 
+import java.util.Optional;
 import java.util.regex.Matcher;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.metrics.Objective;
@@ -9,6 +10,7 @@ import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.Way;
 
 /** Makes the scenario of imported tracks: field, draft of cameras, walls, and floor plan. */
 public final class TrackedSite {
@@ -28,6 +30,8 @@ public final class TrackedSite {
   private final Field field;
   private final double interval;
   private final double duration;
+  private final Obstacles obstacles;
+  private final Way way;
 
   /**
    * @param summary of the tracks
@@ -37,6 +41,8 @@ public final class TrackedSite {
     this.field = field(summary.box());
     this.interval = summary.interval();
     this.duration = summary.duration();
+    this.obstacles = new Obstacles(settings.walls());
+    this.way = summary.way();
   }
 
   private Field field(Field box) {
@@ -66,6 +72,24 @@ public final class TrackedSite {
     return (int) Math.min(Scenario.MAX_STEPS, Math.floor(duration / step() + STEP_TOLERANCE) + 1);
   }
 
+  private DraftCameras draft() {
+    return new DraftCameras(field, obstacles, way);
+  }
+
+  /** The walls and solids. */
+  Obstacles obstacles() {
+    return obstacles;
+  }
+
+  /** Says that no draft camera sees anybody; empty if one does. */
+  Optional<String> blindDraft() {
+    DraftCameras draft = draft();
+    return draft.draw(settings.cameras()).stream()
+            .anyMatch(camera -> draft.seen(camera.x(), camera.y()) > 0)
+        ? Optional.empty()
+        : Optional.of("walls hide everybody from the draft cameras: move these before a run");
+  }
+
   /** The objective, detection and steps of the scenario, in one line. */
   public String question() {
     return "question: " + OBJECTIVE + " by " + DETECTION + " in " + steps() + " steps";
@@ -92,9 +116,7 @@ public final class TrackedSite {
             .with(Scenario.STEPS, steps())
             .with(Scenario.STEP_TIME, step())
             .with(Scenario.OBSTACLES, settings.walls())
-            .with(
-                Scenario.CAMERAS,
-                DraftCameras.of(settings.cameras(), field, new Obstacles(settings.walls())));
+            .with(Scenario.CAMERAS, draft().draw(settings.cameras()));
     return settings.floorplan().map(empty::withFloorplan).orElse(empty);
   }
 }

@@ -9,6 +9,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.file.TrackWriter;
 import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.tracks.RecordedTarget.Sample;
+import org.hificamsim.tracks.format.Clock;
 import org.hificamsim.tracks.format.Recording;
 import org.hificamsim.tracks.format.TrackFormat;
 import org.hificamsim.tracks.ground.Ground;
@@ -23,6 +24,10 @@ public final class TracksImport {
   private final Recording recording;
   private final Collector collector;
   private final double secondsPerTick;
+  private final double firstTick;
+
+  /** The usual time between two samples of a target, seconds. */
+  private final double interval;
 
   /**
    * Reads a recording.
@@ -37,41 +42,56 @@ public final class TracksImport {
       LocalProjection projection) {
     this.recording = recording;
     collector = new Collector(unit -> Ground.of(unit, homography, projection));
-    secondsPerTick = format.read(recording, collector).secondsPerTick(collector.spacing());
+    Clock clock = format.read(recording, collector);
+    double spacing = collector.spacing();
+    secondsPerTick = clock.secondsPerTick(spacing);
+    firstTick = collector.firstTick();
+    interval = Math.max(TIME_TOLERANCE, Math.rint(spacing * secondsPerTick * 1e6) / 1e6);
     requireSamples(!collector.targets().isEmpty());
+  }
+
+  /**
+   * Returns what the tracks are like.
+   *
+   * @param obstacles the summary reports tracks that pass through them
+   * @throws org.hificamsim.core.InputException if the settings leave no samples of the recording
+   */
+  public ImportSummary summary(TrackSettings settings, Obstacles obstacles) {
+    ImportSummary summary = new ImportSummary(collector, interval, gap(settings), obstacles);
+    for (RecordedTarget target : collector.targets()) {
+      summary.add(target.name(), tracks(target, settings));
+    }
+    requireSamples(summary.samples() > 0);
+    return summary;
   }
 
   /**
    * Writes the tracks. Targets keep their names if all are whole numbers, otherwise they become 1,
    * 2, 3, ... in the order of their first samples.
    *
-   * @param obstacles the summary reports tracks that pass through them
    * @param folder in which the file is written
    * @param name of the file
-   * @throws org.hificamsim.core.InputException if the settings leave no samples of the recording
    */
-  public ImportSummary write(
-      TrackSettings settings, Obstacles obstacles, OutputFolder folder, String name)
-      throws IOException {
-    double interval =
-        Math.max(TIME_TOLERANCE, Math.rint(collector.spacing() * secondsPerTick * 1e6) / 1e6);
-    double gap = settings.gap().orElse(3 * interval);
-    ImportSummary summary = new ImportSummary(collector, interval, gap, obstacles);
-    double first = collector.firstTick();
+  public void write(TrackSettings settings, OutputFolder folder, String name) throws IOException {
     boolean keepsNames = collector.hasNumericNames();
     int count = 0;
     try (Writer out = folder.open(name)) {
       TrackWriter writer = new TrackWriter(out, interval, TIME_TOLERANCE);
       for (RecordedTarget target : collector.targets()) {
         count++;
-        List<List<Sample>> tracks = target.tracks(first, secondsPerTick, settings, gap);
         double number = keepsNames ? Double.parseDouble(target.name()) : count;
-        write(writer, number, target.extent().or(settings::extent), settings.size(), tracks);
-        summary.add(target.name(), tracks);
+        Optional<Extent> extent = target.extent().or(settings::extent);
+        write(writer, number, extent, settings.size(), tracks(target, settings));
       }
     }
-    requireSamples(summary.samples() > 0);
-    return summary;
+  }
+
+  private List<List<Sample>> tracks(RecordedTarget target, TrackSettings settings) {
+    return target.tracks(firstTick, secondsPerTick, settings, gap(settings));
+  }
+
+  private double gap(TrackSettings settings) {
+    return settings.gap().orElse(3 * interval);
   }
 
   private static void write(

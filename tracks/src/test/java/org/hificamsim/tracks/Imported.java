@@ -84,9 +84,9 @@ final class Imported {
         new TracksImport(
             TrackFormat.registry().create(format), recording, homography, new LocalProjection());
     try (OutputFolder out = new OutputFolder(folder)) {
-      ImportSummary found = read.write(settings, new Obstacles(walls), out, "made.tracks");
+      read.write(settings, out, "made.tracks");
       out.commit(List.of());
-      return found;
+      return read.summary(settings, new Obstacles(walls));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

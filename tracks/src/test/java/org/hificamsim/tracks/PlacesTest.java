@@ -24,6 +24,7 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
+import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -184,7 +185,7 @@ class PlacesTest {
   void placesDraftCamerasOnBorderLookingInside() {
     Field field = new Field(0, 100, 0, 50);
     Obstacles walls = new Obstacles(List.of(new Obstacle.Pillar(0, 0, 3, 0)));
-    List<CameraSpec> cameras = DraftCameras.of(6, field, walls);
+    List<CameraSpec> cameras = new DraftCameras(field, walls, new Way()).draw(6);
     assertEquals(
         6, cameras.stream().map(camera -> camera.x() + " " + camera.y()).distinct().count());
     for (CameraSpec camera : cameras) {

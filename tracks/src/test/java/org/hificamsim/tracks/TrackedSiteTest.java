@@ -16,6 +16,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -103,8 +104,7 @@ class TrackedSiteTest {
   }
 
   private static List<Point> places(int count, Obstacle... obstacles) {
-    return DraftCameras.of(count, FIELD, new Obstacles(List.of(obstacles))).stream()
-        .map(camera -> new Point(camera.x(), camera.y()))
-        .toList();
+    return new DraftCameras(FIELD, new Obstacles(List.of(obstacles)), new Way())
+        .draw(count).stream().map(camera -> new Point(camera.x(), camera.y())).toList();
   }
 }

@@ -19,6 +19,7 @@ import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
+import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -100,11 +101,11 @@ class WallHeightsTest {
     List<Obstacle> walls =
         read("walls.xml", "<Lines><Line x1='4' y1='5' x2='6' y2='5' height='1.2'/></Lines>");
     Field field = new Field(100, 140, -50, -20);
-    CameraSpec hung = DraftCameras.of(1, field, new Obstacles(walls)).get(0);
+    CameraSpec hung = new DraftCameras(field, new Obstacles(walls), new Way()).draw(1).get(0);
     assertEquals(3, hung.z().orElseThrow());
     double half = Math.toDegrees(Math.atan(Math.tan(Math.toRadians(30)) * 9 / 16));
     assertEquals(half + Math.toDegrees(Math.atan(3 / 49.2)), hung.tilt(), 0.5);
-    CameraSpec flat = DraftCameras.of(1, field, Obstacles.NONE).get(0);
+    CameraSpec flat = new DraftCameras(field, Obstacles.NONE, new Way()).draw(1).get(0);
     assertTrue(flat.z().isEmpty() && flat.tilt() == 0);
   }
 }

@@ -12,7 +12,8 @@ import org.hificamsim.core.scenario.spec.Field;
 /**
  * A first draft of cameras: domes at equal distances along the border of the field, from its lower
  * left corner, that look at its middle. If walls have heights, cameras hang at 3 m and look down. A
- * camera that would be in a wall is moved along the border.
+ * camera that would be in a wall is moved along the border. One to which walls hide the way of
+ * people is moved towards the middle, to where it sees most of them, and looks at these.
  */
 public final class DraftCameras {
   /** The distance from the border, as a share of the field's shorter side. */
@@ -20,37 +21,101 @@ public final class DraftCameras {
 
   private static final int TRIES = 400;
 
-  private DraftCameras() {}
+  /** The number of positions between the border and the middle. */
+  private static final int RINGS = 40;
+
+  private final Field field;
+  private final Obstacles obstacles;
+  private final Way way;
+  private final boolean flat;
+
+  /**
+   * @param way positions of people that cameras should see
+   */
+  public DraftCameras(Field field, Obstacles obstacles, Way way) {
+    this.field = field;
+    this.obstacles = obstacles;
+    this.way = way;
+    this.flat = obstacles.all().stream().allMatch(Obstacle::full);
+  }
 
   /** Returns {@code count} cameras. */
-  public static List<CameraSpec> of(int count, Field field, Obstacles obstacles) {
+  public List<CameraSpec> draw(int count) {
     List<CameraSpec> cameras = new ArrayList<>();
-    boolean flat = obstacles.all().stream().allMatch(Obstacle::full);
     for (int i = 0; i < count; i++) {
-      Point place = freePoint((double) i / count, field, obstacles);
-      CameraSpec camera = camera("camera-" + (i + 1), place, field);
-      cameras.add(flat ? camera : DraftOptics.hung(camera, lineOfSight(place, field)));
+      cameras.add(camera("camera-" + (i + 1), (double) i / count));
     }
     return cameras;
   }
 
-  /** The length of the line from a place on the border through the middle to the border, metres. */
-  private static double lineOfSight(Point place, Field field) {
-    double middleX = (field.minX() + field.maxX()) / 2;
-    double middleY = (field.minY() + field.maxY()) / 2;
-    return 2 * Math.hypot(middleX - place.x(), middleY - place.y());
+  /** The number of positions that a camera at a point can see past walls of any height. */
+  public int seen(double x, double y) {
+    return seenFrom(new Point(x, y)).size();
   }
 
-  private static Point freePoint(double share, Field field, Obstacles obstacles) {
-    Point point = onBorder(share, field);
-    for (int i = 1; i < TRIES && obstacles.containing(point.x(), point.y()).isPresent(); i++) {
-      point = onBorder((share + (double) i / TRIES) % 1, field);
+  private CameraSpec camera(String name, double share) {
+    Point border = freePoint(share);
+    Point place = towardsPeople(border);
+    Point target = place.equals(border) ? middle() : mean(seenFrom(place));
+    CameraSpec camera =
+        DraftOptics.camera(name, DraftOptics.DOME, place.x(), place.y(), target.x(), target.y());
+    double far = 2 * Math.hypot(target.x() - place.x(), target.y() - place.y());
+    return flat ? camera : DraftOptics.hung(camera, far);
+  }
+
+  /**
+   * The point itself if it sees half as many positions as the best one on the way to the middle.
+   */
+  private Point towardsPeople(Point border) {
+    Point middle = middle();
+    Point best = border;
+    int most = seenFrom(border).size();
+    int enough = 2 * most;
+    for (int i = 1; i < RINGS && most < way.points().size(); i++) {
+      double part = (double) i / RINGS;
+      Point point =
+          WallCollector.rounded(
+              border.x() + part * (middle.x() - border.x()),
+              border.y() + part * (middle.y() - border.y()));
+      int seen = isFree(point) ? seenFrom(point).size() : 0;
+      if (seen > most) {
+        most = seen;
+        best = point;
+      }
+    }
+    return most > enough ? best : border;
+  }
+
+  private List<Point> seenFrom(Point camera) {
+    return way.points().stream()
+        .filter(point -> obstacles.clear(camera.x(), camera.y(), point.x(), point.y()))
+        .toList();
+  }
+
+  private static Point mean(List<Point> points) {
+    return new Point(
+        points.stream().mapToDouble(Point::x).average().orElseThrow(),
+        points.stream().mapToDouble(Point::y).average().orElseThrow());
+  }
+
+  private Point middle() {
+    return new Point((field.minX() + field.maxX()) / 2, (field.minY() + field.maxY()) / 2);
+  }
+
+  private boolean isFree(Point point) {
+    return obstacles.containing(point.x(), point.y()).isEmpty();
+  }
+
+  private Point freePoint(double share) {
+    Point point = onBorder(share);
+    for (int i = 1; i < TRIES && !isFree(point); i++) {
+      point = onBorder((share + (double) i / TRIES) % 1);
     }
     return point;
   }
 
   /** A point near the border; a share of 0 is the lower left corner, then to the right. */
-  private static Point onBorder(double share, Field field) {
+  private Point onBorder(double share) {
     double inset = INSET * Math.min(field.width(), field.height());
     double width = field.width() - 2 * inset;
     double height = field.height() - 2 * inset;
@@ -62,11 +127,5 @@ public final class DraftCameras {
       y = 2 * (width + height) - along;
     }
     return WallCollector.rounded(field.minX() + inset + x, field.minY() + inset + y);
-  }
-
-  private static CameraSpec camera(String name, Point place, Field field) {
-    double middleX = (field.minX() + field.maxX()) / 2;
-    double middleY = (field.minY() + field.maxY()) / 2;
-    return DraftOptics.camera(name, DraftOptics.DOME, place.x(), place.y(), middleX, middleY);
   }
 }
