@@ -239,6 +239,11 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   @Override
+  public void rangeChanged(int camera) {
+    bandits[camera].rangeChanged();
+  }
+
+  @Override
   public void cameraFailed(int camera, int duration) {
     errors.switchedOff(camera, duration);
   }

@@ -231,6 +231,9 @@ public final class World {
             : Math.toRadians(change.viewingAngle());
     double range = changed(change.range(), cameras.zoom(camera, 0).radius());
     refit(camera, range, angle);
+    if (change.range() != -1) {
+      observer.rangeChanged(camera);
+    }
   }
 
   /** Gives a camera other views; one with a lens keeps its own. */

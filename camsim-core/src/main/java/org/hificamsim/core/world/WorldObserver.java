@@ -8,6 +8,9 @@ public interface WorldObserver {
   /** A camera was added. */
   default void cameraAdded(int camera) {}
 
+  /** A camera was given another range. */
+  default void rangeChanged(int camera) {}
+
   /**
    * A camera was switched off.
    *

@@ -20,7 +20,7 @@ class ReferenceScenarioTest {
 
   @TestFactory
   Stream<DynamicTest> ownScenariosSurviveWritingAndReading() {
-    return roundTrips(30, "own-camsim", "own-coverage");
+    return roundTrips(32, "own-camsim", "own-coverage");
   }
 
   @TestFactory

@@ -20,6 +20,9 @@ public interface CameraBandit {
     return 0;
   }
 
+  /** Is told that an event has changed the range of the camera. */
+  default void rangeChanged() {}
+
   /**
    * Learns, after the camera has settled its auctions.
    *

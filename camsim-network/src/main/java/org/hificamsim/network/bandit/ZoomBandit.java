@@ -37,6 +37,14 @@ public final class ZoomBandit implements CameraBandit {
     }
   }
 
+  /** Forgets the figures of the range before, without a reward for it (behaviour 9.6). */
+  @Override
+  public void rangeChanged() {
+    keptInView.take();
+    sharedViews.take();
+    certainty.take();
+  }
+
   private void addFigures(CameraFigures figures) {
     int owned = agent.owned().size();
     if (owned > 0) {
