@@ -33,7 +33,7 @@ class CamSimOutputTest {
     for (String[] row : Reference.rows(OURS + "index.csv")) {
       listed.add(row[0]);
     }
-    assertEquals(24, listed.size());
+    assertEquals(26, listed.size());
     assertEquals(
         listed,
         Reference.scenarios(OURS).stream().map(file -> file.getFileName().toString()).toList());

@@ -45,7 +45,7 @@ class ValidateAndListTest {
         Stream.of("own-camsim", "own-coverage")
             .flatMap(name -> Reference.scenarios(name).stream())
             .toList();
-    assertEquals(30, scenarios.size());
+    assertEquals(32, scenarios.size());
     scenarios.forEach(file -> Cli.assertValidAndRuns(file, folder));
   }
 
