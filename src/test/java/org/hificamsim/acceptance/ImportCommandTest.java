@@ -207,7 +207,8 @@ class ImportCommandTest {
     imported("--size", "0x1").assertRefused("--size is '0x1', expected metres above 0", out);
     imported("--unit", "ft").assertRefused("--unit is 'ft', expected one of m, cm, mm, px", out);
     imported("--unit", "cm").assertRefused("--unit is cm, expected m or none", out);
-    imported("--floorplan", recording).assertRefused("--floorplan without --scale M", out);
+    imported("--floorplan", recording)
+        .assertRefused("people.txt: a picture without --scale M, expected how", out);
     imported("--cameras", 0).assertRefused("--cameras is 0, expected a whole number", out);
     imported("--name", "a/b").assertRefused("--name is 'a/b', expected letters", out);
     imported("--from", 9, "--to", 1).assertRefused("--to is 1.0, expected a number from 9.0", out);

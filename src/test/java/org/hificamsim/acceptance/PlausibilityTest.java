@@ -11,6 +11,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** {@code import} acts on signs that walls were read wrongly. */
 class PlausibilityTest {
@@ -48,6 +50,24 @@ class PlausibilityTest {
     assertEquals(0, forced.exit(), forced.err());
     assertTrue(forced.err().startsWith("warning: a solid of the walls holds"), forced.err());
     assertTrue(forced.err().contains("expected --walkable, which makes"), forced.err());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "walkable-wkt, room.wkt, --walkable, 4",
+    "jps-xml-walls, geometry.xml, --force-reading, 2",
+    "svg-hidden, plan.svg, --scale=1, 1",
+    "svg-mm, plan.svg, --scale=0.1, 1",
+    "svg-mm, unit-attr.svg, --scale=0.1, 2",
+    "svg-use-circle, plan.svg, --scale=1, 6",
+    "geojson-height-unit, buildings.geojson, --margin=1, 2",
+  })
+  void readsWallsOfCases(String name, String walls, String option, int count) {
+    Cli imported = importedCase(name, walls, option);
+    assertEquals(0, imported.exit(), imported.err());
+    assertTrue(imported.out().contains("walls and solids: " + count + "\n"), imported::out);
+    assertEquals(name.equals("svg-hidden"), imported.out().contains("left out: 4 hidden\n"));
+    assertEquals(0, Cli.run("validate", out.resolve("people.xml")).exit());
   }
 
   @Test

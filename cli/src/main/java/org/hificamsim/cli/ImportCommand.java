@@ -1,20 +1,21 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.Writer;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.ImportSummary;
 import org.hificamsim.tracks.Plausibility;
 import org.hificamsim.tracks.SiteSettings;
@@ -22,7 +23,9 @@ import org.hificamsim.tracks.TrackSettings;
 import org.hificamsim.tracks.TrackedSite;
 import org.hificamsim.tracks.TracksImport;
 import org.hificamsim.tracks.format.TrackFormat;
+import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
+import org.hificamsim.tracks.place.Drawing;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -49,6 +52,13 @@ final class ImportCommand implements Callable<Integer> {
 
   @Mixin private RecordingOptions recording;
   @Mixin private SiteOptions site;
+  @Mixin private PlanOptions plan;
+
+  @Option(names = "--walls", paramLabel = "FILE")
+  private Path walls;
+
+  @Option(names = "--step", paramLabel = "S")
+  private Double step;
 
   @Spec private CommandSpec spec;
 
@@ -57,23 +67,57 @@ final class ImportCommand implements Callable<Integer> {
     TrackFormat reader = TrackFormat.registry().create(format);
     LocalProjection projection = recording.projection();
     String name = site.name(file);
+    if (plan.listsLayers()) {
+      return listLayers(projection);
+    }
     Destination.claim(spec, out, names(name));
-    List<Obstacle> walls = site.walls(recording.unitOf(format), projection);
-    SiteSettings siteSettings = site.settings(name, file, walls);
+    Optional<Drawing> drawing = drawing(projection);
+    List<Obstacle> obstacles =
+        drawing.map(read -> read.obstacles(plan.walkable())).orElse(List.of());
+    SiteSettings siteSettings = settings(name, obstacles);
     TrackSettings settings = recording.settings();
     TracksImport tracks =
         new TracksImport(reader, recording.recording(file), recording.homography(), projection);
-    ImportSummary summary = tracks.summary(settings, new Obstacles(walls));
+    ImportSummary summary = tracks.summary(settings, new Obstacles(obstacles));
     TrackedSite made = new TrackedSite(siteSettings, summary);
     List<String> signs = Plausibility.of(summary, made).signs(forceReading);
     try (OutputFolder folder = Destination.folder(spec, out)) {
       tracks.write(settings, folder, name + ".tracks");
       write(folder, name, made);
       folder.commit(List.of());
-      print(name, summary, made, walls, projection);
+      print(name, summary, projection);
+      printSite(name, made, drawing.flatMap(Drawing::leftOut));
       signs.forEach(this::warn);
     }
     return 0;
+  }
+
+  private int listLayers(LocalProjection projection) {
+    if (walls == null) {
+      throw new InputException("--list-layers is given without --walls, expected both");
+    }
+    Drawing drawing = drawing(projection).orElseThrow();
+    PlanOptions.printLayers(walls, drawing, spec.commandLine().getOut());
+    return 0;
+  }
+
+  /** The walls; empty if no file is given. */
+  private Optional<Drawing> drawing(LocalProjection projection) {
+    Unit ofRecording = recording.unitOf(format);
+    Unit usual = ofRecording == Unit.PX ? Unit.M : ofRecording;
+    return Optional.ofNullable(walls).map(drawn -> plan.read(drawn, usual, projection));
+  }
+
+  private SiteSettings settings(String name, List<Obstacle> obstacles) {
+    Optional<Path> picture = Optional.ofNullable(plan.floorplan());
+    return new SiteSettings(
+        name,
+        file,
+        site.cameras(1),
+        site.margin(),
+        RecordingOptions.positive("--step", step),
+        obstacles,
+        picture.map(image -> plan.floorplan(name, image)));
   }
 
   private void warn(String sign) {
@@ -84,29 +128,22 @@ final class ImportCommand implements Callable<Integer> {
   /** The names of the files that are written. */
   private List<String> names(String name) {
     List<String> names = new ArrayList<>(List.of(name + ".xml", name + ".tracks"));
-    if (site.floorplan() != null) {
-      names.add(site.floorplanName(name));
+    if (plan.floorplan() != null) {
+      names.add(PlanOptions.floorplanName(name, plan.floorplan()));
     }
     return names;
   }
 
   private void write(OutputFolder folder, String name, TrackedSite made) throws IOException {
-    if (site.floorplan() != null) {
-      try (OutputStream copy = folder.stream(site.floorplanName(name))) {
-        Files.copy(site.floorplan(), copy);
-      }
+    if (plan.floorplan() != null) {
+      PlanOptions.copy(name, plan.floorplan(), folder);
     }
     try (Writer xml = folder.open(name + ".xml")) {
       xml.write(made.xml(name + ".tracks"));
     }
   }
 
-  private void print(
-      String name,
-      ImportSummary summary,
-      TrackedSite made,
-      List<Obstacle> walls,
-      LocalProjection projection) {
+  private void print(String name, ImportSummary summary, LocalProjection projection) {
     PrintWriter terminal = spec.commandLine().getOut();
     terminal.println(out.resolve(name + ".xml"));
     summary.lines().forEach(line -> terminal.println("  " + Place.printable(line)));
@@ -117,7 +154,15 @@ final class ImportCommand implements Callable<Integer> {
               "  projected to metres: equirectangular, WGS84, about latitude %s, longitude %s",
               projection.latitude(), projection.longitude()));
     }
-    terminal.println("  " + site.line(made, walls));
+  }
+
+  private void printSite(String name, TrackedSite made, Optional<String> leftOut) {
+    PrintWriter terminal = spec.commandLine().getOut();
+    Field field = made.field();
+    terminal.println(
+        "  field: %s x %s m; step: %s s; walls and solids: %s"
+            .formatted(field.width(), field.height(), made.step(), made.obstacles().all().size()));
+    leftOut.ifPresent(line -> terminal.println("  " + Place.printable(line)));
     terminal.println("  " + made.question());
     terminal.println("Move the cameras, a first draft, and save them:");
     terminal.println("  ./hificamsim view " + out.resolve(name + ".xml"));

@@ -77,7 +77,7 @@ public final class TrackedSite {
   }
 
   /** The walls and solids. */
-  Obstacles obstacles() {
+  public Obstacles obstacles() {
     return obstacles;
   }
 

@@ -22,7 +22,10 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.DrawingSettings;
+import org.hificamsim.tracks.place.LayerChoice;
 import org.hificamsim.tracks.place.PictureFrame;
+import org.hificamsim.tracks.place.PlanScale;
 import org.hificamsim.tracks.place.WallFile;
 import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
@@ -32,7 +35,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Walls, floor plans and drafts of cameras. */
 class PlacesTest {
-  private static final PictureFrame FRAME = new PictureFrame(0.5, 10, 20);
+  private static final PictureFrame FRAME = new PictureFrame(new PlanScale.PerUnit(0.5), 10, 20);
 
   @TempDir Path folder;
 
@@ -50,7 +53,7 @@ class PlacesTest {
   @Test
   void readsWallsOfZara01() {
     Path file = Reference.file("tracks/zara01-map.xml");
-    assertEquals(7, WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty()).size());
+    assertEquals(7, WallsOf.file(file, Unit.M, Optional.empty()).size());
   }
 
   @Test
@@ -82,10 +85,15 @@ class PlacesTest {
   void projectsDegreesLikeTracks() {
     List<Obstacle> walls =
         WallFile.read(
-            written("a.geojson", "{\"type\":\"LineString\",\"coordinates\":[[16,48],[16.001,48]]}"),
-            Unit.DEG,
-            new LocalProjection(16, 48),
-            Optional.empty());
+                written(
+                    "a.geojson", "{\"type\":\"LineString\",\"coordinates\":[[16,48],[16.001,48]]}"),
+                new DrawingSettings(
+                    Optional.empty(),
+                    Unit.DEG,
+                    new LocalProjection(16, 48),
+                    Optional.empty(),
+                    LayerChoice.ALL))
+            .obstacles(false);
     assertEquals(List.of(new Obstacle.Wall(0, 0, 74.625, 0, 0)), walls);
   }
 
@@ -138,14 +146,14 @@ class PlacesTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "a.svg|<svg><line/></svg>|<svg without viewBox> has no height",
+        "a.svg|<svg><line/></svg>|a.svg: all that is drawn are points, expected lines",
         "a.svg|<svg height='10'><g transform='turn(3)'/></svg>|<g> transform is 'turn(3)'",
         "a.svg|<svg height='10'><polygon points='1 2 3'/></svg>|<polygon> points is '1 2 3'",
         "a.svg|<svg height='10'><polyline points='1 4e9'/></svg>|a point is at 10.5, -1.9",
         "a.svg|<svg height='10'><line x1='9e8' transform='scale(4)'/></svg>|a point is at 1.8",
         "a.svg|<svg height='10'><path d='L1'/></svg>|<path> d is 'L1'",
         "a.svg|<svg height='10'><path d='M0,0 h1 ?'/></svg>|<path> d is 'M0,0 h1 ?'",
-        "a.svg|<svg height='10 10'/>|<svg without viewBox> height is '10 10'",
+        "a.svg|<svg height='10 10'/>|<svg> height is '10 10'",
         "a.svg|<svg viewBox='0 0 9'/>|<svg> viewBox is '0 0 9'",
         "a.xml|<T><Line x1='1' y1='1' x2='NaN' y2='2'/></T>|:1:41: <Line> x2 is 'NaN', expected",
         "a.xml|<T><Line x1='1'|cut off",
@@ -155,7 +163,7 @@ class PlacesTest {
         "a.wkt|LINESTRING (1 NaN, 3 4)|a.wkt:1:1: a coordinate is",
         "a.wkt|LINESTRING Z (1 2 3, 4 5 6)|a.wkt:1:1: Z is 3.0 and 6.0, expected one height",
         "a.wkt|wall (1 2)|a.wkt:1:1: Unknown geometry type",
-        "a.dxf|0|expected walls in a file that ends in .geojson, .json, .wkt, .xml or .svg",
+        "a.plt|0|expected walls in a file that ends in .svg, .svgz, .dxf, .geojson, .json, .wkt",
       })
   void rejectsInvalidWalls(String name, String content, String message) {
     InputException error = assertThrows(InputException.class, () -> walls(name, content, Unit.M));
@@ -166,9 +174,7 @@ class PlacesTest {
   void requiresScaleForDrawings() {
     Path file = written("a.svg", "<svg height='10'/>");
     InputException error =
-        assertThrows(
-            InputException.class,
-            () -> WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty()));
+        assertThrows(InputException.class, () -> WallsOf.file(file, Unit.M, Optional.empty()));
     assertTrue(error.getMessage().endsWith("the metres of a unit of the drawing"));
   }
 
@@ -198,7 +204,7 @@ class PlacesTest {
   }
 
   private List<Obstacle> walls(String name, String content, Unit unit) {
-    return WallFile.read(written(name, content), unit, new LocalProjection(), Optional.of(FRAME));
+    return WallsOf.file(written(name, content), unit, Optional.of(FRAME));
   }
 
   private Path written(String name, String content) {

@@ -15,10 +15,9 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.format.Unit;
-import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
 import org.hificamsim.tracks.place.PictureFrame;
-import org.hificamsim.tracks.place.WallFile;
+import org.hificamsim.tracks.place.PlanScale;
 import org.hificamsim.tracks.place.Way;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +27,7 @@ class WallHeightsTest {
 
   private List<Obstacle> read(String name, String text) throws IOException {
     Path file = Files.writeString(folder.resolve(name), text);
-    return WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty());
+    return WallsOf.file(file, Unit.M, Optional.empty());
   }
 
   private static String feature(String height) {
@@ -86,8 +85,8 @@ class WallHeightsTest {
             + "<line x1='1' y1='2' x2='3' y2='4' data-height='1.8'/>"
             + "<rect x='5' y='5' width='2' height='1'/></g></svg>";
     Path file = Files.writeString(folder.resolve("a.svg"), drawing);
-    PictureFrame frame = new PictureFrame(0.5, 0, 0);
-    List<Obstacle> walls = WallFile.read(file, Unit.M, new LocalProjection(), Optional.of(frame));
+    PictureFrame frame = new PictureFrame(new PlanScale.PerUnit(0.5), 0, 0);
+    List<Obstacle> walls = WallsOf.file(file, Unit.M, Optional.of(frame));
     assertEquals(1.8, ((Obstacle.Wall) walls.get(0)).height());
     assertEquals(Double.POSITIVE_INFINITY, ((Obstacle.Polygon) walls.get(1)).height());
     for (String height : List.of("0", "tall", "")) {

@@ -2,9 +2,11 @@ package org.hificamsim.core.file;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.StringReader;
 import java.io.UnsupportedEncodingException;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParser;
@@ -22,12 +24,19 @@ import org.xml.sax.helpers.LocatorImpl;
 
 /**
  * Reads untrusted XML of any size as a stream; subclasses handle its elements. Document types and
- * all entities except the five of XML are refused.
+ * all entities except the five of XML are refused, unless the subclass {@linkplain
+ * #allowsDocumentType allows} them; even then nothing that the file names is opened.
  *
  * <p>It uses the JDK's SAX parser: the StAX parser reports some errors on standard error, others as
  * message keys, and all in the language of the machine.
  */
 public abstract class PlainXml extends DefaultHandler {
+  private static final List<String> EXTERNAL =
+      List.of(
+          "http://xml.org/sax/features/external-general-entities",
+          "http://xml.org/sax/features/external-parameter-entities",
+          "http://apache.org/xml/features/nonvalidating/load-external-dtd");
+
   private String file = "";
   private Locator locator = new LocatorImpl();
 
@@ -67,10 +76,28 @@ public abstract class PlainXml extends DefaultHandler {
     }
   }
 
-  private static SAXParser parser() throws SAXException {
+  /**
+   * Whether the file may have a document type. Its own entities are then expanded, within the JDK's
+   * limits; others are skipped.
+   */
+  protected boolean allowsDocumentType() {
+    return false;
+  }
+
+  /** Replaces what the file names by nothing. */
+  @Override
+  public final InputSource resolveEntity(String publicId, String systemId) {
+    return new InputSource(new StringReader(""));
+  }
+
+  private SAXParser parser() throws SAXException {
     try {
       SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-      factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+      factory.setFeature(
+          "http://apache.org/xml/features/disallow-doctype-decl", !allowsDocumentType());
+      for (String external : EXTERNAL) {
+        factory.setFeature(external, false);
+      }
       SAXParser parser = factory.newSAXParser();
       parser.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
       return parser;

@@ -55,7 +55,7 @@ public final class TextLines implements Fields, Closeable {
   }
 
   /**
-   * Opens the bytes of a file, decompressed if its name ends in {@code .gz}.
+   * Opens the bytes of a file, decompressed if its name ends in {@code .gz} or {@code .svgz}.
    *
    * @throws InputException if the file is missing or cannot be read
    */
@@ -65,7 +65,8 @@ public final class TextLines implements Fields, Closeable {
       throw new Place(path.toString(), 1, 1).error(problem + ", expected a file");
     }
     try {
-      boolean packed = path.toString().toLowerCase(Locale.ROOT).endsWith(".gz");
+      String name = path.toString().toLowerCase(Locale.ROOT);
+      boolean packed = name.endsWith(".gz") || name.endsWith(".svgz");
       InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16);
       return packed ? new GZIPInputStream(in, 1 << 16) : in;
     } catch (IOException e) {

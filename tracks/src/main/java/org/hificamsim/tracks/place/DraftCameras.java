@@ -74,7 +74,7 @@ public final class DraftCameras {
     for (int i = 1; i < RINGS && most < way.points().size(); i++) {
       double part = (double) i / RINGS;
       Point point =
-          WallCollector.rounded(
+          PlanPoints.rounded(
               border.x() + part * (middle.x() - border.x()),
               border.y() + part * (middle.y() - border.y()));
       int seen = isFree(point) ? seenFrom(point).size() : 0;
@@ -126,6 +126,6 @@ public final class DraftCameras {
       x = 0;
       y = 2 * (width + height) - along;
     }
-    return WallCollector.rounded(field.minX() + inset + x, field.minY() + inset + y);
+    return PlanPoints.rounded(field.minX() + inset + x, field.minY() + inset + y);
   }
 }

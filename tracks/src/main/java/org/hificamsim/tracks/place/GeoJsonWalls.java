@@ -4,95 +4,151 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.data.JsonStream;
 import org.hificamsim.tracks.format.Positions;
+import org.hificamsim.tracks.place.DrawnPart.Traits;
+import org.hificamsim.tracks.place.DrawnShape.Area;
 
 /**
  * Reads all geometries of a GeoJSON file as walls: lines become walls, polygons solid obstacles.
  * Polygons with holes, and those of a multi-polygon, become the walls of their sides. The property
- * {@code height} of a feature is the height of its walls, metres.
+ * {@code height} of a feature is the height of its walls, in metres or with a unit.
  */
 final class GeoJsonWalls {
-  private final WallCollector walls;
+  private static final Set<String> COLOURS = Set.of("color", "colour", "stroke", "fill");
+  private static final int MAX_LABEL = 100;
+
+  private final Drawing drawing;
+  private final PlanPoints points;
   private JsonStream json;
 
-  GeoJsonWalls(WallCollector walls) {
-    this.walls = walls;
+  GeoJsonWalls(Drawing drawing, PlanPoints points) {
+    this.drawing = drawing;
+    this.points = points;
   }
 
   void read(Path file) {
     try (JsonStream stream = JsonStream.open(file)) {
       json = stream;
       json.next();
-      object();
+      Feature rest = new Feature();
+      object(rest);
+      rest.add();
+    }
+  }
+
+  /** The shapes of an object, and what its properties say of them. */
+  private final class Feature {
+    private final List<DrawnShape> shapes = new ArrayList<>();
+    private final List<Label> labels = new ArrayList<>();
+    private final Place place = json.place();
+    private double height = Double.POSITIVE_INFINITY;
+    private boolean hasProperties;
+
+    void add() {
+      shapes.forEach(shape -> drawing.add(place, shape, new Traits(height, labels)));
     }
   }
 
   /** Reads an object that may be a geometry, or contain geometries. */
-  private void object() {
+  private void object(Feature parent) {
+    Feature own = new Feature();
     String[] type = {""};
-    double[] height = {Double.NaN};
-    Place[] place = {null};
-    int first = walls.count();
     List<List<Point>> lines = new ArrayList<>();
     json.object(
         "a GeoJSON object",
         name -> {
+          boolean isArray = json.token() == JsonToken.START_ARRAY;
+          boolean isObject = json.token() == JsonToken.START_OBJECT;
           if (name.equals("type")) {
             type[0] = json.text();
-          } else if (name.equals("coordinates") && json.token() == JsonToken.START_ARRAY) {
+          } else if (name.equals("id") && json.token().isScalarValue()) {
+            own.labels.add(new Label(Label.ID, json.text()));
+          } else if (name.equals("coordinates") && isArray) {
             Positions.read(json).forEach(line -> lines.add(line(line)));
-          } else if (json.token() == JsonToken.START_ARRAY) {
-            json.array("an array", this::member);
-          } else if (!name.equals("properties")) {
-            member();
-          } else if (json.token() == JsonToken.START_OBJECT) {
-            json.object(
-                "properties",
-                property -> {
-                  if (property.equals("height") && json.token() != JsonToken.VALUE_NULL) {
-                    place[0] = json.place();
-                    height[0] = height();
-                  }
-                });
+          } else if (name.equals("properties")) {
+            own.hasProperties = true;
+            if (isObject) {
+              json.object("properties", property -> property(own, property));
+            }
+          } else if (isArray) {
+            json.array("an array", () -> member(own));
+          } else {
+            member(own);
           }
         });
-    add(type[0], lines);
-    if (place[0] != null) {
-      walls.raise(place[0], first, height[0]);
+    addShapes(own, type[0], lines);
+    if (own.hasProperties || type[0].equals("Feature")) {
+      own.add();
+    } else {
+      parent.shapes.addAll(own.shapes);
     }
   }
 
-  /** Reads a number or, as in OpenStreetMap, the text of a number. */
-  private double height() {
-    try {
-      return json.token() == JsonToken.VALUE_STRING
-          ? Double.parseDouble(json.text())
-          : json.number("height");
-    } catch (NumberFormatException e) {
-      throw json.invalid("height", "a number (m)");
-    }
-  }
-
-  private void member() {
+  private void member(Feature own) {
     if (json.token() == JsonToken.START_OBJECT) {
-      object();
+      object(own);
     }
   }
 
-  private void add(String type, List<List<Point>> lines) {
-    if (type.equals("Polygon") && lines.size() == 1) {
-      walls.ring(lines.get(0));
-    } else if (type.contains("Polygon") || type.contains("LineString")) {
-      lines.forEach(walls::line);
+  private void property(Feature own, String name) {
+    String lower = name.toLowerCase(Locale.ROOT);
+    if (name.equals("height") && json.token() != JsonToken.VALUE_NULL) {
+      own.height = DrawnPart.height(json.place(), height());
+    } else if (json.token().isScalarValue() && json.text().length() <= MAX_LABEL) {
+      String text = json.text();
+      String kind =
+          lower.equals(Label.LAYER) || lower.equals(Label.CLASS) || lower.equals(Label.ID)
+              ? lower
+              : COLOURS.contains(lower) ? Label.COLOUR : Label.PROPERTY;
+      boolean isProperty = kind.equals(Label.PROPERTY);
+      own.labels.add(new Label(kind, isProperty ? name + "=" + text : text));
     }
+  }
+
+  /** Reads a number or, as in OpenStreetMap, a text with or without a unit. */
+  private double height() {
+    if (json.token() != JsonToken.VALUE_STRING) {
+      return json.number("height");
+    }
+    return HeightText.metres(json.text())
+        .orElseThrow(() -> json.invalid("height", "a height such as 12, 12 m, 39 ft or 39'4\""));
+  }
+
+  private void addShapes(Feature own, String type, List<List<Point>> lines) {
+    if (type.equals("Polygon") && !lines.isEmpty()) {
+      own.shapes.add(new Area(lines.get(0), lines.subList(1, lines.size()), lines.size() == 1));
+    } else if (type.equals("MultiPolygon")) {
+      own.shapes.addAll(areas(lines));
+    } else if (type.contains("LineString")) {
+      lines.forEach(line -> own.shapes.add(new DrawnShape.Line(line)));
+    } else if (type.contains("Point")) {
+      drawing.leaveOut("point");
+    }
+  }
+
+  /** The areas of borders, each followed by those of its holes. */
+  private static List<DrawnShape> areas(List<List<Point>> rings) {
+    List<DrawnShape> areas = new ArrayList<>();
+    Area last = null;
+    for (List<Point> ring : rings) {
+      if (last != null && WalkableArea.holds(last.border(), ring.get(0))) {
+        last.holes().add(ring);
+      } else {
+        last = new Area(ring, new ArrayList<>(), false);
+        areas.add(last);
+      }
+    }
+    return areas;
   }
 
   private List<Point> line(List<Positions.Position> positions) {
     return positions.stream()
-        .map(position -> walls.point(position.place(), position.x(), position.y()))
+        .map(position -> points.point(position.place(), position.x(), position.y()))
         .toList();
   }
 }

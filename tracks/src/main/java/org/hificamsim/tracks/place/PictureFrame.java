@@ -1,11 +1,14 @@
 package org.hificamsim.tracks.place;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 import org.hificamsim.core.scenario.spec.Field;
@@ -13,11 +16,10 @@ import org.hificamsim.core.scenario.spec.Field;
 /**
  * The position of a drawing or picture on the ground.
  *
- * @param scale metres per pixel or unit of the drawing, above 0
  * @param x of the lower left corner, metres
  * @param y of the lower left corner, metres
  */
-public record PictureFrame(double scale, double x, double y) {
+public record PictureFrame(PlanScale scale, double x, double y) {
   /**
    * Returns the area that a picture shows.
    *
@@ -29,12 +31,25 @@ public record PictureFrame(double scale, double x, double y) {
       if (readers.hasNext()) {
         ImageReader reader = readers.next();
         reader.setInput(in);
-        return new Field(x, x + reader.getWidth(0) * scale, y, y + reader.getHeight(0) * scale);
+        double metres = metresPerPixel(picture, reader.getWidth(0));
+        return new Field(x, x + reader.getWidth(0) * metres, y, y + reader.getHeight(0) * metres);
       }
     } catch (IOException e) {
       throw TextLines.unreadable(picture.toString(), 1, e);
     }
     throw new Place(picture.toString(), 1, 1)
         .error("the file is not a picture, expected a PNG or JPEG");
+  }
+
+  private double metresPerPixel(Path picture, int pixels) {
+    if (scale instanceof PlanScale.PerUnit perUnit) {
+      return perUnit.metres();
+    }
+    if (scale instanceof PlanScale.Width width) {
+      return width.metres() / pixels;
+    }
+    throw InputException.of(
+        "%s: a picture has no size on paper, expected %s, the metres of a pixel",
+        picture, setting("scale", "M"));
   }
 }

@@ -2,217 +2,234 @@ package org.hificamsim.tracks.place;
 
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
-import java.awt.geom.FlatteningPathIterator;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.PathIterator;
-import java.awt.geom.Rectangle2D;
-import java.io.IOException;
-import java.io.Reader;
-import java.io.StringReader;
-import java.nio.file.Path;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import org.apache.batik.parser.AWTPathProducer;
-import org.apache.batik.parser.AWTPolygonProducer;
-import org.apache.batik.parser.AWTPolylineProducer;
-import org.apache.batik.parser.AWTTransformProducer;
-import org.hificamsim.core.Place;
-import org.hificamsim.core.file.PlainXml;
-import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.tracks.format.Unit;
-import org.hificamsim.tracks.ground.LocalProjection;
-import org.xml.sax.Attributes;
+import org.hificamsim.tracks.place.DrawnPart.Traits;
+import org.hificamsim.tracks.place.OutlineMaker.Kind;
 
 /**
- * Reads the shapes of an SVG as walls: {@code line}, {@code polyline}, {@code polygon}, {@code
- * rect} and {@code path}, with their {@code transform}. Curves become chords; polygons and
- * rectangles become solid obstacles. {@code data-height} is a height in metres. Elements that are
- * not drawn themselves ({@code defs}, {@code symbol}, ...) are ignored.
+ * Reads the shapes of an SVG as walls, where SVG and CSS draw them: {@code line}, {@code polyline},
+ * {@code polygon}, {@code rect}, {@code path}, {@code circle} and {@code ellipse}, also by {@code
+ * use} and in nested drawings. Curves become chords; filled polygons, rectangles and ellipses
+ * become solid, circles pillars. {@code data-height} is a height in metres, independent of the
+ * scale.
  */
-final class SvgWalls extends PlainXml {
-  private static final Set<String> HIDDEN =
-      Set.of("defs", "symbol", "clipPath", "mask", "marker", "pattern");
+final class SvgWalls {
+  private static final Set<String> CONTAINERS = Set.of("svg", "g", "a", "switch", "use");
 
-  private static final Set<String> SOLID = Set.of("polygon", "rect");
+  /** Elements that draw something that cannot become a wall. */
+  private static final Set<String> OTHERS =
+      Set.of("text", "image", "foreignObject", "video", "audio", "canvas", "iframe", "mesh");
 
-  /** An attribute with the height in metres, independent of the scale. */
+  private static final Set<String> AREAS = Set.of("polygon", "rect", "ellipse");
+
   private static final String HEIGHT = "data-height";
 
-  /** The largest distance of a chord from its curve, metres. */
-  private static final double FLATNESS = 0.02;
+  /** The greatest number of elements that are drawn, also by {@code use}. */
+  private static final int MAX_DRAWN = 1_000_000;
 
-  private final Path file;
-  private final PictureFrame frame;
-  private final WallCollector walls = new WallCollector(Unit.M, new LocalProjection());
-  private final Deque<AffineTransform> toMetres = new ArrayDeque<>();
-  private int hiddenDepth;
+  private static final int MAX_DEPTH = 200;
 
-  SvgWalls(Path file, PictureFrame frame) {
-    this.file = file;
-    this.frame = frame;
+  private final SvgTree tree;
+  private final Drawing drawing;
+  private final Set<SvgNode> active = new HashSet<>();
+  private int drawn;
+
+  /**
+   * How an element is drawn.
+   *
+   * @param toMetres from its coordinates
+   */
+  private record Context(
+      AffineTransform toMetres, SvgViewport viewport, SvgStyle style, Traits traits) {
+    Context moved(AffineTransform own) {
+      AffineTransform transform = new AffineTransform(toMetres);
+      transform.concatenate(own);
+      return new Context(transform, viewport, style, traits);
+    }
+
+    Context within(SvgViewport inner) {
+      return new Context(toMetres, inner, style, traits);
+    }
   }
 
-  /** Returns all walls, in metres. */
-  List<Obstacle> read() {
-    readFile(file);
-    return walls.obstacles();
+  SvgWalls(SvgTree tree, Drawing drawing) {
+    this.tree = tree;
+    this.drawing = drawing;
   }
 
-  @Override
-  public void startElement(String uri, String local, String qualified, Attributes attributes) {
-    String name = localName(qualified);
-    hiddenDepth += HIDDEN.contains(name) ? 1 : 0;
-    if (toMetres.isEmpty() && !name.equals("svg")) {
-      throw place().error("the drawing is a <" + Place.shortened(name) + ">, expected an <svg>");
+  /**
+   * Draws all.
+   *
+   * @param toMetres from units of the drawing
+   */
+  void draw(AffineTransform toMetres) {
+    SvgNode root = tree.root();
+    SvgViewport page = new SvgViewport(size(root, "width"), size(root, "height"));
+    SvgViewport inside = SvgViewport.inside(root, page.width(), page.height());
+    Context context = new Context(toMetres, inside, SvgStyle.INITIAL, Traits.NONE);
+    drawInside(root, context, 0);
+  }
+
+  /** A size of the drawing, in pixels; NaN if it has none of its own. */
+  static double size(SvgNode root, String attribute) {
+    String text = root.text(attribute);
+    if (text.isEmpty() || text.equals("auto") || text.endsWith("%")) {
+      return Double.NaN;
     }
-    AffineTransform transform =
-        toMetres.isEmpty() ? drawingToMetres(attributes) : new AffineTransform(toMetres.peek());
-    if (attributes.getValue("transform") != null) {
-      transform.concatenate(
-          parsed(attributes, name, "transform", AWTTransformProducer::createAffineTransform));
+    return new SvgShapes(root, new SvgViewport(Double.NaN, Double.NaN))
+        .length(attribute, Double.NaN, Double.NaN);
+  }
+
+  private void draw(SvgNode node, Context around, int depth) {
+    if (++drawn > MAX_DRAWN || depth > MAX_DEPTH) {
+      throw node.place()
+          .error(
+              "<use> draws too much, expected at most %s elements, %s in each other",
+              MAX_DRAWN, MAX_DEPTH);
     }
-    toMetres.push(transform);
-    if (hiddenDepth == 0) {
-      int first = walls.count();
-      add(shape(name, attributes), SOLID.contains(name));
-      if (attributes.getValue(HEIGHT) != null) {
-        walls.raise(place(), first, number(attributes, name, HEIGHT));
+    if (OTHERS.contains(node.name())) {
+      drawing.leaveOut(node.name());
+    } else if (node.isShape() || CONTAINERS.contains(node.name())) {
+      Context own = around.moved(new SvgShapes(node, around.viewport()).transform());
+      if (node.name().equals("svg")) {
+        own = nested(node, node, own);
       }
+      drawInside(node, own, depth);
     }
   }
 
-  private static String localName(String qualified) {
-    return qualified.substring(qualified.indexOf(':') + 1);
+  /** The context inside a nested drawing or symbol, whose size an element has. */
+  private static Context nested(SvgNode node, SvgNode sized, Context context) {
+    SvgViewport outer = context.viewport();
+    SvgShapes lengths = new SvgShapes(sized, outer);
+    SvgShapes own = new SvgShapes(node, outer);
+    double width =
+        lengths.length("width", outer.width(), own.length("width", outer.width(), outer.width()));
+    double height =
+        lengths.length(
+            "height", outer.height(), own.length("height", outer.height(), outer.height()));
+    AffineTransform place =
+        AffineTransform.getTranslateInstance(
+            node.name().equals("svg") ? own.length("x", outer.width(), 0) : 0,
+            node.name().equals("svg") ? own.length("y", outer.height(), 0) : 0);
+    return context
+        .moved(place)
+        .moved(SvgViewport.fit(node, width, height))
+        .within(SvgViewport.inside(node, width, height));
   }
 
-  @Override
-  public void endElement(String uri, String local, String qualified) {
-    hiddenDepth -= HIDDEN.contains(localName(qualified)) ? 1 : 0;
-    toMetres.pop();
-  }
-
-  /** The lower edge of the drawing is the end of its view box, or else its height. */
-  private AffineTransform drawingToMetres(Attributes attributes) {
-    double[] box = {0, 0, 0, 0};
-    if (attributes.getValue("viewBox") != null) {
-      box = parsed(attributes, "svg", "viewBox", text -> numbers(text, 4));
+  /** Draws an element whose transform the context has. */
+  private void drawInside(SvgNode node, Context around, int depth) {
+    Map<String, String> values = tree.rules().values(node, SvgStyle.PROPERTIES);
+    if (values.getOrDefault("display", "").equals("none")) {
+      hide(node);
+      return;
+    }
+    SvgStyle style = around.style().with(values);
+    Traits traits = new Traits(height(node, around.traits()), labels(node, around.traits()));
+    Context context = new Context(around.toMetres(), around.viewport(), style, traits);
+    if (node.name().equals("use")) {
+      use(node, context, depth);
+    } else if (node.isShape()) {
+      drawShape(node, context);
     } else {
-      String element = "svg without viewBox";
-      box[3] =
-          parsed(
-              attributes,
-              element,
-              "height",
-              text -> numbers(text.strip().replaceFirst("px$", ""), 1))[0];
+      children(node).forEach(child -> draw(child, context, depth + 1));
     }
-    AffineTransform transform = new AffineTransform();
-    transform.translate(frame.x(), frame.y());
-    transform.scale(frame.scale(), -frame.scale());
-    transform.translate(-box[0], -(box[1] + box[3]));
-    return transform;
   }
 
-  private static double[] numbers(String text, int count) {
-    double[] numbers =
-        Arrays.stream(text.strip().split("[\\s,]+")).mapToDouble(Double::parseDouble).toArray();
-    if (numbers.length != count) {
-      throw new NumberFormatException(text);
+  private void hide(SvgNode node) {
+    for (int i = node.shapes(); i > 0; i--) {
+      drawing.leaveOut("hidden");
     }
-    return numbers;
   }
 
-  /** Parses the text of an attribute. */
-  private interface Parser<T> {
-    T parse(String text) throws IOException;
-  }
-
-  private <T> T parsed(Attributes attributes, String element, String name, Parser<T> parser) {
-    String text = text(attributes, element, name);
+  private static double height(SvgNode node, Traits around) {
+    if (!node.has(HEIGHT)) {
+      return around.height();
+    }
     try {
-      return parser.parse(text);
-    } catch (IOException | RuntimeException e) { // Batik throws exceptions of any kind
-      throw place().invalid("<" + element + "> " + name, text, "a value as in SVG");
+      return DrawnPart.height(node.place(), Double.parseDouble(node.text(HEIGHT)));
+    } catch (NumberFormatException e) {
+      throw node.place()
+          .invalid("<" + node.name() + "> " + HEIGHT, node.text(HEIGHT), "a number (m)")
+          .because(e);
     }
   }
 
-  /** The shape of an element; empty for an element that is not a shape. */
-  private Shape shape(String name, Attributes attributes) {
-    return switch (name) {
-      case "line" ->
-          new Line2D.Double(
-              coordinate(attributes, "x1"),
-              coordinate(attributes, "y1"),
-              coordinate(attributes, "x2"),
-              coordinate(attributes, "y2"));
-      case "rect" ->
-          new Rectangle2D.Double(
-              coordinate(attributes, "x"),
-              coordinate(attributes, "y"),
-              coordinate(attributes, "width"),
-              coordinate(attributes, "height"));
-      case "polyline" ->
-          producedShape(attributes, name, "points", AWTPolylineProducer::createShape);
-      case "polygon" -> producedShape(attributes, name, "points", AWTPolygonProducer::createShape);
-      case "path" -> producedShape(attributes, name, "d", AWTPathProducer::createShape);
-      default -> new Path2D.Double();
-    };
-  }
-
-  /** Batik's parser of one kind of shape. */
-  private interface Producer {
-    Shape shape(Reader text, int windingRule) throws IOException;
-  }
-
-  private Shape producedShape(
-      Attributes attributes, String element, String name, Producer producer) {
-    return text(attributes, element, name).isBlank()
-        ? new Path2D.Double()
-        : parsed(
-            attributes,
-            element,
-            name,
-            text -> producer.shape(new StringReader(text), PathIterator.WIND_NON_ZERO));
-  }
-
-  private double coordinate(Attributes attributes, String name) {
-    return attributes.getValue(name) == null ? 0 : number(attributes, "shape", name);
-  }
-
-  private void add(Shape shape, boolean solid) {
-    List<Point> part = new ArrayList<>();
-    double[] coordinates = new double[6];
-    PathIterator path =
-        new FlatteningPathIterator(shape.getPathIterator(toMetres.peek()), FLATNESS);
-    for (; !path.isDone(); path.next()) {
-      int segment = path.currentSegment(coordinates);
-      if (segment == PathIterator.SEG_MOVETO) {
-        add(part, solid);
-        part.clear();
+  private static List<Label> labels(SvgNode node, Traits around) {
+    List<Label> labels = new ArrayList<>(around.labels());
+    for (String attribute : List.of("inkscape:label", "data-name")) {
+      if (node.has(attribute) && !node.isShape()) {
+        labels.add(new Label(Label.LAYER, node.text(attribute)));
       }
-      part.add(
-          segment == PathIterator.SEG_CLOSE ? part.get(0) : point(coordinates[0], coordinates[1]));
     }
-    add(part, solid);
+    if (node.has("id")) {
+      labels.add(new Label(node.isShape() ? Label.ID : Label.GROUP, node.text("id")));
+    }
+    node.classes().forEach(name -> labels.add(new Label(Label.CLASS, name)));
+    return labels;
   }
 
-  private void add(List<Point> part, boolean solid) {
-    if (solid) {
-      walls.ring(part);
+  /** The children that are drawn: of a {@code switch}, the first that needs nothing special. */
+  private static List<SvgNode> children(SvgNode node) {
+    return !node.name().equals("switch")
+        ? node.children()
+        : node.children().stream()
+            .filter(child -> !child.has("requiredExtensions"))
+            .filter(child -> !child.name().equals("foreignObject"))
+            .limit(1)
+            .toList();
+  }
+
+  private void use(SvgNode use, Context context, int depth) {
+    String link = use.text("href");
+    SvgNode used = link.startsWith("#") ? tree.find(link.substring(1)) : null;
+    if (used == null) {
+      drawing.leaveOut(link.startsWith("#") ? "use of nothing" : "use of another file");
+    } else if (!active.add(used)) {
+      drawing.leaveOut("use of itself");
     } else {
-      walls.line(part);
+      SvgShapes lengths = new SvgShapes(use, context.viewport());
+      Context moved =
+          context.moved(
+              AffineTransform.getTranslateInstance(
+                  lengths.length("x", context.viewport().width(), 0),
+                  lengths.length("y", context.viewport().height(), 0)));
+      if (used.name().equals("symbol") || used.name().equals("svg")) {
+        AffineTransform own = new SvgShapes(used, context.viewport()).transform();
+        drawInside(used, nested(used, use, moved.moved(own)), depth + 1);
+      } else {
+        draw(used, moved, depth + 1);
+      }
+      active.remove(used);
     }
   }
 
-  private Point point(double x, double y) {
-    if (!(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) {
-      throw place().error("a point is at %s, %s, expected numbers from -1e9 to 1e9", x, y);
+  private void drawShape(SvgNode node, Context context) {
+    boolean isLine = node.name().equals("line");
+    if (!context.style().draws(isLine)) {
+      drawing.leaveOut("hidden");
+      return;
     }
-    return WallCollector.rounded(x, y);
+    List<Label> labels = new ArrayList<>(context.traits().labels());
+    context.style().colours(isLine).forEach(name -> labels.add(new Label(Label.COLOUR, name)));
+    OutlineMaker outline =
+        new OutlineMaker(
+            drawing,
+            node.place(),
+            context.toMetres(),
+            new Traits(context.traits().height(), labels));
+    Shape shape = new SvgShapes(node, context.viewport()).shape();
+    if (node.name().equals("circle")) {
+      outline.addCircle(shape);
+    } else {
+      boolean isArea = AREAS.contains(node.name());
+      Kind inside = context.style().isFilled() ? Kind.SOLID : Kind.BORDER;
+      outline.add(shape, isArea ? inside : Kind.LINES);
+    }
   }
 }

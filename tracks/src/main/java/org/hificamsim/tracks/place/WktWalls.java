@@ -5,11 +5,13 @@ import java.io.InputStreamReader;
 import java.io.LineNumberReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.tracks.place.DrawnPart.Traits;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryCollection;
@@ -21,14 +23,16 @@ import org.locationtech.jts.io.WKTReader;
 /**
  * Reads geometries in well-known text (OGC 06-103r4), one after the other, as walls: lines become
  * walls, polygons solid obstacles, and polygons with holes the walls of their sides. Z, the same
- * for all points of a line or ring, is the height of its walls, metres.
+ * for all points of a line or polygon, is the height of its walls, metres.
  */
 final class WktWalls {
-  private final WallCollector walls;
+  private final Drawing drawing;
+  private final PlanPoints planPoints;
   private Place geometryPlace;
 
-  WktWalls(WallCollector walls) {
-    this.walls = walls;
+  WktWalls(Drawing drawing, PlanPoints planPoints) {
+    this.drawing = drawing;
+    this.planPoints = planPoints;
   }
 
   void read(Path file) {
@@ -70,39 +74,44 @@ final class WktWalls {
       for (int i = 0; i < collection.getNumGeometries(); i++) {
         add(collection.getGeometryN(i));
       }
+    } else if (geometry.isEmpty()) {
+      return;
     } else if (geometry instanceof Polygon polygon) {
-      add(polygon.getExteriorRing(), polygon.getNumInteriorRing() == 0);
+      List<Point> border = points(polygon.getExteriorRing());
+      List<List<Point>> holes = new ArrayList<>();
       for (int i = 0; i < polygon.getNumInteriorRing(); i++) {
-        add(polygon.getInteriorRingN(i), false);
+        holes.add(points(polygon.getInteriorRingN(i)));
       }
+      add(new DrawnShape.Area(border, holes, holes.isEmpty()), polygon);
     } else if (geometry instanceof LineString line) {
-      add(line, false);
-    } // points are ignored
+      add(new DrawnShape.Line(points(line)), line);
+    } else {
+      drawing.leaveOut("point");
+    }
   }
 
-  private void add(LineString line, boolean solid) {
-    int first = walls.count();
-    Coordinate[] positions = line.getCoordinates();
-    List<Point> points = Arrays.stream(positions).map(this::point).toList();
-    if (solid) {
-      walls.ring(points);
-    } else {
-      walls.line(points);
-    }
-    double[] heights = Arrays.stream(positions).mapToDouble(Coordinate::getZ).distinct().toArray();
+  private void add(DrawnShape shape, Geometry geometry) {
+    double[] heights =
+        Arrays.stream(geometry.getCoordinates()).mapToDouble(Coordinate::getZ).distinct().toArray();
     if (heights.length > 1) {
       throw geometryPlace.error(
-          "Z is %s and %s, expected one height for a line or ring", heights[0], heights[1]);
+          "Z is %s and %s, expected one height for a line or polygon", heights[0], heights[1]);
     }
-    if (heights.length == 1 && !Double.isNaN(heights[0])) {
-      walls.raise(geometryPlace, first, heights[0]);
-    }
+    Traits traits =
+        Double.isNaN(heights[0])
+            ? Traits.NONE
+            : Traits.NONE.withHeight(DrawnPart.height(geometryPlace, heights[0]));
+    drawing.add(geometryPlace, shape, traits);
+  }
+
+  private List<Point> points(LineString line) {
+    return Arrays.stream(line.getCoordinates()).map(this::point).toList();
   }
 
   private Point point(Coordinate position) {
     if (!Double.isFinite(position.x) || !Double.isFinite(position.y)) {
       throw geometryPlace.error("a coordinate is " + position + ", expected numbers");
     }
-    return walls.point(geometryPlace, position.x, position.y);
+    return planPoints.point(geometryPlace, position.x, position.y);
   }
 }

@@ -1,0 +1,32 @@
+package org.hificamsim.tracks.place;
+
+import java.util.List;
+import org.hificamsim.core.Place;
+
+/**
+ * A shape with what a drawing says of it.
+ *
+ * @param height metres; infinite if the drawing has none
+ */
+record DrawnPart(DrawnShape shape, double height) {
+  /** What a drawing says of a shape: its height and labels. */
+  record Traits(double height, List<Label> labels) {
+    static final Traits NONE = new Traits(Double.POSITIVE_INFINITY, List.of());
+
+    Traits withHeight(double metres) {
+      return new Traits(metres, labels);
+    }
+  }
+
+  /**
+   * Returns a height that a file has.
+   *
+   * @throws org.hificamsim.core.InputException if it is not above 0
+   */
+  static double height(Place place, double metres) {
+    if (!(metres > 0 && metres <= 1e9)) {
+      throw place.error("height is " + metres + ", expected a number above 0 and at most 1e9 (m)");
+    }
+    return metres;
+  }
+}
