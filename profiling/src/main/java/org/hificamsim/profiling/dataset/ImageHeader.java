@@ -16,6 +16,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalDouble;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -102,22 +103,24 @@ record ImageHeader(int width, int height) {
   }
 
   private static void checkEnd(Path file, String format) throws IOException {
-    byte[] end =
+    boolean whole =
         switch (format) {
-          case "png" -> PNG_END;
-          case "JPEG" -> JPEG_END;
+          case "png" -> tailHas(file, PNG_END);
+          case "JPEG" -> tailHas(file, JPEG_END) || JpegEnd.isIn(file);
           default -> throw new IOException("no PNG or JPEG but " + format);
         };
+    if (!whole) {
+      throw new IOException("the file is cut short");
+    }
+  }
+
+  private static boolean tailHas(Path file, byte[] end) throws IOException {
     try (RandomAccessFile bytes = new RandomAccessFile(file.toFile(), "r")) {
       byte[] tail = new byte[(int) Math.min(TAIL_BYTES, bytes.length())];
       bytes.seek(bytes.length() - tail.length);
       bytes.readFully(tail);
-      for (int i = 0; i + end.length <= tail.length; i++) {
-        if (Arrays.equals(tail, i, i + end.length, end, 0, end.length)) {
-          return;
-        }
-      }
+      return IntStream.rangeClosed(0, tail.length - end.length)
+          .anyMatch(i -> Arrays.equals(tail, i, i + end.length, end, 0, end.length));
     }
-    throw new IOException("the file is cut short");
   }
 }
