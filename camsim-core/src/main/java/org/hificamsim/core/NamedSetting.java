@@ -29,13 +29,27 @@ public final class NamedSetting {
         }
       };
 
+  /** Keeps the marks, for a message that becomes part of another one. */
+  public static final Notation MARKED =
+      new Notation() {
+        @Override
+        public String name(String setting) {
+          return setting(setting);
+        }
+
+        @Override
+        public String assignment(String setting, String value) {
+          return setting(setting, value);
+        }
+      };
+
   /** Unicode's noncharacters, which no text that is exchanged between programs may contain. */
   private static final char BEGIN = '\uFDD0';
 
   private static final char EQUALS = '\uFDD1';
   private static final char END = '\uFDD2';
 
-  private static final Pattern MARKED =
+  private static final Pattern MARK =
       Pattern.compile(
           BEGIN + "([^" + EQUALS + END + "]*)(?:" + EQUALS + "([^" + END + "]*))?" + END);
 
@@ -66,8 +80,7 @@ public final class NamedSetting {
 
   /** A message with the settings that it names in a front end's notation. */
   public static String written(String message, Notation notation) {
-    return MARKED
-        .matcher(message)
+    return MARK.matcher(message)
         .replaceAll(
             marked ->
                 Matcher.quoteReplacement(written(marked.group(1), marked.group(2), notation)));

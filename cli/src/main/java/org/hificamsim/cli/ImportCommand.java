@@ -22,7 +22,7 @@ import org.hificamsim.tracks.SiteSettings;
 import org.hificamsim.tracks.TrackSettings;
 import org.hificamsim.tracks.TrackedSite;
 import org.hificamsim.tracks.TracksImport;
-import org.hificamsim.tracks.format.TrackFormat;
+import org.hificamsim.tracks.format.FormatChoice;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.Drawing;
@@ -38,10 +38,13 @@ import picocli.CommandLine.Spec;
     name = "import",
     description = "Makes a scenario from recorded tracks, walls and a floor plan.")
 final class ImportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "FILE", description = "The recording; may be packed (.gz).")
-  private Path file;
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "FILE",
+      description = "The recording, in one or more files; may be packed (.gz).")
+  private List<Path> files;
 
-  @Option(names = "--format", required = true, paramLabel = "F")
+  @Option(names = "--format", paramLabel = "F")
   private String format;
 
   @Option(names = "--out", required = true, paramLabel = "DIR")
@@ -64,20 +67,21 @@ final class ImportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    TrackFormat reader = TrackFormat.registry().create(format);
+    List<FormatChoice> recordings =
+        files.stream().map(file -> FormatChoice.of(format, recording.recording(file))).toList();
     LocalProjection projection = recording.projection();
-    String name = site.name(file);
+    Unit unit = recordings.get(0).unit();
+    String name = site.name(files.get(0));
     if (plan.listsLayers()) {
-      return listLayers(projection);
+      return listLayers(unit, projection);
     }
     Destination.claim(spec, out, names(name));
-    Optional<Drawing> drawing = drawing(projection);
+    Optional<Drawing> drawing = drawing(unit, projection);
     List<Obstacle> obstacles =
         drawing.map(read -> read.obstacles(plan.walkable())).orElse(List.of());
     SiteSettings siteSettings = settings(name, obstacles);
     TrackSettings settings = recording.settings();
-    TracksImport tracks =
-        new TracksImport(reader, recording.recording(file), recording.homography(), projection);
+    TracksImport tracks = new TracksImport(recordings, recording.homography(), projection);
     ImportSummary summary = tracks.summary(settings, new Obstacles(obstacles));
     TrackedSite made = new TrackedSite(siteSettings, summary);
     List<String> signs = Plausibility.of(summary, made).signs(forceReading);
@@ -85,25 +89,24 @@ final class ImportCommand implements Callable<Integer> {
       tracks.write(settings, folder, name + ".tracks");
       write(folder, name, made);
       folder.commit(List.of());
-      print(name, summary, projection);
+      print(name, recordings, summary, projection);
       printSite(name, made, drawing.flatMap(Drawing::leftOut));
       signs.forEach(this::warn);
     }
     return 0;
   }
 
-  private int listLayers(LocalProjection projection) {
+  private int listLayers(Unit unit, LocalProjection projection) {
     if (walls == null) {
       throw new InputException("--list-layers is given without --walls, expected both");
     }
-    Drawing drawing = drawing(projection).orElseThrow();
+    Drawing drawing = drawing(unit, projection).orElseThrow();
     PlanOptions.printLayers(walls, drawing, spec.commandLine().getOut());
     return 0;
   }
 
   /** The walls; empty if no file is given. */
-  private Optional<Drawing> drawing(LocalProjection projection) {
-    Unit ofRecording = recording.unitOf(format);
+  private Optional<Drawing> drawing(Unit ofRecording, LocalProjection projection) {
     Unit usual = ofRecording == Unit.PX ? Unit.M : ofRecording;
     return Optional.ofNullable(walls).map(drawn -> plan.read(drawn, usual, projection));
   }
@@ -112,7 +115,7 @@ final class ImportCommand implements Callable<Integer> {
     Optional<Path> picture = Optional.ofNullable(plan.floorplan());
     return new SiteSettings(
         name,
-        file,
+        files.get(0),
         site.cameras(1),
         site.margin(),
         RecordingOptions.positive("--step", step),
@@ -121,8 +124,11 @@ final class ImportCommand implements Callable<Integer> {
   }
 
   private void warn(String sign) {
-    String line = NamedSetting.written(sign, Flags.NOTATION);
-    spec.commandLine().getErr().println("warning: " + Place.printable(line));
+    spec.commandLine().getErr().println("warning: " + printable(sign));
+  }
+
+  private static String printable(String line) {
+    return Place.printable(NamedSetting.written(line, Flags.NOTATION));
   }
 
   /** The names of the files that are written. */
@@ -143,10 +149,16 @@ final class ImportCommand implements Callable<Integer> {
     }
   }
 
-  private void print(String name, ImportSummary summary, LocalProjection projection) {
+  private void print(
+      String name,
+      List<FormatChoice> recordings,
+      ImportSummary summary,
+      LocalProjection projection) {
     PrintWriter terminal = spec.commandLine().getOut();
     terminal.println(out.resolve(name + ".xml"));
-    summary.lines().forEach(line -> terminal.println("  " + Place.printable(line)));
+    recordings.forEach(
+        choice -> choice.line().ifPresent(line -> terminal.println("  " + printable(line))));
+    summary.lines().forEach(line -> terminal.println("  " + printable(line)));
     terminal.println("  " + recording.sizeLine(summary));
     if (!Double.isNaN(projection.longitude())) {
       terminal.println(

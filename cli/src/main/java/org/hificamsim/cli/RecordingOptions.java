@@ -63,12 +63,6 @@ final class RecordingOptions {
     return Spelling.require(Unit.class, option, text);
   }
 
-  /** The unit of the positions, from the option or the format. */
-  Unit unitOf(String format) {
-    boolean geographic = format.equals("gpx") || format.equals("geojson");
-    return unit().orElse(geographic ? Unit.DEG : Unit.M);
-  }
-
   /** How samples become tracks. */
   TrackSettings settings() {
     double start = from == null ? 0 : Numbers.within("--from", from, 0, MAX);

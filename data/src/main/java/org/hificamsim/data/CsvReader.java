@@ -45,15 +45,18 @@ public final class CsvReader implements Closeable {
   private Map<String, Integer> columns = Map.of();
   private int width;
 
-  private CsvReader(Path file, String expected, boolean verbatim) {
+  /**
+   * @param separator of cells; 0 for the most frequent one in the first line
+   */
+  private CsvReader(Path file, String expected, boolean verbatim, char separator) {
     this.file = file;
     this.expected = expected;
     this.verbatim = verbatim;
     try {
       InputStream in = new BufferedInputStream(TextLines.stream(file), MAX_FIRST_LINE_BYTES);
-      separator = verbatim ? ',' : separator(in);
+      this.separator = separator == 0 ? separator(in) : separator;
       parser = FACTORY.createParser(in);
-      parser.setSchema(CsvSchema.emptySchema().withColumnSeparator(separator));
+      parser.setSchema(CsvSchema.emptySchema().withColumnSeparator(this.separator));
     } catch (IOException e) {
       throw unreadable(e);
     }
@@ -68,7 +71,7 @@ public final class CsvReader implements Closeable {
    * @throws InputException when it is missing or cannot be read
    */
   public static CsvReader open(Path file, String expected) {
-    return new CsvReader(file, expected, false);
+    return new CsvReader(file, expected, false, (char) 0);
   }
 
   /**
@@ -78,7 +81,17 @@ public final class CsvReader implements Closeable {
    * @throws InputException when it is missing or cannot be read
    */
   public static CsvReader openCommaSeparated(Path file, String expected) {
-    return new CsvReader(file, expected, true);
+    return new CsvReader(file, expected, true, ',');
+  }
+
+  /**
+   * Opens a table whose cells are separated by a given character. Blanks around values are removed.
+   *
+   * @param expected what kind of table it has to be, in error lines
+   * @throws InputException when it is missing or cannot be read
+   */
+  public static CsvReader openSeparated(Path file, String expected, char separator) {
+    return new CsvReader(file, expected, false, separator);
   }
 
   private static char separator(InputStream in) throws IOException {

@@ -1,13 +1,16 @@
 package org.hificamsim.tracks;
 
+import java.nio.file.Path;
 import java.util.Collection;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.Function;
-import java.util.regex.Pattern;
-import org.hificamsim.tracks.RecordedTarget.Sample;
+import java.util.function.Supplier;
+import org.hificamsim.core.InputException;
+import org.hificamsim.tracks.format.Clock;
+import org.hificamsim.tracks.format.Doubt;
+import org.hificamsim.tracks.format.FormatChoice;
+import org.hificamsim.tracks.format.Omission;
 import org.hificamsim.tracks.format.SampleSink;
 import org.hificamsim.tracks.format.TrackSample;
 import org.hificamsim.tracks.format.Unit;
@@ -15,19 +18,40 @@ import org.hificamsim.tracks.ground.Ground;
 
 /** Converts the samples of a file to metres on the ground, and collects them by target. */
 final class Collector implements SampleSink {
-  private static final Pattern WHOLE_NUMBER = Pattern.compile("-?(0|[1-9][0-9]{0,14})");
-
+  private final Path file;
   private final Function<Unit, Ground> groundOf;
-  private Ground ground;
+  private final ReadingNotes notes = new ReadingNotes();
   private final Map<String, RecordedTarget> targets = new LinkedHashMap<>();
-  private long duplicates;
-  private String firstDuplicate = "";
+  private Ground ground;
+
+  private Collector(Path file, Function<Unit, Ground> groundOf) {
+    this.file = file;
+    this.groundOf = groundOf;
+  }
 
   /**
+   * Reads a file.
+   *
    * @param groundOf returns what converts the samples of a unit to metres
+   * @throws InputException if the file is wrong, or has no samples
    */
-  Collector(Function<Unit, Ground> groundOf) {
-    this.groundOf = groundOf;
+  static FileTargets read(FormatChoice choice, Function<Unit, Ground> groundOf) {
+    Collector collector = new Collector(choice.recording().file(), groundOf);
+    Collection<RecordedTarget> targets = collector.targets.values();
+    Clock clock = choice.read(collector);
+    if (targets.isEmpty()) {
+      InputException empty = choice.recording().missing("samples of targets; the file has none");
+      throw choice.wrongFormat(collector.notes.leftOut().first().orElse(empty));
+    }
+    if (!choice.reader().hasIds() && targets.size() == 1) {
+      collector.notes.addLine("ids: none, all samples are of one target");
+    }
+    return new FileTargets(
+        choice.recording().file(),
+        choice.reader().hasIds(),
+        targets,
+        clock.secondsPerTick(RecordedTargets.spacing(targets)),
+        collector.notes);
   }
 
   @Override
@@ -39,48 +63,25 @@ final class Collector implements SampleSink {
   public void accept(TrackSample fileSample) {
     TrackSample sample = ground.onGround(fileSample);
     if (!targets.computeIfAbsent(sample.target(), RecordedTarget::new).add(sample)) {
-      firstDuplicate = duplicates++ == 0 ? sample.place().toString() : firstDuplicate;
+      notes.addDuplicate(sample.place());
+    }
+    notes.leftOut().addSample();
+  }
+
+  @Override
+  public void pause(String target) {
+    if (targets.containsKey(target)) {
+      targets.get(target).pause();
     }
   }
 
-  /** The targets in the order of their first samples in the file. */
-  Collection<RecordedTarget> targets() {
-    return targets.values();
+  @Override
+  public void leaveOut(Omission kind, Supplier<InputException> reason) {
+    notes.leftOut().add(kind, reason);
   }
 
-  /** Whether the names of all targets are whole numbers, so that a scenario can use them. */
-  boolean hasNumericNames() {
-    return targets.keySet().stream().allMatch(name -> WHOLE_NUMBER.matcher(name).matches());
-  }
-
-  /** The number of samples that repeat the one before. */
-  long duplicates() {
-    return duplicates;
-  }
-
-  /** The place of the first such sample; empty if there is none. */
-  String firstDuplicate() {
-    return firstDuplicate;
-  }
-
-  /** The time of the first sample, ticks. */
-  double firstTick() {
-    return targets().stream().mapToDouble(target -> target.samples().get(0).time()).min().orElse(0);
-  }
-
-  /** The most frequent number of ticks between samples of a target; 1 if no target has two. */
-  double spacing() {
-    Map<Double, Long> counts = new TreeMap<>();
-    for (RecordedTarget target : targets()) {
-      List<Sample> samples = target.samples();
-      for (int i = 1; i < samples.size(); i++) {
-        double spacing = samples.get(i).time() - samples.get(i - 1).time();
-        counts.merge(Math.rint(spacing * 1e6) / 1e6, 1L, Long::sum);
-      }
-    }
-    return counts.entrySet().stream()
-        .max(Map.Entry.comparingByValue())
-        .map(Map.Entry::getKey)
-        .orElse(1.0);
+  @Override
+  public void doubt(Doubt sign) {
+    notes.addDoubt(new Doubt(file + ": " + sign.problem(), sign.cure()));
   }
 }

@@ -29,7 +29,7 @@ public final class ImportSummary {
 
   private static final int MAX_LISTED_JUMPS = 3;
 
-  private final Collector collected;
+  private final RecordedTargets recorded;
   private final double interval;
   private final double gap;
   private final Obstacles obstacles;
@@ -37,6 +37,7 @@ public final class ImportSummary {
   private final DoubleSummaryStatistics xs = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics ys = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics gaps = new DoubleSummaryStatistics();
+  private final DoubleSummaryStatistics pauses = new DoubleSummaryStatistics();
   private final DoubleStream.Builder allSpeeds = DoubleStream.builder();
   private double[] sortedSpeeds; // null until all targets have been added
   private final List<Move> fastMoves = new ArrayList<>();
@@ -63,8 +64,8 @@ public final class ImportSummary {
    * @param gap the longest time between two samples of a target that is present meanwhile, seconds
    * @param obstacles the summary reports tracks that pass through them
    */
-  ImportSummary(Collector collected, double interval, double gap, Obstacles obstacles) {
-    this.collected = collected;
+  ImportSummary(RecordedTargets recorded, double interval, double gap, Obstacles obstacles) {
+    this.recorded = recorded;
     this.interval = interval;
     this.gap = gap;
     this.obstacles = obstacles;
@@ -82,7 +83,8 @@ public final class ImportSummary {
     long blockedBefore = blockedMoves;
     for (List<Sample> track : tracks) {
       if (last != null) {
-        gaps.accept(track.get(0).time() - last.time());
+        double absence = track.get(0).time() - last.time();
+        (absence > gap ? gaps : pauses).accept(absence);
       }
       for (Sample sample : track) {
         times.accept(sample.time());
@@ -210,9 +212,14 @@ public final class ImportSummary {
         && (movingTargets > 1 || 2 * blockedMoves > moves);
   }
 
+  /** What is odd about the files. */
+  ReadingNotes notes() {
+    return recorded.notes();
+  }
+
   /** The number of targets whose size the file has. */
   public long targetsWithSize() {
-    return collected.targets().stream().filter(target -> target.extent().isPresent()).count();
+    return recorded.withSize();
   }
 
   /** Describes what is odd, in lines. */
@@ -225,12 +232,7 @@ public final class ImportSummary {
       String times = blockedMoves == 1 ? "once, " : blockedMoves + " times, first ";
       oddities.add("through a wall: " + times + firstBlocked);
     }
-    if (collected.duplicates() > 0) {
-      oddities.add(
-          collected.duplicates()
-              + " samples are there twice and count once, the first at "
-              + collected.firstDuplicate());
-    }
+    oddities.addAll(recorded.notes().duplicateLines());
     return oddities;
   }
 
@@ -252,10 +254,18 @@ public final class ImportSummary {
             : line(
                 "%s gaps longer than %s s, up to %s s: the target is away meanwhile",
                 gaps.getCount(), gap, gaps.getMax()));
+    if (pauses.getCount() > 0) {
+      lines.add(
+          line(
+              "%s shorter pauses between the parts of a track: the target is away meanwhile",
+              pauses.getCount()));
+    }
     lines.add(
         line(
             "places: x from %s to %s m, y from %s to %s m",
             xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax()));
+    lines.addAll(recorded.notes().lines());
+    lines.addAll(recorded.notes().leftOut().lines());
     oddities().forEach(oddity -> lines.add("odd: " + oddity));
     return lines;
   }

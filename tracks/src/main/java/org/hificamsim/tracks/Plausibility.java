@@ -16,9 +16,10 @@ public final class Plausibility {
 
   private Plausibility() {}
 
-  /** Checks the tracks, the walls and the draft cameras of an import. */
+  /** Checks the files, the tracks, the walls and the draft cameras of an import. */
   public static Plausibility of(ImportSummary summary, TrackedSite site) {
     Plausibility signs = new Plausibility();
+    summary.notes().addTo(signs);
     new WallSigns(summary, site.obstacles()).addTo(signs);
     site.blindDraft().ifPresent(signs::doubt);
     return signs;

@@ -2,8 +2,10 @@ package org.hificamsim.tracks;
 
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.tracks.format.TrackSample;
@@ -27,6 +29,7 @@ final class RecordedTarget {
 
   private final String name;
   private final List<Sample> samples = new ArrayList<>();
+  private final Set<Integer> pauses = new HashSet<>(); // before the sample with this index
   private final DoubleSummaryStatistics widths = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics heights = new DoubleSummaryStatistics();
 
@@ -42,6 +45,39 @@ final class RecordedTarget {
   /** The samples, one or more, in the order of time, with times in ticks. */
   List<Sample> samples() {
     return samples;
+  }
+
+  /** Makes the target absent from its last sample to the next one. */
+  void pause() {
+    pauses.add(samples.size());
+  }
+
+  /** Returns this target under another name, with times in other units. */
+  RecordedTarget renamed(String newName, double unitsPerTick) {
+    RecordedTarget renamed = new RecordedTarget(newName);
+    for (Sample sample : samples) {
+      renamed.samples.add(new Sample(sample.time() * unitsPerTick, sample.x(), sample.y()));
+    }
+    renamed.pauses.addAll(pauses);
+    renamed.widths.combine(widths);
+    renamed.heights.combine(heights);
+    return renamed;
+  }
+
+  /** Adds the samples of the same target in another file, which are all later. */
+  void append(RecordedTarget later) {
+    later.pauses.forEach(index -> pauses.add(samples.size() + index));
+    samples.addAll(later.samples);
+    widths.combine(later.widths);
+    heights.combine(later.heights);
+  }
+
+  double firstTime() {
+    return samples.get(0).time();
+  }
+
+  double lastTime() {
+    return samples.get(samples.size() - 1).time();
   }
 
   /**
@@ -65,6 +101,7 @@ final class RecordedTarget {
             " is at two places at time %s, expected one sample of a target at a time"
                 .formatted(sample.tick()));
       }
+      pauses.remove(samples.size()); // the parts meet
       return false;
     }
     samples.add(new Sample(sample.tick(), sample.x(), sample.y()));
@@ -99,8 +136,8 @@ final class RecordedTarget {
   }
 
   /**
-   * Cuts the samples into tracks wherever there is a gap. Times are rounded to microseconds,
-   * positions to millimetres.
+   * Cuts the samples into tracks wherever there is a gap or pause. Times are rounded to
+   * microseconds, positions to millimetres.
    *
    * @param first the time of the recording's first sample, ticks
    * @param settings the part of the recording that is kept
@@ -110,12 +147,13 @@ final class RecordedTarget {
       double first, double secondsPerTick, TrackSettings settings, double gap) {
     List<List<Sample>> tracks = new ArrayList<>();
     Sample last = null;
-    for (Sample sample : samples) {
+    for (int i = 0; i < samples.size(); i++) {
+      Sample sample = samples.get(i);
       double seconds = (sample.time() - first) * secondsPerTick;
       double time = rounded(seconds - settings.from(), PER_MICROSECOND);
       boolean kept = seconds >= settings.from() && seconds <= settings.to();
       if (kept && (last == null || time > last.time())) { // rounded times may be equal
-        if (last == null || time - last.time() > gap * (1 + 1e-9)) {
+        if (last == null || pauses.contains(i) || time - last.time() > gap * (1 + 1e-9)) {
           tracks.add(new ArrayList<>());
         }
         last =

@@ -9,9 +9,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.file.TrackWriter;
 import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.tracks.RecordedTarget.Sample;
-import org.hificamsim.tracks.format.Clock;
-import org.hificamsim.tracks.format.Recording;
-import org.hificamsim.tracks.format.TrackFormat;
+import org.hificamsim.tracks.format.FormatChoice;
 import org.hificamsim.tracks.ground.Ground;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
@@ -21,9 +19,8 @@ public final class TracksImport {
   /** The tolerance within which a sample's time is rounded to the interval, seconds. */
   private static final double TIME_TOLERANCE = 1e-6;
 
-  private final Recording recording;
-  private final Collector collector;
-  private final double secondsPerTick;
+  private final List<FormatChoice> files;
+  private final RecordedTargets recorded;
   private final double firstTick;
 
   /** The usual time between two samples of a target, seconds. */
@@ -32,22 +29,20 @@ public final class TracksImport {
   /**
    * Reads a recording.
    *
+   * @param files one or more, with their formats
    * @param projection converts degrees to metres
-   * @throws org.hificamsim.core.InputException if the file or a setting of the recording is wrong
+   * @throws org.hificamsim.core.InputException if a file or a setting of the recording is wrong
    */
   public TracksImport(
-      TrackFormat format,
-      Recording recording,
-      Optional<Homography> homography,
-      LocalProjection projection) {
-    this.recording = recording;
-    collector = new Collector(unit -> Ground.of(unit, homography, projection));
-    Clock clock = format.read(recording, collector);
-    double spacing = collector.spacing();
-    secondsPerTick = clock.secondsPerTick(spacing);
-    firstTick = collector.firstTick();
-    interval = Math.max(TIME_TOLERANCE, Math.rint(spacing * secondsPerTick * 1e6) / 1e6);
-    requireSamples(!collector.targets().isEmpty());
+      List<FormatChoice> files, Optional<Homography> homography, LocalProjection projection) {
+    this.files = List.copyOf(files);
+    recorded =
+        FileTargets.together(
+            files.stream()
+                .map(file -> Collector.read(file, unit -> Ground.of(unit, homography, projection)))
+                .toList());
+    firstTick = recorded.firstTick();
+    interval = Math.max(TIME_TOLERANCE, Math.rint(recorded.interval() * 1e6) / 1e6);
   }
 
   /**
@@ -57,11 +52,16 @@ public final class TracksImport {
    * @throws org.hificamsim.core.InputException if the settings leave no samples of the recording
    */
   public ImportSummary summary(TrackSettings settings, Obstacles obstacles) {
-    ImportSummary summary = new ImportSummary(collector, interval, gap(settings), obstacles);
-    for (RecordedTarget target : collector.targets()) {
+    ImportSummary summary = new ImportSummary(recorded, interval, gap(settings), obstacles);
+    for (RecordedTarget target : recorded.targets()) {
       summary.add(target.name(), tracks(target, settings));
     }
-    requireSamples(summary.samples() > 0);
+    if (summary.samples() == 0) {
+      throw files
+          .get(0)
+          .recording()
+          .missing("samples of targets; what is cut from the recording has none");
+    }
     return summary;
   }
 
@@ -73,11 +73,11 @@ public final class TracksImport {
    * @param name of the file
    */
   public void write(TrackSettings settings, OutputFolder folder, String name) throws IOException {
-    boolean keepsNames = collector.hasNumericNames();
+    boolean keepsNames = recorded.haveNumericNames();
     int count = 0;
     try (Writer out = folder.open(name)) {
       TrackWriter writer = new TrackWriter(out, interval, TIME_TOLERANCE);
-      for (RecordedTarget target : collector.targets()) {
+      for (RecordedTarget target : recorded.targets()) {
         count++;
         double number = keepsNames ? Double.parseDouble(target.name()) : count;
         Optional<Extent> extent = target.extent().or(settings::extent);
@@ -87,7 +87,7 @@ public final class TracksImport {
   }
 
   private List<List<Sample>> tracks(RecordedTarget target, TrackSettings settings) {
-    return target.tracks(firstTick, secondsPerTick, settings, gap(settings));
+    return target.tracks(firstTick, recorded.secondsPerTick(), settings, gap(settings));
   }
 
   private double gap(TrackSettings settings) {
@@ -110,12 +110,6 @@ public final class TracksImport {
       for (Sample sample : track) {
         writer.sample(sample.time(), sample.x(), sample.y());
       }
-    }
-  }
-
-  private void requireSamples(boolean present) {
-    if (!present) {
-      throw recording.missing("samples of targets; the file, or what is cut from it, has none");
     }
   }
 }

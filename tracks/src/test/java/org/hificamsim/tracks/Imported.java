@@ -13,8 +13,8 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.tracks.format.FormatChoice;
 import org.hificamsim.tracks.format.Recording;
-import org.hificamsim.tracks.format.TrackFormat;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
@@ -82,7 +82,7 @@ final class Imported {
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
     TracksImport read =
         new TracksImport(
-            TrackFormat.registry().create(format), recording, homography, new LocalProjection());
+            List.of(FormatChoice.of(format, recording)), homography, new LocalProjection());
     try (OutputFolder out = new OutputFolder(folder)) {
       read.write(settings, out, "made.tracks");
       out.commit(List.of());

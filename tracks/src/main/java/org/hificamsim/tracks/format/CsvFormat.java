@@ -3,117 +3,147 @@ package org.hificamsim.tracks.format;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.List;
-import java.util.Set;
-import org.hificamsim.core.InputException;
-import org.hificamsim.core.Place;
-import org.hificamsim.data.CsvReader;
-import org.hificamsim.data.CsvRow;
+import java.util.stream.IntStream;
+import org.hificamsim.core.file.Fields;
 
 /**
- * A table of values separated by commas, semicolons or tabs. The user names the columns, by their
- * names in the first line or by numbers from 1; by default they have the names of {@code KEYS}. If
- * all are given by number, the first line is data.
+ * A table of values separated by commas, semicolons, tabs or blanks, whose columns the user names.
+ * A table without a column of ids is about one target.
  */
 final class CsvFormat implements TrackFormat {
-  private static final Set<String> KEYS =
-      Set.of("time", "frame", "id", "x", "y", "width", "height");
+  static final KnownFormat DECLARATION =
+      new KnownFormat(
+          "csv",
+          "a table between `,`, `;`, tabs or blanks",
+          "any, or frames with `" + setting("rate") + "`",
+          "`" + setting("unit") + "`",
+          CsvFormat::new);
 
-  private Recording recording;
-  private boolean byNumber;
-  private List<String> header;
+  private static final String ONLY_TARGET = "1";
 
-  // Indices of columns, from 0; -1 for a width or height that the table does not have.
-  private int tickColumn;
-  private int targetColumn;
-  private int xColumn;
-  private int yColumn;
-  private int widthColumn;
-  private int heightColumn;
+  private final Times times = new Times();
+  private boolean countsFrames;
+  private boolean mayHaveMore;
+  private CsvColumns columns; // null before the first line
 
   @Override
-  public Clock read(Recording file, SampleSink samples) {
-    recording = file;
-    requireValidKeys();
-    boolean countsFrames = recording.columns().containsKey("frame");
+  public boolean namesColumns() {
+    return true;
+  }
+
+  @Override
+  public boolean hasIds() {
+    return columns != null && columns.target() >= 0;
+  }
+
+  @Override
+  public FormatFit fit(FileStart start, Recording recording) {
+    if (!start.isTable()) {
+      return FormatFit.no("the file %s, a table has rows".formatted(start.look()));
+    }
+    if (recording.columns().containsKey("x") || recording.columns().containsKey("y")) {
+      return FormatFit.yes(start.look() + ", which are named");
+    }
+    List<String> names = start.rows().get(0).texts();
+    boolean hasTime = names.contains("time") || names.contains("frame");
+    return FormatFit.named(
+        names.contains("x")
+            && names.contains("y")
+            && (hasTime || recording.columns().containsKey("time")),
+        "has the columns " + String.join(", ", names),
+        "the columns of the table have no names");
+  }
+
+  @Override
+  public Clock read(Recording recording, SampleSink samples) {
+    CsvColumns.requireValidKeys(recording);
+    FileStart start = recording.start();
+    mayHaveMore = start.separator() == Separator.BLANKS;
+    countsFrames =
+        CsvColumns.countsFrames(
+            recording, start.rows().isEmpty() ? List.of() : start.rows().get(0).texts());
     Clock clock = countsFrames ? recording.frames() : Clock.SECONDS;
     samples.measuredIn(recording.requireUnit("a table does not have it"));
-    try (CsvReader table = CsvReader.open(recording.file(), "fields between separators")) {
-      CsvRow first = table.first();
-      findColumns(first.texts(), countsFrames ? "frame" : "time");
-      if (byNumber) {
-        samples.accept(sample(first));
-      }
-      table.forEachRow(row -> samples.accept(sample(row)));
-    }
+    RowTable.forEachRow(
+        recording, "fields between separators", row -> read(recording, row, samples));
     return clock;
   }
 
-  private void requireValidKeys() {
-    for (String key : recording.columns().keySet()) {
-      if (!KEYS.contains(key)) {
-        throw InputException.of(
-            "%s has '%s', expected time or frame, id, x, y, width, height",
-            setting("columns"), key);
-      }
+  private void read(Recording recording, Fields row, SampleSink samples) {
+    boolean isFirst = columns == null;
+    if (isFirst && isComment(recording, row)) {
+      return;
+    }
+    columns = isFirst ? CsvColumns.find(recording, row) : columns;
+    if (isFirst && columns.isHeader()) {
+      return;
+    }
+    if (columns.areEmpty(row)) {
+      samples.leaveOut(
+          Omission.OTHER_THING,
+          () -> row.invalid(columns.target(), "id", "a name or number, as in other rows"));
+    } else {
+      samples.reading(() -> samples.accept(sample(row)));
     }
   }
 
-  private void findColumns(List<String> firstLine, String tickName) {
-    header = firstLine;
-    byNumber =
-        !recording.columns().isEmpty()
-            && recording.columns().values().stream().allMatch(CsvFormat::isNumber);
-    tickColumn = required(tickName);
-    targetColumn = required("id");
-    xColumn = required("x");
-    yColumn = required("y");
-    widthColumn = column("width");
-    heightColumn = column("height");
+  /** Whether a line before the table is a comment, and not the names of columns. */
+  private static boolean isComment(Recording recording, Fields row) {
+    String x = recording.columns().getOrDefault("x", "x");
+    return row.text(0).startsWith("#")
+        && IntStream.range(0, row.count()).noneMatch(i -> row.text(i).equals(x));
   }
 
-  private int required(String key) {
-    int column = column(key);
-    if (column < 0) {
-      throw new Place(recording.file().toString(), 1, 1)
-          .error(
-              "no column '%s' for %s, expected %s with it, of: %s",
-              name(key), key, setting("columns"), String.join(", ", header));
-    }
-    return column;
-  }
-
-  private int column(String key) {
-    String name = name(key);
-    int column = byNumber ? -1 : header.indexOf(name);
-    boolean isIndex = column < 0 && isNumber(name) && Integer.parseInt(name) <= header.size();
-    return isIndex ? Integer.parseInt(name) - 1 : column;
-  }
-
-  private String name(String key) {
-    return recording.columns().getOrDefault(key, key);
-  }
-
-  private static boolean isNumber(String name) {
-    return name.matches("[1-9][0-9]{0,3}");
-  }
-
-  private TrackSample sample(CsvRow row) {
-    if (row.text(targetColumn).isEmpty()) {
-      throw row.invalid(targetColumn, "id", "a name or number");
-    }
+  private TrackSample sample(Fields row) {
+    OddRows.part(Omission.OTHER_COLUMNS, () -> requireSameColumns(row));
+    String target = OddRows.part(Omission.NO_TARGET, () -> target(row));
+    double width = length(row, columns.width());
+    double height = length(row, columns.height());
     return new TrackSample(
         row.place(0),
-        row.text(targetColumn),
-        row.coordinate(tickColumn, "time"),
-        row.coordinate(xColumn, "x"),
-        row.coordinate(yColumn, "y"),
-        length(row, widthColumn, "width"),
-        length(row, heightColumn, "height"));
+        target,
+        OddRows.part(Omission.NO_TIME, () -> tick(row)),
+        OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.x(), "x")),
+        OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.y(), "y")),
+        columns.width() < 0 ? height : width,
+        columns.height() < 0 ? width : height);
   }
 
-  private static double length(CsvRow row, int column, String name) {
-    return column < 0
-        ? Double.NaN
-        : row.number(column, name, "a number above 0", value -> value > 0 && value <= 1e9);
+  private int requireSameColumns(Fields row) {
+    int more = row.count() - columns.count();
+    boolean endsEmpty = more == 1 && row.text(row.count() - 1).isBlank();
+    if (more < 0 || (more > 0 && !endsEmpty && !mayHaveMore)) {
+      throw row.place(0)
+          .error("the row has %s cells, expected %s".formatted(row.count(), columns.count()));
+    }
+    return more;
+  }
+
+  private String target(Fields row) {
+    if (columns.target() < 0) {
+      return ONLY_TARGET;
+    }
+    String name = row.text(columns.target());
+    if (name.isBlank()) {
+      throw row.invalid(columns.target(), "id", "a name or number");
+    }
+    return name;
+  }
+
+  private double tick(Fields row) {
+    if (countsFrames) {
+      return row.number(columns.tick(), "frame");
+    }
+    double seconds = times.seconds(row, columns.tick());
+    if (Double.isNaN(seconds)) {
+      throw row.invalid(columns.tick(), "time", Times.EXPECTED);
+    }
+    return seconds;
+  }
+
+  /** The length in a column; NaN if the row has none. */
+  private static double length(Fields row, int column) {
+    double length = column < 0 || column >= row.count() ? Double.NaN : row.value(column);
+    return length > 0 && length <= 1e9 ? length : Double.NaN;
   }
 }

@@ -1,36 +1,86 @@
 package org.hificamsim.tracks.format;
 
-import java.time.DateTimeException;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
+import org.xml.sax.helpers.AttributesImpl;
 
-/** GPX: each {@code trk} is a target, each {@code trkpt} a sample with a {@code time}. */
+/**
+ * GPX: each {@code trk} is a target, each {@code trkpt} a sample with a {@code time}. It is absent
+ * between its segments. Waypoints and routes are not tracks.
+ */
 final class GpxFormat extends PlainXml implements TrackFormat {
+  static final KnownFormat DECLARATION =
+      new KnownFormat(
+          "gpx",
+          "`<trkpt lat lon><time>`; each `<trk>` is a target, absent between `<trkseg>`",
+          "date",
+          "WGS84",
+          GpxFormat::new);
+
+  private final Times times = new Times();
   private final StringBuilder text = new StringBuilder();
   private SampleSink samples;
+  private InputException route;
   private int trackCount;
-  private double latitude;
-  private double longitude;
-  private double time;
+  private Attributes point; // null outside <trkpt>
+  private String time; // null without <time>
+
+  @Override
+  public FormatFit fit(FileStart start, Recording recording) {
+    return FormatFit.of(
+        start.rootElement().equals("gpx"),
+        "begins with <gpx>",
+        "the file %s, GPX has <gpx>".formatted(start.look()));
+  }
+
+  @Override
+  public Unit usualUnit() {
+    return Unit.DEG;
+  }
+
+  @Override
+  public boolean hasIds() {
+    return false;
+  }
 
   @Override
   public Clock read(Recording recording, SampleSink sink) {
     samples = sink;
     samples.measuredIn(recording.only(Unit.DEG));
     readFile(recording.file());
+    if (trackCount == 0 && route != null) {
+      throw route;
+    }
     return Clock.SECONDS;
   }
 
   @Override
   public void startElement(String uri, String local, String name, Attributes attributes) {
     text.setLength(0);
-    if (name.equals("trk")) {
-      trackCount++;
-    } else if (name.equals("trkpt")) {
-      latitude = number(attributes, name, "lat");
-      longitude = number(attributes, name, "lon");
-      time = Double.NaN;
+    switch (name) {
+      case "trk" -> trackCount++;
+      case "trkseg" -> samples.pause(target());
+      case "trkpt" -> begin(attributes);
+      case "rte" -> leaveOutRoute();
+      case "wpt" ->
+          samples.leaveOut(
+              Omission.NO_TRACK,
+              () -> place().error("<wpt> is a waypoint, expected <trkpt> of a track"));
+      default -> {}
     }
+  }
+
+  private void begin(Attributes attributes) {
+    point = new AttributesImpl(attributes);
+    time = null;
+  }
+
+  private void leaveOutRoute() {
+    InputException error =
+        place().error("<rte> is a route, not a track: it has no times, expected <trk>");
+    route = route == null ? error : route;
+    samples.leaveOut(Omission.NO_TRACK, () -> error);
   }
 
   @Override
@@ -41,25 +91,35 @@ final class GpxFormat extends PlainXml implements TrackFormat {
   @Override
   public void endElement(String uri, String local, String name) {
     if (name.equals("time")) {
-      time = time(text.toString().strip());
+      time = text.toString().strip();
     } else if (name.equals("trkpt")) {
-      sample();
-    }
-  }
-
-  private double time(String text) {
-    try {
-      return Clock.sinceEpoch(text);
-    } catch (DateTimeException e) {
-      throw place().error("<time> is '" + text + "', expected a time such as 2024-05-31T12:00:00Z");
+      samples.reading(this::sample);
+      point = null;
     }
   }
 
   private void sample() {
-    if (Double.isNaN(time)) {
+    samples.accept(
+        new TrackSample(
+            place(),
+            target(),
+            OddRows.part(Omission.NO_TIME, this::seconds),
+            OddRows.part(Omission.NO_PLACE, () -> number(point, "trkpt", "lon")),
+            OddRows.part(Omission.NO_PLACE, () -> number(point, "trkpt", "lat"))));
+  }
+
+  private double seconds() {
+    if (time == null) {
       throw place().error("<trkpt> has no <time>, expected one: a track needs times");
     }
-    samples.accept(
-        new TrackSample(place(), Integer.toString(trackCount), time, longitude, latitude));
+    double seconds = times.seconds(time);
+    if (Double.isNaN(seconds)) {
+      throw place().invalid("<time>", time, Times.EXPECTED);
+    }
+    return seconds;
+  }
+
+  private String target() {
+    return Integer.toString(trackCount);
   }
 }

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Fields;
-import org.hificamsim.data.CsvReader;
 
 /**
  * Reads MOTChallenge files row by row: {@code frame,id,left,top,width,height[,conf[,x,y,z]]}. Rows
@@ -12,9 +11,13 @@ import org.hificamsim.data.CsvReader;
  * position in the world.
  */
 public final class MotFile {
-  private static final int BOX_COLUMNS = 6;
+  static final int FRAME_COLUMN = 0;
+  static final int BOX_COLUMNS = 6;
+  static final int COLUMNS_WITH_WORLD = 10;
   private static final int X_COLUMN = 7;
-  private static final int COLUMNS_WITH_WORLD = 10;
+
+  private final Ticks ticks;
+  private int columns; // 0 before the first row
 
   /**
    * A row of a MOTChallenge file: a target's box in one frame.
@@ -59,36 +62,55 @@ public final class MotFile {
     }
   }
 
-  private MotFile() {}
-
-  /**
-   * Reads all rows.
-   *
-   * @throws org.hificamsim.core.InputException with the place, if the file is wrong
-   */
-  public static void read(Path file, Consumer<Row> rows) {
-    try (CsvReader table =
-        CsvReader.openCommaSeparated(file, "rows of frame,id,left,top,width,height")) {
-      int[] columns = {0}; // 0 before the first row
-      table.forEachRow(
-          row -> {
-            if (!row.text(0).startsWith("#")) {
-              columns[0] = columns[0] == 0 ? Math.max(BOX_COLUMNS, row.count()) : columns[0];
-              rows.accept(row(row, columns[0]));
-            }
-          });
-    }
+  private MotFile(Ticks ticks) {
+    this.ticks = ticks;
   }
 
-  private static Row row(Fields fields, int columns) {
+  /**
+   * Reads all rows of a file.
+   *
+   * @throws org.hificamsim.core.InputException with the place, if a row is wrong
+   */
+  public static void read(Path file, Consumer<Row> rows) {
+    Recording frames = Recording.of(file).at(1);
+    OddRows refused =
+        (kind, reason) -> {
+          throw reason.get();
+        };
+    read(frames, Ticks.of(frames, FRAME_COLUMN), refused, rows);
+  }
+
+  /** Reads all rows, but those that are wrong. */
+  static void read(Recording recording, Ticks ticks, OddRows odd, Consumer<Row> rows) {
+    MotFile file = new MotFile(ticks);
+    RowTable.forEachRow(
+        recording,
+        "rows of frame,id,left,top,width,height",
+        fields -> {
+          if (!fields.text(0).startsWith("#")) {
+            odd.reading(() -> rows.accept(file.row(fields)));
+          }
+        });
+  }
+
+  private Row row(Fields fields) {
+    columns = columns == 0 ? Math.max(BOX_COLUMNS, fields.count()) : columns;
+    double frame = OddRows.part(Omission.NO_TIME, () -> ticks.tick(fields, FRAME_COLUMN));
+    String target = OddRows.part(Omission.NO_TARGET, () -> RowFormat.target(fields, 1));
+    return OddRows.part(
+        fields.count() == columns ? Omission.NO_PLACE : Omission.OTHER_COLUMNS,
+        () -> row(fields, frame, target));
+  }
+
+  private Row row(Fields fields, double frame, String target) {
     if (fields.count() != columns && fields.count() >= BOX_COLUMNS) {
       throw fields.invalid(columns, "further field", columns + " fields as in the first line");
     }
     boolean inWorld = columns >= COLUMNS_WITH_WORLD && !isNowhere(fields);
     return new Row(
         fields.place(0),
-        fields.number(0, "frame"),
-        RowFormat.target(fields, 1),
+        frame,
+        target,
         fields.coordinate(2, "left"),
         fields.coordinate(3, "top"),
         length(fields, 4, "width"),

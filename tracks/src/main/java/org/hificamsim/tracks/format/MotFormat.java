@@ -2,6 +2,7 @@ package org.hificamsim.tracks.format;
 
 import static org.hificamsim.core.NamedSetting.setting;
 
+import java.util.EnumSet;
 import org.hificamsim.core.InputException;
 
 /**
@@ -9,19 +10,66 @@ import org.hificamsim.core.InputException;
  * confidence is 0 are ignored.
  */
 final class MotFormat implements TrackFormat {
+  static final KnownFormat DECLARATION =
+      new KnownFormat(
+          "mot",
+          "MOTChallenge: `frame,id,left,top,width,height[,conf[,x,y,z]]`",
+          "frames: `" + setting("rate") + "`",
+          "`%s` (`cm`, `mm`): x and y in the world; `%s %s`: where boxes stand"
+              .formatted(
+                  setting("unit", "m"), setting("unit", "px"), setting("homography", "FILE")),
+          MotFormat::new);
+
+  private static final RowShape SHAPE =
+      new RowShape(
+          "MOTChallenge",
+          EnumSet.of(Separator.COMMAS, Separator.SEMICOLONS),
+          MotFile.BOX_COLUMNS,
+          MotFile.COLUMNS_WITH_WORLD);
+
+  /** Trackers also write all columns between blanks; rows with fewer are of another format. */
+  private static final RowShape BLANK_SHAPE =
+      RowShape.blanks("MOTChallenge", MotFile.COLUMNS_WITH_WORLD, MotFile.COLUMNS_WITH_WORLD);
+
+  @Override
+  public FormatFit fit(FileStart start, Recording recording) {
+    FormatFit blank = BLANK_SHAPE.fitNumbers(start);
+    FormatFit shape = blank.fits() ? blank : SHAPE.fitNumbers(start);
+    return !shape.fits() || (isWhole(start, 0) && isWhole(start, 1))
+        ? shape
+        : FormatFit.no(
+            "the first two columns are not whole numbers, MOTChallenge has frames and ids");
+  }
+
+  private static boolean isWhole(FileStart start, int column) {
+    return start.rows().stream()
+        .mapToDouble(row -> column < row.count() ? row.value(column) : 0)
+        .filter(Double::isFinite)
+        .allMatch(value -> value == Math.rint(value) && value < Times.FIRST_UNIX_TIME);
+  }
+
   @Override
   public Clock read(Recording recording, SampleSink samples) {
-    Clock clock = recording.frames();
+    Ticks ticks = Ticks.of(recording, MotFile.FRAME_COLUMN);
     Unit unit = recording.requireUnit("px for boxes, another one for positions in the world");
     samples.measuredIn(unit);
+    MotFlags flags = new MotFlags();
     MotFile.read(
-        recording.file(),
+        recording,
+        ticks,
+        samples,
         row -> {
-          if (row.confidence() != 0) {
-            samples.accept(unit == Unit.PX ? inPicture(row) : inWorld(row));
+          if (row.confidence() == 0) {
+            samples.leaveOut(Omission.MARKED, () -> row.place().error("confidence is 0"));
+          } else if (unit == Unit.PX) {
+            samples.accept(inPicture(row));
+          } else {
+            samples.accept(inWorld(row));
+            flags.add(row);
           }
         });
-    return clock;
+    flags.sign().ifPresent(samples::doubt);
+    return ticks.clock();
   }
 
   private static TrackSample inPicture(MotFile.Row row) {

@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -13,31 +15,59 @@ import org.hificamsim.core.file.TextLines;
  * gives take precedence.
  */
 final class PeTrackFormat implements TrackFormat {
+  static final KnownFormat DECLARATION =
+      new KnownFormat(
+          "petrack",
+          "PeTrack, Juelich, JuPedSim's text: `id frame x y [z]`",
+          "`# framerate: 16`, or `" + setting("rate") + "`",
+          "`# id frame x/cm y/cm`, or `" + setting("unit") + "`",
+          PeTrackFormat::new);
+
   private static final Pattern RATE =
       Pattern.compile("frame\\s*rate\\W*?\\s*[:=]?\\s*([0-9]+(\\.[0-9]+)?)");
-  private static final Pattern UNIT = Pattern.compile("\\bx\\s*(?:/|in|\\[)\\s*(mm|cm|m)\\b");
+  private static final Pattern UNIT =
+      Pattern.compile(
+          "\\bx\\s*(?:/|in|\\[)\\s*(mm|cm|m)\\b|\\bx\\s*,\\s*y\\b.*\\(in (m)et(?:re|er)s\\)");
+  private static final Pattern HEADER = Pattern.compile("frame\\s*rate|\\bid\\W+fr(ame)?\\b");
 
   private static final RowFormat ROWS = new RowFormat("id frame x y");
+  private static final RowShape SHAPE = RowShape.blanks("PeTrack", 4, 5);
 
   private OptionalDouble rate = OptionalDouble.empty();
   private Optional<Unit> unit = Optional.empty();
+  private Ticks ticks;
+
+  /** Whether comments name the rate, or the id as the first column. */
+  static boolean hasHeader(FileStart start) {
+    return start.comments().stream()
+        .anyMatch(comment -> HEADER.matcher(comment.toLowerCase(Locale.ROOT)).find());
+  }
+
+  @Override
+  public FormatFit fit(FileStart start, Recording recording) {
+    FormatFit shape = SHAPE.fit(start);
+    if (start.separator().isBlank() && start.columns() >= SHAPE.least() && hasHeader(start)) {
+      return FormatFit.yes("has comments with the rate or the columns");
+    }
+    return shape.fits() ? ColumnOrder.fit(start, 0) : shape;
+  }
 
   @Override
   public Clock read(Recording recording, SampleSink samples) {
     rate = recording.rate();
     unit = recording.unit();
-    Clock clock = null;
     try (TextLines lines = TextLines.open(recording.file())) {
       while (lines.next()) {
         if (lines.isComment()) {
           readComment(lines.text().toLowerCase(Locale.ROOT));
         } else if (lines.count() > 0) {
-          clock = clock == null ? begin(recording, samples) : clock;
-          samples.accept(ROWS.sample(lines));
+          begin(recording, samples);
+          samples.reading(() -> samples.accept(ROWS.sample(lines, ticks)));
         }
       }
     }
-    return clock == null ? begin(recording, samples) : clock;
+    begin(recording, samples);
+    return ticks.clock();
   }
 
   private void readComment(String text) {
@@ -47,14 +77,17 @@ final class PeTrackFormat implements TrackFormat {
     }
     Matcher unitMatcher = UNIT.matcher(text);
     if (unit.isEmpty() && unitMatcher.find()) {
-      unit = Optional.of(Unit.valueOf(unitMatcher.group(1).toUpperCase(Locale.ROOT)));
+      String name = unitMatcher.group(1) == null ? unitMatcher.group(2) : unitMatcher.group(1);
+      unit = Optional.of(Unit.valueOf(name.toUpperCase(Locale.ROOT)));
     }
   }
 
-  private Clock begin(Recording recording, SampleSink samples) {
-    Recording complete = new Recording(recording.file(), rate, unit, recording.columns());
-    Clock clock = complete.frames();
-    samples.measuredIn(complete.requireUnit("no line such as '# id frame x/m y/m' has it"));
-    return clock;
+  /** Before the first row, takes over what the comments and the user say. */
+  private void begin(Recording recording, SampleSink samples) {
+    if (ticks == null) {
+      Recording complete = new Recording(recording.file(), rate, unit, recording.columns());
+      ticks = Ticks.of(complete, 1);
+      samples.measuredIn(complete.requireUnit("no line such as '# id frame x/m y/m' has it"));
+    }
   }
 }

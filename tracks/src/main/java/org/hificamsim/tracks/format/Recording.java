@@ -23,6 +23,25 @@ public record Recording(
     columns = Map.copyOf(columns);
   }
 
+  /** A recording about which its user says nothing. */
+  public static Recording of(Path file) {
+    return new Recording(file, OptionalDouble.empty(), Optional.empty(), Map.of());
+  }
+
+  /** Returns this recording with another rate. */
+  public Recording at(double newRate) {
+    return new Recording(file, OptionalDouble.of(newRate), unit, columns);
+  }
+
+  /**
+   * Returns the beginning of the file.
+   *
+   * @throws InputException if it is missing or cannot be read
+   */
+  FileStart start() {
+    return FileStart.of(file);
+  }
+
   /**
    * Returns the clock of a format that counts frames.
    *

@@ -1,11 +1,34 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.List;
 import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
 
-/** ETH/UCY: rows of numbers separated by spaces or tabs, in metres and frames. */
+/**
+ * ETH/UCY: rows of numbers separated by spaces or tabs, in metres and frames. A position {@code ?}
+ * is one that is to be predicted.
+ */
 final class RowFormat implements TrackFormat {
+  static final KnownFormat OBSMAT =
+      new KnownFormat(
+          "obsmat",
+          "ETH/UCY: `frame id x z y vx vz vy`",
+          "frames: `" + setting("rate") + "`",
+          "m; the third position is the second axis on the ground",
+          () -> new RowFormat("frame id x z y vx vz vy"));
+
+  static final KnownFormat ETHUCY =
+      new KnownFormat(
+          "ethucy",
+          "ETH/UCY as text: `frame id x y`",
+          "frames: `" + setting("rate") + "`",
+          "m; `?` is unknown",
+          () -> new RowFormat("frame id x y"));
+
+  private static final String UNKNOWN = "?";
+
   private final List<String> columns;
 
   /**
@@ -17,30 +40,59 @@ final class RowFormat implements TrackFormat {
   }
 
   @Override
+  public FormatFit fit(FileStart start, Recording recording) {
+    FormatFit shape = RowShape.blanks("ETH/UCY", columns.size(), columns.size()).fit(start);
+    if (!shape.fits() || columns.size() > 4) {
+      return shape.fits() && !start.hasNumbers()
+          ? FormatFit.no("the first row is not of numbers")
+          : shape;
+    }
+    return PeTrackFormat.hasHeader(start)
+        ? FormatFit.no("a comment says that the first column is the id")
+        : ColumnOrder.fit(start, 1);
+  }
+
+  @Override
   public Clock read(Recording recording, SampleSink samples) {
-    Clock clock = recording.frames();
+    Ticks ticks = Ticks.of(recording, columns.indexOf("frame"));
     samples.measuredIn(recording.only(Unit.M));
     try (TextLines lines = TextLines.open(recording.file())) {
       while (lines.nextFields()) {
-        samples.accept(sample(lines));
+        samples.reading(() -> samples.accept(sample(lines, ticks)));
       }
     }
-    return clock;
+    return ticks.clock();
   }
 
   /** Returns the sample of a row, which must have all columns. */
-  TrackSample sample(Fields fields) {
+  TrackSample sample(Fields fields, Ticks ticks) {
+    int x = columns.indexOf("x");
+    int y = columns.indexOf("y");
+    String target = OddRows.part(Omission.NO_TARGET, () -> target(fields, columns.indexOf("id")));
+    double tick =
+        OddRows.part(Omission.NO_TIME, () -> ticks.tick(fields, columns.indexOf("frame")));
+    Omission noPlace =
+        isUnknown(fields, x) && isUnknown(fields, y) ? Omission.UNKNOWN_PLACE : Omission.NO_PLACE;
     TrackSample sample =
         new TrackSample(
             fields.place(0),
-            target(fields, columns.indexOf("id")),
-            fields.number(columns.indexOf("frame"), "frame"),
-            fields.coordinate(columns.indexOf("x"), "x"),
-            fields.coordinate(columns.indexOf("y"), "y"));
+            target,
+            tick,
+            OddRows.part(noPlace, () -> fields.coordinate(x, "x")),
+            OddRows.part(noPlace, () -> fields.coordinate(y, "y")));
+    OddRows.part(Omission.OTHER_COLUMNS, () -> requireAllColumns(fields));
+    return sample;
+  }
+
+  private static boolean isUnknown(Fields fields, int column) {
+    return column < fields.count() && fields.text(column).equals(UNKNOWN);
+  }
+
+  private int requireAllColumns(Fields fields) {
     if (fields.count() < columns.size()) {
       throw fields.invalid(fields.count(), "further number", columns.size() + " columns");
     }
-    return sample;
+    return columns.size();
   }
 
   /** Returns the name of a target that the file has as a number; 1.000000e+00 becomes 1. */

@@ -1,8 +1,11 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.hificamsim.core.Place;
 import org.hificamsim.data.JsonStream;
 
@@ -10,12 +13,30 @@ import org.hificamsim.data.JsonStream;
  * TrajNet++: an object in each line. A {@code track} has the frame f, the pedestrian p, and x and y
  * in metres; a {@code scene} has {@code fps}, the number of a pedestrian's samples per second,
  * whatever the number of frames between them. A rate that the user gives is in frames and takes
- * precedence.
+ * precedence. Further predictions of the same way are left out.
  */
 final class TrajNetFormat implements TrackFormat {
+  static final KnownFormat DECLARATION =
+      new KnownFormat(
+          "trajnet",
+          "TrajNet++: `{\"track\": {\"f\", \"p\", \"x\", \"y\"}}`, `{\"scene\": {..., \"fps\"}}`",
+          "`fps` counts samples; `" + setting("rate") + "` counts frames",
+          "m",
+          TrajNetFormat::new);
+
   private static final List<String> TRACK_KEYS = List.of("f", "p", "x", "y");
+  private static final String PREDICTION = "prediction_number";
+  private static final Pattern LINE = Pattern.compile("\\s*\\{\\s*\"(track|scene)\"\\s*:");
 
   private double fps = Double.NaN;
+
+  @Override
+  public FormatFit fit(FileStart start, Recording recording) {
+    return FormatFit.of(
+        LINE.matcher(start.text()).lookingAt(),
+        "has lines of JSON with a track or a scene",
+        "the file %s, TrajNet++ has lines {\"track\": {...}}".formatted(start.look()));
+  }
 
   @Override
   public Clock read(Recording recording, SampleSink samples) {
@@ -26,7 +47,7 @@ final class TrajNetFormat implements TrackFormat {
             "an object with a track or a scene",
             name -> {
               if (name.equals("track")) {
-                samples.accept(sample(json));
+                readTrack(json, samples);
               } else if (name.equals("scene")) {
                 readScene(json);
               }
@@ -38,21 +59,43 @@ final class TrajNetFormat implements TrackFormat {
         : new Clock(fps, true);
   }
 
-  private static TrackSample sample(JsonStream json) {
+  private static void readTrack(JsonStream json, SampleSink samples) {
     Place place = json.place();
     Map<String, Double> values = new HashMap<>();
-    json.object(
-        "a track",
-        name -> {
-          if (TRACK_KEYS.contains(name)) {
-            values.put(name, "fp".contains(name) ? json.number(name) : json.coordinate(name));
-          }
-        });
-    if (values.size() < TRACK_KEYS.size()) {
-      throw place.error("the track lacks some of f, p, x and y, expected all");
+    json.object("a track", name -> values.put(name, json.value()));
+    if (values.getOrDefault(PREDICTION, 0.0) > 0) {
+      samples.leaveOut(Omission.MARKED, () -> place.error("a further prediction of the way"));
+    } else {
+      samples.reading(() -> samples.accept(sample(place, values)));
     }
-    String pedestrian = Long.toString(values.get("p").longValue());
-    return new TrackSample(place, pedestrian, values.get("f"), values.get("x"), values.get("y"));
+  }
+
+  private static TrackSample sample(Place place, Map<String, Double> values) {
+    double pedestrian = OddRows.part(Omission.NO_TARGET, () -> value(place, values, "p"));
+    return new TrackSample(
+        place,
+        Long.toString((long) pedestrian),
+        OddRows.part(Omission.NO_TIME, () -> value(place, values, "f")),
+        OddRows.part(Omission.NO_PLACE, () -> coordinate(place, values, "x")),
+        OddRows.part(Omission.NO_PLACE, () -> coordinate(place, values, "y")));
+  }
+
+  private static double value(Place place, Map<String, Double> values, String key) {
+    double value = values.getOrDefault(key, Double.NaN);
+    if (!Double.isFinite(value)) {
+      throw place.error(
+          "the track has no number %s, expected one each of %s",
+          key, String.join(", ", TRACK_KEYS));
+    }
+    return value;
+  }
+
+  private static double coordinate(Place place, Map<String, Double> values, String key) {
+    double value = value(place, values, key);
+    if (Math.abs(value) > 1e9) {
+      throw place.invalid(key, Double.toString(value), "a number from -1e9 to 1e9");
+    }
+    return value;
   }
 
   private void readScene(JsonStream json) {

@@ -1,0 +1,62 @@
+package org.hificamsim.tracks;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.Place;
+import org.hificamsim.tracks.format.Doubt;
+
+/** What is odd about the files of a recording. */
+final class ReadingNotes {
+  private final LeftOut leftOut = new LeftOut();
+  private final List<String> lines = new ArrayList<>();
+  private final List<Doubt> doubts = new ArrayList<>();
+  private long duplicates;
+  private String firstDuplicate = "";
+
+  /** The rows that were left out. */
+  LeftOut leftOut() {
+    return leftOut;
+  }
+
+  void addDuplicate(Place place) {
+    firstDuplicate = duplicates++ == 0 ? place.toString() : firstDuplicate;
+  }
+
+  /** Adds what was found in another file. */
+  void combine(ReadingNotes other) {
+    leftOut.combine(other.leftOut);
+    lines.addAll(other.lines);
+    doubts.addAll(other.doubts);
+    firstDuplicate = duplicates == 0 ? other.firstDuplicate : firstDuplicate;
+    duplicates += other.duplicates;
+  }
+
+  /** Adds the signs that files are read in the wrong way. */
+  void addTo(Plausibility signs) {
+    leftOut.addTo(signs);
+    doubts.forEach(doubt -> signs.fault(doubt.problem(), doubt.cure()));
+  }
+
+  /** Adds a sign that a file is read in the wrong way. */
+  void addDoubt(Doubt sign) {
+    doubts.add(sign);
+  }
+
+  /** Adds a line about how the files were read. */
+  void addLine(String line) {
+    lines.add(line);
+  }
+
+  /** How the files were read, in lines. */
+  List<String> lines() {
+    return lines;
+  }
+
+  /** Describes samples that repeat the one before; empty if there are none. */
+  List<String> duplicateLines() {
+    return duplicates == 0
+        ? List.of()
+        : List.of(
+            duplicates + " samples are there twice and count once, the first at " + firstDuplicate);
+  }
+}

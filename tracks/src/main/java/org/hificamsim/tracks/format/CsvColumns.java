@@ -1,0 +1,125 @@
+package org.hificamsim.tracks.format;
+
+import static org.hificamsim.core.NamedSetting.setting;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Fields;
+
+/**
+ * Where a table has what a sample needs: columns that the user names, by their names in the first
+ * line or by numbers from 1. By default they have the names of the keys. If all are given by
+ * number, the first line is data.
+ *
+ * @param isHeader whether the first line has the names of the columns
+ * @param count the number of columns
+ * @param tick the column of times or frames, from 0, as all others
+ * @param target the column of ids; -1 if the table is about one target
+ * @param width of targets; -1 without a column, as for the height
+ */
+record CsvColumns(
+    boolean isHeader, int count, int tick, int target, int x, int y, int width, int height) {
+  private static final Set<String> KEYS =
+      Set.of("time", "frame", "id", "x", "y", "width", "height");
+
+  /** Finds columns by the user's names of them. */
+  private record Names(Recording recording, Fields firstLine, List<String> header) {
+    static Names of(Recording recording, Fields firstLine) {
+      List<String> header = new ArrayList<>();
+      for (int i = 0; i < firstLine.count(); i++) {
+        String name = firstLine.text(i);
+        header.add(i == 0 ? name.replaceFirst("^#\\s*", "") : name);
+      }
+      return new Names(recording, firstLine, header);
+    }
+
+    boolean areNumbers() {
+      return !recording.columns().isEmpty()
+          && recording.columns().values().stream().allMatch(Names::isNumber);
+    }
+
+    int required(String key) {
+      int column = column(key);
+      if (column < 0) {
+        throw firstLine
+            .place(0)
+            .error(
+                "no column '%s' for %s, expected %s with it, of: %s",
+                name(key), key, setting("columns"), String.join(", ", header));
+      }
+      return column;
+    }
+
+    /** The column of a key; -1 if there is none. */
+    int column(String key) {
+      String name = name(key);
+      int column = areNumbers() ? -1 : header.indexOf(name);
+      boolean isIndex = column < 0 && isNumber(name) && Integer.parseInt(name) <= header.size();
+      return isIndex ? Integer.parseInt(name) - 1 : column;
+    }
+
+    String name(String key) {
+      return recording.columns().getOrDefault(key, key);
+    }
+
+    private static boolean isNumber(String name) {
+      return name.matches("[1-9][0-9]{0,3}");
+    }
+  }
+
+  /**
+   * Finds the columns.
+   *
+   * @param firstLine of the table
+   * @throws InputException if a required column, or one that the user names, is missing
+   */
+  static CsvColumns find(Recording recording, Fields firstLine) {
+    Names names = Names.of(recording, firstLine);
+    boolean namesId = recording.columns().containsKey("id");
+    return new CsvColumns(
+        !names.areNumbers(),
+        firstLine.count(),
+        names.required(countsFrames(recording, names.header()) ? "frame" : "time"),
+        namesId ? names.required("id") : names.column("id"),
+        names.required("x"),
+        names.required("y"),
+        names.column("width"),
+        names.column("height"));
+  }
+
+  /**
+   * Whether a table counts frames: the user says so, or it has a column of frames and none of
+   * times.
+   */
+  static boolean countsFrames(Recording recording, List<String> header) {
+    Set<String> keys = recording.columns().keySet();
+    boolean isFrame = header.contains("frame") && !header.contains("time");
+    return keys.contains("frame") || (isFrame && !keys.contains("time"));
+  }
+
+  /**
+   * Checks the keys for which the user names columns.
+   *
+   * @throws InputException if there is another one
+   */
+  static void requireValidKeys(Recording recording) {
+    for (String key : recording.columns().keySet()) {
+      if (!KEYS.contains(key)) {
+        throw InputException.of(
+            "%s has '%s', expected time or frame, id, x, y, width, height",
+            setting("columns"), key);
+      }
+    }
+  }
+
+  /** Whether a row has neither an id nor a position. */
+  boolean areEmpty(Fields row) {
+    return target >= 0 && isEmpty(row, target) && isEmpty(row, x) && isEmpty(row, y);
+  }
+
+  private static boolean isEmpty(Fields row, int column) {
+    return column >= row.count() || row.text(column).isBlank();
+  }
+}

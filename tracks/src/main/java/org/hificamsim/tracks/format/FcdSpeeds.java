@@ -1,0 +1,44 @@
+package org.hificamsim.tracks.format;
+
+import static org.hificamsim.core.NamedSetting.setting;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.Texts;
+
+/**
+ * Compares how far targets move with the speeds that SUMO says they have: degrees of longitude and
+ * latitude, read as metres, are a hundred thousand times too short.
+ */
+final class FcdSpeeds {
+  /** Ways that are shorter by this factor are not in metres. */
+  private static final double MAX_RATIO = 1000;
+
+  private static final double MIN_EXPECTED = 1; // metres
+
+  private final Map<String, TrackSample> last = new HashMap<>();
+  private double moved;
+  private double expected;
+
+  /** Adds a sample with the speed in the file, metres per second; NaN if it has none. */
+  void add(TrackSample sample, double speed) {
+    TrackSample before = last.put(sample.target(), sample);
+    if (before != null && speed > 0) {
+      moved += Math.hypot(sample.x() - before.x(), sample.y() - before.y());
+      expected += speed * (sample.tick() - before.tick());
+    }
+  }
+
+  /** The sign of degrees; empty if there is none. */
+  Optional<Doubt> sign() {
+    return expected > MIN_EXPECTED && moved * MAX_RATIO < expected
+        ? Optional.of(
+            new Doubt(
+                Texts.format(
+                    "targets move %.3g m in all, but %.0f m by their speeds: positions are degrees",
+                    moved, expected),
+                setting("unit", "deg")))
+        : Optional.empty();
+  }
+}

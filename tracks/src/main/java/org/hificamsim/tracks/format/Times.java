@@ -1,0 +1,138 @@
+package org.hificamsim.tracks.format;
+
+import java.time.DateTimeException;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.core.file.Fields;
+
+/**
+ * Reads the times of one file, by the same rules in every format: numbers of seconds; Unix times in
+ * seconds, milliseconds, microseconds or nanoseconds; dates; ISO 8601 with a zone, or without one
+ * as UTC; and times of day, which go on after midnight. A file has numbers, dates or times of day,
+ * not several of them.
+ */
+final class Times {
+  /** What a time may be, for error lines. */
+  static final String EXPECTED =
+      "a time: seconds, a Unix time, as 2024-05-31T12:00:00Z, or as 12:00:00";
+
+  /** From this number on, which is a day in 1973, seconds are a Unix time. */
+  static final double FIRST_UNIX_TIME = 1e8;
+
+  /** Greater numbers count milliseconds; from a thousandfold on microseconds, and so on. */
+  private static final double MAX_SECONDS = 1e11;
+
+  private static final double DAY = 86_400;
+  private static final double HOUR = 3600;
+  private static final double MINUTE = 60;
+  private static final int NOON = 12;
+
+  private static final String SECOND = "(?<second>[0-6]\\d(?:[.,]\\d{1,12})?)";
+  private static final String HALF_OF_DAY = "(?:\\s*(?<half>[AaPp])\\.?[Mm]\\.?)?";
+
+  private static final Pattern TIME_OF_DAY =
+      Pattern.compile(
+          "(?:(?<days>\\d{1,6}):)?(?<hour>\\d{1,3}):(?<minute>[0-5]\\d):" + SECOND + HALF_OF_DAY);
+
+  private static final Pattern DATE =
+      Pattern.compile(
+          "(?:(?<year>\\d{4})(?<to>[-/.]?)(?<month>\\d\\d)\\k<to>(?<day>\\d\\d)"
+              + "|(?<day2>\\d{1,2})\\.(?<month2>\\d{1,2})\\.(?<year2>\\d{4}))"
+              + "(?:[T\\s,_]+(?<hour>\\d{1,2})(?::?(?<minute>[0-5]\\d)(?::?"
+              + SECOND
+              + ")?)?"
+              + HALF_OF_DAY
+              + ")?(?:\\s*(?<zone>[Zz]|UTC|GMT|[+\\-]\\d\\d(?::?\\d\\d)?))?");
+
+  private enum Notation {
+    NUMBER,
+    DATE,
+    TIME_OF_DAY
+  }
+
+  private Notation notation;
+  private double lastOfDay;
+
+  /** Returns the time in a field, in seconds; NaN if the field has none. */
+  double seconds(Fields row, int field) {
+    if (field >= row.count()) {
+      return Double.NaN;
+    }
+    double number = row.value(field);
+    return Double.isFinite(number) ? ofNumber(number) : ofText(row.text(field).strip());
+  }
+
+  /** Returns a time in seconds; NaN if the text has none. */
+  double seconds(String text) {
+    double number = Fields.value(text);
+    return Double.isFinite(number) ? ofNumber(number) : ofText(text.strip());
+  }
+
+  private double ofNumber(double number) {
+    double seconds = number;
+    for (double limit = MAX_SECONDS; Math.abs(number) >= limit && limit < 1e18; limit *= 1e3) {
+      seconds /= 1e3;
+    }
+    return Math.abs(seconds) < MAX_SECONDS ? checked(Notation.NUMBER, seconds) : Double.NaN;
+  }
+
+  private double ofText(String text) {
+    Matcher date = DATE.matcher(text);
+    if (date.matches()) {
+      return checked(Notation.DATE, sinceEpoch(date));
+    }
+    Matcher time = TIME_OF_DAY.matcher(text);
+    return time.matches() ? checked(Notation.TIME_OF_DAY, ofDay(time)) : Double.NaN;
+  }
+
+  /** Returns the time, or NaN if the file has times in another notation. */
+  private double checked(Notation found, double seconds) {
+    notation = notation == null && !Double.isNaN(seconds) ? found : notation;
+    return notation == found ? seconds : Double.NaN;
+  }
+
+  private static double sinceEpoch(Matcher date) {
+    try {
+      boolean yearFirst = date.group("year") != null;
+      LocalDate day =
+          LocalDate.of(
+              number(date, yearFirst ? "year" : "year2"),
+              number(date, yearFirst ? "month" : "month2"),
+              number(date, yearFirst ? "day" : "day2"));
+      return day.toEpochDay() * DAY + clock(date) - offset(date.group("zone"));
+    } catch (DateTimeException e) {
+      return Double.NaN;
+    }
+  }
+
+  private static int offset(String zone) {
+    boolean isNumber = zone != null && (zone.startsWith("+") || zone.startsWith("-"));
+    return isNumber ? ZoneOffset.of(zone).getTotalSeconds() : 0;
+  }
+
+  /** Returns the time on the day that brings it nearest to the time read before. */
+  private double ofDay(Matcher time) {
+    double seconds = number(time, "days") * DAY + clock(time);
+    boolean isFirst = notation != Notation.TIME_OF_DAY;
+    lastOfDay = isFirst ? seconds : seconds + DAY * Math.rint((lastOfDay - seconds) / DAY);
+    return lastOfDay;
+  }
+
+  private static double clock(Matcher time) {
+    int hour = number(time, "hour");
+    String half = time.group("half");
+    if (half != null) {
+      hour = hour % NOON + (half.equalsIgnoreCase("p") ? NOON : 0);
+    }
+    String second = time.group("second");
+    double seconds = second == null ? 0 : Double.parseDouble(second.replace(',', '.'));
+    return hour * HOUR + number(time, "minute") * MINUTE + seconds;
+  }
+
+  private static int number(Matcher time, String group) {
+    String digits = time.group(group);
+    return digits == null ? 0 : Integer.parseInt(digits);
+  }
+}
