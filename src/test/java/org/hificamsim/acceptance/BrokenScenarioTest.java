@@ -20,6 +20,8 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * Bad input, end to end: exit code 2, one line that names file, line, column, value and the
@@ -59,6 +61,22 @@ class BrokenScenarioTest {
   void rejectsMissingFile() {
     Path file = folder.resolve("no.xml");
     assertRefused(file, file + ":1:1: no such file, expected a file");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "(?s)<camera .*?/>|<event[^>]*camera.*?/>, 'no <camera>, expected at least one'",
+    "'(?s)<objects>.*</objects>|<events>.*</events>',"
+        + " 'no <object>, no <tracks> and no event that adds one, expected at least one target'"
+  })
+  void rejectsRunOfSite(String missing, String message) throws IOException {
+    Path file = folder.resolve("site.xml");
+    Files.writeString(file, BrokenScenario.SOUND.replaceAll(missing, ""));
+    Path out = folder.resolve("out");
+    Cli.run("run", file, "--out", out).assertRefused(message, out);
+    Cli validate = Cli.run("validate", file);
+    assertEquals(0, validate.exit(), validate.err());
+    assertTrue(validate.err().contains(message + " for a run; place "), validate.err());
   }
 
   @Test

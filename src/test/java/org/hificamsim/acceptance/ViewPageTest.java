@@ -336,6 +336,20 @@ class ViewPageTest {
             + moved);
   }
 
+  @Test
+  void showsSiteWithoutTargets() {
+    browser.leave();
+    view.close();
+    Path plan = Cli.ROOT.resolve("src/test/resources/sites/room.dxf");
+    Path out = folder.resolve("empty");
+    assertEquals(0, Cli.run("site", plan, "--people", 0, "--out", out).exit());
+    view = new ViewProcess(out.resolve("room.xml"));
+    browser.open(view.address());
+    browser.until("return document.querySelector('.shares')?.textContent.includes('% of field')");
+    assertEquals(4, number("return ", "hificamsim.runs[0].setup.cameras.length"));
+    assertTrue(share() > 50, share() + " %");
+  }
+
   /** The first of the shares that the page shows, in percent. */
   private static double share() {
     return ((Number)

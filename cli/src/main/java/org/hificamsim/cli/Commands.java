@@ -22,6 +22,7 @@ final class Commands {
           TradeoffCommand.class,
           GenerateCommand.class,
           ImportCommand.class,
+          SiteCommand.class,
           PlaceCommand.class,
           BenchmarkCommand.class,
           ReportCommand.class,

@@ -11,7 +11,6 @@ import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -112,7 +111,6 @@ final class ImportCommand implements Callable<Integer> {
   }
 
   private SiteSettings settings(String name, List<Obstacle> obstacles) {
-    Optional<Path> picture = Optional.ofNullable(plan.floorplan());
     return new SiteSettings(
         name,
         files.get(0),
@@ -120,7 +118,7 @@ final class ImportCommand implements Callable<Integer> {
         site.margin(),
         RecordingOptions.positive("--step", step),
         obstacles,
-        picture.map(image -> plan.floorplan(name, image)));
+        plan.floorplan().map(image -> plan.floorplan(name, image)));
   }
 
   private void warn(String sign) {
@@ -134,15 +132,13 @@ final class ImportCommand implements Callable<Integer> {
   /** The names of the files that are written. */
   private List<String> names(String name) {
     List<String> names = new ArrayList<>(List.of(name + ".xml", name + ".tracks"));
-    if (plan.floorplan() != null) {
-      names.add(PlanOptions.floorplanName(name, plan.floorplan()));
-    }
+    plan.floorplan().ifPresent(image -> names.add(PlanOptions.floorplanName(name, image)));
     return names;
   }
 
   private void write(OutputFolder folder, String name, TrackedSite made) throws IOException {
-    if (plan.floorplan() != null) {
-      PlanOptions.copy(name, plan.floorplan(), folder);
+    if (plan.floorplan().isPresent()) {
+      PlanOptions.copy(name, plan.floorplan().get(), folder);
     }
     try (Writer xml = folder.open(name + ".xml")) {
       xml.write(made.xml(name + ".tracks"));
@@ -161,10 +157,7 @@ final class ImportCommand implements Callable<Integer> {
     summary.lines().forEach(line -> terminal.println("  " + printable(line)));
     terminal.println("  " + recording.sizeLine(summary));
     if (!Double.isNaN(projection.longitude())) {
-      terminal.println(
-          Texts.format(
-              "  projected to metres: equirectangular, WGS84, about latitude %s, longitude %s",
-              projection.latitude(), projection.longitude()));
+      terminal.println("  " + PlanOptions.projected(projection));
     }
   }
 

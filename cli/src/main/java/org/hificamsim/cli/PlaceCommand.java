@@ -226,7 +226,7 @@ final class PlaceCommand implements Callable<Integer> {
   private PlacementProblem problem(Goal goal) throws IOException {
     Catalogue catalogue = Catalogue.load();
     Settings asked = settings.settings();
-    Scenario site = scenarioOptions.read(file, asked, catalogue, screen.err());
+    Scenario site = scenarioOptions.readSite(file, asked, catalogue, screen.err());
     Detection detection = DetectionSpec.of(asked, site, file, catalogue);
     FieldCells grid =
         FieldCells.of(
@@ -385,7 +385,7 @@ final class PlaceCommand implements Callable<Integer> {
     }
     PlanCheck.check(
             folder,
-            path -> scenarioOptions.read(path, Settings.NONE, catalogue, screen.err()),
+            path -> scenarioOptions.readSite(path, Settings.NONE, catalogue, screen.err()),
             catalogue,
             detections(catalogue),
             effort(new Interrupt(time)))

@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.tracks.format.Unit;
@@ -40,7 +41,7 @@ final class PlanOptions {
   private boolean walkable;
 
   @Option(names = "--floorplan", paramLabel = "IMAGE")
-  private Path floorplan;
+  private Optional<Path> floorplan;
 
   @Option(names = "--scale", paramLabel = "M")
   private String scale;
@@ -73,7 +74,7 @@ final class PlanOptions {
             : Optional.of(RecordingOptions.unit("--walls-unit", wallsUnit));
     LayerChoice choice = listLayers ? LayerChoice.ALL : new LayerChoice(layers);
     boolean isDxf = file.toString().toLowerCase(Locale.ROOT).matches(".*\\.dxf(\\.gz)?");
-    boolean isForPicture = isDxf && floorplan != null; // a DXF has a unit of its own
+    boolean isForPicture = isDxf && floorplan.isPresent(); // a DXF has a unit of its own
     Optional<PictureFrame> frame = isForPicture ? Optional.empty() : frame();
     if (listLayers && frame.isEmpty()) {
       frame = Optional.of(new PictureFrame(new PlanScale.PerUnit(1), 0, 0));
@@ -87,6 +88,13 @@ final class PlanOptions {
     terminal.println(file + (lines.isEmpty() ? ": no layers, classes, ids or colours" : ""));
     lines.forEach(line -> terminal.println("  " + Place.printable(line)));
     drawing.leftOut().ifPresent(line -> terminal.println("  " + Place.printable(line)));
+  }
+
+  /** How degrees became metres, in a line. */
+  static String projected(LocalProjection projection) {
+    return Texts.format(
+        "projected to metres: equirectangular, WGS84, about latitude %s, longitude %s",
+        projection.latitude(), projection.longitude());
   }
 
   /** The place of drawings and pictures; empty if their scale is not given. */
@@ -108,8 +116,8 @@ final class PlanOptions {
     return Optional.of(new PictureFrame(size, corner[0], corner[1]));
   }
 
-  /** The picture of the floor plan; null if none is given. */
-  Path floorplan() {
+  /** The picture of the floor plan; empty if none is given. */
+  Optional<Path> floorplan() {
     return floorplan;
   }
 

@@ -45,8 +45,25 @@ final class ScenarioOptions {
   /** Reads a scenario with the settings that are asked for, and warnings on {@code err}. */
   Scenario read(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
     Consumer<String> warnings = warningsTo(err);
-    Scenario scenario =
-        ScenarioReader.read(file, catalogue.movements().names()::contains, warnings);
+    return checked(
+        file,
+        ScenarioReader.read(file, catalogue.movements().names()::contains, warnings),
+        asked,
+        warnings);
+  }
+
+  /** Reads a scenario that may have no cameras and no targets, like {@link #read}. */
+  Scenario readSite(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
+    Consumer<String> warnings = warningsTo(err);
+    return checked(
+        file,
+        ScenarioReader.readSite(file, catalogue.movements().names()::contains, warnings),
+        asked,
+        warnings);
+  }
+
+  private static Scenario checked(
+      Path file, Scenario scenario, Settings asked, Consumer<String> warnings) {
     List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
       warnings.accept(

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.placement.site.SitePlanner;
 import org.hificamsim.presentation.replay.FloorPictures;
@@ -59,7 +60,11 @@ final class ViewCommand implements Callable<Integer> {
     Numbers.inRange("--port", port, 0, MAX_PORT);
     Catalogue catalogue = Catalogue.load();
     Settings asked = settings.settings();
-    Scenario scenario = scenarioOptions.read(file, asked, catalogue, spec.commandLine().getErr());
+    Scenario scenario =
+        scenarioOptions.readSite(file, asked, catalogue, spec.commandLine().getErr());
+    if (scenario.everyCamera().findAny().isEmpty()) {
+      throw InputException.of("%s: no <camera>, expected at least one to move", file);
+    }
     DetectionSpec.of(
         asked, scenario, file, catalogue); // rejects a wrong one with its place in the file
     String detection = asked.value(Setting.DETECTION, scenario);

@@ -25,6 +25,14 @@ public final class Plausibility {
     return signs;
   }
 
+  /** Checks the walls and the draft cameras of a site without a recording. */
+  public static Plausibility of(DrawnSite site) {
+    Plausibility signs = new Plausibility();
+    new SiteSigns(site).addTo(signs);
+    site.blindDraft().ifPresent(signs::doubt);
+    return signs;
+  }
+
   /** Adds a sign that the result may be wrong. */
   void doubt(String sentence) {
     doubts.add(sentence);

@@ -1,14 +1,10 @@
 package org.hificamsim.tracks;
 
 import java.util.Optional;
-import java.util.regex.Matcher;
-import org.hificamsim.core.Place;
-import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.spec.Field;
-import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.tracks.place.DraftCameras;
 import org.hificamsim.tracks.place.Way;
 
@@ -22,9 +18,6 @@ public final class TrackedSite {
 
   /** The rounding error that is tolerated in the number of steps. */
   private static final double STEP_TOLERANCE = 1e-6;
-
-  private static final String DETECTION = "oodpcvs-2025:level=discern";
-  private static final String OBJECTIVE = "covered:k=1";
 
   private final SiteSettings settings;
   private final Field field;
@@ -83,16 +76,12 @@ public final class TrackedSite {
 
   /** Says that no draft camera sees anybody; empty if one does. */
   Optional<String> blindDraft() {
-    DraftCameras draft = draft();
-    return draft.draw(settings.cameras()).stream()
-            .anyMatch(camera -> draft.seen(camera.x(), camera.y()) > 0)
-        ? Optional.empty()
-        : Optional.of("walls hide everybody from the draft cameras: move these before a run");
+    return draft().blind(settings.cameras());
   }
 
   /** The objective, detection and steps of the scenario, in one line. */
   public String question() {
-    return "question: " + OBJECTIVE + " by " + DETECTION + " in " + steps() + " steps";
+    return SiteQuestion.line(steps());
   }
 
   /**
@@ -101,22 +90,15 @@ public final class TrackedSite {
    * @param tracks the name of the file with the tracks
    */
   public String xml(String tracks) {
-    String comment = "Made by hificamsim import of " + settings.source().getFileName();
-    String safe = Place.printable(comment).replace("--", "- -");
-    return ScenarioWriter.write(scenario(), tracks)
-        .replaceFirst("\n<root>", Matcher.quoteReplacement("\n<!-- " + safe + " -->\n<root>"));
+    return SiteQuestion.commented(
+        ScenarioWriter.write(scenario(), tracks),
+        "Made by hificamsim import of " + settings.source().getFileName());
   }
 
   private Scenario scenario() {
-    Scenario empty =
-        new Scenario(settings.name(), field)
-            .with(Scenario.ORDER, StepOrder.COVERAGE)
-            .with(Scenario.DETECTION, DETECTION)
-            .with(Scenario.OBJECTIVE, Objective.parse(OBJECTIVE))
-            .with(Scenario.STEPS, steps())
-            .with(Scenario.STEP_TIME, step())
-            .with(Scenario.OBSTACLES, settings.walls())
-            .with(Scenario.CAMERAS, draft().draw(settings.cameras()));
-    return settings.floorplan().map(empty::withFloorplan).orElse(empty);
+    return SiteQuestion.about(settings, field)
+        .with(Scenario.STEPS, steps())
+        .with(Scenario.STEP_TIME, step())
+        .with(Scenario.CAMERAS, draft().draw(settings.cameras()));
   }
 }

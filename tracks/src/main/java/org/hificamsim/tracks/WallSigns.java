@@ -2,24 +2,25 @@ package org.hificamsim.tracks;
 
 import static org.hificamsim.core.NamedSetting.setting;
 
+import java.util.List;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
 
 /** Finds signs that walls are not where the recording has them. */
 record WallSigns(ImportSummary summary, Obstacles obstacles) {
   /** The share of samples in an obstacle from which on it is taken for a walkable area. */
-  private static final double NEARLY_ALL = 0.9;
+  static final double NEARLY_ALL = 0.9;
 
   void addTo(Plausibility signs) {
-    int samples = summary.way().points().size();
-    long held = obstacles.all().stream().mapToLong(this::held).max().orElse(0);
-    if (samples > 0 && held >= NEARLY_ALL * samples) {
+    double held = held(obstacles, summary.way().points());
+    if (held >= NEARLY_ALL) {
       signs.fault(
           Texts.format(
               "a solid of the walls holds %.0f %% of the samples: it is probably the area that"
                   + " people walk in",
-              100.0 * held / samples),
+              100 * held),
           setting("walkable") + ", which makes its border walls");
     } else if (summary.isEveryWayBlocked()) {
       signs.fault(
@@ -29,11 +30,16 @@ record WallSigns(ImportSummary summary, Obstacles obstacles) {
     }
   }
 
-  private long held(Obstacle obstacle) {
-    return obstacle instanceof Obstacle.Wall || !obstacle.standing()
-        ? 0
-        : summary.way().points().stream()
-            .filter(point -> obstacle.contains(point.x(), point.y()))
-            .count();
+  /** The greatest share of some points that one solid holds. */
+  static double held(Obstacles obstacles, List<Point> points) {
+    long most =
+        obstacles.all().stream()
+            .filter(obstacle -> obstacle.standing() && !(obstacle instanceof Obstacle.Wall))
+            .mapToLong(
+                solid ->
+                    points.stream().filter(point -> solid.contains(point.x(), point.y())).count())
+            .max()
+            .orElse(0);
+    return points.isEmpty() ? 0 : (double) most / points.size();
   }
 }

@@ -52,6 +52,10 @@ import org.hificamsim.core.scenario.xml.XmlParser;
  * warning.
  */
 public final class ScenarioReader {
+  private static final String NO_CAMERA = "no <camera>, expected at least one";
+  private static final String NO_TARGET =
+      "no <object>, no <tracks> and no event that adds one, expected at least one target";
+
   private static final Predicate<String> MODEL_FILE =
       Pattern.compile(".+\\.json(@.*)?").asMatchPredicate();
 
@@ -94,13 +98,28 @@ public final class ScenarioReader {
    */
   public static Scenario read(
       Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
-    return new ScenarioReader(path, movements, agents, warnings, Faults.thrown()).scenario();
+    ScenarioReader reader = new ScenarioReader(path, movements, agents, warnings, Faults.thrown());
+    return reader.ready(reader.scenario());
+  }
+
+  /**
+   * Reads one file that may have no cameras and no targets yet.
+   *
+   * @param movements whether a movement of this short name exists
+   * @param warnings receives one line for each warning, with its place
+   * @throws InputException if the file is missing or invalid
+   */
+  public static Scenario readSite(
+      Path path, Predicate<String> movements, Consumer<String> warnings) {
+    return new ScenarioReader(path, movements, AgentCheck.NONE, warnings, Faults.thrown())
+        .scenario();
   }
 
   /**
    * Reads one file and reports all faults that do not follow from others. Reading goes on after an
    * invalid camera, object, event or attribute of the simulation, but not after broken XML or
-   * without a field.
+   * without a field. A file without cameras or targets is a site that a run cannot use yet, which
+   * is a warning.
    *
    * @param faults receives each fault
    * @return the scenario; empty if there was a fault
@@ -115,9 +134,15 @@ public final class ScenarioReader {
     return reported
         .or(
             Optional.<Scenario>empty(),
-            () ->
-                Optional.of(
-                    new ScenarioReader(path, movements, agents, warnings, reported).scenario()))
+            () -> {
+              ScenarioReader reader =
+                  new ScenarioReader(path, movements, agents, warnings, reported);
+              Scenario scenario = reader.scenario();
+              if (reported.none()) {
+                reader.warnOfSite(scenario, warnings);
+              }
+              return Optional.of(scenario);
+            })
         .filter(scenario -> reported.none());
   }
 
@@ -138,9 +163,6 @@ public final class ScenarioReader {
             .with(Scenario.OBSTACLES, obstacles())
             .with(Scenario.ZONES, zones(scenario.field()));
     scenario = withStory(withZooms(scenario, attributes));
-    if (faults.none()) {
-      requireSome(simulation, scenario);
-    }
     scenario = scenario.with(Scenario.VISION_GRAPH, visionGraph());
     attributes.warnOfUnknown();
     return scenario;
@@ -356,16 +378,33 @@ public final class ScenarioReader {
     return root.all(element.name());
   }
 
-  private static void requireSome(XmlElement simulation, Scenario scenario) {
-    if (scenario.everyCamera().findAny().isEmpty()) {
-      throw simulation.place().error("no <camera>, expected at least one");
+  /** Refuses a scenario that a run cannot use: one without cameras or targets. */
+  private Scenario ready(Scenario scenario) {
+    if (lacksCameras(scenario)) {
+      throw simulation().place().error(NO_CAMERA);
     }
-    if (scenario.everyTarget().findAny().isEmpty()) {
-      throw simulation
-          .place()
-          .error(
-              "no <object>, no <tracks> and no event that adds one, expected at least one target");
+    if (lacksTargets(scenario)) {
+      throw simulation().place().error(NO_TARGET);
     }
+    return scenario;
+  }
+
+  private void warnOfSite(Scenario scenario, Consumer<String> warnings) {
+    if (lacksCameras(scenario)) {
+      warnings.accept(simulation().place().line(NO_CAMERA + " for a run; place needs none"));
+    }
+    if (lacksTargets(scenario)) {
+      warnings.accept(
+          simulation().place().line(NO_TARGET + " for a run; place and view need none"));
+    }
+  }
+
+  private static boolean lacksCameras(Scenario scenario) {
+    return scenario.everyCamera().findAny().isEmpty();
+  }
+
+  private static boolean lacksTargets(Scenario scenario) {
+    return scenario.everyTarget().findAny().isEmpty();
   }
 
   private Optional<VisionGraph> visionGraph() {

@@ -14,6 +14,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.runs.cells.FieldCells;
@@ -26,6 +27,8 @@ import org.hificamsim.runs.cells.FieldCells;
  */
 public record Demand(
     Scenario site, FieldCells cells, List<ZoneDemand> zones, List<DemandPoint> points) {
+  private static final Extent PERSON = new Extent(0.5, 1.75);
+
   /**
    * A zone with what it demands.
    *
@@ -125,13 +128,16 @@ public record Demand(
     return new Demand(site, cells, changedZones, points);
   }
 
-  /** Returns the first target of the most frequent size, which stands for all targets. */
+  /**
+   * Returns the first target of the most frequent size, which stands for all targets; a person if
+   * there are none.
+   */
   public static TargetSpec usualTarget(List<TargetSpec> targets) {
     Map<Double, Long> counts =
         targets.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
     return targets.stream()
         .max(Comparator.comparingLong(target -> counts.get(target.size())))
-        .orElseThrow();
+        .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(PERSON));
   }
 
   /** Returns a target that stands at a point, and is otherwise like another one. */

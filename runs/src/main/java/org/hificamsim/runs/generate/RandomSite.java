@@ -5,20 +5,14 @@ import static org.hificamsim.core.NamedSetting.setting;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.function.BiFunction;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacle.Wall;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.core.scenario.spec.DraftOptics;
-import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.StepOrder;
-import org.hificamsim.core.scenario.spec.TargetSpec;
 
 /**
  * Generates a random site: cameras with lenses, three in four of which pan, people who walk between
@@ -33,10 +27,6 @@ public record RandomSite(RandomField size, int walls) {
 
   private static final int STEPS = 300;
   private static final double PEOPLE_PER_CAMERA = 1.5;
-  private static final Extent PERSON = new Extent(0.5, 1.75);
-  private static final double MIN_SPEED = 0.8; // m/s
-  private static final double MAX_SPEED = 1.6;
-  private static final double CENTIMETRES = 100; // of a metre
 
   /** The default size: one and a half people for each camera. */
   public static RandomField size(int cameras, long seed) {
@@ -55,7 +45,7 @@ public record RandomSite(RandomField size, int walls) {
     SplittableRandom random = new SplittableRandom(size.seed());
     Obstacles obstacles =
         new Obstacles(new RandomWalls(field, Math.sqrt(size.area()), random).draw(walls));
-    FreePositions positions = new FreePositions(field, obstacles, random);
+    FreePositions positions = new FreePositions(field, obstacles, List.of(), random);
     return new Scenario("random-" + size.cameras(), field)
         .with(Scenario.ORDER, StepOrder.COVERAGE)
         .with(Scenario.DETECTION, "oodpcvs-2025:level=discern")
@@ -64,52 +54,6 @@ public record RandomSite(RandomField size, int walls) {
         .with(Scenario.OBSTACLES, obstacles.all())
         .with(Scenario.CAMERAS, positions.draw(size.cameras(), positions::camera))
         .with(Scenario.TARGETS, positions.draw(size.targets(), positions::person));
-  }
-
-  /** A length, rounded to centimetres. */
-  private static double rounded(double value) {
-    return Math.rint(value * CENTIMETRES) / CENTIMETRES;
-  }
-
-  /** Draws cameras and people at positions outside all walls. */
-  private record FreePositions(Field field, Obstacles obstacles, SplittableRandom random) {
-    /**
-     * @param make makes a camera or person of its number, from 1, and its position
-     */
-    <T> List<T> draw(int count, BiFunction<Integer, Point, T> make) {
-      List<T> drawn = new ArrayList<>();
-      while (drawn.size() < count) {
-        drawn.add(make.apply(drawn.size() + 1, position()));
-      }
-      return drawn;
-    }
-
-    private Point position() {
-      double x = draw(field.minX(), field.maxX());
-      double y = draw(field.minY(), field.maxY());
-      return obstacles.containing(x, y).isEmpty() ? new Point(x, y) : position();
-    }
-
-    private double draw(double from, double to) {
-      return rounded(random.nextDouble(from, to));
-    }
-
-    CameraSpec camera(int number, Point position) {
-      return DraftOptics.camera(
-          "C" + number,
-          number % 4 == 0 ? DraftOptics.BULLET : DraftOptics.DOME,
-          position.x(),
-          position.y(),
-          draw(field.minX(), field.maxX()), // the point that it looks at
-          draw(field.minY(), field.maxY()));
-    }
-
-    TargetSpec person(int number, Point position) {
-      return new TargetSpec(number, position.x(), position.y())
-          .with(TargetSpec.MOVE, "RandomWaypoint")
-          .with(TargetSpec.SPEED, draw(MIN_SPEED, MAX_SPEED))
-          .withExtent(PERSON);
-    }
   }
 
   /**
@@ -166,12 +110,16 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     private Wall draw() {
-      double x = rounded(random.nextDouble(field.minX(), field.maxX()));
-      double y = rounded(random.nextDouble(field.minY(), field.maxY()));
-      double length = rounded(scale * random.nextDouble(MIN_LENGTH, MAX_LENGTH));
+      double x = FreePositions.rounded(random.nextDouble(field.minX(), field.maxX()));
+      double y = FreePositions.rounded(random.nextDouble(field.minY(), field.maxY()));
+      double length = FreePositions.rounded(scale * random.nextDouble(MIN_LENGTH, MAX_LENGTH));
       boolean isHorizontal = random.nextBoolean();
       return new Wall(
-          x, y, isHorizontal ? rounded(x + length) : x, isHorizontal ? y : rounded(y + length), 0);
+          x,
+          y,
+          isHorizontal ? FreePositions.rounded(x + length) : x,
+          isHorizontal ? y : FreePositions.rounded(y + length),
+          0);
     }
 
     private boolean staysInside(Wall wall) {

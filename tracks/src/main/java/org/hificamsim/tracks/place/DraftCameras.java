@@ -2,6 +2,7 @@ package org.hificamsim.tracks.place;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
@@ -48,9 +49,14 @@ public final class DraftCameras {
     return cameras;
   }
 
-  /** The number of positions that a camera at a point can see past walls of any height. */
-  public int seen(double x, double y) {
-    return seenFrom(new Point(x, y)).size();
+  /** Says that walls of any height hide everybody from all cameras; empty if one sees somebody. */
+  public Optional<String> blind(int count) {
+    boolean sees =
+        draw(count).stream()
+            .anyMatch(camera -> !seenFrom(new Point(camera.x(), camera.y())).isEmpty());
+    return count == 0 || sees
+        ? Optional.empty()
+        : Optional.of("walls hide everybody from the draft cameras: move these before a run");
   }
 
   private CameraSpec camera(String name, double share) {

@@ -18,6 +18,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.place.DrawnPart.Traits;
 
 /** What a file draws: the shapes that were chosen as walls, and counts of what else there is. */
@@ -81,6 +83,17 @@ public final class Drawing {
       bounds = bounds == null ? around : bounds.createUnion(around);
     }
     return bounds == null ? new Rectangle2D.Double() : bounds;
+  }
+
+  /** The smallest field around the chosen shapes, metres. */
+  public Field field() {
+    Rectangle2D bounds = bounds();
+    return new Field(bounds.getMinX(), bounds.getMaxX(), bounds.getMinY(), bounds.getMaxY());
+  }
+
+  /** The borders of the walkable areas, each as corners without a repetition. */
+  public List<List<Point>> walkableBorders() {
+    return WalkableArea.outerBorders(parts);
   }
 
   /** The chosen shapes. */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.place.DrawnShape.Area;
@@ -16,6 +15,7 @@ import org.locationtech.jts.geom.LinearRing;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.geom.util.GeometryFixer;
 import org.locationtech.jts.geom.util.LinearComponentExtracter;
+import org.locationtech.jts.geom.util.PolygonExtracter;
 import org.locationtech.jts.index.strtree.STRtree;
 import org.locationtech.jts.operation.union.UnaryUnionOp;
 
@@ -30,33 +30,43 @@ final class WalkableArea {
 
   /** Returns the parts of a drawing with the borders of walkable areas in place of these areas. */
   static List<DrawnPart> borders(List<DrawnPart> parts) {
-    List<DrawnPart> areas = parts.stream().filter(part -> part.shape() instanceof Area).toList();
-    boolean[] inner = inner(areas.stream().map(part -> polygon((Area) part.shape())).toList());
-    List<DrawnPart> outermost =
-        IntStream.range(0, inner.length).filter(i -> !inner[i]).mapToObj(areas::get).toList();
+    List<DrawnPart> outermost = outermost(parts);
     List<DrawnPart> result = new ArrayList<>(parts);
     result.removeAll(outermost);
-    Geometry union =
-        UnaryUnionOp.union(
-            outermost.stream().map(part -> polygon((Area) part.shape())).toList(), GEOMETRY);
-    double[] heights = heights(outermost);
+    double[] heights = outermost.stream().mapToDouble(DrawnPart::height).distinct().toArray();
     double height = heights.length == 1 ? heights[0] : Double.POSITIVE_INFINITY;
-    for (Object line : LinearComponentExtracter.getLines(union)) {
+    for (Object line : LinearComponentExtracter.getLines(union(outermost))) {
       List<Point> points = points(((LineString) line).getCoordinates());
       result.add(new DrawnPart(new DrawnShape.Line(points), height));
     }
     return result;
   }
 
+  /** Returns the outer borders of the walkable areas. */
+  static List<List<Point>> outerBorders(List<DrawnPart> parts) {
+    List<List<Point>> borders = new ArrayList<>();
+    for (Object polygon : PolygonExtracter.getPolygons(union(outermost(parts)))) {
+      LinearRing ring = ((Polygon) polygon).getExteriorRing();
+      borders.add(ObstacleMaker.corners(points(ring.getCoordinates())));
+    }
+    return borders;
+  }
+
+  private static List<DrawnPart> outermost(List<DrawnPart> parts) {
+    List<DrawnPart> areas = parts.stream().filter(part -> part.shape() instanceof Area).toList();
+    boolean[] inner = inner(areas.stream().map(part -> polygon((Area) part.shape())).toList());
+    return IntStream.range(0, inner.length).filter(i -> !inner[i]).mapToObj(areas::get).toList();
+  }
+
+  private static Geometry union(List<DrawnPart> areas) {
+    return UnaryUnionOp.union(
+        areas.stream().map(part -> polygon((Area) part.shape())).toList(), GEOMETRY);
+  }
+
   /** Whether a border surrounds a point. */
   static boolean holds(List<Point> border, Point point) {
     return polygon(new Area(border, true))
         .contains(GEOMETRY.createPoint(new Coordinate(point.x(), point.y())));
-  }
-
-  private static double[] heights(List<DrawnPart> parts) {
-    DoubleStream heights = parts.stream().mapToDouble(DrawnPart::height);
-    return heights.distinct().toArray();
   }
 
   /** Whether each polygon lies within a larger one, or within an equal one that is before it. */

@@ -1,0 +1,168 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.concurrent.Callable;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.NamedSetting;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Floorplan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.generate.FreePositions;
+import org.hificamsim.tracks.DrawnSite;
+import org.hificamsim.tracks.Plausibility;
+import org.hificamsim.tracks.SiteSettings;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.LocalProjection;
+import org.hificamsim.tracks.place.Drawing;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim site}: makes a scenario of a floor plan alone. */
+@Command(
+    name = "site",
+    description = "Makes a scenario from a floor plan: a drawing, a map or a picture.")
+final class SiteCommand implements Callable<Integer> {
+  private static final int MAX_PEOPLE = 100_000;
+
+  @Parameters(
+      paramLabel = "PLAN",
+      description = "SVG, DXF, GeoJSON, well-known text, JuPedSim's XML, PNG or JPEG.")
+  private Path file;
+
+  @Option(names = "--out", paramLabel = "DIR")
+  private Optional<Path> out;
+
+  @Option(names = "--people", paramLabel = "N")
+  private int people;
+
+  @Option(names = "--force-reading")
+  private boolean forceReading;
+
+  @Mixin private SiteOptions site;
+  @Mixin private PlanOptions plan;
+  @Mixin private final SettingOptions settings = SettingOptions.of(Setting.SEED);
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    Numbers.inRange("--people", people, 0, MAX_PEOPLE);
+    LocalProjection projection = new LocalProjection();
+    Optional<Drawing> drawing =
+        isPicture() ? Optional.empty() : Optional.of(plan.read(file, usualUnit(), projection));
+    if (plan.listsLayers()) {
+      return listLayers(drawing);
+    }
+    Path folder =
+        out.orElseThrow(() -> new InputException("expected --out DIR, a folder for the site"));
+    String name = site.name(file);
+    Optional<Path> picture = isPicture() ? Optional.of(file) : plan.floorplan();
+    Destination.claim(spec, folder, names(name, picture));
+    DrawnSite made = made(name, drawing, picture);
+    List<String> signs = Plausibility.of(made).signs(forceReading);
+    Scenario empty = made.scenario();
+    long seed = settings.settings().seed();
+    Scenario scenario = empty.with(Scenario.TARGETS, FreePositions.people(empty, people, seed));
+    write(folder, name, made.xml(scenario), picture);
+    print(folder.resolve(name + ".xml"), made, drawing.flatMap(Drawing::leftOut), projection);
+    signs.forEach(this::warn);
+    return 0;
+  }
+
+  private boolean isPicture() {
+    return file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)");
+  }
+
+  /** The unit of coordinates in files that have none. */
+  private Unit usualUnit() {
+    boolean isGeoJson = file.toString().toLowerCase(Locale.ROOT).matches(".*json(\\.gz)?");
+    return isGeoJson ? Unit.DEG : Unit.M;
+  }
+
+  private int listLayers(Optional<Drawing> drawing) {
+    Drawing listed =
+        drawing.orElseThrow(
+            () -> InputException.of("%s: a picture has no layers, expected a drawing", file));
+    PlanOptions.printLayers(file, listed, spec.commandLine().getOut());
+    return 0;
+  }
+
+  private static List<String> names(String name, Optional<Path> picture) {
+    List<String> names = new ArrayList<>(List.of(name + ".xml"));
+    picture.ifPresent(image -> names.add(PlanOptions.floorplanName(name, image)));
+    return names;
+  }
+
+  private DrawnSite made(String name, Optional<Drawing> drawing, Optional<Path> picture) {
+    Optional<Floorplan> floorplan = picture.map(image -> plan.floorplan(name, image));
+    SiteSettings siteSettings =
+        new SiteSettings(
+            name,
+            file,
+            site.cameras(0),
+            site.margin(),
+            OptionalDouble.empty(),
+            drawing.map(read -> read.obstacles(plan.walkable())).orElse(List.of()),
+            floorplan);
+    Field drawn = drawing.map(Drawing::field).orElseGet(() -> floorplan.orElseThrow().area());
+    List<List<Point>> walkable =
+        plan.walkable() ? drawing.map(Drawing::walkableBorders).orElse(List.of()) : List.of();
+    return new DrawnSite(siteSettings, drawn, walkable);
+  }
+
+  private void write(Path path, String name, String xml, Optional<Path> picture)
+      throws IOException {
+    try (OutputFolder folder = Destination.folder(spec, path)) {
+      if (picture.isPresent()) {
+        PlanOptions.copy(name, picture.get(), folder);
+      }
+      try (Writer writer = folder.open(name + ".xml")) {
+        writer.write(xml);
+      }
+      folder.commit(List.of());
+    }
+  }
+
+  private void print(
+      Path scenario, DrawnSite made, Optional<String> leftOut, LocalProjection projection) {
+    PrintWriter terminal = spec.commandLine().getOut();
+    Field field = made.field();
+    terminal.println(scenario);
+    terminal.println(
+        Texts.format(
+            "  field: %s x %s m; walls and solids: %s",
+            field.width(), field.height(), made.obstacles().all().size()));
+    leftOut.ifPresent(line -> terminal.println("  " + Place.printable(line)));
+    if (!Double.isNaN(projection.longitude())) {
+      terminal.println("  " + PlanOptions.projected(projection));
+    }
+    terminal.println(
+        Texts.format(
+            "  draft cameras: %s; people who walk at random: %s", site.cameras(0), people));
+    terminal.println("  " + made.question());
+    terminal.println("Plan its cameras, or move them by hand:");
+    terminal.println(Texts.format("  ./hificamsim place %s --cameras 4", scenario));
+    terminal.println(Texts.format("  ./hificamsim view %s", scenario));
+  }
+
+  private void warn(String sign) {
+    String line = NamedSetting.written(sign, Flags.NOTATION);
+    spec.commandLine().getErr().println("warning: " + Place.printable(line));
+  }
+}

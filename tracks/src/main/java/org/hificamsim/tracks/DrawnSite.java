@@ -1,0 +1,98 @@
+package org.hificamsim.tracks;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.Way;
+
+/**
+ * Makes the scenario of a floor plan without a recording: field, walls, zones, draft of cameras.
+ */
+public final class DrawnSite {
+  private static final int STEPS = 300;
+
+  private final SiteSettings settings;
+  private final Field field;
+  private final Obstacles obstacles;
+  private final List<Zone> zones = new ArrayList<>();
+  private final DraftCameras draft;
+
+  /**
+   * @param drawn the field around all that is drawn, metres
+   * @param walkable borders of areas that people walk in, which become zones
+   */
+  public DrawnSite(SiteSettings settings, Field drawn, List<List<Point>> walkable) {
+    this.settings = settings;
+    this.obstacles = new Obstacles(settings.walls());
+    this.field = field(drawn, settings.margin().orElse(0));
+    for (List<Point> border : walkable) {
+      String name = "inside" + (walkable.size() == 1 ? "" : "-" + (zones.size() + 1));
+      zones.add(new Zone(name, Zone.Shape.POLYGON, border, null, null, 1.0));
+    }
+    this.draft = new DraftCameras(field, obstacles, way(true));
+  }
+
+  /** Rounds a field with a margin outwards to metres. */
+  private static Field field(Field drawn, double margin) {
+    double minX = Math.floor(drawn.minX() - margin);
+    double minY = Math.floor(drawn.minY() - margin);
+    return new Field(
+        minX,
+        Math.max(minX + 1, Math.ceil(drawn.maxX() + margin)),
+        minY,
+        Math.max(minY + 1, Math.ceil(drawn.maxY() + margin)));
+  }
+
+  /** Places all over the zones, or over the field without zones; only free ones if asked. */
+  Way way(boolean freeOnly) {
+    Way way = new Way();
+    for (Point point : Way.allOver(field, freeOnly ? obstacles : Obstacles.NONE).points()) {
+      if (zones.isEmpty() || zones.stream().anyMatch(zone -> zone.contains(point.x(), point.y()))) {
+        way.add(point.x(), point.y());
+      }
+    }
+    return way;
+  }
+
+  /** The field, metres. */
+  public Field field() {
+    return field;
+  }
+
+  /** The walls and solids. */
+  public Obstacles obstacles() {
+    return obstacles;
+  }
+
+  /** Says that no draft camera sees a free place; empty if one does, or if there are none. */
+  Optional<String> blindDraft() {
+    return draft.blind(settings.cameras());
+  }
+
+  /** The objective and detection of the scenario, in one line. */
+  public String question() {
+    return SiteQuestion.line(STEPS);
+  }
+
+  /** The scenario, without people. */
+  public Scenario scenario() {
+    return SiteQuestion.about(settings, field)
+        .with(Scenario.STEPS, STEPS)
+        .with(Scenario.ZONES, zones)
+        .with(Scenario.CAMERAS, draft.draw(settings.cameras()));
+  }
+
+  /** The XML of this scenario with people. */
+  public String xml(Scenario peopled) {
+    return SiteQuestion.commented(
+        ScenarioWriter.write(peopled),
+        "Made by hificamsim site of " + settings.source().getFileName());
+  }
+}
