@@ -142,6 +142,24 @@ class BenchmarkEntryTest {
                 new Broken(
                     "expected one of",
                     json(root -> ((ObjectNode) root.get("tasks")).set("moon-v1", task(root))))),
+            Map.entry(
+                "a task under its other name too",
+                new Broken(
+                    "task 'bench/" + TASK + "', expected one of",
+                    json(
+                        root ->
+                            ((ObjectNode) root.get("tasks")).set("bench/" + TASK, task(root))))),
+            Map.entry(
+                "a name that forges a line",
+                new Broken(
+                    "name has an invisible character",
+                    json(root -> root.put("name", "x\nout/mine: mine, 12 tasks, agrees")))),
+            Map.entry(
+                "no visible name",
+                new Broken("name has 1 characters", json(root -> root.put("name", " ")))),
+            Map.entry(
+                "two results of a task",
+                new Broken("Duplicate field 'tasks'", BenchmarkEntryTest::repeatTasks)),
             Map.entry("no task", new Broken("no task", json(root -> root.putObject("tasks")))),
             Map.entry(
                 "a part missing",
@@ -171,6 +189,17 @@ class BenchmarkEntryTest {
     assertTrue(cli.err().contains(broken.reason), cli.err());
     assertEquals(
         2, Cli.run("benchmark", "leaderboard", copy, "--out", folder.resolve("no")).exit());
+  }
+
+  private static void repeatTasks(Path path) {
+    try {
+      String text = Files.readString(path.resolve("entry.json")).strip();
+      ObjectNode root = (ObjectNode) MAPPER.readTree(text);
+      String repeated = text.substring(0, text.length() - 1) + ",\"tasks\":" + root.get("tasks");
+      write(path.resolve("entry.json"), (repeated + "}").getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
   }
 
   /** A change of the table together with its hash. */
@@ -257,6 +286,8 @@ class BenchmarkEntryTest {
             List.of("--policy", "cooperative", "--tasks", "moon-v1"),
             List.of("--policy", "cooperative", "--tasks", TASK + "," + TASK),
             List.of("--policy", "no-such-policy"),
+            List.of("--policy", "onnx:file={task}-{seed}.onnx"),
+            List.of("--policy", "cooperative", "--name", "mine\nout/other: other, agrees"),
             List.of("--policy", "optimal"),
             List.of("--policy", "best-fixed"))) {
       Cli cli =

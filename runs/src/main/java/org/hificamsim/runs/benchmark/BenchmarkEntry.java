@@ -1,7 +1,9 @@
 package org.hificamsim.runs.benchmark;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -41,7 +43,10 @@ public record BenchmarkEntry(
   public static final String FILE = "entry.json";
 
   private static final String PLAYED = "played";
-  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final String SEED = "{seed}";
+  private static final int MAX_NAME = 80;
+  private static final ObjectMapper MAPPER =
+      JsonMapper.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
 
   /**
    * The results in a task.
@@ -58,9 +63,42 @@ public record BenchmarkEntry(
     }
   }
 
-  /** Rejects missing values. */
+  /** Rejects missing values, and texts that could forge lines of output. */
   public BenchmarkEntry {
     requireAll("version, name, policy, files, tasks", version, name, policy, files, tasks);
+    requireName(name);
+    requireVisible("policy", policy);
+    files.keySet().forEach(file -> requireVisible("file", file));
+  }
+
+  private static void requireName(String name) {
+    requireVisible("name", name);
+    if (name.isBlank() || name.length() > MAX_NAME) {
+      throw InputException.of(
+          "name has %s characters, expected 1 to %s and not only blanks", name.length(), MAX_NAME);
+    }
+  }
+
+  private static void requireVisible(String what, String text) {
+    if (text.codePoints().anyMatch(BenchmarkEntry::isInvisible)) {
+      throw InputException.of(
+          "%s has an invisible character, such as a line feed, expected none", what);
+    }
+  }
+
+  /** Whether a character is not shown, or changes how others are shown. */
+  private static boolean isInvisible(int character) {
+    return switch (Character.getType(character)) {
+      case Character.CONTROL,
+              Character.FORMAT,
+              Character.LINE_SEPARATOR,
+              Character.PARAGRAPH_SEPARATOR,
+              Character.SURROGATE,
+              Character.UNASSIGNED,
+              Character.PRIVATE_USE ->
+          true;
+      default -> false;
+    };
   }
 
   private static void requireAll(String names, Object... values) {
@@ -73,10 +111,20 @@ public record BenchmarkEntry(
    * A policy that is to be entered.
    *
    * @param name on the leaderboard
-   * @param policy with its options; {@code {task}} and {@code {seed}} stand for those of an episode
+   * @param policy with its options; {@code {task}} stands for the task of an episode, and {@code
+   *     {seed}} for its seed where recorded actions are played
    * @param tasks that it plays
    */
-  public record Application(String name, String policy, List<String> tasks) {}
+  public record Application(String name, String policy, List<String> tasks) {
+    /** Rejects a name that cannot be shown, and a policy that knows the seeds. */
+    public Application {
+      requireName(name);
+      if (policy.contains(SEED) && !policy.startsWith(PLAYED)) {
+        throw InputException.of(
+            "policy %s has %s, expected one policy for all episodes of a task", policy, SEED);
+      }
+    }
+  }
 
   /**
    * Plays the testing episodes of an application, and adds the entry to a folder's files.
@@ -126,7 +174,7 @@ public record BenchmarkEntry(
     for (String task : application.tasks()) {
       for (long seed : BenchmarkTask.TESTING) {
         String policy =
-            application.policy().replace("{task}", task).replace("{seed}", Long.toString(seed));
+            application.policy().replace("{task}", task).replace(SEED, Long.toString(seed));
         if (benchmark.catalogue().policies().create(policy).jumps()) {
           throw InputException.of("policy %s moves cameras in no time, expected another", policy);
         }
@@ -178,7 +226,11 @@ public record BenchmarkEntry(
     try {
       return MAPPER.readValue(path.toFile(), BenchmarkEntry.class);
     } catch (JsonProcessingException e) {
-      String fault = e.getOriginalMessage().lines().findFirst().orElse("");
+      String problem =
+          e.getCause() instanceof InputException input
+              ? input.getMessage()
+              : e.getOriginalMessage();
+      String fault = problem.lines().findFirst().orElse("");
       throw new InputException(path + ": " + fault + ", expected what 'benchmark run' writes", e);
     } catch (IOException e) {
       throw new InputException(path + " cannot be read, expected what 'benchmark run' writes", e);

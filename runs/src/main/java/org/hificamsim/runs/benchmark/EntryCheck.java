@@ -61,6 +61,10 @@ public final class EntryCheck {
 
   private List<RecordedEpisode> episodes(Path file, String name, TaskScores scores) {
     String where = file + ": " + name;
+    if (!benchmark.names().contains(name)) {
+      throw InputException.of(
+          "%s: task '%s', expected one of %s", file, name, String.join(", ", benchmark.names()));
+    }
     BenchmarkTask task = benchmark.task(name);
     require(where, "task has hash", scores.task(), task.hash());
     require(where, "seeds", scores.seeds(), BenchmarkTask.TESTING);
