@@ -50,6 +50,8 @@ record Request(Settings asked, Environment own) {
   /** The settings that the Python package sets from its own arguments. */
   private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads", "task");
 
+  private static final int MAX_SAVED_BY_DEFAULT = 1000;
+
   private static final ObjectMapper MAPPER =
       new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
 
@@ -63,6 +65,7 @@ record Request(Settings asked, Environment own) {
    * @param targets the number of targets that an observation has space for
    * @param neighbours the number of neighbours that an observation has space for
    * @param paints whether pictures of worlds may be requested
+   * @param saves whether worlds may be saved; by default if they are at most 1,000
    * @param expert the policy whose advice is written; null for none
    * @param task the task, if {@code scenario} is a file of tasks; null for a scenario
    */
@@ -76,6 +79,7 @@ record Request(Settings asked, Environment own) {
       Integer neighbours,
       String autoReset,
       boolean paints,
+      Boolean saves,
       String expert,
       String task) {
     Environment {
@@ -84,6 +88,7 @@ record Request(Settings asked, Environment own) {
       targets = Optional.ofNullable(targets).orElse(4);
       neighbours = Optional.ofNullable(neighbours).orElse(2);
       autoReset = Optional.ofNullable(autoReset).orElse("true");
+      saves = Optional.ofNullable(saves).orElse(worlds <= MAX_SAVED_BY_DEFAULT);
     }
   }
 

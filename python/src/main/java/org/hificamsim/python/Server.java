@@ -25,8 +25,8 @@ import org.hificamsim.core.InputException;
  * <p>Every message is a letter, the length of the content as four bytes, big-endian, and the
  * content. Requests: o opens worlds (settings as JSON), s steps, r resets (world or -1, 4 bytes;
  * seed, 8 bytes; 1 to use the seed, else 0), t writes states, n asks for the seed of the episode, p
- * for a picture (world and width, 4 bytes each). Replies: k for success, with the result; i for
- * wrong input and e for any other failure, each with a message.
+ * for a picture (world and width, 4 bytes each), v saves, w restores (what v returned). Replies: k
+ * for success, with the result; i for wrong input and e for any other failure, each with a message.
  */
 public final class Server {
   private final DataInputStream in;
@@ -112,6 +112,10 @@ public final class Server {
       case 's' -> session.step();
       case 'r' -> session.reset(message.getInt(), message.getLong(), message.get() != 0);
       case 't' -> session.state();
+      case 'v' -> {
+        return session.save();
+      }
+      case 'w' -> session.restore(remaining(message));
       case 'n' -> {
         return ByteBuffer.allocate(Long.BYTES).putLong(session.seed()).array();
       }
@@ -121,6 +125,12 @@ public final class Server {
       default -> throw new IllegalArgumentException("no message begins with '" + letter + "'");
     }
     return new byte[0];
+  }
+
+  private static byte[] remaining(ByteBuffer message) {
+    byte[] bytes = new byte[message.remaining()];
+    message.get(bytes);
+    return bytes;
   }
 
   private ByteBuffer map(int bytes) {

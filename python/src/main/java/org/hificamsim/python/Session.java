@@ -37,6 +37,9 @@ public final class Session implements AutoCloseable {
     long seed = request.asked().seed();
     settings = request.worldSettings(catalogue);
     worlds = new Worlds(settings, request.own().worlds(), request.own().threads(), seed, memory);
+    if (request.own().saves()) {
+      worlds.keepHistories();
+    }
     for (int i = 0; request.own().paints() && i < request.own().worlds(); i++) {
       int world = i;
       painters.add(new EpisodePainter(() -> setup(worlds.seed(world)), settings.detection()));
@@ -82,6 +85,16 @@ public final class Session implements AutoCloseable {
   /** Writes the states of all worlds. */
   public void state() {
     worlds.writeStates();
+  }
+
+  /** Saves all worlds. */
+  public byte[] save() {
+    return worlds.save();
+  }
+
+  /** Continues from what {@link #save} returned. */
+  public void restore(byte[] state) {
+    worlds.restore(state);
   }
 
   /** The seed of the current episode of the first world. */

@@ -48,7 +48,9 @@ public record Block(List<Section> sections) {
     builder.add("observations", "f4", cameras, size);
     builder.add("finals", "f4", cameras, size);
     builder.add("rewards", "f4", cameras);
-    builder.add("masks", "u1", cameras, Masks.width(first.network(), settings.actions()));
+    int maskWidth = Masks.width(first.network(), settings.actions());
+    builder.add("masks", "u1", cameras, maskWidth);
+    builder.add("final_masks", "u1", cameras, maskWidth);
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
     builder.add("advice", "i4", cameras);

@@ -1,5 +1,6 @@
 package org.hificamsim.worlds;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.observation.CameraObserver;
@@ -38,6 +39,10 @@ final class OneWorld implements StepListener {
   private final float[] measures = new float[MEASURES];
   private final int[] actions;
   private StepListener listener = (network, coverage) -> {};
+
+  /** The actions of the current episode; null if they are not kept. */
+  private EpisodeHistory history;
+
   private Simulation simulation;
   private CameraObserver observer;
 
@@ -45,27 +50,36 @@ final class OneWorld implements StepListener {
   private CameraObserver sharedObserver;
 
   private Masks masks;
+  private final long createdWith;
   private long seed;
   private long episode;
   private int step;
 
   /**
+   * Creates a world; all but the first begin their first episode with their first reset.
+   *
    * @param first the first world; null if this is the first
    */
   OneWorld(WorldSettings settings, long seed, OneWorld first) {
     this.settings = settings;
     sharedObserver = first == null ? null : first.sharedObserver;
-    world = first == null || isDrawn() ? settings.world(seed) : first.world.another(seed);
+    if (first == null) {
+      world = settings.world(seed);
+    } else if (!isDrawn()) {
+      world = first.world.another(seed);
+    }
     policy = new PlayedPolicy(settings.actions(), settings.expert());
     driver =
         settings.expert() == null ? policy : OraclePolicy.wrapping(settings.expert().get(), policy);
     reward = settings.reward().get();
-    int cameras = world.cameras().count();
+    int cameras = first == null ? world.cameras().count() : first.rewards.length;
     rewards = new float[cameras];
     actions = new int[cameras * settings.actions().numbers()];
-    reset(seed);
-    sharedObserver = first == null && !isDrawn() ? observer : sharedObserver;
-    masks = new Masks(network(), settings.actions());
+    createdWith = seed;
+    if (first == null) {
+      reset(seed);
+      sharedObserver = isDrawn() ? null : observer;
+    }
   }
 
   /** Begins the first episode with a seed. */
@@ -85,15 +99,21 @@ final class OneWorld implements StepListener {
     long episodeSeed = episodeSeed(seed, episode);
     if (isDrawn()) {
       world = settings.world(episodeSeed);
-    } else {
+    } else if (simulation != null || episodeSeed != createdWith) {
       world.restart(episodeSeed);
     }
     reward.begin();
+    if (history != null) {
+      history.clear();
+    }
     simulation =
         new Simulation(world, settings.detection(), driver, episodeSeed, List.of(this, listener));
     step = 0;
     simulation.phases().runUntil(StepPhase.DECIDE);
     observer = observer();
+    if (masks == null) {
+      masks = new Masks(network(), settings.actions());
+    }
   }
 
   private boolean isDrawn() {
@@ -124,6 +144,9 @@ final class OneWorld implements StepListener {
 
   /** Carries out {@link #actions}, and runs up to the next decision. */
   void step() {
+    if (history != null) {
+      history.add(actions);
+    }
     policy.play(actions);
     simulation.phases().finishStep();
     simulation.phases().runUntil(StepPhase.DECIDE);
@@ -151,6 +174,38 @@ final class OneWorld implements StepListener {
   /** Adds a listener to the episodes that begin from now on. */
   void listen(StepListener newListener) {
     listener = newListener;
+  }
+
+  /** Keeps the actions of episodes from now on; to be called at the start of an episode. */
+  void keepHistory() {
+    history = new EpisodeHistory();
+  }
+
+  boolean keepsHistory() {
+    return history != null;
+  }
+
+  /** The number of bytes that {@link #save} writes. */
+  int savedBytes() {
+    return 2 * Long.BYTES + history.bytes();
+  }
+
+  /** Writes the seeds and the history of the episode. */
+  void save(ByteBuffer out) {
+    out.putLong(seed).putLong(episode);
+    history.writeTo(out);
+  }
+
+  /**
+   * Begins a saved episode.
+   *
+   * @return the actions that lead from its start to the saved step, one step after the other
+   */
+  short[] beginSaved(ByteBuffer saved) {
+    seed = saved.getLong();
+    episode = saved.getLong();
+    begin();
+    return EpisodeHistory.read(saved);
   }
 
   /** Returns whether the episode is over. */

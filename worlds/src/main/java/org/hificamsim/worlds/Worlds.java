@@ -1,5 +1,8 @@
 package org.hificamsim.worlds;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
+import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -32,6 +35,7 @@ public final class Worlds implements AutoCloseable {
   private final FloatBuffer finals;
   private final FloatBuffer rewards;
   private final ByteBuffer masks;
+  private final ByteBuffer finalMasks;
   private final ByteBuffer ends;
   private final FloatBuffer measures;
   private final FloatBuffer states;
@@ -104,6 +108,7 @@ public final class Worlds implements AutoCloseable {
     finals = block.slice(memory, "finals").asFloatBuffer();
     rewards = block.slice(memory, "rewards").asFloatBuffer();
     masks = block.slice(memory, "masks");
+    finalMasks = block.slice(memory, "final_masks");
     ends = block.slice(memory, "ends");
     measures = block.slice(memory, "measures").asFloatBuffer();
     advice = block.slice(memory, "advice").asIntBuffer();
@@ -209,6 +214,7 @@ public final class Worlds implements AutoCloseable {
     ends.put(i, (byte) (world.isOver() ? 1 : 0));
     if (world.isOver() && settings.autoReset() == AutoReset.SAME_STEP) {
       observe(i, finals, worker);
+      writeMasks(i, finalMasks);
       world.next();
     }
     observe(i, observations, worker);
@@ -237,9 +243,13 @@ public final class Worlds implements AutoCloseable {
   }
 
   private void writeMasks(int i) {
-    byte[] worldMasks = worlds[i].masks();
-    masks.put(i * worldMasks.length, worldMasks);
+    writeMasks(i, masks);
     maskedRevision[i] = worlds[i].network().revision();
+  }
+
+  private void writeMasks(int i, ByteBuffer into) {
+    byte[] worldMasks = worlds[i].masks();
+    into.put(i * worldMasks.length, worldMasks);
   }
 
   private void checkActions() {
@@ -283,6 +293,75 @@ public final class Worlds implements AutoCloseable {
     observations.get(i * observationsByWorker[worker].length, observationsByWorker[worker]);
     worlds[i].writeState(observationsByWorker[worker], stateByWorker[worker]);
     states.put(i * stateByWorker[worker].length, stateByWorker[worker]);
+  }
+
+  /**
+   * Keeps the actions of episodes, so that worlds can be saved; to be called before the first step.
+   * They take 2 bytes for each number of an action.
+   */
+  public void keepHistories() {
+    for (OneWorld world : worlds) {
+      world.keepHistory();
+    }
+  }
+
+  /**
+   * Returns the shared memory and the episode of every world, so that {@link #restore} can continue
+   * from here.
+   *
+   * @throws InputException if histories are not kept
+   */
+  public byte[] save() {
+    requireHistories();
+    int bytes = Arrays.stream(worlds).mapToInt(OneWorld::savedBytes).reduce(0, Math::addExact);
+    ByteBuffer saved = ByteBuffer.allocate(Math.addExact(bytes, memory.capacity()));
+    memory.get(0, saved.array(), 0, memory.capacity());
+    saved.position(memory.capacity());
+    for (OneWorld world : worlds) {
+      world.save(saved);
+    }
+    return saved.array();
+  }
+
+  /**
+   * Continues from a saved state. Replays the episodes, so it takes as long as the steps of the
+   * saved episodes did.
+   *
+   * @throws InputException if the state is damaged or of other worlds, or histories are not kept;
+   *     in the first case the worlds have to be reset
+   */
+  public void restore(byte[] state) {
+    requireHistories();
+    try {
+      ByteBuffer saved = ByteBuffer.wrap(state);
+      saved.position(memory.capacity());
+      for (int i = 0; i < worlds.length; i++) {
+        replay(i, worlds[i].beginSaved(saved));
+      }
+    } catch (BufferUnderflowException | IllegalArgumentException | IndexOutOfBoundsException e) {
+      throw new InputException("the state is damaged or of other worlds", e);
+    }
+    memory.put(0, state, 0, memory.capacity());
+  }
+
+  private void requireHistories() {
+    if (!worlds[0].keepsHistory()) {
+      throw InputException.of("expected %s to save a state", setting("saves"));
+    }
+  }
+
+  private void replay(int i, short[] history) {
+    OneWorld world = worlds[i];
+    int[] ofStep = world.actions();
+    observe(i, observations, 0);
+    for (int from = 0; from < history.length; from += ofStep.length) {
+      for (int number = 0; number < ofStep.length; number++) {
+        ofStep[number] = history[from + number];
+      }
+      world.step();
+      observe(i, observations, 0);
+    }
+    writeMasks(i);
   }
 
   /** Stops the threads. */

@@ -23,7 +23,12 @@ public final class SightLines {
   private final boolean partial;
   private int revision = -1;
 
-  SightLines(Obstacles obstacles, Scenario scenario, Cameras cameras, Targets targets) {
+  /**
+   * @param shared the sight lines of another world of the scenario, whose regions are used where
+   *     cameras have the same position; null for none
+   */
+  SightLines(
+      Obstacles obstacles, Scenario scenario, Cameras cameras, Targets targets, SightLines shared) {
     this.obstacles = obstacles;
     this.map = scenario.find(Scenario.MAP).map(Obstacles::new).orElse(obstacles);
     this.scenario = scenario;
@@ -31,7 +36,10 @@ public final class SightLines {
     this.byTargets = scenario.occlusion() == Occlusion.TARGETS;
     this.cameras = cameras;
     this.targets = targets;
-    this.regions = new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()];
+    this.regions =
+        shared == null
+            ? new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()]
+            : shared.regions.clone();
     this.partial = obstacles.all().stream().anyMatch(obstacle -> obstacle.transmittance() > 0);
     refresh();
   }

@@ -36,10 +36,11 @@ public final class World {
    * @throws InputException if a target names a movement that is not registered
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
-    this(Participants.of(scenario), registry, seed);
+    this(Participants.of(scenario), registry, seed, null);
   }
 
-  private World(Participants participants, Registry<Movement> registry, long seed) {
+  private World(
+      Participants participants, Registry<Movement> registry, long seed, SightLines shared) {
     this.participants = participants;
     this.registry = registry;
     this.random = new RandomStreams(seed);
@@ -50,7 +51,7 @@ public final class World {
     targets = new Targets(scenario.field(), obstacles, scenario.order(), count);
     movements = new Movement[count];
     start();
-    sightLines = new SightLines(obstacles, scenario, cameras, targets);
+    sightLines = new SightLines(obstacles, scenario, cameras, targets, shared);
   }
 
   /**
@@ -58,7 +59,7 @@ public final class World {
    * may run in different threads.
    */
   public World another(long seed) {
-    return new World(participants, registry, seed);
+    return new World(participants, registry, seed, sightLines);
   }
 
   /** Defines all cameras and targets, and adds those of the start. */
