@@ -9,7 +9,8 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from .errors import Closed, Error, InputError, JavaError, WorkerDied
+from .errors import Closed, Error, InputError, InUse, JavaError, NoEpisode, WorkerDied
+from .remade import State
 from .worlds import Worlds, scenarios, tasks
 
 if TYPE_CHECKING:
@@ -49,8 +50,11 @@ _LATER = {
 __all__ = [
     "Closed",
     "Error",
+    "InUse",
     "InputError",
     "JavaError",
+    "NoEpisode",
+    "State",
     "WorkerDied",
     "Worlds",
     "scenarios",

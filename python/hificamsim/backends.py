@@ -12,15 +12,16 @@ import shutil
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
 import threading
 import weakref
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import FrameType
-from typing import Any, Protocol
+from typing import IO, Any, Protocol
 
 from . import java
-from .errors import Closed, Error, InputError, JavaError, WorkerDied, line, shown
+from .errors import Closed, Error, InputError, InUse, JavaError, WorkerDied, line, shown
 
 
 class Backend(Protocol):
@@ -35,6 +36,10 @@ class Backend(Protocol):
 
     def state(self) -> None: ...
 
+    def save(self) -> bytes: ...
+
+    def restore(self, state: bytes) -> None: ...
+
     def seed(self) -> int: ...
 
     def picture(self, world: int, width: int) -> bytes: ...
@@ -43,10 +48,12 @@ class Backend(Protocol):
 
 
 def open_backend(name: str | None, settings: dict[str, Any]) -> Backend:
-    """Opens worlds by ``jvm``, ``process``, or the first of these that there is."""
+    """Opens worlds by ``jvm``, ``process``, or the first of these that there is; a forked process cannot use its
+    parent's JVM.
+    """
     if name is None:
-        name = "jvm" if _has_jpype() else "process"
-    backends = {"jvm": JvmBackend, "process": ProcessBackend}
+        name = "jvm" if _has_jpype() and not _Jvm.is_parents() else "process"
+    backends: dict[str, Callable[[dict[str, Any]], Backend]] = {"jvm": JvmBackend, "process": ProcessBackend}
     if isinstance(name, str) and name in backends:
         return backends[name](settings)
     raise InputError(f"backend is {shown(name)}, expected 'jvm' or 'process'")
@@ -84,34 +91,87 @@ class _Jvm:
             for jar in java.class_path():
                 jpype.addClassPath(jar)
         else:
-            # -Xrs: all signals stay Python's; without it Java, or with interrupt=False JPype, takes INT and TERM
-            options = ["-Xrs", *java.options()]
-            jpype.startJVM(java.library(), *options, classpath=java.class_path(), interrupt=True)
+            cls._start_jvm(jpype)
         cls.process = os.getpid()
         if hasattr(os, "register_at_fork"):
-            os.register_at_fork(after_in_child=_leave_jvm)
+            _Fork.register()
+
+    @staticmethod
+    def _start_jvm(jpype: Any) -> None:
+        """Starts the JVM in a thread of its own, which detaches from it: the process waits at its end for the thread
+        that started the JVM, and a user's thread may have ended by then without detaching.
+        """
+        # -Xrs: all signals stay Python's; without it Java, or with interrupt=False JPype, takes INT and TERM
+        options = ["-Xrs", *java.options()]
+        library, class_path = java.library(), java.class_path()
+        faults: list[Exception] = []
+
+        def start() -> None:
+            try:
+                jpype.startJVM(library, *options, classpath=class_path, interrupt=True)
+                jpype.java.lang.Thread.detach()
+            except Exception as fault:
+                faults.append(fault)
+
+        starter = threading.Thread(target=start, name="start of the JVM")
+        starter.start()
+        starter.join()
+        if faults:
+            raise JavaError(f"Java does not start: {line(str(faults[0]))}{java.given_options()}") from faults[0]
+
+    @classmethod
+    def is_parents(cls) -> bool:
+        """Whether the JVM was started before this process was forked."""
+        return cls.process is not None and cls.process != os.getpid()
 
     @classmethod
     def check(cls) -> None:
-        if cls.process is not None and cls.process != os.getpid():
+        if cls.is_parents():
             raise JavaError(
                 f"the JVM was started in process {cls.process} before this one was forked from it:"
                 " use backend='process', or multiprocessing's 'spawn'"
             )
 
 
-def _leave_jvm() -> None:
+class _Fork:
     """In a forked process the JVM has no threads: a call to it never returns, so nobody may call it.
 
-    JPype calls it whenever Python collects garbage, and when the process ends.
+    JPype calls it whenever Python collects garbage, and when the process ends. So no garbage is collected from before
+    the fork until the child has left the JVM.
     """
-    import jpype
 
-    gc.callbacks[:] = [one for one in gc.callbacks if getattr(one, "__module__", "") != "_jpype"]
-    gc.freeze()
-    terminate = getattr(jpype._core, "_JTerminate", None)
-    if terminate is not None:
-        atexit.unregister(terminate)
+    collects = True
+
+    @classmethod
+    def register(cls) -> None:
+        os.register_at_fork(before=cls._pause, after_in_parent=cls._go_on, after_in_child=cls._leave_jvm)
+
+    @classmethod
+    def _pause(cls) -> None:
+        cls.collects = gc.isenabled()
+        gc.disable()
+
+    @classmethod
+    def _go_on(cls) -> None:
+        if cls.collects:
+            gc.enable()
+
+    @classmethod
+    def _leave_jvm(cls) -> None:
+        import jpype
+
+        gc.callbacks[:] = [callback for callback in gc.callbacks if getattr(callback, "__module__", "") != "_jpype"]
+        gc.freeze()
+        terminate = getattr(jpype._core, "_JTerminate", None)
+        if terminate is not None:
+            atexit.unregister(terminate)
+        cls._go_on()
+
+
+def _enter(busy: threading.Lock) -> None:
+    """Lets one thread at a time into an environment; the simulator is not thread-safe."""
+    if not busy.acquire(blocking=False):
+        raise InUse("another thread is in a call of this environment, expected one environment for each thread")
 
 
 class JvmBackend:
@@ -122,6 +182,7 @@ class JvmBackend:
         import jpype
 
         self._fault = jpype.JException
+        self._busy = threading.Lock()
         self._session = self._call(session_class.open, json.dumps(settings))
         self.description = json.loads(str(self._session.description()))
         self.memory = memoryview(self._session.memory())
@@ -129,11 +190,14 @@ class JvmBackend:
         self._closer.atexit = False  # the JVM may be gone by then
 
     def _call(self, method: Any, *arguments: Any) -> Any:
+        _enter(self._busy)
         try:
             return method(*arguments)
         except self._fault as e:
             message = _Jvm.start().message(e)
             raise _translated(str(e.getClass().getName()), str(message), e) from None
+        finally:
+            self._busy.release()
 
     def _open(self) -> Any:
         _Jvm.check()
@@ -150,6 +214,12 @@ class JvmBackend:
     def state(self) -> None:
         self._call(self._open().state)
 
+    def save(self) -> bytes:
+        return bytes(self._call(self._open().save))
+
+    def restore(self, state: bytes) -> None:
+        self._call(self._open().restore, state)
+
     def seed(self) -> int:
         return int(self._open().seed())
 
@@ -159,7 +229,7 @@ class JvmBackend:
     def close(self) -> None:
         """Ends the worlds. The JVM stays: it cannot be started twice in a process."""
         if self._session is not None and _Jvm.process == os.getpid():
-            self._closer()
+            self._call(self._closer)
         self._session = None
 
 
@@ -175,6 +245,7 @@ class ProcessBackend:
 
     def __init__(self, settings: dict[str, Any]) -> None:
         self._process = os.getpid()
+        self._busy = threading.Lock()
         self._errors = tempfile.TemporaryFile()
         folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
         descriptor, file = tempfile.mkstemp(prefix="hificamsim-", dir=folder)
@@ -185,9 +256,10 @@ class ProcessBackend:
             os.unlink(file)  # who inherits it can open it: nothing is left even if this process is killed now
         try:
             self._worker = self._start(inherited if nameless else file, room, descriptor)
-            self._closer = weakref.finalize(self, _end, self._worker, self._process)
-            self.description = json.loads(self._ask(b"o", json.dumps(settings).encode()))
-            self.memory = memoryview(mmap.mmap(descriptor, self.description["bytes"]))
+            self._closer = weakref.finalize(self, _end, self._worker, self._errors, self._process)
+            self.description = json.loads(self._opened(settings))
+            untracked: dict[str, Any] = {"trackfd": False} if sys.version_info >= (3, 13) else {}
+            self.memory = memoryview(mmap.mmap(descriptor, self.description["bytes"], **untracked))
         except BaseException:
             self.close()
             raise
@@ -208,10 +280,20 @@ class ProcessBackend:
             start_new_session=True,  # Ctrl-C is for Python alone
         )
 
+    def _opened(self, settings: dict[str, Any]) -> bytes:
+        try:
+            return self._ask(b"o", json.dumps(settings).encode())
+        except WorkerDied as fault:
+            raise JavaError(f"Java does not start: {line(str(fault))}{java.given_options()}") from fault
+
     def _ask(self, letter: bytes, message: bytes = b"") -> bytes:
         self._check()
-        with _whole():
-            kind, answer = self._exchange(letter, message)
+        _enter(self._busy)
+        try:
+            with _whole():
+                kind, answer = self._exchange(letter, message)
+        finally:
+            self._busy.release()
         if kind == b"k":
             return answer
         text = answer.decode(errors="replace")
@@ -251,10 +333,13 @@ class ProcessBackend:
             raise Closed("the environment was closed, expected a new one")
 
     def _died(self) -> WorkerDied:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._worker.wait(timeout=5)
+        said = self._said()
         self.close()
         code = self._worker.returncode
         how = signal.Signals(-code).name if code is not None and code < 0 else f"code {code}"
-        return WorkerDied(f"the environment's Java process ended ({how}), make a new one\n{self._said()}".strip())
+        return WorkerDied(f"the environment's Java process ended ({how}), make a new one\n{said}".strip())
 
     def _said(self) -> str:
         self._errors.seek(0)
@@ -269,6 +354,12 @@ class ProcessBackend:
     def state(self) -> None:
         self._ask(b"t")
 
+    def save(self) -> bytes:
+        return self._ask(b"v")
+
+    def restore(self, state: bytes) -> None:
+        self._ask(b"w", state)
+
     def seed(self) -> int:
         return int(struct.unpack(">q", self._ask(b"n"))[0])
 
@@ -279,6 +370,7 @@ class ProcessBackend:
         """Ends the worlds and their process."""
         if self._process == os.getpid() and hasattr(self, "_closer"):
             self._closer()
+        self.memory = memoryview(b"")
 
 
 @contextlib.contextmanager
@@ -304,13 +396,13 @@ def _whole() -> Iterator[None]:
         before(signal.SIGINT, waiting[0])
 
 
-def _end(worker: subprocess.Popen[bytes], process: int) -> None:
+def _end(worker: subprocess.Popen[bytes], errors: IO[bytes], process: int) -> None:
     """The worker ends with its input; one that does not is killed."""
     if process != os.getpid():
         return
-    for pipe in (worker.stdin, worker.stdout):
-        assert pipe is not None
-        pipe.close()
+    for file in (worker.stdin, worker.stdout, errors):
+        assert file is not None
+        file.close()
     try:
         worker.wait(timeout=5)
     except subprocess.TimeoutExpired:

@@ -55,7 +55,7 @@ def benchmark(
 
 def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]) -> Array:
     scores = []
-    with Worlds(task, 1, auto_reset=False, **settings) as worlds:
+    with Worlds(task, 1, auto_reset=False, testing=True, **settings) as worlds:
         counts = spaces.counts(spaces.joint_action(worlds)).reshape(worlds.actions.shape[1:])
         for seed in TESTING:
             worlds.reset(seed)
@@ -63,7 +63,7 @@ def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]
                 policy.begin()
             episode, score = [], 0.0
             for _ in range(worlds.episode_steps):
-                actions = np.asarray(policy(worlds.observations[0], worlds.masks[0])).reshape(counts.shape)
+                actions = np.asarray(policy(worlds.observations[0].copy(), worlds.masks[0].copy())).reshape(counts.shape)
                 worlds.actions[0] = spaces.told(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
                 worlds.step()
                 episode.append(worlds.actions.astype("<i4").tobytes())

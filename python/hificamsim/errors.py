@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import os
 from typing import Any
@@ -24,6 +25,14 @@ class JavaError(Error, RuntimeError):
 
 class WorkerDied(Error, RuntimeError):
     """The Java process of an environment ended, or was killed."""
+
+
+class NoEpisode(Error, RuntimeError):
+    """A step before the first reset, or after the end of an episode."""
+
+
+class InUse(Error, RuntimeError):
+    """Another thread is in a call of the environment."""
 
 
 class Closed(Error, RuntimeError):
@@ -68,6 +77,6 @@ def plain(value: Any, what: str) -> object:
     """A setting as JSON has it; NumPy's numbers are numbers."""
     if hasattr(value, "item") and getattr(value, "shape", None) == ():
         value = value.item()
-    if not isinstance(value, (str, int, float)):
+    if not isinstance(value, (str, int, float)) or (isinstance(value, float) and not math.isfinite(value)):
         raise InputError(f"{what} is {shown(value)}, expected a number, a text, True or False")
     return value

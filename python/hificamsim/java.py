@@ -70,6 +70,12 @@ def options() -> list[str]:
     return own + os.environ.get("HIFICAMSIM_OPTS", "").split()
 
 
+def given_options() -> str:
+    """What HIFICAMSIM_OPTS has, for a message; empty if it has nothing."""
+    given = os.environ.get("HIFICAMSIM_OPTS")
+    return f" (HIFICAMSIM_OPTS is {given!r})" if given else ""
+
+
 def _program(base: pathlib.Path) -> pathlib.Path:
     return base / "bin" / ("java.exe" if sys.platform == "win32" else "java")
 

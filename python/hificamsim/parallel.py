@@ -8,21 +8,26 @@ import tempfile
 from typing import Any
 
 import numpy as np
+from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from . import spaces
-from .errors import InputError, shown
+from .errors import InputError, NoEpisode, shown
+from .remade import Remade, State
 from .screen import Screen
 from .worlds import MEASURES, Array, rendered
 
 
-class CameraEnv(ParallelEnv):  # type: ignore[misc]
+class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     """A network of cameras as a PettingZoo environment; the agents are the cameras, by name.
 
     All end together, after ``steps``: nothing is terminated, all are truncated. A camera that an event switches
     off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
     it may do; what it forbids leaves the camera as it is. An action is an int from 0 on, or two with
-    ``actions="steps"``, or two rates in [-1, 1], without a mask, with ``actions="rates"``; every camera needs one. ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
+    ``actions="steps"``, or two rates in [-1, 1], without a mask, with ``actions="rates"``; every camera needs one.
+    ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
+
+    :param max_cycles: ``steps`` as PettingZoo's environments name it
     """
 
     metadata: dict[str, Any] = {
@@ -38,8 +43,13 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         *,
         render_mode: str | None = None,
         width: int = 800,
+        max_cycles: int | None = None,
         **settings: Any,
     ) -> None:
+        if max_cycles is not None:
+            if "steps" in settings:
+                raise InputError(f"max_cycles is {shown(max_cycles)} beside steps, expected one of them")
+            settings["steps"] = max_cycles
         modes = self.metadata["render_modes"]
         self.worlds = rendered(scenario, render_mode, modes, settings, num_envs=1, auto_reset=False)
         self.render_mode = render_mode
@@ -55,7 +65,8 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         self.state_space = spaces.state(self.worlds)
         self._false = dict.fromkeys(self.possible_agents, False)
         self._true = dict.fromkeys(self.possible_agents, True)
-        self._episode: list[bytes] = []
+        #: For wrappers that draw, such as SuperSuit's.
+        self.np_random, _ = seeding.np_random()
 
     def observation_space(self, agent: str) -> Any:
         return self.observation_spaces[agent]
@@ -69,7 +80,8 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         """Begins an episode: of this seed, or the next one."""
         self.worlds.begin(seed)
         self.agents = self.possible_agents[:]
-        self._episode.clear()
+        if seed is not None:
+            self.np_random, _ = seeding.np_random(int(seed) % 2**64)
         return self._observations(), self._infos()
 
     def step(
@@ -79,12 +91,11 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
     ]:
         """Every camera acts, and a step goes by."""
         if not self.agents:
-            return {}, {}, {}, {}, {}
+            raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
         worlds = self.worlds
-        told = spaces.told(self._listed(actions), self._counts, self._whose)
+        told = spaces.told(self._listed(actions), self._counts, self._whose, worlds.least_action)
         worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()
-        self._episode.append(worlds.actions.tobytes())
         rewards = dict(zip(self.agents, worlds.rewards[0].tolist()))
         over = bool(worlds.ends[0])
         truncations = (self._true if over else self._false).copy()
@@ -129,6 +140,17 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         """All there is to know of the world, float32 in [-1, 1]."""
         return np.array(self.worlds.state()[0])
 
+    def save(self) -> State:
+        """The environment at this moment, with its random streams."""
+        return self.worlds.save((bool(self.agents), self.np_random.bit_generator.state))
+
+    def restore(self, state: State) -> tuple[dict[str, Array], dict[str, dict[str, Any]]]:
+        """Goes on from a state; returns observations and infos as they were."""
+        self.worlds.restore(state)
+        playing, self.np_random.bit_generator.state = state.own
+        self.agents = self.possible_agents[:] if playing else []
+        return self._observations(), self._infos()
+
     def render(self) -> Array | None:
         """The last step as a picture, uint8 (height, width, 3), or in a window; as ``render_mode`` says."""
         if self.render_mode is None:
@@ -143,15 +165,17 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         """Writes the episode so far into a folder, as ``run --record`` does, and returns its page."""
         from .results import record
 
-        if not self._episode:
+        played = self.worlds.played()
+        if not len(played):
             raise InputError("the episode has no step yet, expected one or more")
         with tempfile.TemporaryDirectory() as scratch:
             file = pathlib.Path(scratch, "actions")
-            file.write_bytes(np.frombuffer(b"".join(self._episode), np.int32).astype("<i4").tobytes())
-            return record(self.worlds, file, len(self._episode), folder)
+            file.write_bytes(played.astype("<i4").tobytes())
+            return record(self.worlds, file, len(played), folder)
 
     def close(self) -> None:
         """Ends the environment."""
+        self.agents = []
         if self._screen is not None:
             self._screen.close()
         self.worlds.close()

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from stable_baselines3.common.vec_env import VecEnv
 
+from .remade import Remade
 from .vector import CameraVectorEnv
 
 
-class CameraVecEnv(VecEnv):  # type: ignore[misc]
+class CameraVecEnv(Remade, VecEnv):  # type: ignore[misc]
     """As ``CameraVectorEnv`` with ``per="camera"``, in the shape that Stable-Baselines3 asks for.
 
     ``env_method("action_masks")`` gives MaskablePPO its masks.

@@ -53,10 +53,11 @@ def counts(of: gymnasium.spaces.Space[Any]) -> Array:
     return np.asarray(n, np.uint64)  # as which a negative action is a large one
 
 
-def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) -> Array:
-    """Actions of the shape of ``counts``, each a whole number from 0 to below its count; rates in thousandths.
+def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str], least: int = 0) -> Array:
+    """Actions of the shape of ``counts``, each a whole number from ``least`` to below its count; rates in thousandths.
 
     :param name: says whose the action at an index is
+    :param least: 0 or -1, see ``Worlds.least_action``
     """
     try:
         values = np.asarray(actions)
@@ -67,17 +68,23 @@ def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) ->
     rated = counts.dtype.kind == "f"
     if rated and values.dtype.kind in "fiu" and ((values >= -1) & (values <= 1)).all():
         return np.rint(RATE * (values.astype(np.float64) + 1)).astype(np.int32)
-    if not rated and values.dtype.kind in "iu" and not np.count_nonzero(values.astype(np.uint64) >= counts):
+    if not rated and values.dtype.kind in "iu" and not np.count_nonzero(_from(values, least) >= _from(counts, least)):
         return values
     for index, value in np.ndenumerate(np.asarray(actions, object)):
         number = isinstance(value, (int, np.integer, *((float, np.floating) if rated else ())))
-        least, last = (-1, 1) if rated else (0, int(counts[index]) - 1)
-        if not number or isinstance(value, bool) or not least <= value <= last:
+        first, last = (-1, 1) if rated else (least, int(counts[index]) - 1)
+        if not number or isinstance(value, bool) or not first <= value <= last:
             said = value if isinstance(value, (int, float, np.number)) else shown(value)
             raise InputError(
-                f"action {said} of {name(index)}, expected a {'rate' if rated else 'whole number'} from {least} to {last}"
+                f"action {said} of {name(index)}, expected a {'rate' if rated else 'whole number'} from {first} to {last}"
             )
     raise InputError(f"actions are of type {values.dtype}, expected {'rates' if rated else 'whole numbers'}")
+
+
+def _from(values: Array, least: int) -> Array:
+    """Values counted from ``least`` on, unsigned, so that a lower one is a large number."""
+    unsigned = values.astype(np.uint64, copy=False)
+    return unsigned if least == 0 else unsigned + np.uint64(-least)
 
 
 def mask(worlds: Worlds, camera: int, of: Array) -> Array | tuple[Array, ...]:

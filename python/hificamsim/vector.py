@@ -12,11 +12,12 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from . import spaces
-from .errors import InputError, shown, whole
+from .errors import InputError, NoEpisode, shown, whole
+from .remade import Remade, State
 from .worlds import MEASURES, Array, rendered
 
 
-class CameraVectorEnv(VectorEnv[Any, Any, Any]):
+class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
     """Many networks side by side, for one policy.
 
     :param num_envs: how many networks
@@ -36,7 +37,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
     - actions: (B, C x A), and (B x C,) or (B x C, 2); float32 in [-1, 1] with ``actions="rates"``
     - rewards: (B,), and (B x C,)
     - ``infos``: ``action_mask``, (B, C x M) and (B x C, M), but for rates; ``coverage``, ``k_min`` and ``score`` of each environment;
-      ``final_obs`` with ``_final_obs`` where episodes ended
+      where episodes ended ``final_obs`` and ``final_info``, with ``_final_obs`` and ``_final_info``
     """
 
     metadata: dict[str, Any] = {
@@ -81,11 +82,16 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
             self.single_action_space = spaces.joint_action(self.worlds)
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
+        self._take_arrays()
+        self._counts = np.broadcast_to(spaces.counts(self.single_action_space), self.action_space.shape)
+        self._never = np.zeros(self.num_envs, np.bool_)
+        self._begun = False
+
+    def _take_arrays(self) -> None:
         self._observations = self.worlds.observations.reshape(self.observation_space.shape)
         self._finals = self.worlds.finals.reshape(self.observation_space.shape)
         self._masks = self.worlds.masks.reshape(self.num_envs, -1)
-        self._counts = np.broadcast_to(spaces.counts(self.single_action_space), self.action_space.shape)
-        self._never = np.zeros(self.num_envs, np.bool_)
+        self._final_masks = self.worlds.final_masks.reshape(self.num_envs, -1)
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
@@ -105,12 +111,15 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
                 if of_worlds[i]:
                     own = seeds[i] if listed or seed is None else whole(seed, "seed") + i
                     self.worlds.reset_world(i, own)
+        self._begun = True
         return self._own(self._observations), self._infos()
 
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
         """Every network goes on by a step."""
         worlds = self.worlds
-        told = spaces.told(actions, self._counts, self._whose)
+        if not self._begun:
+            raise NoEpisode("the environments have no episode yet: expected reset()")
+        told = spaces.told(actions, self._counts, self._whose, worlds.least_action)
         worlds.actions[...] = told.reshape(worlds.actions.shape)
         worlds.step()
         ends = self._spread(worlds.ends).astype(np.bool_)
@@ -149,7 +158,10 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         return np.repeat(of_worlds, self._each) if self.per == "camera" else of_worlds
 
     def _infos(self) -> dict[str, Any]:
-        infos: dict[str, Any] = {} if self.worlds.kind == "rates" else {"action_mask": self._own(self._masks)}
+        return self._measured(self._masks)
+
+    def _measured(self, masks: Array) -> dict[str, Any]:
+        infos: dict[str, Any] = {} if self.worlds.kind == "rates" else {"action_mask": self._own(masks)}
         for name, values in zip(MEASURES, self.worlds.measures.T):
             infos[name] = self._own(self._spread(values))
         return infos
@@ -160,8 +172,19 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
             finals[i] = self._finals[i].copy()
         infos["final_obs"] = finals
         infos["_final_obs"] = ends
-        infos["final_info"] = {}
+        final_info = self._measured(self._final_masks)
+        infos["final_info"] = final_info | {"_" + name: ends for name in final_info}
         infos["_final_info"] = ends
+
+    def save(self) -> State:
+        """All networks at this moment, with their random streams."""
+        return self.worlds.save(self._begun)
+
+    def restore(self, state: State) -> tuple[Array, dict[str, Any]]:
+        """Goes on from a state; returns observations and infos as they were."""
+        self.worlds.restore(state)
+        self._begun = state.own
+        return self._own(self._observations), self._infos()
 
     def action_masks(self) -> Array:
         """What may be chosen, bool (num_envs, choices), as of now."""
@@ -180,9 +203,10 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
 
     def close_extras(self, **kwargs: Any) -> None:
         self.worlds.close()
+        self._take_arrays()
 
 
-class NetworkEnv(gymnasium.Env[Any, Any]):
+class NetworkEnv(Remade, gymnasium.Env[Any, Any]):
     """One network for one agent, which moves all cameras and is paid the mean of their rewards."""
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 10}
@@ -202,6 +226,7 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         self.observation_space = spaces.observation(self.worlds, len(self.worlds.cameras))
         self.action_space = spaces.joint_action(self.worlds)
         self._counts = spaces.counts(self.action_space)
+        self._playing = False
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -209,16 +234,31 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         """Begins an episode: of this seed, or the next one."""
         super().reset(seed=None if seed is None else whole(seed, "seed", least=0))
         self.worlds.begin(seed)
+        self._playing = True
         return self.worlds.observations[0].copy(), self._info()
 
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """All cameras act, and a step goes by."""
         worlds = self.worlds
-        told = spaces.told(action, self._counts, self._whose)
+        if not self._playing:
+            raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
+        told = spaces.told(action, self._counts, self._whose, worlds.least_action)
         worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()
         reward = float(worlds.rewards[0].mean())
-        return worlds.observations[0].copy(), reward, False, bool(worlds.ends[0]), self._info()
+        over = bool(worlds.ends[0])
+        self._playing = not over
+        return worlds.observations[0].copy(), reward, False, over, self._info()
+
+    def save(self) -> State:
+        """The environment at this moment, with its random streams."""
+        return self.worlds.save((self._playing, self.np_random.bit_generator.state))
+
+    def restore(self, state: State) -> tuple[Array, dict[str, Any]]:
+        """Goes on from a state; returns observations and infos as they were."""
+        self.worlds.restore(state)
+        self._playing, self.np_random.bit_generator.state = state.own
+        return self.worlds.observations[0].copy(), self._info()
 
     def _whose(self, index: tuple[int, ...]) -> str:
         return f"camera {self.worlds.cameras[index[0] // self.worlds.actions.shape[2]]}"

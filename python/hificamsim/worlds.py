@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from .backends import open_backend
 from .errors import InputError, path, plain, shown, whole
+from .remade import Remade, State
 
 Array = npt.NDArray[Any]
 
@@ -55,7 +56,7 @@ def scenario_file(scenario: str | os.PathLike[str]) -> str:
     return os.path.abspath(text)
 
 
-class Worlds:
+class Worlds(Remade):
     """``num_envs`` worlds of one scenario.
 
     World i begins with ``seed + i``: its first episode is the run of ``hificamsim run --seed``. What comes out
@@ -68,7 +69,7 @@ class Worlds:
     - ``observations`` float32 (B, C, F), see ``features``
     - ``finals`` float32 (B, C, F): the last observations of episodes that ended in this step
     - ``rewards`` float32 (B, C)
-    - ``masks`` uint8 (B, C, M): 1 for what a camera may do
+    - ``masks`` uint8 (B, C, M): 1 for what a camera may do; ``final_masks``, of ``finals``
     - ``ends`` uint8 (B,): 1 where the episode ended in this step
     - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
     - ``advice`` int32 (B, C): with an ``expert``, the view that it chose at the decision before; -1 for a camera that
@@ -88,8 +89,10 @@ class Worlds:
     - expert: a policy, as ``cooperative``, that is asked in each step what it would do: ``advice``; an action of -1
       does it
     - paints: whether ``picture`` will be asked for
+    - saves: whether ``save`` will be asked for; by default, with at most 1,000 worlds
 
     :param scenario: a name of ``scenarios()`` or ``tasks()``, or a file
+    :param testing: whether the testing seeds of a task are allowed, for those who check entries
     :param threads: that share the worlds; by default as many as there are processors, from 16 worlds on
     :param backend: jvm (in this process) or process; by default jvm where JPype is installed
     """
@@ -101,11 +104,14 @@ class Worlds:
         *,
         threads: int | None = None,
         backend: str | None = None,
+        testing: bool = False,
         **settings: Any,
     ) -> None:
         task = str(scenario) if str(scenario) in tasks() else None
         self.file = scenario_file(scenario) if task is None else str(shipped() / "benchmark.json")
-        num_envs = whole(num_envs, "num_envs")
+        self.num_envs = num_envs = whole(num_envs, "num_envs")
+        self._refused_seeds = () if testing or task is None else TESTING
+        self._check_seed(whole(settings.get("seed") or 0, "seed"), num_envs)
         if threads is None:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
         #: What was asked for, by name.
@@ -119,7 +125,6 @@ class Worlds:
         self._begun = False
         said = self._backend.description
         self.name: str = said["scenario"]
-        self.num_envs = num_envs
         self.cameras: list[str] = said["cameras"]
         self.views: list[int] = said["views"]
         self.num_targets: int = said["targets"]
@@ -129,13 +134,17 @@ class Worlds:
         self.choices: list[int] = said["choices"]
         #: What an action is.
         self.kind: str = str(self.settings.get("actions", "view"))
+        #: The least that a number of an action may be: -1, which does what the expert advises, or 0.
+        self.least_action = -1 if "expert" in self.settings and self.kind != "rates" else 0
         self.features: list[dict[str, Any]] = said["features"]
         arrays = {part["name"]: self._array(part) for part in said["sections"]}
+        self._arrays = list(arrays)
         self.actions = arrays["actions"]
         self.observations = arrays["observations"]
         self.finals = arrays["finals"]
         self.rewards = arrays["rewards"]
         self.masks = arrays["masks"]
+        self.final_masks = arrays["final_masks"]
         self.ends = arrays["ends"]
         self.measures = arrays["measures"]
         self.advice = arrays["advice"]
@@ -161,7 +170,16 @@ class Worlds:
     def reset_world(self, world: int, seed: int | None = None) -> None:
         """Begins an episode in one world, of this seed or its next one; the others stay as they are."""
         number = 0 if seed is None else whole(seed, "seed")
-        self._backend.reset(whole(world, "world", -1, self.num_envs - 1), number, seed is not None)
+        world = whole(world, "world", -1, self.num_envs - 1)
+        if seed is not None:
+            self._check_seed(number, self.num_envs if world < 0 else 1)
+        self._backend.reset(world, number, seed is not None)
+
+    def _check_seed(self, seed: int, count: int) -> None:
+        """Refuses seeds that are kept for testing."""
+        for refused in self._refused_seeds:
+            if seed <= refused < seed + count:
+                raise InputError(f"seed {refused} is for testing, expected one below {TESTING[0] - 1}")
 
     def begin(self, seed: int | None) -> None:
         """As ``reset``; but the first time, no seed means that of the settings."""
@@ -175,6 +193,30 @@ class Worlds:
         self._backend.state()
         return self.states
 
+    def save(self, own: Any = None) -> State:
+        """The state of all worlds, from which ``restore`` goes on exactly; ``own`` is kept with it."""
+        return State(self._backend.save(), self._identity(), own)
+
+    def restore(self, state: State) -> None:
+        """Goes on from a state of these worlds, or of others with the same settings."""
+        if not isinstance(state, State):
+            raise InputError(f"state is {shown(state)}, expected what save() returned")
+        state.check(self._identity())
+        self._backend.restore(state.worlds)
+        self._begun = True
+
+    def _identity(self) -> dict[str, Any]:
+        """The settings that the worlds of a state must have."""
+        asked = {name: value for name, value in self.settings.items() if name not in ("seed", "paints", "saves")}
+        return {"scenario": self.name, "num_envs": self.num_envs, **asked}
+
+    def played(self) -> Array:
+        """The actions of the first world's episode so far, int32 (steps, C, A)."""
+        data = self._backend.save()
+        at = self._backend.description["bytes"] + 16  # after the memory, and the seed and number of the episode
+        count = int.from_bytes(data[at : at + 4], "big")
+        return np.frombuffer(data, ">i2", count, at + 4).astype(np.int32).reshape(-1, *self.actions.shape[1:])
+
     def episode_seed(self) -> int:
         """The seed of the episode that the first world is in."""
         return self._backend.seed()
@@ -187,8 +229,13 @@ class Worlds:
         return picture
 
     def close(self) -> None:
-        """Ends the worlds. A JVM in this process goes on: it can be started only once."""
+        """Ends the worlds. A JVM in this process goes on: it can be started only once.
+
+        The arrays become copies, so that the shared memory is freed.
+        """
         self._backend.close()
+        for name in self._arrays:
+            setattr(self, name, getattr(self, name).copy())
 
     def __enter__(self) -> Worlds:
         return self
