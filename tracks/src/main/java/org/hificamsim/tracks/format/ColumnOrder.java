@@ -26,6 +26,9 @@ final class ColumnOrder {
    * @param ids the column, 0 or 1; the other one would be that of frames
    */
   static FormatFit fit(FileStart start, int ids) {
+    if (Double.isNaN(start.rows().get(0).value(ids))) {
+      return FormatFit.no("the first row has no number in column %s".formatted(ids + 1));
+    }
     double step = medianStep(start.rows(), ids);
     double otherStep = medianStep(start.rows(), 1 - ids);
     if (Double.isNaN(step) && !Double.isNaN(otherStep)) {

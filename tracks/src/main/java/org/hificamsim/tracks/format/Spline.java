@@ -1,0 +1,103 @@
+package org.hificamsim.tracks.format;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.Place;
+
+/**
+ * A cubic curve through control points in time, with the velocity at each point that leads from the
+ * one before to the one after (Catmull and Rom 1974, for points at unequal times). It is straight
+ * and even where the points are.
+ */
+final class Spline {
+  /** A control point. */
+  private record Control(double frame, double x, double y) {}
+
+  private final Place place;
+  private final String target;
+  private final List<Control> controls = new ArrayList<>();
+
+  /**
+   * @param place where the spline begins
+   */
+  Spline(Place place, String target) {
+    this.place = place;
+    this.target = target;
+  }
+
+  /**
+   * Adds the next control point; one at the frame of the point before is ignored.
+   *
+   * @throws org.hificamsim.core.InputException if it is at an earlier frame than the one before
+   */
+  void add(Place at, double frame, double x, double y) {
+    double last = controls.isEmpty() ? Double.NEGATIVE_INFINITY : last().frame;
+    if (frame < last) {
+      throw at.error(
+          "the frame runs backwards, from %s to %s, expected control points in order of time",
+          last, frame);
+    }
+    if (frame > last) {
+      controls.add(new Control(frame, x, y));
+    }
+  }
+
+  private Control last() {
+    return controls.get(controls.size() - 1);
+  }
+
+  /**
+   * Returns the samples at multiples of a number of frames; the first point if the spline is too
+   * short for one.
+   */
+  List<TrackSample> sampleEvery(int frames) {
+    List<TrackSample> samples = new ArrayList<>();
+    for (int i = 0; i + 1 < controls.size(); i++) {
+      double end = controls.get(i + 1).frame;
+      boolean isLast = i + 2 == controls.size();
+      for (double frame = Math.ceil(controls.get(i).frame / frames) * frames;
+          frame < end || (isLast && frame == end);
+          frame += frames) {
+        samples.add(sample(i, frame));
+      }
+    }
+    if (samples.isEmpty() && !controls.isEmpty()) {
+      Control first = controls.get(0);
+      samples.add(new TrackSample(place, target, first.frame, first.x, first.y));
+    }
+    return samples;
+  }
+
+  /** The sample between a control point and the next one: a cubic Hermite polynomial. */
+  private TrackSample sample(int i, double frame) {
+    Control from = controls.get(i);
+    Control to = controls.get(i + 1);
+    double length = to.frame - from.frame;
+    double t = (frame - from.frame) / length;
+    double ofTo = t * t * (3 - 2 * t);
+    double ofStart = t * (1 - t) * (1 - t) * length;
+    double ofEnd = t * t * (t - 1) * length;
+    return new TrackSample(
+        place,
+        target,
+        frame,
+        from.x + ofTo * (to.x - from.x) + ofStart * velocityX(i) + ofEnd * velocityX(i + 1),
+        from.y + ofTo * (to.y - from.y) + ofStart * velocityY(i) + ofEnd * velocityY(i + 1));
+  }
+
+  private double velocityX(int i) {
+    return (after(i).x - before(i).x) / (after(i).frame - before(i).frame);
+  }
+
+  private double velocityY(int i) {
+    return (after(i).y - before(i).y) / (after(i).frame - before(i).frame);
+  }
+
+  private Control before(int i) {
+    return controls.get(Math.max(0, i - 1));
+  }
+
+  private Control after(int i) {
+    return controls.get(Math.min(controls.size() - 1, i + 1));
+  }
+}
