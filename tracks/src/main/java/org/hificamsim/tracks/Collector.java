@@ -1,5 +1,7 @@
 package org.hificamsim.tracks;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -23,6 +25,8 @@ final class Collector implements SampleSink {
   private final ReadingNotes notes = new ReadingNotes();
   private final Map<String, RecordedTarget> targets = new LinkedHashMap<>();
   private Ground ground;
+  private long samples;
+  private long fractions; // samples whose tick is not a whole number
 
   private Collector(Path file, Function<Unit, Ground> groundOf) {
     this.file = file;
@@ -43,6 +47,12 @@ final class Collector implements SampleSink {
       InputException empty = choice.recording().missing("samples of targets; the file has none");
       throw choice.wrongFormat(collector.notes.leftOut().first().orElse(empty));
     }
+    if (clock.countsFrames() && 2 * collector.fractions > collector.samples) {
+      collector.doubt(
+          new Doubt(
+              "most frames are not whole numbers: they are probably seconds",
+              setting("rate", "1")));
+    }
     if (!choice.reader().hasIds() && targets.size() == 1) {
       collector.notes.addLine("ids: none, all samples are of one target");
     }
@@ -57,6 +67,7 @@ final class Collector implements SampleSink {
   @Override
   public void measuredIn(Unit unit) {
     ground = groundOf.apply(unit);
+    notes.measuredIn(unit);
   }
 
   @Override
@@ -66,6 +77,8 @@ final class Collector implements SampleSink {
       notes.addDuplicate(sample.place());
     }
     notes.leftOut().addSample();
+    samples++;
+    fractions += fileSample.tick() == Math.rint(fileSample.tick()) ? 0 : 1;
   }
 
   @Override

@@ -212,6 +212,11 @@ public final class ImportSummary {
         && (movingTargets > 1 || 2 * blockedMoves > moves);
   }
 
+  /** Finds signs that positions or times were read in another unit than they have. */
+  MotionSigns motionSigns() {
+    return new MotionSigns(MotionMeasures.of(recorded), recorded.notes().unit());
+  }
+
   /** What is odd about the files. */
   ReadingNotes notes() {
     return recorded.notes();

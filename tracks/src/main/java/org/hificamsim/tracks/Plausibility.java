@@ -20,6 +20,7 @@ public final class Plausibility {
   public static Plausibility of(ImportSummary summary, TrackedSite site) {
     Plausibility signs = new Plausibility();
     summary.notes().addTo(signs);
+    summary.motionSigns().addTo(signs);
     new WallSigns(summary, site.obstacles()).addTo(signs);
     site.blindDraft().ifPresent(signs::doubt);
     return signs;

@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.Place;
 import org.hificamsim.tracks.format.Doubt;
+import org.hificamsim.tracks.format.Unit;
 
 /** What is odd about the files of a recording. */
 final class ReadingNotes {
   private final LeftOut leftOut = new LeftOut();
   private final List<String> lines = new ArrayList<>();
   private final List<Doubt> doubts = new ArrayList<>();
+  private Unit unit = Unit.M;
   private long duplicates;
   private String firstDuplicate = "";
 
@@ -26,6 +28,7 @@ final class ReadingNotes {
   void combine(ReadingNotes other) {
     leftOut.combine(other.leftOut);
     lines.addAll(other.lines);
+    unit = other.unit;
     doubts.addAll(other.doubts);
     firstDuplicate = duplicates == 0 ? other.firstDuplicate : firstDuplicate;
     duplicates += other.duplicates;
@@ -35,6 +38,16 @@ final class ReadingNotes {
   void addTo(Plausibility signs) {
     leftOut.addTo(signs);
     doubts.forEach(doubt -> signs.fault(doubt.problem(), doubt.cure()));
+  }
+
+  /** Notes the unit of a file's positions. */
+  void measuredIn(Unit fileUnit) {
+    unit = fileUnit;
+  }
+
+  /** The unit of positions. */
+  Unit unit() {
+    return unit;
   }
 
   /** Adds a sign that a file is read in the wrong way. */

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import java.time.OffsetDateTime;
-
 /**
  * The unit of time of a format.
  *
@@ -13,14 +11,9 @@ public record Clock(double rate, boolean countsSamples) {
   /** Ticks are seconds. */
   public static final Clock SECONDS = new Clock(1, false);
 
-  /**
-   * Returns the seconds since 1970 of a time in ISO 8601.
-   *
-   * @throws java.time.DateTimeException if the text is not such a time with a zone
-   */
-  static double sinceEpoch(String text) {
-    OffsetDateTime time = OffsetDateTime.parse(text);
-    return time.toEpochSecond() + time.getNano() / 1e9;
+  /** Whether ticks are frames, which have whole numbers. */
+  public boolean countsFrames() {
+    return rate != SECONDS.rate;
   }
 
   /**

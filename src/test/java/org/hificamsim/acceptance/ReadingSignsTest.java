@@ -1,0 +1,119 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code import} acts on signs that a recording was read in another unit than it has. */
+class ReadingSignsTest {
+  private static final double WALKING = 1.3; // metres per second
+
+  @TempDir Path folder;
+  private int imports;
+
+  /** Two people who walk for 20 samples. */
+  private Path walkers(double unitsPerMetre, double timeStep) throws IOException {
+    StringBuilder text = new StringBuilder("time,id,x,y\n");
+    for (int i = 0; i < 20; i++) {
+      for (int id = 1; id <= 2; id++) {
+        double x = (10 + WALKING * i) * unitsPerMetre;
+        text.append(
+            String.format(
+                Locale.ROOT, "%s,%d,%.7f,%.7f%n", i * timeStep, id, x, id * unitsPerMetre));
+      }
+    }
+    return Files.writeString(folder.resolve("walkers.csv"), text);
+  }
+
+  private Cli imported(Path file, String options) {
+    imports++;
+    List<Object> words = new ArrayList<>(List.of("import", file, "--out", out()));
+    words.addAll(List.of(options.split(" ")));
+    return Cli.run(words.toArray());
+  }
+
+  private Path out() {
+    return folder.resolve("out" + imports);
+  }
+
+  private void assertRefused(Path file, String options, String message) {
+    Cli refused = imported(file, options);
+    refused.assertRefused(message, out());
+    Cli forced = imported(file, options + " --force-reading");
+    assertEquals(0, forced.exit(), forced.err());
+    assertTrue(forced.err().startsWith("warning: "), forced.err());
+  }
+
+  private void assertWarned(Path file, String options, String message) {
+    Cli imported = imported(file, options);
+    assertEquals(0, imported.exit(), imported.err());
+    assertTrue(imported.err().contains(message), imported.err());
+  }
+
+  private void assertPlausible(Path file, String options) {
+    Cli imported = imported(file, options);
+    assertEquals(0, imported.exit(), imported.err());
+    assertEquals("", imported.err());
+  }
+
+  @Test
+  void saysNothingOfRightUnits() throws IOException {
+    assertPlausible(walkers(1, 1), "--unit m");
+    assertPlausible(walkers(1000, 1), "--unit mm");
+    assertPlausible(walkers(1e-5, 1), "--unit deg");
+    assertPlausible(walkers(1, 1), "--unit m --columns frame=time --rate 1.5");
+  }
+
+  @Test
+  void takesTinyStepsForDegrees() throws IOException {
+    assertRefused(
+        walkers(1e-5, 1),
+        "--unit m",
+        "they are probably degrees, expected --unit deg, or --force-reading");
+  }
+
+  @Test
+  void noticesWrongUnitsOfLength() throws IOException {
+    assertRefused(walkers(1000, 1), "--unit m", "expected --unit mm, or another --rate");
+    assertRefused(walkers(100, 1), "--unit m", "faster than 130 m/s");
+    assertRefused(walkers(1, 1), "--unit mm", "expected --unit m, or --columns frame=...");
+  }
+
+  @Test
+  void noticesFramesThatAreTimes() throws IOException {
+    assertWarned(walkers(0.04, 1), "--unit m", "if times are frames");
+    assertRefused(
+        walkers(0.04, 0.04),
+        "--unit m --columns frame=time --rate 25",
+        "most frames are not whole numbers: they are probably seconds, expected --rate 1");
+  }
+
+  @Test
+  void noticesFlags() throws IOException {
+    StringBuilder text = new StringBuilder("time,id,x,y\n");
+    for (int i = 0; i < 20; i++) {
+      text.append(i).append(",1,").append(i % 2).append(",0\n");
+    }
+    Path flags = Files.writeString(folder.resolve("flags.csv"), text);
+    assertRefused(
+        flags, "--unit m", "x and y have hardly any values but 0, 1: they are probably flags");
+  }
+
+  @Test
+  void refusesManyOddRows() throws IOException {
+    String table = Files.readString(walkers(1, 1));
+    Path odd = Files.writeString(folder.resolve("odd.csv"), table + "21,1,,\n".repeat(5));
+    assertRefused(
+        odd, "--unit m", "x is '', expected a number from -1e9 to 1e9; 5 of 45 entries are");
+    Path few = Files.writeString(folder.resolve("few.csv"), table + "21,1,,\n".repeat(4));
+    assertPlausible(few, "--unit m");
+  }
+}
