@@ -13,6 +13,7 @@ part() {
         onnx) part_from_maven onnx com.microsoft.onnxruntime 'ONNX Runtime' 93 '--policy onnx:FILE' ;;
         ortools) part_from_maven ortools com.google.ortools OR-Tools 33 'place --method exact' ;;
         parquet) part_from_maven parquet org.apache.parquet Parquet 11 '--format parquet' ;;
+        sqlite) part_from_maven sqlite org.xerial SQLite 14 'import FILE.sqlite' ;;
     esac
     libraries="$libraries:$root/$1/build/install/$1/*"
 }

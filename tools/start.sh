@@ -1,7 +1,7 @@
 # Sourced by ./hificamsim, and by bin/hificamsim of a release: refuses too few files at once, and defines `start`, which
 # starts Java with the arguments of the command line. `start` needs `root`, the folder with scenarios/; `lib`, that of the jars;
-# `home`, that of Java; `archive`, of classes, if it is there; and `part NAME`, which adds the jars of spark, onnx, ortools
-# or parquet to `libraries`.
+# `home`, that of Java; `archive`, of classes, if it is there; and `part NAME`, which adds the jars of spark, onnx, ortools,
+# parquet or sqlite to `libraries`.
 # shellcheck shell=sh
 
 # Java opens each jar, and says nothing that one could read when it may not.
@@ -30,6 +30,7 @@ start() {
     case " $* " in *[\ =,]onnx[\ :,]*) part onnx ;; esac
     case "${1:-} $* " in 'place '*' --method exact '* | 'place '*' --method=exact '*) part ortools ;; esac
     case " $* " in *' --format parquet '* | *' --format=parquet '*) part parquet ;; esac
+    case "${1:-} $* " in 'import '*' jupedsim '* | 'import '*.sqlite\ * | 'import '*.sqlite3\ * | 'import '*.db\ *) part sqlite ;; esac
     set -- -cp "$libraries${CLASSPATH:+:$CLASSPATH}" org.hificamsim.cli.Main "$@"
     # shellcheck disable=SC2086 # several options
     set -- ${HIFICAMSIM_OPTS:-} "$@"

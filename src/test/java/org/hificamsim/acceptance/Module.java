@@ -22,6 +22,7 @@ enum Module {
   CLI("cli", REPRODUCTION, PLACEMENT, PROFILING, TRACKS),
   ONNX("onnx", WORLDS),
   PARQUET("parquet", RUNS),
+  SQLITE("sqlite", TRACKS),
   ORTOOLS("ortools", PLACEMENT),
   PYTHON("python", WORLDS, PRESENTATION),
   BRIDGE("camsim-bridge", RUNS),

@@ -27,6 +27,7 @@ public record KnownFormat(
             SddFormat.DECLARATION,
             VspFormat.DECLARATION,
             PeTrackFormat.DECLARATION,
+            JuPedSimFormat.DECLARATION,
             VadereFormat.DECLARATION,
             FcdFormat.DECLARATION,
             GpxFormat.DECLARATION,

@@ -1,0 +1,2 @@
+/** SQLite files of other simulators, read by their tables. */
+package org.hificamsim.sqlite;
