@@ -65,21 +65,32 @@ enum FuzzKind {
       return simulate(Files.writeString(file.resolveSibling("s.xml"), TRACKED), "geometric");
     }
   },
-  /** Recordings in all formats; the name of a file contains its format. */
+  /** Recordings in all formats; the name of a file contains its format. Half are recognised. */
   RECORDING {
     @Override
     Cli read(Path file) throws IOException {
       String name = file.getFileName().toString();
       String format = FORMATS.stream().filter(name::contains).findFirst().orElseThrow();
-      List<Object> words =
-          new ArrayList<>(List.of("import", file, "--out", OUT, "--format", format));
+      List<Object> words = new ArrayList<>(List.of("import", file, "--out", OUT));
+      words.addAll(Files.size(file) % 2 == 0 ? List.of() : List.of("--format", format));
       if (!Set.of("fcd", "gpx", "geojson", "trajnet").contains(format)) {
         words.addAll(List.of("--rate", 25));
       }
       if (Set.of("mot", "petrack", "csv").contains(format)) {
         words.addAll(List.of("--unit", "m"));
       }
+      if (Set.of("sdd", "vsp").contains(format)) {
+        Path matrix = Files.writeString(file.resolveSibling("matrix.txt"), "1 0 0\n0 1 0\n0 0 1\n");
+        words.addAll(List.of("--homography", matrix));
+      }
+      words.addAll(name.startsWith("clock") ? List.of("--columns", "time=1,x=2,y=3") : List.of());
       return run(words.toArray());
+    }
+  },
+  SQLITE {
+    @Override
+    Cli read(Path file) throws IOException {
+      return run("import", file, "--out", OUT);
     }
   },
   WALLS {
@@ -186,7 +197,9 @@ enum FuzzKind {
       Set.of("run", "compare", "validate", "list", "help", "generate-completion");
 
   private static final List<String> FORMATS =
-      List.of("obsmat", "ethucy", "trajnet", "mot", "petrack", "fcd", "gpx", "geojson", "csv");
+      List.of(
+          "obsmat", "ethucy", "trajnet", "mot", "sdd", "vsp", "petrack", "vadere", "fcd", "gpx",
+          "geojson", "csv");
   private static final Path CORPUS = Cli.ROOT.resolve("src/test/resources/fuzz");
   private static final String CAMERA =
       "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.0149, \"width\": 600, \"height\": 400}";
@@ -234,12 +247,12 @@ enum FuzzKind {
 
   /** Whether an error must name line and column. */
   final boolean hasPlaces() {
-    return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PHOTO, ONNX).contains(this);
+    return !Set.of(COMMAND, JOURNAL, SHARD, RESULTS, PHOTO, ONNX, SQLITE).contains(this);
   }
 
   /** Whether its files are binary: most changes other than flipped bits make them unreadable. */
   final boolean isBinary() {
-    return Set.of(PHOTO, ONNX).contains(this);
+    return Set.of(PHOTO, ONNX, SQLITE).contains(this);
   }
 
   /** Whether the answer comes from the command line, which limits the length of lines. */
