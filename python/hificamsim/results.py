@@ -110,8 +110,13 @@ class Plan(Results):
 
     @property
     def share(self) -> float:
-        """The share of the demand that is met."""
+        """The share of the samples that is met, by their weights; ``bound`` is of samples, too."""
         return float(self.settings["share"])
+
+    @property
+    def share_of_area(self) -> float:
+        """The share of the zones' area that is met, which is measured on a finer raster."""
+        return float(self.settings["share_of_area"])
 
     @property
     def bound(self) -> float:

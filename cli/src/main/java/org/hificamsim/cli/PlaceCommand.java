@@ -73,7 +73,6 @@ final class PlaceCommand implements Callable<Integer> {
   /** The share of the time after which cameras are moved to refine the plan. */
   private static final double SHARE_BEFORE_REFINEMENT = 0.7;
 
-  private static final int DEFAULT_CELLS = 60;
   private static final String UNKNOWN = "%s: the site has no %s '%s', expected the name of one";
 
   /** The number of blind spots that are printed. */
@@ -231,7 +230,7 @@ final class PlaceCommand implements Callable<Integer> {
     FieldCells grid =
         FieldCells.of(
             site.field(),
-            Numbers.inRange("--cells", cells.orElse(DEFAULT_CELLS), 1, FieldCells.MAX));
+            Numbers.inRange("--cells", cells.orElse(Demand.defaultCells(site)), 1, FieldCells.MAX));
     redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
     DemandSource source = Spelling.require(DemandSource.class, "--demand", demand);
     Demand demanded =
@@ -338,10 +337,7 @@ final class PlaceCommand implements Callable<Integer> {
     for (Demand.ZoneDemand zone : demanded.zones()) {
       screen.say(
           "  zone %s: %.2f %% by %s, k = %d",
-          zone.name(),
-          100 * demanded.share(zone, plan.counts()),
-          zone.detection().name(),
-          zone.k());
+          zone.name(), 100 * plan.claimedShare(zone), zone.detection().name(), zone.k());
     }
     List<BlindSpot> spots = plan.blindSpots();
     spots.stream().limit(MAX_SPOTS).forEach(spot -> screen.say("  seen by no camera: %s", spot));

@@ -73,10 +73,8 @@ public final class RunExecutor {
   }
 
   private ZoneRecorder zones(RunPlan plan) {
-    World world = new World(plan.scenario(), catalogue.movements(), 0);
     return new ZoneRecorder(
         plan.scenario(),
-        Reach.usualTarget(world),
         plan.detection(),
         name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE));
   }

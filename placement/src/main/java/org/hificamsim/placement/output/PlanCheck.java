@@ -30,6 +30,7 @@ import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.PlanArea;
 import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.runs.output.ResultFolder;
 
@@ -139,13 +140,25 @@ public final class PlanCheck {
     CoverInstance undominated = (fullCover ? remaining.coverable() : remaining).undominated();
     double bound = summary.path("bound").asDouble();
     String verdict = checkBound(undominated, goal, score, bound);
+    PlanArea area = PlanArea.of(demand, sight, cameras, reading);
+    requireSame("share_of_area", area.of(demand));
     double shownBound =
         fullCover ? bound : 100 * Math.min(1, (keptWorth + bound) / instance.totalWorth());
-    return List.of(
-        Texts.format("%d cameras meet %.2f %% of the demand", cameras.size(), 100 * share),
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        Texts.format(
+            "%d cameras meet %.2f %% of the demand, and %.2f %% of its samples",
+            cameras.size(), 100 * (demand.isForArea() ? area.of(demand) : share), 100 * share));
+    for (int number = 0; number < demand.zones().size(); number++) {
+      String name = demand.zones().get(number).name();
+      lines.add(
+          Texts.format("zone %s: %.2f %% of its area", name, 100 * area.shares().get(number)));
+    }
+    lines.add(
         Texts.format(
             "the bound of %.2f%s %s for %d candidates",
             shownBound, fullCover ? "" : " %", verdict, candidates.size()));
+    return lines;
   }
 
   private void requireCounts(int[] counts) {

@@ -105,6 +105,7 @@ public final class PlanFiles {
     json.put("cell", demand.cells().width());
     json.put("candidates", problem.candidates().list().size());
     json.put("share", plan.share());
+    json.put("share_of_area", plan.area().of(demand));
     if (plan.shares().unrefined().isPresent()) {
       double unrefined = plan.shares().unrefined().get();
       json.put("share_unrefined", unrefined);
@@ -119,12 +120,14 @@ public final class PlanFiles {
     json.put("proven", coverPlan.isProven());
     json.put("share_of_site", plan.shares().ofSite());
     ArrayNode zones = json.putArray("zones");
-    for (ZoneDemand zone : demand.zones()) {
+    for (int number = 0; number < demand.zones().size(); number++) {
+      ZoneDemand zone = demand.zones().get(number);
       ObjectNode zoneJson = zones.addObject().put("name", zone.name());
       zoneJson.put("detection", zone.detection().name());
       zoneJson.put("threshold", zone.detection().threshold()).put("k", zone.k());
       zoneJson.put("share", demand.share(zone, counts));
       zoneJson.put("share_whole", demand.shareByK(zone, counts));
+      zoneJson.put("share_of_area", plan.area().shares().get(number));
     }
     plan.blindSpots().forEach(json.putArray("blind_spots")::addPOJO);
     return json;

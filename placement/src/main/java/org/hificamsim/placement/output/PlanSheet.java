@@ -178,7 +178,7 @@ final class PlanSheet {
                         zone.detection().name(),
                         Integer.toString(zone.k()),
                         Integer.toString(zone.count()),
-                        percent(demand.share(zone, counts)),
+                        percent(plan.claimedShare(zone)),
                         percent(demand.shareByK(zone, counts)),
                         percent(unseenShare(zone, counts))))
             .toList();

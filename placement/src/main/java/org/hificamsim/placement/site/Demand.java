@@ -3,21 +3,19 @@ package org.hificamsim.placement.site;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.Extent;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.runs.cells.FieldCells;
+import org.hificamsim.runs.cells.ZoneArea;
 
 /**
  * What is to be covered: the centres of the cells of each zone. A cell in two zones counts as two
@@ -27,7 +25,8 @@ import org.hificamsim.runs.cells.FieldCells;
  */
 public record Demand(
     Scenario site, FieldCells cells, List<ZoneDemand> zones, List<DemandPoint> points) {
-  private static final Extent PERSON = new Extent(0.5, 1.75);
+  private static final int DEFAULT_CELLS = 60;
+  private static final int MIN_POINTS = 100;
 
   /**
    * A zone with what it demands.
@@ -67,6 +66,24 @@ public record Demand(
       }
       return detection;
     }
+  }
+
+  /**
+   * The number of cells along the longer side of a field by which each zone has at least {@value
+   * #MIN_POINTS} points, if {@link FieldCells#MAX} cells are enough; {@value #DEFAULT_CELLS} or
+   * more.
+   */
+  public static int defaultCells(Scenario site) {
+    Field field = site.field();
+    double needed =
+        site.zones().stream()
+            .filter(zone -> zone.weight() > 0)
+            .map(zone -> zone.bounds(field))
+            .mapToDouble(bounds -> Math.sqrt(MIN_POINTS / (bounds.width() * bounds.height())))
+            .max()
+            .orElse(0);
+    double longerSide = Math.max(field.width(), field.height());
+    return (int) Math.max(DEFAULT_CELLS, Math.min(FieldCells.MAX, Math.ceil(longerSide * needed)));
   }
 
   /**
@@ -128,18 +145,6 @@ public record Demand(
     return new Demand(site, cells, changedZones, points);
   }
 
-  /**
-   * Returns the first target of the most frequent size, which stands for all targets; a person if
-   * there are none.
-   */
-  public static TargetSpec usualTarget(List<TargetSpec> targets) {
-    Map<Double, Long> counts =
-        targets.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
-    return targets.stream()
-        .max(Comparator.comparingLong(target -> counts.get(target.size())))
-        .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(PERSON));
-  }
-
   /** Returns a target that stands at a point, and is otherwise like another one. */
   public static TargetSpec targetAt(double x, double y, int number, TargetSpec model) {
     return model
@@ -149,6 +154,32 @@ public record Demand(
         .with(TargetSpec.SPEED, 0)
         .with(TargetSpec.MOVE, "Straight")
         .with(TargetSpec.WAYPOINTS, List.of());
+  }
+
+  /**
+   * Whether the demand is for area: all points of a zone have the same weight. Otherwise it is for
+   * where targets are.
+   */
+  public boolean isForArea() {
+    return zones.stream()
+        .allMatch(
+            zone ->
+                pointsOf(zone).stream().mapToDouble(DemandPoint::weight).distinct().count() <= 1);
+  }
+
+  /** The area of a zone, which {@code run} measures in the same way. */
+  public ZoneArea area(ZoneDemand zone) {
+    Zone place =
+        site.zones().stream()
+            .filter(named -> named.name().equals(zone.name()))
+            .findFirst()
+            .orElseGet(Zone::ofField);
+    return new ZoneArea(site, place.demanding(zone.k()), zone.detection());
+  }
+
+  /** The sum of the weights of a zone's points. */
+  double weight(ZoneDemand zone) {
+    return pointsOf(zone).stream().mapToDouble(DemandPoint::weight).sum();
   }
 
   /** The points of a zone. */

@@ -208,7 +208,10 @@ public record PlacementProblem(
             refinement.isPresent() ? Optional.of(share(unrefinedCounts)) : Optional.empty(),
             goal().isFullCover() ? coverableShare() : Math.min(1, shownScore(plan.bound())),
             share(counts(sight, request, demand().site().cameras())));
-    return new SitePlan(this, plannedCameras(refined), plan, shares);
+    List<PlannedCamera> planned = plannedCameras(refined);
+    List<CameraSpec> cameras = planned.stream().map(PlannedCamera::camera).toList();
+    PlanArea area = PlanArea.of(demand(), sight, cameras, request.reading);
+    return new SitePlan(this, planned, area, plan, shares);
   }
 
   private List<PlannedCamera> plannedCameras(List<Candidate> newCandidates) {

@@ -8,14 +8,18 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.channel.ChannelModel;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepPhase;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Occlusion;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.world.World;
+import org.hificamsim.runs.cells.UsualTarget;
 
 /**
  * The points of the demand that cameras see in each of their views. It simulates a world in which a
@@ -35,7 +39,7 @@ public final class PointSight {
   public PointSight(Demand demand, Catalogue catalogue) {
     this.demand = demand;
     this.catalogue = catalogue;
-    TargetSpec usual = Demand.usualTarget(demand.site().everyTarget().toList());
+    TargetSpec usual = UsualTarget.of(demand.site());
     for (Demand.ZoneDemand zone : demand.zones()) {
       List<TargetSpec> targets = new ArrayList<>();
       for (Demand.DemandPoint point : demand.pointsOf(zone)) {
@@ -55,6 +59,29 @@ public final class PointSight {
   /** The scenario of the site. */
   Scenario site() {
     return demand.site();
+  }
+
+  /** Returns a network of these cameras in the views in which they start, without targets. */
+  NetworkView network(List<CameraSpec> cameras) {
+    return network(demand.site().with(Scenario.CAMERAS, cameras), catalogue);
+  }
+
+  /** Returns the network of a site's cameras in the views in which they start, without targets. */
+  static NetworkView network(Scenario site, Catalogue catalogue) {
+    Scenario withoutTargets =
+        site.with(Scenario.TARGETS, List.of())
+            .with(Scenario.EVENTS, List.of())
+            .with(Scenario.CHANNEL, ChannelModel.PERFECT)
+            .without(Scenario.VISION_GRAPH);
+    Simulation simulation =
+        new Simulation(
+            new World(withoutTargets, catalogue.movements(), 0),
+            Detection.of(new GeometricDetection()),
+            catalogue.policies().create("fixed"),
+            0,
+            List.of());
+    simulation.phases().runUntil(StepPhase.DECIDE);
+    return simulation.network();
   }
 
   /** Returns a world with these cameras, and a target at each point of a zone. */

@@ -12,15 +12,22 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.runs.cells.UsualTarget;
 
 /**
  * Cameras for a site, and how good they are.
  *
  * @param planned the cameras that stay, then the new ones
+ * @param area what the cameras see of each zone's area
  * @param coverPlan what the search found: candidates of {@code problem}, before any refinement
  */
 public record SitePlan(
-    PlacementProblem problem, List<PlannedCamera> planned, CoverPlan coverPlan, Shares shares) {
+    PlacementProblem problem,
+    List<PlannedCamera> planned,
+    PlanArea area,
+    CoverPlan coverPlan,
+    Shares shares) {
 
   /**
    * A camera of the plan.
@@ -80,6 +87,18 @@ public record SitePlan(
     return share(counts());
   }
 
+  /** What is claimed to be met: a share of the area, or of where targets are. */
+  public double claimedShare() {
+    return demand().isForArea() ? area.of(demand()) : share();
+  }
+
+  /** What is claimed to be met of a zone. */
+  public double claimedShare(ZoneDemand zone) {
+    return demand().isForArea()
+        ? area.shares().get(demand().zones().indexOf(zone))
+        : demand().share(zone, counts());
+  }
+
   /** How good the plan is, in lines for people; what is met comes first. */
   public List<String> facts() {
     List<String> facts = new ArrayList<>();
@@ -89,7 +108,14 @@ public record SitePlan(
             Texts.counted(planned.size(), "camera"),
             problem.kept().size(),
             price(),
-            100 * share()));
+            100 * claimedShare()));
+    if (demand().isForArea()) {
+      facts.add(
+          Texts.format(
+              "measured on the area; the search and its bound are of samples, of which %.2f %% is"
+                  + " met",
+              100 * share()));
+    }
     facts.add(problem.request().reading().words() + refinementFact());
     if (problem.goal().isFullCover()) {
       facts.add(
@@ -193,7 +219,7 @@ public record SitePlan(
       cameras.add(candidate.camera(candidate.kind().name() + "/" + cameras.size()));
     }
     Scenario site = scenario();
-    TargetSpec usual = Demand.usualTarget(site.everyTarget().toList());
+    TargetSpec usual = UsualTarget.of(site);
     DemandPoint first = demand().points().get(0);
     return site.with(Scenario.CAMERAS, cameras)
         .with(Scenario.EVENTS, List.of())

@@ -11,12 +11,15 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.presentation.view.Planner;
 import org.hificamsim.runs.cells.FieldCells;
+import org.hificamsim.runs.cells.ZoneArea;
 
 /**
  * Plans one camera at a time while a site is edited, with coarse cells and mount points. A point is
@@ -33,11 +36,18 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
 
   @Override
   public List<Share> shares(Scenario site, Detection detection) {
-    Demand demand = demand(site, detection);
-    int[] counts = counts(new PointSight(demand, catalogue), demand, site.cameras());
-    return demand.zones().stream()
-        .map(zone -> new Share(zone.name(), demand.share(zone, counts)))
+    NetworkView network = PointSight.network(site, catalogue);
+    List<Zone> zones = site.zones().isEmpty() ? List.of(Zone.ofField()) : site.zones();
+    return zones.stream()
+        .map(zone -> zone.withDefaults(detection.name(), site.objective()))
+        .map(zone -> new Share(zone.name(), share(site, zone, detection, network)))
         .toList();
+  }
+
+  private double share(Scenario site, Zone zone, Detection usual, NetworkView network) {
+    String name = zone.detection();
+    Detection detection = name.equals(usual.name()) ? usual : detections.apply(name);
+    return new ZoneArea(site, zone, detection).metByAnyView(network);
   }
 
   private Demand demand(Scenario site, Detection detection) {

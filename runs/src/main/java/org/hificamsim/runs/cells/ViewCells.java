@@ -1,6 +1,8 @@
 package org.hificamsim.runs.cells;
 
 import java.util.Arrays;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -32,7 +34,7 @@ public final class ViewCells {
   private final FieldCells cells;
   private final Visibility visibility;
   private final Obstacles obstacles;
-  private final double size;
+  private final Function<NetworkView, Body> bodies;
   private int revision;
   private VisibleRegion[] regions = {};
   private Seen[][] seen = {};
@@ -42,13 +44,22 @@ public final class ViewCells {
   private Seen[] now = {};
 
   /**
-   * @param size of the targets, metres
+   * @param bodies what must be seen of a target in a network
    */
-  public ViewCells(FieldCells cells, Detection detection, Obstacles obstacles, double size) {
+  public ViewCells(
+      FieldCells cells,
+      Detection detection,
+      Obstacles obstacles,
+      Function<NetworkView, Body> bodies) {
     this.cells = cells;
     this.visibility = Visibility.of(detection);
     this.obstacles = obstacles;
-    this.size = size;
+    this.bodies = bodies;
+  }
+
+  /** The cells of the field. */
+  FieldCells cells() {
+    return cells;
   }
 
   /** Forgets everything, because the cameras may be elsewhere now. */
@@ -75,6 +86,28 @@ public final class ViewCells {
       now = next.clone();
     }
     return now;
+  }
+
+  /** What each camera sees in any of its views, with the greatest chance. */
+  Seen[] inAnyView(NetworkView network) {
+    forget(network);
+    Seen[] union = new Seen[network.cameras()];
+    for (int camera = 0; camera < union.length; camera++) {
+      union[camera] = network.online(camera) ? inAnyView(network, camera) : Seen.NOTHING;
+    }
+    return union;
+  }
+
+  private Seen inAnyView(NetworkView network, int camera) {
+    double[] chances = new double[cells.count()];
+    for (int view = 0; view < network.views(camera); view++) {
+      Seen inView = seenIn(network, camera, view, network.pan(camera, view));
+      for (int i = 0; i < inView.cells.length; i++) {
+        chances[inView.cells[i]] = Math.max(chances[inView.cells[i]], inView.chances[i]);
+      }
+    }
+    int[] numbers = IntStream.range(0, chances.length).filter(cell -> chances[cell] > 0).toArray();
+    return new Seen(numbers, IntStream.of(numbers).mapToDouble(cell -> chances[cell]).toArray());
   }
 
   private Seen now(NetworkView network, int camera) {
@@ -108,7 +141,7 @@ public final class ViewCells {
     }
     VisibleRegion region = regions[camera]; // null where there are no obstacles
     ZoomLevel zoom = network.zoom(camera, view);
-    Body body = network.body(size);
+    Body body = bodies.apply(network);
     LevelSight sight = visibility.at(zoom, body);
     double reach = sight.reach();
     int left = cells.column(pose.x() - reach);

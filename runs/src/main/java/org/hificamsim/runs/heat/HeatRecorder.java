@@ -53,7 +53,8 @@ public final class HeatRecorder implements StepListener {
   public HeatRecorder(World world, Detection detection, int along) {
     this.cells = FieldCells.of(world.scenario().field(), along);
     this.obstacles = new Obstacles(world.scenario().obstacles());
-    this.views = new ViewCells(cells, detection, obstacles, Reach.usualTarget(world));
+    double size = Reach.usualTarget(world);
+    this.views = new ViewCells(cells, detection, obstacles, network -> network.body(size));
     chanceOfNone = new double[cells.count()];
     chanceOfOne = new double[cells.count()];
     covered0 = new double[cells.count()];

@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario.spec;
 
 import java.awt.geom.Line2D;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.metrics.Objective;
@@ -97,6 +98,11 @@ weight: what seeing a part of it is worth compared with as large a part of other
     return new Zone(name, shape, points, required, k == null ? cameras : k, weight);
   }
 
+  /** Returns the zone with another number of cameras that have to see it. */
+  public Zone demanding(int cameras) {
+    return new Zone(name, shape, points, detection, cameras, weight);
+  }
+
   /** Whether a point of the field is in the zone or on its border. */
   public boolean contains(double x, double y) {
     return switch (shape) {
@@ -107,6 +113,23 @@ weight: what seeing a part of it is worth compared with as large a part of other
       case POLYGON -> new Obstacle.Polygon(points, 1).contains(x, y);
       case POLYLINE -> isOnLine(x, y);
     };
+  }
+
+  /** The smallest rectangle that has all of the zone that is in the field. */
+  public Field bounds(Field field) {
+    if (shape == Shape.FIELD) {
+      return field;
+    }
+    double strip = shape == Shape.POLYLINE ? HALF_STRIP : 0;
+    DoubleSummaryStatistics xs = points.stream().mapToDouble(Point::x).summaryStatistics();
+    DoubleSummaryStatistics ys = points.stream().mapToDouble(Point::y).summaryStatistics();
+    double minX = Math.max(field.minX(), xs.getMin() - strip);
+    double minY = Math.max(field.minY(), ys.getMin() - strip);
+    return new Field(
+        minX,
+        Math.max(minX, Math.min(field.maxX(), xs.getMax() + strip)),
+        minY,
+        Math.max(minY, Math.min(field.maxY(), ys.getMax() + strip)));
   }
 
   private static boolean between(double value, double end, double otherEnd) {

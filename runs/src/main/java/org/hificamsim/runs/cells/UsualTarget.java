@@ -1,0 +1,45 @@
+package org.hificamsim.runs.cells;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.Seen;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Extent;
+import org.hificamsim.core.scenario.spec.Foreshortening;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.visibility.Body;
+
+/** The target that stands for all targets of a scenario where its area is measured. */
+public final class UsualTarget {
+  private static final Extent PERSON = new Extent(0.5, 1.75);
+
+  private UsualTarget() {}
+
+  /** Returns a target of the most frequent size; a person if there are none. */
+  public static TargetSpec of(Scenario scenario) {
+    List<TargetSpec> targets = scenario.everyTarget().toList();
+    Map<Double, Long> counts =
+        targets.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
+    return targets.stream()
+        .max(Comparator.comparingLong(target -> counts.get(target.size())))
+        .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(PERSON));
+  }
+
+  /**
+   * Returns what a detection must see of the target: the target's rule, the scenario's or its own.
+   */
+  static Body body(Scenario scenario, Detection detection) {
+    TargetSpec target = of(scenario);
+    if (!scenario.hasHeights()) {
+      return Body.flat(target.size());
+    }
+    Seen seen =
+        target.seen().or(() -> scenario.find(Scenario.SEEN)).orElse(detection.model().seen());
+    boolean foreshortened = scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE;
+    double height = target.height();
+    return new Body(target.size(), seen.low(height), seen.high(height), foreshortened);
+  }
+}

@@ -1,0 +1,108 @@
+package org.hificamsim.runs.cells;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.core.visibility.Body;
+
+/**
+ * The area of a zone, and the share of it that cameras see as the zone demands. All commands
+ * measure zones in this way: on a raster of 0.1 m, or of {@value #MAX_CELLS} cells for a larger
+ * zone. Cells whose centre is in an obstacle do not count; a cell that fewer than k cameras see
+ * counts in part.
+ */
+public final class ZoneArea {
+  /** The width of a raster's cell, metres. */
+  private static final double EDGE = 0.1;
+
+  private static final int MAX_CELLS = 10_000;
+
+  private final Zone zone;
+  private final int[] freeCells;
+  private final ViewCells views;
+  private final double[] camerasByCell;
+
+  /** What each camera saw when the share was computed last. */
+  private ViewCells.Seen[] measured = {};
+
+  private double share;
+
+  /**
+   * @param zone with the number of cameras that it demands
+   * @param detection that has to see the zone
+   */
+  public ZoneArea(Scenario site, Zone zone, Detection detection) {
+    this.zone = zone;
+    FieldCells raster = raster(zone.bounds(site.field()));
+    Obstacles obstacles = new Obstacles(site.obstacles());
+    freeCells =
+        IntStream.range(0, raster.count())
+            .filter(cell -> zone.contains(raster.x(cell), raster.y(cell)))
+            .filter(cell -> obstacles.containing(raster.x(cell), raster.y(cell)).isEmpty())
+            .toArray();
+    Body body = UsualTarget.body(site, detection);
+    views = new ViewCells(raster, detection, obstacles, network -> body);
+    camerasByCell = new double[raster.count()];
+  }
+
+  private static FieldCells raster(Field bounds) {
+    double edge = Math.max(EDGE, Math.sqrt(bounds.width() * bounds.height() / MAX_CELLS));
+    return new FieldCells(bounds, parts(bounds.width(), edge), parts(bounds.height(), edge));
+  }
+
+  private static int parts(double side, double edge) {
+    return Math.max(1, (int) Math.ceil(side / edge));
+  }
+
+  /** Whether the zone has no free cell. */
+  boolean isEmpty() {
+    return freeCells.length == 0;
+  }
+
+  /** The weight of the zone, which is that of its parts times its free area. */
+  double weight() {
+    return zone.weight() * freeCells.length * views.cells().width() * views.cells().height();
+  }
+
+  /** Forgets what cameras see, because they may be elsewhere now. */
+  void forget(NetworkView network) {
+    views.forget(network);
+  }
+
+  /** The share that is seen as demanded by the views in which the cameras are now, in [0, 1]. */
+  public double met(NetworkView network) {
+    return share(views.now(network));
+  }
+
+  /** The share that is seen as demanded if each camera sees what any of its views sees. */
+  public double metByAnyView(NetworkView network) {
+    return share(views.inAnyView(network));
+  }
+
+  private double share(ViewCells.Seen[] seenByCamera) {
+    if (seenByCamera != measured) {
+      measured = seenByCamera;
+      share = computeShare();
+    }
+    return share;
+  }
+
+  private double computeShare() {
+    Arrays.fill(camerasByCell, 0);
+    for (ViewCells.Seen seen : measured) {
+      for (int i = 0; i < seen.cells().length; i++) {
+        camerasByCell[seen.cells()[i]] += seen.chances()[i];
+      }
+    }
+    double met = 0;
+    for (int cell : freeCells) {
+      met += Math.min(1, camerasByCell[cell] / zone.k());
+    }
+    return met / freeCells.length;
+  }
+}

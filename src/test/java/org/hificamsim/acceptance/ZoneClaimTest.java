@@ -1,0 +1,151 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.core.world.World;
+import org.hificamsim.placement.site.SitePlanner;
+import org.hificamsim.presentation.view.Planner;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Settings;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests that what a plan claims of zones holds of their area, and is the same in all commands. */
+class ZoneClaimTest {
+  private static final Pattern ZONE = Pattern.compile("zone ([^:]+): ([0-9.]+) %");
+  private static final double RASTER = 0.1;
+  private static final Catalogue CATALOGUE = Catalogue.load();
+
+  @TempDir private Path folder;
+  private Path plan;
+  private Map<String, Double> claimed;
+
+  @BeforeEach
+  void placeInShop() throws IOException {
+    Path shop =
+        Files.writeString(
+            folder.resolve("shop.xml"),
+            """
+<root>
+  <simulation min_x="0" max_x="20" min_y="0" max_y="12" order="coverage"
+      mount_height="3" detection="oodpcvs-2025:level=perceive" steps="4">
+    <obstacles>
+      <polygon points="5,3.5 5.8,3.5 5.8,9.5 5,9.5" height="1.8"/>
+      <polygon points="8,3.5 8.8,3.5 8.8,9.5 8,9.5" height="1.8"/>
+    </obstacles>
+    <zones>
+      <zone name="door" points="16.5,0.3 19.6,2.4"
+          detection="oodpcvs-2025:level=characterise"/>
+      <zone name="aisle" points="5.8,3.5 8,9.5" k="2"/>
+    </zones>
+    <cameras><camera name="A" x="1" y="1" heading="45" viewing_angle="70" range="9"/></cameras>
+    <objects>
+      <object features="1" x="17" y="3" heading="0" speed="1"
+          width="0.5" height="1.75"/>
+    </objects>
+  </simulation>
+</root>
+""");
+    plan = folder.resolve("plan");
+    Cli placed = Cli.run("place", shop, "--cameras", 3, "--candidates", "every=3", "--out", plan);
+    assertEquals(0, placed.exit(), placed.err());
+    claimed = zones(placed.out());
+    assertEquals(List.of("aisle", "door"), claimed.keySet().stream().sorted().toList());
+    assertTrue(
+        claimed.values().stream().anyMatch(share -> share > 1 && share < 99.9), placed.out());
+  }
+
+  private static Map<String, Double> zones(String output) {
+    return ZONE.matcher(output)
+        .results()
+        .collect(Collectors.toMap(line -> line.group(1), line -> Double.valueOf(line.group(2))));
+  }
+
+  @Test
+  void claimHoldsOnFineRasterOfPeople() {
+    Scenario planned = read();
+    for (Zone zone : planned.zones()) {
+      assertEquals(100 * rasterShare(planned, zone), claimed.get(zone.name()), 1, zone.name());
+    }
+  }
+
+  /** Puts a person on each point of a raster, and counts those that enough cameras detect. */
+  private static double rasterShare(Scenario planned, Zone zone) {
+    Zone asked = zone.withDefaults("oodpcvs-2025:level=perceive", planned.objective());
+    TargetSpec person = planned.targets().get(0);
+    List<TargetSpec> people = new ArrayList<>();
+    for (double x = zone.points().get(0).x() + RASTER / 4; x < zone.points().get(1).x(); ) {
+      for (double y = zone.points().get(0).y() + RASTER / 4; y < zone.points().get(1).y(); ) {
+        people.add(
+            person
+                .with(TargetSpec.FEATURES, (double) people.size())
+                .with(TargetSpec.X, x)
+                .with(TargetSpec.Y, y)
+                .with(TargetSpec.SPEED, 0.0));
+        y += RASTER;
+      }
+      x += RASTER;
+    }
+    Simulation simulation =
+        new Simulation(
+            new World(planned.with(Scenario.TARGETS, people), CATALOGUE.movements(), 0),
+            detection(asked.detection()),
+            CATALOGUE.policies().create("fixed"),
+            0,
+            List.of());
+    simulation.step();
+    double met = 0;
+    for (int target = 0; target < people.size(); target++) {
+      met += Math.min(1, simulation.network().coverage(target) / (double) asked.k());
+    }
+    return met / people.size();
+  }
+
+  @Test
+  void allCommandsSayTheSame() throws IOException {
+    Cli verified = Cli.run("place", "--verify", plan);
+    assertEquals(0, verified.exit(), verified.err());
+    assertEquals(claimed, zones(verified.out()));
+
+    Path out = folder.resolve("run");
+    Cli run = Cli.run("run", plan.resolve("plan.xml"), "--policy", "fixed:0", "--out", out);
+    assertEquals(0, run.exit(), run.err());
+    JsonNode metrics = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
+    double least = claimed.values().stream().mapToDouble(share -> share).min().orElseThrow();
+    assertEquals(least, 100 * metrics.findValue("least_zone_met").asDouble(), 0.01);
+
+    List<Planner.Share> shown =
+        new SitePlanner(CATALOGUE, ZoneClaimTest::detection)
+            .shares(read(), detection("oodpcvs-2025:level=perceive"));
+    for (Planner.Share share : shown) {
+      assertEquals(claimed.get(share.zone()), 100 * share.met(), 0.01, share.zone());
+    }
+  }
+
+  private Scenario read() {
+    return ScenarioReader.read(plan.resolve("plan.xml"), name -> true, warning -> {});
+  }
+
+  private static Detection detection(String name) {
+    return DetectionSpec.parse(name, CATALOGUE::detection).detection(Settings.NONE);
+  }
+}
