@@ -1,5 +1,6 @@
 package org.hificamsim.network;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.IntConsumer;
@@ -20,6 +21,7 @@ import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
+import org.hificamsim.network.agent.TargetKeys;
 import org.hificamsim.network.bandit.CameraBandit;
 import org.hificamsim.network.statistics.CameraFigures;
 import org.hificamsim.network.statistics.StepFigures;
@@ -46,9 +48,6 @@ public final class Network implements Cooperation, WorldObserver {
   private final Agent.Shared shared;
   private final Agent[] agents;
   private final CameraBandit[] bandits;
-
-  /** The phases of a step, in order; in each, every camera that is online has its turn. */
-  private final IntConsumer[] phases;
 
   /**
    * Whether a broadcast reaches all other online cameras and none of them counts it. Such a
@@ -82,24 +81,14 @@ public final class Network implements Cooperation, WorldObserver {
     factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
     bandits = new CameraBandit[cameras.count()];
-    phases =
-        new IntConsumer[] {
-          this::choose,
-          camera -> agents[camera].advertise(),
-          camera -> agents[camera].bid(),
-          this::settleAndLearn,
-          camera -> tally.addUtility(agents[camera])
-        };
     searches = new Searches(cameras, world.targets().count());
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
-    List<Agent.Features> features =
-        IntStream.range(0, world.targets().count())
-            .mapToObj(target -> new Agent.Features(world.targetSpec(target).features()))
-            .toList();
+    double[] features = new double[world.targets().count()];
+    Arrays.setAll(features, target -> world.targetSpec(target).features());
     shared =
         new Agent.Shared(
             cameras,
-            features,
+            new TargetKeys(features),
             sightings,
             searches,
             queue,
@@ -137,16 +126,26 @@ public final class Network implements Cooperation, WorldObserver {
   public void cooperate() {
     tally.begin();
     queue.deliver(receiver);
-    for (IntConsumer phase : phases) {
-      for (int camera = 0; camera < addedCameras; camera++) {
-        if (cameras.online(camera)) {
-          phase.accept(camera);
-          queue.deliver(receiver);
-        }
-      }
-    }
+    inTurn(this::choose);
+    inTurn(camera -> agents[camera].advertise());
+    inTurn(camera -> agents[camera].bid());
+    inTurn(this::settleAndLearn);
+    inTurn(camera -> tally.addUtility(agents[camera]));
     lastFigures = tally.end(step++);
     total = total.plus(lastFigures);
+  }
+
+  /**
+   * Gives every camera that is online its turn. The compiler copies this loop into each of its
+   * calls, so that no turn is a virtual call.
+   */
+  private void inTurn(IntConsumer turn) {
+    for (int camera = 0; camera < addedCameras; camera++) {
+      if (cameras.online(camera)) {
+        turn.accept(camera);
+        queue.deliver(receiver);
+      }
+    }
   }
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
@@ -211,7 +210,11 @@ public final class Network implements Cooperation, WorldObserver {
 
   /** The targets that a camera owns, in the order in which it advertises them. */
   public List<Integer> owned(int camera) {
-    return agents[camera] == null ? List.of() : List.copyOf(agents[camera].owned());
+    return agents[camera] == null
+        ? List.of()
+        : IntStream.range(0, agents[camera].owned().count())
+            .mapToObj(agents[camera].owned()::target)
+            .toList();
   }
 
   /** What each camera saw in the last step. */

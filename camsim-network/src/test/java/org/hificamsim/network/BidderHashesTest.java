@@ -20,6 +20,7 @@ import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
+import org.hificamsim.network.agent.TargetKeys;
 import org.junit.jupiter.api.Test;
 
 /** The hash codes that order bids. */
@@ -58,7 +59,7 @@ class BidderHashesTest {
     Agent.Shared shared =
         new Agent.Shared(
             world.cameras(),
-            List.of(),
+            new TargetKeys(new double[0]),
             sightings,
             new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(4, 8),

@@ -20,6 +20,7 @@ import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
+import org.hificamsim.network.agent.TargetKeys;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.junit.jupiter.api.Test;
 
@@ -74,7 +75,7 @@ class CameraErrorsTest {
     Agent.Shared shared =
         new Agent.Shared(
             world.cameras(),
-            List.of(new Agent.Features(1)),
+            new TargetKeys(new double[] {1}),
             sightings,
             new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(4, 8),

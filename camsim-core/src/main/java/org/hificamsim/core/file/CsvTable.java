@@ -15,6 +15,7 @@ public final class CsvTable implements Rows {
   private final Writer out;
   private final char separator;
   private final String lineEnd;
+  private final DoubleTexts doubles = new DoubleTexts();
   private final StringBuilder row = new StringBuilder();
 
   /**
@@ -37,7 +38,7 @@ public final class CsvTable implements Rows {
   @Override
   public void add(double number) {
     if (!Double.isNaN(number)) {
-      row.append(number);
+      row.append(doubles.text(number));
     }
     row.append(separator);
   }

@@ -90,11 +90,6 @@ public final class LevelSight {
     this.chances = byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
   }
 
-  /** Whether this belongs to a zoom level and to targets of a size in a flat world. */
-  public boolean isOf(ZoomLevel level, double targetSize) {
-    return zoom.equals(level) && size == targetSize;
-  }
-
   /** The part of targets that must be seen. */
   public Body body() {
     return body;

@@ -1,15 +1,7 @@
 package org.hificamsim.network.agent;
 
-import java.util.ArrayList;
-import java.util.Collection;
-import java.util.HashMap;
-import java.util.HashSet;
-import java.util.List;
-import java.util.Map;
 import java.util.Random;
-import java.util.Set;
 import java.util.function.IntUnaryOperator;
-import java.util.stream.Stream;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -17,14 +9,14 @@ import org.hificamsim.core.world.Cameras;
  * those that others sell, and settles its own auctions (behaviour 8.3 to 8.5). An auction opened in
  * a step is settled in it.
  *
- * <p>Owned targets and bids are kept in hash maps like CamSim's, since its numbers depend on their
- * order (behaviour 4.4, 4.5).
+ * <p>Owned targets and bids have the order of CamSim's hash maps, since its numbers depend on it
+ * (behaviour 4.4, 4.5).
  */
 public final class Agent {
   /**
    * The objects that all agents share.
    *
-   * @param features the features of all targets, including those that events will add
+   * @param keys the keys of all targets, including those that events will add
    * @param searches the searches of all agents
    * @param random draws the cameras that Smooth and Step ask
    * @param bidderHash gives the hash code of a camera, which orders bids; null for the order of
@@ -34,7 +26,7 @@ public final class Agent {
    */
   public record Shared(
       Cameras cameras,
-      List<Features> features,
+      TargetKeys keys,
       Sightings sightings,
       Searches searches,
       MessageQueue queue,
@@ -48,28 +40,12 @@ public final class Agent {
   private final AuctionSchedule schedule;
   private final Contacts contacts;
   private final Searches searches;
-  private final Map<Features, Integer> owned = new HashMap<>();
-  private final List<List<Bid>> bidsByTarget;
+  private final OwnedTargets owned;
+  private final Bids[] bidsByTarget;
   private final Mean sharedViews = new Mean();
   private CommunicationPolicy policy;
   private double received;
   private double paid;
-
-  /** The features by which CamSim identifies a target: a list of one number. */
-  public record Features(double value) {
-    @Override
-    public int hashCode() {
-      return 31 + Double.hashCode(value);
-    }
-  }
-
-  /** A bid of a camera, with the hash code of that camera at the time of the bid. */
-  private record Bid(int camera, double value, int hash) {
-    @Override
-    public int hashCode() {
-      return hash;
-    }
-  }
 
   /**
    * Creates an agent without targets and neighbours.
@@ -88,11 +64,9 @@ public final class Agent {
     this.schedule = schedule;
     this.policy = policy;
     this.shared = shared;
+    owned = new OwnedTargets(shared.keys());
     contacts = new Contacts(camera, links, shared);
-    bidsByTarget =
-        Stream.generate(() -> (List<Bid>) new ArrayList<Bid>(0))
-            .limit(shared.features().size())
-            .toList();
+    bidsByTarget = new Bids[shared.keys().count()];
     searches = shared.searches();
   }
 
@@ -146,23 +120,9 @@ public final class Agent {
     searches.begin(camera, target, Searches.NOBODY);
   }
 
-  /** The owned targets, in the order of the map that holds them; not to be modified. */
-  public Collection<Integer> owned() {
-    return owned.values();
-  }
-
-  /** The owned targets, in the order of a copy of the map that holds them. */
-  public Collection<Integer> copyOfOwned() {
-    if (owned.size() < 2) {
-      return owned.values();
-    }
-    Map<Features, Integer> copy = new HashMap<>();
-    owned.forEach(copy::put);
-    return copy.values();
-  }
-
-  private boolean owns(int target) {
-    return owned.containsKey(shared.features().get(target));
+  /** The owned targets. */
+  public OwnedTargets owned() {
+    return owned;
   }
 
   /** The confidence with which the camera sees a target; 0 if it does not see it. */
@@ -209,7 +169,7 @@ public final class Agent {
       }
       case STOP_SEARCH -> {
         searches.end(camera, target);
-        if (sees(target) && !owns(target)) {
+        if (sees(target) && !owned.contains(target)) {
           countView(true);
         }
       }
@@ -227,14 +187,12 @@ public final class Agent {
 
   /** Records a bid, unless the camera has already bid. */
   private void recordBid(int target, int from, double value) {
-    for (Bid bid : bidsByTarget.get(target)) {
-      if (bid.camera == from) {
-        return;
-      }
+    if (bidsByTarget[target] == null) {
+      bidsByTarget[target] = new Bids();
     }
     boolean orderedByHash = shared.bidderHash() != null;
     int hash = orderedByHash ? shared.bidderHash().applyAsInt(from) : 0;
-    bidsByTarget.get(target).add(new Bid(from, value, hash));
+    bidsByTarget[target].add(from, value, hash);
   }
 
   /** Counts a target that this camera and another both see, or that only one of them sees. */
@@ -243,7 +201,7 @@ public final class Agent {
   }
 
   private void takeOwnership(int target) {
-    owned.put(shared.features().get(target), target);
+    owned.add(target);
     searches.end(camera, target);
   }
 
@@ -260,7 +218,8 @@ public final class Agent {
 
   /** Offers its targets for sale, in the order of the map that holds them (behaviour 8.3). */
   public void advertise() {
-    for (int target : owned()) {
+    for (int i = 0; i < owned.count(); i++) {
+      int target = owned.target(i);
       if (schedule.advertises(target, confidence(target))) {
         searches.begin(camera, target, camera);
         policy.startSearch(contacts, target);
@@ -277,7 +236,7 @@ public final class Agent {
     for (int i = 0; i < sightings.visibleCount(camera); i++) {
       int target = sightings.visible(camera, i);
       int searcher = searches.searcher(camera, target);
-      if (searcher == Searches.NONE || owns(target)) {
+      if (searcher == Searches.NONE || owned.contains(target)) {
         continue;
       }
       if (searcher == camera) {
@@ -285,7 +244,7 @@ public final class Agent {
         policy.stopSearch(contacts, target);
       } else if (searcher != Searches.NOBODY) {
         contacts.send(MessageKind.FOUND, searcher, target, value(target));
-      } else if (limit == 0 || limit > claimed + owned().size()) {
+      } else if (limit == 0 || limit > claimed + owned.count()) {
         claim(target);
         claimed++;
       }
@@ -303,14 +262,16 @@ public final class Agent {
     received = 0;
     paid = 0;
     contacts.beginSettlement();
-    searches.ownSearches(camera, owned()).forEach(this::settleAuction);
+    for (int target : searches.ownSearches(camera, owned)) {
+      settleAuction(target);
+    }
     schedule.endStep();
   }
 
   private void settleAuction(int target) {
     double best = value(target);
-    List<Bid> offers = bidsByTarget.get(target);
-    if (offers.isEmpty()) {
+    Bids offers = bidsByTarget[target];
+    if (offers == null || offers.count() == 0) {
       if (sees(target)) {
         countView(false);
       }
@@ -319,33 +280,23 @@ public final class Agent {
     double beforeBest = best;
     double second = 0;
     int winner = camera;
-    for (Bid offer : inCamSimOrder(offers)) {
-      double value = offer.value;
-      if (!contacts.reaches(offer.camera)) {
+    for (int i = 0; i < offers.count(); i++) {
+      double value = offers.value(i);
+      if (!contacts.reaches(offers.bidder(i))) {
         continue;
       }
       if (value > best) {
         second = best;
         beforeBest = best;
         best = value;
-        winner = offer.camera;
+        winner = offers.bidder(i);
       } else if (value > second) {
         second = value;
       }
     }
-    int count = offers.size();
+    int count = offers.count();
     offers.clear();
     sell(target, winner, shared.exactPrices() ? second : beforeBest, count);
-  }
-
-  private Collection<Bid> inCamSimOrder(List<Bid> arrived) {
-    if (shared.bidderHash() == null || arrived.size() < 2) {
-      return arrived;
-    }
-    // Not the constructor from a collection: the set has to grow like CamSim's map.
-    Set<Bid> hashed = new HashSet<>();
-    hashed.addAll(arrived);
-    return hashed;
   }
 
   private void sell(int target, int winner, double price, int count) {
@@ -361,7 +312,7 @@ public final class Agent {
       if (contacts.asked(target) != null) {
         contacts.asked(target).clear(winner);
       }
-      owned.remove(shared.features().get(target));
+      owned.remove(target);
       countView(sees(target));
     }
     policy.stopSearch(contacts, target);

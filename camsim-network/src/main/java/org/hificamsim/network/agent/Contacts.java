@@ -24,7 +24,7 @@ final class Contacts {
     this.camera = camera;
     this.links = links;
     this.shared = shared;
-    asked = new BitSet[shared.features().size()];
+    asked = new BitSet[shared.keys().count()];
   }
 
   /** Returns whether a message to a name arrives; not all names are cameras. */

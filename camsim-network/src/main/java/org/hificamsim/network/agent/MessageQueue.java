@@ -69,6 +69,13 @@ public final class MessageQueue {
 
   /** Delivers every message that waits or arrives in this step, and those sent meanwhile. */
   public void deliver(Receiver receiver) {
+    if (post == null && waiting.isEmpty()) {
+      return;
+    }
+    deliverWaiting(receiver);
+  }
+
+  private void deliverWaiting(Receiver receiver) {
     for (int i = 0; i < waiting.size(); i++) {
       Message message = waiting.get(i);
       if (post == null) {

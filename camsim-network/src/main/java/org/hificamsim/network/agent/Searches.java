@@ -1,10 +1,6 @@
 package org.hificamsim.network.agent;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collection;
-import java.util.Comparator;
-import java.util.List;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -20,6 +16,8 @@ public final class Searches {
 
   /** The camera does not search for the target. */
   static final int NONE = -2;
+
+  private static final int[] NO_TARGETS = {};
 
   private final Cameras cameras;
 
@@ -86,18 +84,26 @@ public final class Searches {
   /**
    * The owned targets for which a camera searches on its own behalf, in the order of the searches.
    */
-  List<Integer> ownSearches(int camera, Collection<Integer> owned) {
-    if (owned.isEmpty()) {
-      return List.of();
+  int[] ownSearches(int camera, OwnedTargets owned) {
+    int count = 0;
+    for (int i = 0; i < owned.count(); i++) {
+      count += searcher[owned.target(i)][camera] == camera ? 1 : 0;
     }
-    List<Integer> targets = new ArrayList<>();
-    for (int target : owned) {
+    return count == 0 ? NO_TARGETS : sortedOwnSearches(camera, owned, count);
+  }
+
+  private int[] sortedOwnSearches(int camera, OwnedTargets owned, int count) {
+    int[] targets = new int[count];
+    int sorted = 0;
+    for (int i = 0; i < owned.count(); i++) {
+      int target = owned.target(i);
       if (searcher[target][camera] == camera) {
-        targets.add(target);
+        int place = sorted++;
+        for (; place > 0 && since[targets[place - 1]][camera] > since[target][camera]; place--) {
+          targets[place] = targets[place - 1];
+        }
+        targets[place] = target;
       }
-    }
-    if (targets.size() > 1) {
-      targets.sort(Comparator.comparingLong(target -> since[target][camera]));
     }
     return targets;
   }

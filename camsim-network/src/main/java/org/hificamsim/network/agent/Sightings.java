@@ -25,6 +25,7 @@ public final class Sightings {
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines lines;
+  private final boolean open;
   private final Visibility visibility;
   private final PointGrid grid;
 
@@ -36,8 +37,10 @@ public final class Sightings {
 
   private final int[] visibleCounts;
 
-  /** The sight that each camera last looked through. */
+  /** The sight that each camera last looked through; null after a change of any view. */
   private final LevelSight[] lastSights;
+
+  private int viewRevision;
 
   private final int[] foundTargets;
   private final boolean[] isKept;
@@ -47,6 +50,7 @@ public final class Sightings {
     cameras = world.cameras();
     targets = world.targets();
     lines = world.sightLines();
+    open = lines.open();
     grid = createGrid(world);
     this.visibility = visibility;
     confidence = new double[cameras.count()][targets.count()];
@@ -99,12 +103,20 @@ public final class Sightings {
    */
   public void look(long step, int[] detected, int[] coverage) {
     fillGrid();
+    forgetChangedSights();
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < detected.length; camera++) {
       detected[camera] = cameras.online(camera) ? look(step, camera) : 0;
       for (int i = 0; i < detected[camera]; i++) {
         coverage[foundTargets[i]]++;
       }
+    }
+  }
+
+  private void forgetChangedSights() {
+    if (viewRevision != cameras.viewRevision()) {
+      viewRevision = cameras.viewRevision();
+      Arrays.fill(lastSights, null);
     }
   }
 
@@ -123,6 +135,9 @@ public final class Sightings {
    * Keeps the order of targets that are still visible, and appends the new ones by their number.
    */
   private void updateVisible(int camera, int found) {
+    if (found == 0 && visibleCounts[camera] == 0) {
+      return;
+    }
     int[] order = visible[camera];
     int count = 0;
     for (int i = 0; i < visibleCounts[camera]; i++) {
@@ -163,12 +178,15 @@ public final class Sightings {
   private int findVisible(
       long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
     int count = before;
+    LevelSight sight = null;
     for (int i = start; i < end; i++) {
       int target = grid.point(i);
-      LevelSight sight = sight(camera, zoom, targets.size(target));
+      if (sight == null || sight.body().size() != targets.size(target)) {
+        sight = sight(camera, zoom, targets.size(target));
+      }
       if (sight.isInView(pose, grid.x(i), grid.y(i))) {
         double luck = visibility.luck(step, camera, target);
-        double transmittance = lines.transmittance(camera, target);
+        double transmittance = open ? 1 : lines.transmittance(camera, target);
         double newConfidence =
             sight.confidenceInView(pose, grid.x(i), grid.y(i), luck, transmittance);
         confidence[camera][target] = newConfidence;
@@ -182,7 +200,7 @@ public final class Sightings {
   /** Returns the sight for a zoom level and size, usually the one that the camera used before. */
   private LevelSight sight(int camera, ZoomLevel zoom, double size) {
     LevelSight last = lastSights[camera];
-    if (last == null || !last.isOf(zoom, size)) {
+    if (last == null || last.body().size() != size) {
       lastSights[camera] = visibility.at(zoom, size);
     }
     return lastSights[camera];

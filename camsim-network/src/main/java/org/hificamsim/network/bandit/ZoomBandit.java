@@ -46,7 +46,7 @@ public final class ZoomBandit implements CameraBandit {
   }
 
   private void addFigures(CameraFigures figures) {
-    int owned = agent.owned().size();
+    int owned = agent.owned().count();
     if (owned > 0) {
       keptInView.add((double) figures.tracked() / owned, 1);
     }

@@ -5,6 +5,7 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.OwnedTargets;
 
 /**
  * The figures of a camera: its utility (behaviour 10.3) and its relative confidence (behaviour
@@ -32,8 +33,9 @@ public final class CameraFigures {
   public double utility(Agent agent) {
     double rangeFactor = Math.max(rangeFactor(agent.camera()), 0);
     double utility = 0.0;
-    for (int target : agent.owned()) {
-      utility += agent.confidence(target) * rangeFactor;
+    OwnedTargets owned = agent.owned();
+    for (int i = 0; i < owned.count(); i++) {
+      utility += agent.confidence(owned.target(i)) * rangeFactor;
     }
     return utility;
   }
@@ -42,7 +44,9 @@ public final class CameraFigures {
   public void measure(Agent agent) {
     certaintySum = 0.0;
     trackedTargets = 0;
-    for (int target : agent.copyOfOwned()) {
+    OwnedTargets owned = agent.owned();
+    for (int i = 0; i < owned.count(); i++) {
+      int target = owned.targetOfCopy(i);
       if (agent.sees(target)) {
         certaintySum += certainty(agent.camera(), target);
         trackedTargets++;

@@ -16,6 +16,11 @@ public final class OverlapTable {
   private final double[][] overlaps;
 
   private final RangeCircle[] circles;
+
+  /** By camera: the last sum before its pairs were added, and after. */
+  private final double[] sumsBefore;
+
+  private final double[] sumsAfter;
   private int revision = -1;
 
   /**
@@ -28,11 +33,21 @@ public final class OverlapTable {
     overlaps = new double[count][];
     Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
     circles = new RangeCircle[count];
+    sumsBefore = new double[count];
+    sumsAfter = new double[count];
   }
 
   /** Returns {@code sum} plus the overlaps of a camera with each later camera that is online. */
   double addPairs(int camera, double sum) {
     refresh();
+    if (sumsBefore[camera] != sum) {
+      sumsBefore[camera] = sum;
+      sumsAfter[camera] = added(camera, sum);
+    }
+    return sumsAfter[camera];
+  }
+
+  private double added(int camera, double sum) {
     double total = sum;
     double[] row = overlaps[camera];
     for (int i = 0; i < row.length; i++) {
@@ -48,6 +63,7 @@ public final class OverlapTable {
       return;
     }
     revision = cameras.viewRevision();
+    Arrays.fill(sumsBefore, Double.NaN);
     boolean[] changed = new boolean[circles.length];
     for (int camera = 0; camera < circles.length; camera++) {
       RangeCircle circle = RangeCircle.of(cameras, camera);

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -65,6 +66,8 @@ class SearchesTest {
     assertEquals(receivers, searches.receiveAll(kind, from, target));
   }
 
+  private static final double[] RANDOM_FEATURES = new Random(7).doubles(TARGETS).toArray();
+
   private void assertSame(int camera) {
     List<Integer> owned = new ArrayList<>();
     for (int target = 0; target < TARGETS; target++) {
@@ -74,6 +77,9 @@ class SearchesTest {
     }
     List<Integer> expectedOrder = new ArrayList<>(model.get(camera).keySet());
     expectedOrder.removeIf(target -> model.get(camera).get(target) != camera);
-    assertEquals(expectedOrder, searches.ownSearches(camera, owned));
+    OwnedTargets ownedTargets = new OwnedTargets(new TargetKeys(RANDOM_FEATURES));
+    owned.forEach(ownedTargets::add);
+    int[] ownSearches = searches.ownSearches(camera, ownedTargets);
+    assertEquals(expectedOrder, IntStream.of(ownSearches).boxed().toList());
   }
 }
