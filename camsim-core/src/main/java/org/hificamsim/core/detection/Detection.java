@@ -12,13 +12,17 @@ import org.hificamsim.core.InputException;
 public final class Detection {
   private static final double HALF = 0.5;
 
+  private static final DetectionModel IN_VIEW = new GeometricDetection();
+
   private final String name;
   private final DetectionModel model;
   private final DetectionRule rule;
   private final boolean certain;
   private final double threshold;
   private final DoubleUnaryOperator chance;
+  private final Map<Double, Detection> byThreshold = new ConcurrentHashMap<>();
   private final Map<SizeAtZoom, DetectedDistances> distances = new ConcurrentHashMap<>();
+  private final Map<SizeAtZoom, DetectedDistances> distancesInView = new ConcurrentHashMap<>();
   private final Map<SizeAtZoom, ChanceTable> chances = new ConcurrentHashMap<>();
   private final Map<SizeAtZoom, DistanceTable> values = new ConcurrentHashMap<>();
   private final Map<InSpace, Detection> inSpace = new ConcurrentHashMap<>();
@@ -142,10 +146,26 @@ public final class Detection {
         : luck < transmittance * chance(value);
   }
 
+  /**
+   * Returns this detection with a threshold that is at least the given one; the same at every call,
+   * so that all runs share what is computed for it.
+   */
+  public Detection withThresholdFrom(double least) {
+    return threshold >= least
+        ? this
+        : byThreshold.computeIfAbsent(least, raised -> new Detection(model, raised));
+  }
+
   /** The distances detected at a zoom level; the model must not depend on the bearing. */
   public DetectedDistances distances(double size, ZoomLevel zoom) {
     return distances.computeIfAbsent(
         new SizeAtZoom(size, zoom), key -> DetectedDistances.of(model, size, zoom, threshold));
+  }
+
+  /** The distances at which targets are in view at a zoom level, detected or not. */
+  public DetectedDistances distancesInView(double size, ZoomLevel zoom) {
+    return distancesInView.computeIfAbsent(
+        new SizeAtZoom(size, zoom), key -> DetectedDistances.of(IN_VIEW, size, zoom, 1));
   }
 
   /** The chances at a zoom level by distance; the model must not depend on the bearing. */

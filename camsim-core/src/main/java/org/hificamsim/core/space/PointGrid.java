@@ -153,6 +153,25 @@ public final class PointGrid {
     return starts[row * columns + column + 1];
   }
 
+  /**
+   * Finds the points among some of the order of cells that are nearer than a distance. The distance
+   * test is unpredictable, so we read the sign bit of a difference instead of branching.
+   *
+   * @param below the square of the distance
+   * @param near receives the indices of the points, and one entry more may be written
+   * @return the number of points
+   */
+  public int findNear(double fromX, double fromY, double below, int start, int end, int[] near) {
+    int found = 0;
+    for (int i = start; i < end; i++) {
+      double dx = x[i] - fromX;
+      double dy = y[i] - fromY;
+      near[found] = i;
+      found += (int) (Double.doubleToRawLongBits(dx * dx + dy * dy - below) >>> 63);
+    }
+    return found;
+  }
+
   /** The number of the i-th point in the order of cells. */
   public int point(int i) {
     return points[i];

@@ -6,7 +6,6 @@ import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DistanceTable;
-import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.VerticalView;
 import org.hificamsim.core.detection.ZoomLevel;
 
@@ -81,9 +80,7 @@ public final class LevelSight {
     this.outsideBelow = signedSquare(cosineOfHalfAngle - MARGIN);
     this.insideAbove = signedSquare(cosineOfHalfAngle + MARGIN);
     this.detectedDistances =
-        byDistance
-            ? detection.distances(size, zoom)
-            : DetectedDistances.of(new GeometricDetection(), size, zoom, 1);
+        byDistance ? detection.distances(size, zoom) : detection.distancesInView(size, zoom);
     int intervals = detectedDistances.intervals();
     this.singleInterval = intervals == 1 && detectedDistances.from(0) == 0;
     this.farthestSquared = intervals == 0 ? -1 : detectedDistances.to(intervals - 1);

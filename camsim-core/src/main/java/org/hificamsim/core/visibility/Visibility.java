@@ -61,9 +61,10 @@ public final class Visibility {
    * @param seed of the luck in the run
    */
   public static Visibility asInCamSim(Detection detection, long seed) {
-    double threshold = Math.max(detection.threshold(), Double.MIN_VALUE);
     return new Visibility(
-        detection.certain() ? new Detection(detection.model(), threshold) : detection, true, seed);
+        detection.certain() ? detection.withThresholdFrom(Double.MIN_VALUE) : detection,
+        true,
+        seed);
   }
 
   /** The detection model with the threshold that this pipeline uses. */
