@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -76,13 +77,27 @@ final class Imported {
     return ofFile(format, written("recording", content));
   }
 
+  /** Imports several files together. */
+  ImportSummary ofAll(String format, String... contents) {
+    List<Path> files = new ArrayList<>();
+    for (String content : contents) {
+      files.add(written("recording-" + files.size(), content));
+    }
+    return ofFiles(format, files);
+  }
+
   ImportSummary ofFile(String format, Path file) {
-    Recording recording = new Recording(file, rate, unit, columns);
+    return ofFiles(format, List.of(file));
+  }
+
+  private ImportSummary ofFiles(String format, List<Path> files) {
+    List<FormatChoice> recordings =
+        files.stream()
+            .map(file -> FormatChoice.of(format, new Recording(file, rate, unit, columns)))
+            .toList();
     TrackSettings settings =
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
-    TracksImport read =
-        new TracksImport(
-            List.of(FormatChoice.of(format, recording)), homography, new LocalProjection());
+    TracksImport read = new TracksImport(recordings, homography, new LocalProjection());
     try (OutputFolder out = new OutputFolder(folder)) {
       read.write(settings, out, "made.tracks");
       out.commit(List.of());

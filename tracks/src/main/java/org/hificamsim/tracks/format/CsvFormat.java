@@ -4,6 +4,8 @@ import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.file.Fields;
 
 /**
@@ -83,8 +85,23 @@ final class CsvFormat implements TrackFormat {
           Omission.OTHER_THING,
           () -> row.invalid(columns.target(), "id", "a name or number, as in other rows"));
     } else {
-      samples.reading(() -> samples.accept(sample(row)));
+      samples.reading(() -> accept(sample(row), samples));
     }
+  }
+
+  private void accept(TrackSample sample, SampleSink samples) {
+    try {
+      samples.accept(sample);
+    } catch (InputException fault) {
+      throw columns.target() < 0 ? onlyTarget(fault) : fault;
+    }
+  }
+
+  private static InputException onlyTarget(InputException fault) {
+    return InputException.of(
+            "%s; all rows are of one target, as there is no column id, expected %s if they are not",
+            fault.message(NamedSetting.MARKED), setting("columns", "id=NAME"))
+        .because(fault);
   }
 
   /** Whether a line before the table is a comment, and not the names of columns. */
