@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -236,6 +239,27 @@ class ProfileCommandTest {
         assertDone(Cli.run("profile", "measure", lab, "--detectors", "orb", "--picture", image));
     assertEquals("1 drawn: " + lab.resolve("matches") + "\n", again.out());
     assertArrayEquals(measured, Files.readAllBytes(table));
+  }
+
+  /** A phone appends a video to a motion photo. */
+  @Test
+  void measuresPhotoWithVideoBehindIt() throws IOException {
+    Path lab = Cli.lab(folder, "--scale 0.05 --objects 1 --focal-lengths 0.05 --distances 1,2");
+    Path table = lab.resolve("measurements.csv");
+    Path photo = lab.resolve("images/matchbox-50mm-01.0m.jpg");
+    byte[] jpeg = Files.readAllBytes(photo);
+    assertDone(Cli.run("profile", "measure", lab, "--detectors", "orb"));
+    byte[] measured = Files.readAllBytes(table);
+    Files.delete(table);
+    byte[] video = "    ftypmp42 ".repeat(9_999).getBytes(StandardCharsets.US_ASCII);
+    Files.write(photo, video, StandardOpenOption.APPEND);
+    assertDone(Cli.run("profile", "measure", lab, "--detectors", "orb"));
+    assertArrayEquals(measured, Files.readAllBytes(table));
+    Files.delete(table);
+    Files.write(photo, Arrays.copyOf(jpeg, jpeg.length - 100));
+    Cli cut = Cli.run("profile", "measure", lab, "--detectors", "orb");
+    assertEquals(2, cut.exit());
+    assertTrue(cut.err().contains("the file is cut short"), cut.err());
   }
 
   @Test
