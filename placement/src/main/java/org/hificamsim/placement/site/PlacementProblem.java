@@ -207,11 +207,19 @@ public record PlacementProblem(
         new Shares(
             refinement.isPresent() ? Optional.of(share(unrefinedCounts)) : Optional.empty(),
             goal().isFullCover() ? coverableShare() : Math.min(1, shownScore(plan.bound())),
-            share(counts(sight, request, demand().site().cameras())));
+            shareOfSite());
     List<PlannedCamera> planned = plannedCameras(refined);
     List<CameraSpec> cameras = planned.stream().map(PlannedCamera::camera).toList();
     PlanArea area = PlanArea.of(demand(), sight, cameras, request.reading);
     return new SitePlan(this, planned, area, plan, shares);
+  }
+
+  /** What the cameras of the site meet as it is: of the area, or of where targets are. */
+  private double shareOfSite() {
+    List<CameraSpec> cameras = demand().site().cameras();
+    return demand().isForArea()
+        ? PlanArea.of(demand(), sight, cameras, request.reading).of(demand())
+        : share(counts(sight, request, cameras));
   }
 
   private List<PlannedCamera> plannedCameras(List<Candidate> newCandidates) {
