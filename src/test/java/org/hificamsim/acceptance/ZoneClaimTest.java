@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import javax.imageio.ImageIO;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
@@ -139,6 +141,37 @@ class ZoneClaimTest {
     for (Planner.Share share : shown) {
       assertEquals(claimed.get(share.zone()), 100 * share.met(), 0.01, share.zone());
     }
+  }
+
+  @Test
+  void planOpensWithItsFloorplan() throws IOException {
+    Path picture = Files.createDirectories(folder.resolve("pictures")).resolve("floor.png");
+    ImageIO.write(new BufferedImage(40, 24, BufferedImage.TYPE_INT_RGB), "png", picture.toFile());
+    Path shop = folder.resolve("shop.xml");
+    Files.writeString(
+        shop,
+        Files.readString(shop)
+            .replace(" mount_height", " floorplan=\"pictures/floor.png\" mount_height"));
+    Path drawn = folder.resolve("drawn");
+    Cli placed = Cli.run("place", shop, "--cameras", 1, "--candidates", "every=6", "--out", drawn);
+    assertEquals(0, placed.exit(), placed.err());
+    assertEquals(-1, Files.mismatch(picture, drawn.resolve("floor.png")));
+    Path out = folder.resolve("recorded");
+    Cli run = Cli.run("run", drawn.resolve("plan.xml"), "--record", "--out", out);
+    assertEquals(0, run.exit(), run.err());
+    String camera = Files.readAllLines(drawn.resolve("cameras.csv")).get(1);
+    assertEquals("3.0", camera.split(",")[4], camera);
+  }
+
+  @Test
+  void validateRejectsUnknownLevelOfZone() throws IOException {
+    Path shop = folder.resolve("shop.xml");
+    Files.writeString(shop, Files.readString(shop).replace("=characterise", "=recognize"));
+    Cli validated = Cli.run("validate", shop);
+    assertEquals(2, validated.exit());
+    assertTrue(
+        validated.err().contains("zone 'door': detection oodpcvs-2025: level is 'recognize'"),
+        validated.err());
   }
 
   private Scenario read() {

@@ -1,6 +1,7 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +20,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
@@ -173,6 +175,7 @@ final class PlaceCommand implements Callable<Integer> {
     SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
+      copyFloorplan(plan, output);
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
           InstanceFile.write(writer, problem.remaining(), instanceForm());
@@ -183,6 +186,17 @@ final class PlaceCommand implements Callable<Integer> {
     }
     print(plan, folder);
     return 0;
+  }
+
+  /** Copies the picture of the site beside the plan, which names it. */
+  private void copyFloorplan(SitePlan plan, OutputFolder folder) throws IOException {
+    Optional<Floorplan> original = plan.demand().site().floorplan();
+    if (original.isPresent()) {
+      String name = plan.scenario().floorplan().orElseThrow().file();
+      try (OutputStream copy = folder.stream(name)) {
+        Files.copy(file.resolveSibling(original.get().file()), copy);
+      }
+    }
   }
 
   /** How a plan is found. */

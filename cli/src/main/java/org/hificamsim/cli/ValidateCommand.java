@@ -12,6 +12,7 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
@@ -92,10 +93,24 @@ final class ValidateCommand implements Callable<Integer> {
     } catch (InputException e) {
       errors.add(e.message(Flags.NOTATION));
     }
+    for (Zone zone : scenario.zones()) {
+      requireDetection(file, zone, catalogue, errors);
+    }
     try {
       FloorPictures.of(file, scenario); // a recorded run needs it
     } catch (InputException e) {
       warnings.add(e.message(Flags.NOTATION));
+    }
+  }
+
+  private static void requireDetection(
+      Path file, Zone zone, Catalogue catalogue, List<String> errors) {
+    try {
+      if (zone.detection() != null) {
+        DetectionSpec.parse(zone.detection(), catalogue::detection);
+      }
+    } catch (InputException e) {
+      errors.add(file + ": zone '" + zone.name() + "': " + e.message(Flags.NOTATION));
     }
   }
 

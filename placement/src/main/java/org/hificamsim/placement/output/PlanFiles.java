@@ -75,6 +75,7 @@ public final class PlanFiles {
     PlannedCamera planned = plan.planned().get(number);
     return new CameraRow(
         planned.camera(),
+        plan.height(planned.camera()),
         planned.price(),
         planned.covered().length,
         plan.share(plan.countsWithout(number)));

@@ -240,7 +240,7 @@ final class PlanSheet {
   }
 
   private String height(CameraSpec camera) {
-    double z = camera.z().orElse(demand.site().mountHeight().orElse(Double.NaN));
+    double z = plan.height(camera);
     return Double.isNaN(z) ? "" : Texts.format("%.1f", z);
   }
 

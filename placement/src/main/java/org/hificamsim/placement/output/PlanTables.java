@@ -14,10 +14,12 @@ final class PlanTables {
   /**
    * A camera of the plan.
    *
+   * @param z where it hangs, metres; NaN in a world without heights
    * @param coveredPoints number of points that it covers
    * @param shareWithout share of the demand that is met without it
    */
-  record CameraRow(CameraSpec camera, double price, int coveredPoints, double shareWithout) {}
+  record CameraRow(
+      CameraSpec camera, double z, double price, int coveredPoints, double shareWithout) {}
 
   /**
    * A point of the demand.
@@ -33,7 +35,7 @@ final class PlanTables {
           .doubles("x", "m", "", row -> row.camera.x())
           .doubles("y", "m", "", row -> row.camera.y())
           .doubles("heading", "degrees", "0 is +y, 90 is +x", row -> row.camera.heading())
-          .doubles("z", "m", "where it has a height", row -> row.camera.z().orElse(Double.NaN))
+          .doubles("z", "m", "where it has a height", CameraRow::z)
           .doubles("tilt", "degrees", "downwards", row -> row.camera.tilt())
           .texts("lens", "its optics", row -> row.camera.optics().map(OpticsSpec::name).orElse(""))
           .plain("price", "as in the catalogue", "0 of one that stays", CameraRow::price)

@@ -1,5 +1,6 @@
 package org.hificamsim.placement.site;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +9,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.placement.cover.CoverPlan;
@@ -206,10 +208,27 @@ public record SitePlan(
                     event instanceof ScenarioEvent.AddTarget
                         || event instanceof ScenarioEvent.RemoveTarget)
             .toList();
-    return site.with(Scenario.CAMERAS, cameras())
+    return floorplanInFolder(site)
+        .with(Scenario.CAMERAS, cameras())
         .with(Scenario.EVENTS, targetEvents)
         .without(Scenario.VISION_GRAPH)
         .with(Scenario.NAME, site.name() + "-plan");
+  }
+
+  /** Returns the site with its floor plan in the folder of the plan. */
+  private static Scenario floorplanInFolder(Scenario site) {
+    return site.floorplan()
+        .map(floor -> site.withFloorplan(new Floorplan(fileName(floor), floor.area())))
+        .orElse(site);
+  }
+
+  private static String fileName(Floorplan floor) {
+    return Path.of(floor.file()).getFileName().toString();
+  }
+
+  /** The height at which a camera hangs, metres; NaN if the site has none. */
+  public double height(CameraSpec camera) {
+    return camera.z().orElse(demand().site().mountHeight().orElse(Double.NaN));
   }
 
   /** Returns the site with all candidates as cameras, named by their kinds, and one target. */
