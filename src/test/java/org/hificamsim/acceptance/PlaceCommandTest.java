@@ -70,6 +70,28 @@ class PlaceCommandTest {
   }
 
   @Test
+  void writesDxfThatReadsBack() throws IOException {
+    Path plan = folder.resolve("plan");
+    Cli placed = place(site(WALL, DOOR), "--cameras 2 --keep A --out " + plan);
+    assertEquals(0, placed.exit(), placed.err());
+    Path dxf = plan.resolve("plan.dxf");
+    Cli layers = Cli.run("site", dxf, "--list-layers");
+    assertEquals(0, layers.exit(), layers.err());
+    assertTrue(layers.out().contains("  block CAMERA: 6\n"), "a circle and a line, three times");
+    assertTrue(layers.out().contains("  layer WALLS: 1\n"), layers::out);
+    assertTrue(layers.out().contains("  layer ZONES: 1\n"), layers::out);
+    assertTrue(layers.out().contains("  layer SECTORS: 3\n"), layers::out);
+    Path back = folder.resolve("back");
+    assertEquals(0, Cli.run("site", dxf, "--layers", "WALLS,CAMERAS", "--out", back).exit());
+    String xml = Files.readString(back.resolve("plan.xml"));
+    assertTrue(xml.contains("<wall x1=\"10.0\" y1=\"0.0\" x2=\"10.0\" y2=\"20.0\"/>"), xml);
+    assertTrue(xml.contains("<pillar x=\"1.0\" y=\"1.0\" radius=\"0.2\"/>"), "camera A: " + xml);
+    assertTrue(xml.contains("<wall x1=\"1.0\" y1=\"1.0\" x2=\"1.354\" y2=\"1.354\"/>"), xml);
+    String text = Files.readString(dxf);
+    assertTrue(text.contains("\n45.00\n2\nHEADING\n"), "the attributes of camera A");
+  }
+
+  @Test
   void newCamerasHangAndTiltOnSitesWithHeights() throws IOException {
     Path site = site(WALL.replace("/>", " height=\"1.2\"/>"), "");
     Path plan = folder.resolve("plan");

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** {@code site}, and what other commands make of its scenarios. */
 class SiteCommandTest {
-  private static final Path SITES = Cli.ROOT.resolve("src/test/resources/sites");
+  private static final Path SITES = Cli.ROOT.resolve("examples/plans");
 
   @TempDir Path folder;
   private Path out;

@@ -36,9 +36,11 @@ class TutorialTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(strings = {"first-result", "detection-model", "floor-plan", "own-policy", "camsim"})
+  @ValueSource(
+      strings = {"first-result", "detection-model", "floor-plan", "plans", "own-policy", "camsim"})
   void tutorialRunsAsWritten(String name) throws Exception {
     Files.createSymbolicLink(folder.resolve("scenarios"), Cli.ROOT.resolve("scenarios"));
+    Files.createSymbolicLink(folder.resolve("examples"), Cli.ROOT.resolve("examples"));
     Files.copy(Cli.ROOT.resolve("docs/img/shop.png"), folder.resolve("floor.png"));
     launcher();
     for (MatchResult block : blocks(PAGES.resolve(name + ".md")).toList()) {

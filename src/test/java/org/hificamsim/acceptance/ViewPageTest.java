@@ -340,7 +340,7 @@ class ViewPageTest {
   void showsSiteWithoutTargets() {
     browser.leave();
     view.close();
-    Path plan = Cli.ROOT.resolve("src/test/resources/sites/room.dxf");
+    Path plan = Cli.ROOT.resolve("examples/plans/room.dxf");
     Path out = folder.resolve("empty");
     assertEquals(0, Cli.run("site", plan, "--people", 0, "--out", out).exit());
     view = new ViewProcess(out.resolve("room.xml"));

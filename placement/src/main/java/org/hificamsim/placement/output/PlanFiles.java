@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.io.Writer;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -31,6 +32,9 @@ public final class PlanFiles {
   /** The scenario of the plan. */
   public static final String SCENARIO = "plan.xml";
 
+  /** The plan for CAD programs. */
+  private static final String DXF = "plan.dxf";
+
   /** The site with all candidates at once, from which the bound can be computed again. */
   public static final String CANDIDATES = "candidates.xml";
 
@@ -51,6 +55,9 @@ public final class PlanFiles {
       throws IOException {
     new PlanSheet(plan, catalogue, floor)
         .write(folder, "./hificamsim " + String.join(" ", command), ManifestFile.version());
+    try (Writer dxf = folder.open(DXF)) {
+      PlanDxf.write(dxf, plan, catalogue);
+    }
     folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
     JsonOutput.write(folder, ResultFolder.SUMMARY, summary(plan));
     int[] counts = plan.counts();

@@ -19,6 +19,8 @@ export async function planPage(root, data) {
         el('a', {href: 'plan.pdf'}, 'PDF'),
         ' ',
         el('a', {href: 'plan.svg'}, 'floor plan as SVG'),
+        ' ',
+        el('a', {href: 'plan.dxf'}, 'as DXF'),
       ),
     ),
   );

@@ -124,9 +124,15 @@ public final class Drawing {
    *
    * @param walkable whether the outermost areas are where people walk, so that their borders are
    *     walls
-   * @throws InputException if all shapes are single points
+   * @throws InputException if all shapes are single points, or none is an area that is walkable
    */
   public List<Obstacle> obstacles(boolean walkable) {
+    if (walkable && parts.stream().noneMatch(part -> part.shape() instanceof DrawnShape.Area)) {
+      throw InputException.of(
+          "%s: %s is given, but nothing that is drawn is an area, expected polygons or closed"
+              + " lines",
+          file, setting("walkable"));
+    }
     List<Obstacle> obstacles =
         new ObstacleMaker().make(walkable ? WalkableArea.borders(parts) : parts);
     if (obstacles.isEmpty()) {

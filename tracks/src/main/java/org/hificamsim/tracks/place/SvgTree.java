@@ -27,6 +27,7 @@ final class SvgTree extends PlainXml {
   private int foreignDepth;
 
   static SvgTree read(Path file) {
+    DocumentType.requireEnd(file);
     SvgTree tree = new SvgTree();
     tree.readFile(file);
     return tree;
