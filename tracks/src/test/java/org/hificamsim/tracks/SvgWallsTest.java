@@ -246,6 +246,35 @@ class SvgWallsTest {
         List.of(new Wall(0, 9, 2, 9, 0)), read(file, new PlanScale.PerUnit(1)).obstacles(false));
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "<!DOCTYPE svg",
+        "<!DOCTYPE svg [<!ENTITY a 'b>]><svg/>",
+        "<?a > ?><!-- > --><!DOCTYPE svg [<!-- ' --><!ENTITY a \"b\">",
+      })
+  void rejectsCutDocumentType(String svg) {
+    InputException error =
+        assertThrows(InputException.class, () -> drawing(svg, new PlanScale.PerUnit(1)));
+    assertTrue(error.getMessage().contains("document type is cut off, expected"), svg);
+  }
+
+  @Test
+  void stopsBombsOfEntities() {
+    StringBuilder type = new StringBuilder("<!DOCTYPE svg [<!ENTITY e0 'aaaaaaaaaa'>");
+    for (int i = 1; i < 12; i++) {
+      type.append("<!ENTITY e").append(i).append(" '");
+      type.append(("&e" + (i - 1) + ";").repeat(10)).append("'>");
+    }
+    String bomb = type + "]><svg height='9'><line x2='1'/><style>&e11;</style></svg>";
+    InputException error =
+        assertTimeoutPreemptively(
+            Duration.ofSeconds(20),
+            () ->
+                assertThrows(InputException.class, () -> drawing(bomb, new PlanScale.PerUnit(1))));
+    assertTrue(error.getMessage().contains("a.svg:1:"), error::getMessage);
+  }
+
   @Test
   void stopsBombsOfUse() {
     String bomb =

@@ -34,7 +34,7 @@ final class ScenarioElements {
               "zoom", "The radii that every camera can choose from, between spaces, rising, m.")
           .holds("#" + Type.RADII.schema());
   static final Element<Scenario> CAMERAS_HOLDER =
-      Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera+");
+      Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera*");
   static final Element<Scenario> TARGETS_HOLDER =
       Element.<Scenario>of("objects", "The targets of the start, and recorded ones.")
           .holds("(object | object_with_waypoints | tracks)*");

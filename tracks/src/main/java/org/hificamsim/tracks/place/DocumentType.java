@@ -85,13 +85,17 @@ final class DocumentType {
   }
 
   private boolean starts(String text) throws IOException {
-    char[] read = new char[text.length()];
-    int count = Math.max(0, in.read(read));
-    if (new String(read, 0, count).equals(text)) {
-      return true;
+    for (int i = 0; i < text.length(); i++) {
+      int read = in.read();
+      if (read != text.charAt(i)) {
+        if (read >= 0) {
+          in.unread(read);
+        }
+        in.unread(text.toCharArray(), 0, i);
+        return false;
+      }
     }
-    in.unread(read, 0, count);
-    return false;
+    return true;
   }
 
   private void skipTo(String end) throws IOException {

@@ -102,7 +102,7 @@ final class DxfTags implements Closeable {
   /** Sets the encoding of names that are not UTF-8, such as ANSI_1251; ignores unknown ones. */
   void setCodePage(String name) {
     String charset = name.toLowerCase(Locale.ROOT).replace("ansi_", "windows-");
-    if (charset.matches("[a-z0-9-]+") && Charset.isSupported(charset)) {
+    if (charset.matches("[a-z0-9][a-z0-9-]*") && Charset.isSupported(charset)) {
       codePage = Charset.forName(charset);
     }
   }
