@@ -21,6 +21,11 @@ public record CoverPlan(
    */
   public record MultiplierBound(double value, double[] multipliers) {}
 
+  /** Returns other candidates of the same problem, which are at least as good. */
+  public CoverPlan replacedBy(int[] others, double otherScore) {
+    return new CoverPlan(others, Math.max(score, otherScore), bound, multiplierBound, seconds);
+  }
+
   /** Whether no plan of the same candidates is better. */
   public boolean isProven() {
     return gap() < 1e-9;

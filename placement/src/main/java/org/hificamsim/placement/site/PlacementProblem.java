@@ -12,6 +12,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.placement.cover.CheaperPlan;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
@@ -192,12 +193,14 @@ public record PlacementProblem(
    */
   public SitePlan solve(
       Effort effort, CoverSearch.Watcher watcher, Optional<Refinement> refinement) {
-    CoverPlan plan =
+    CoverInstance remaining = remaining();
+    CoverPlan found =
         CoverSearch.solve(
-            remaining(),
+            remaining,
             goal(),
             effort,
             (score, bound) -> watcher.improved(shownScore(score), shownScore(bound)));
+    CoverPlan plan = goal().isFullCover() ? found : cheaper(found, remaining, effort);
     List<Candidate> chosen = Arrays.stream(plan.chosen()).mapToObj(candidates.list()::get).toList();
     List<Candidate> refined =
         refinement.isPresent() ? refinement.get().refine(this, chosen) : chosen;
@@ -212,6 +215,16 @@ public record PlacementProblem(
     List<CameraSpec> cameras = planned.stream().map(PlannedCamera::camera).toList();
     PlanArea area = PlanArea.of(demand(), sight, cameras, request.reading);
     return new SitePlan(this, planned, area, plan, shares);
+  }
+
+  /** Returns a plan that meets as much as another one for the lowest price that is found. */
+  private CoverPlan cheaper(CoverPlan found, CoverInstance remaining, Effort effort) {
+    CoverInstance priced =
+        new CoverInstance(
+            remaining.unitWorths(), remaining.needs(), remaining.covered(), candidates.prices());
+    double maxCameras = request.goal.byNumber ? goal().budget() : Double.POSITIVE_INFINITY;
+    int[] chosen = CheaperPlan.of(priced, found.chosen(), maxCameras, effort);
+    return found.replacedBy(chosen, remaining.worth(remaining.counts(chosen)));
   }
 
   /** What the cameras of the site meet as it is: of the area, or of where targets are. */

@@ -1,0 +1,45 @@
+package org.hificamsim.placement.cover;
+
+import java.util.Arrays;
+import java.util.Optional;
+
+/**
+ * Replaces a plan by a cheaper one that covers every point as often, as far as that counts. A plan
+ * that covers the most for a budget may spend the rest of the budget on nothing.
+ */
+public final class CheaperPlan {
+  private CheaperPlan() {}
+
+  /**
+   * Returns the cheapest plan that is found.
+   *
+   * @param instance with the prices that are to be paid
+   * @param plan the plan to be replaced
+   * @param maxCameras the greatest number of cameras
+   * @return a plan that is not dearer, perhaps the same
+   */
+  public static int[] of(CoverInstance instance, int[] plan, double maxCameras, Effort effort) {
+    if (!mayBeCheaper(instance, plan)) {
+      return plan;
+    }
+    int[] counts = instance.counts(plan);
+    int[] kept = new int[counts.length];
+    Arrays.setAll(kept, point -> Math.min(instance.needs()[point], counts[point]));
+    CoverInstance same =
+        new CoverInstance(instance.unitWorths(), kept, instance.covered(), instance.prices());
+    Effort search =
+        new Effort(effort.seed(), effort.idleRounds(), Optional.empty(), effort.limits());
+    int[] found = CoverSearch.solve(same, Goal.FULL_COVER, search, (score, bound) -> {}).chosen();
+    boolean cheaper = instance.price(found) < instance.price(plan);
+    return cheaper && found.length <= maxCameras ? found : plan;
+  }
+
+  /**
+   * Whether prices differ, or everything is covered. Otherwise each camera of a good plan adds
+   * something, and all cost the same.
+   */
+  private static boolean mayBeCheaper(CoverInstance instance, int[] plan) {
+    boolean pricesDiffer = Arrays.stream(instance.prices()).distinct().count() > 1;
+    return pricesDiffer || instance.coverable().isFullyCovered(instance.counts(plan));
+  }
+}
