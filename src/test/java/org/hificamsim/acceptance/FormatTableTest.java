@@ -32,15 +32,8 @@ class FormatTableTest {
     int header = page.indexOf("| `--format` | line or element | time | positions |");
     List<String> table =
         page.stream().skip(header + 2).takeWhile(line -> line.startsWith("|")).toList();
-    List<String> declared = KnownFormat.all().stream().map(FormatTableTest::row).toList();
+    List<String> declared = KnownFormat.all().stream().map(format -> format.row(FLAGS)).toList();
     assertEquals(String.join("\n", declared), String.join("\n", table));
-  }
-
-  private static String row(KnownFormat format) {
-    return NamedSetting.written(
-        "| `%s` | %s | %s | %s |"
-            .formatted(format.name(), format.look(), format.time(), format.positions()),
-        FLAGS);
   }
 
   @Test

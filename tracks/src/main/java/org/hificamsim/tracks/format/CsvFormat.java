@@ -17,8 +17,8 @@ final class CsvFormat implements TrackFormat {
       new KnownFormat(
           "csv",
           "a table between `,`, `;`, tabs or blanks",
-          "any, or frames with `" + setting("rate") + "`",
-          "`" + setting("unit") + "`",
+          "any, or frames with `{rate}`",
+          "`{unit}`",
           CsvFormat::new);
 
   private static final String ONLY_TARGET = "1";

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.hificamsim.core.file.Fields;
@@ -18,7 +16,7 @@ final class FcdFormat extends PlainXml implements TrackFormat {
           "fcd",
           "SUMO: `<timestep time><vehicle|person|container id x y/>`",
           "s",
-          "m; degrees if the header has `fcd-output.geo`, or by `" + setting("unit", "deg") + "`",
+          "m; degrees if the header has `fcd-output.geo`, or by `{unit=deg}`",
           FcdFormat::new);
 
   private static final Set<String> TARGET_ELEMENTS = Set.of("vehicle", "person", "container");

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import com.fasterxml.jackson.core.JsonToken;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +22,7 @@ final class GeoJsonFormat implements TrackFormat {
           "`LineString` or `MultiLineString` with `coordTimes` or `times`, or `Point` with `time`"
               + " and `id`",
           "any",
-          "WGS84, or `" + setting("unit") + "`",
+          "WGS84, or `{unit}`",
           GeoJsonFormat::new);
 
   private static final Set<String> TIME_LISTS =

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.List;
 import java.util.OptionalDouble;
 import org.hificamsim.core.file.Fields;
@@ -15,7 +13,7 @@ final class JuPedSimFormat implements TrackFormat {
       new KnownFormat(
           "jupedsim",
           "JuPedSim's SQLite: the table `trajectory_data` with `frame id pos_x pos_y`",
-          "`fps` in `metadata`, or `" + setting("rate") + "`",
+          "`fps` in `metadata`, or `{rate}`",
           "m",
           JuPedSimFormat::new);
 

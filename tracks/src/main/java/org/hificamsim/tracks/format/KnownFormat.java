@@ -2,7 +2,10 @@ package org.hificamsim.tracks.format;
 
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.registry.Registry;
 
 /**
@@ -11,12 +14,15 @@ import org.hificamsim.core.registry.Registry;
  *
  * @param name as users choose it
  * @param look what a line or element looks like, in Markdown
- * @param time where times are from, in Markdown with names of settings
+ * @param time where times are from, in Markdown; settings stand in braces
  * @param positions what positions are, in the same
  * @param maker makes a reader
  */
 public record KnownFormat(
     String name, String look, String time, String positions, Supplier<TrackFormat> maker) {
+  /** A setting in a text, such as {@code {rate}} or {@code {unit=px}}. */
+  private static final Pattern SETTING = Pattern.compile("\\{(\\w+)(?:=(\\w+))?\\}");
+
   /** All formats, in the order of the documentation. */
   public static List<KnownFormat> all() {
     return Stream.of(
@@ -43,8 +49,17 @@ public record KnownFormat(
     return registry;
   }
 
-  @Override
-  public String toString() {
-    return name;
+  /**
+   * Returns the row of the documentation's table, with settings as users of a front end write them.
+   */
+  public String row(NamedSetting.Notation notation) {
+    return SETTING
+        .matcher("| `%s` | %s | %s | %s |".formatted(name, look, time, positions))
+        .replaceAll(
+            setting ->
+                Matcher.quoteReplacement(
+                    setting.group(2) == null
+                        ? notation.name(setting.group(1))
+                        : notation.assignment(setting.group(1), setting.group(2))));
   }
 }

@@ -14,10 +14,9 @@ final class MotFormat implements TrackFormat {
       new KnownFormat(
           "mot",
           "MOTChallenge: `frame,id,left,top,width,height[,conf[,x,y,z]]`",
-          "frames: `" + setting("rate") + "`",
-          "`%s` (`cm`, `mm`): x and y in the world; `%s %s`: where boxes stand"
-              .formatted(
-                  setting("unit", "m"), setting("unit", "px"), setting("homography", "FILE")),
+          "frames: `{rate}`",
+          "`{unit=m}` (`cm`, `mm`): x and y in the world; `{unit=px}` and `{homography=FILE}`:"
+              + " where boxes stand",
           MotFormat::new);
 
   private static final RowShape SHAPE =

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -19,8 +17,8 @@ final class PeTrackFormat implements TrackFormat {
       new KnownFormat(
           "petrack",
           "PeTrack, Juelich, JuPedSim's text: `id frame x y [z]`",
-          "`# framerate: 16`, or `" + setting("rate") + "`",
-          "`# id frame x/cm y/cm`, or `" + setting("unit") + "`",
+          "`# framerate: 16`, or `{rate}`",
+          "`# id frame x/cm y/cm`, or `{unit}`",
           PeTrackFormat::new);
 
   private static final Pattern RATE =

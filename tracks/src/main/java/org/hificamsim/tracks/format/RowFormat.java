@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.List;
 import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
@@ -15,7 +13,7 @@ final class RowFormat implements TrackFormat {
       new KnownFormat(
           "obsmat",
           "ETH/UCY: `frame id x z y vx vz vy`",
-          "frames: `" + setting("rate") + "`",
+          "frames: `{rate}`",
           "m; the third position is the second axis on the ground",
           () -> new RowFormat("frame id x z y vx vz vy"));
 
@@ -23,7 +21,7 @@ final class RowFormat implements TrackFormat {
       new KnownFormat(
           "ethucy",
           "ETH/UCY as text: `frame id x y`",
-          "frames: `" + setting("rate") + "`",
+          "frames: `{rate}`",
           "m; `?` is unknown",
           () -> new RowFormat("frame id x y"));
 

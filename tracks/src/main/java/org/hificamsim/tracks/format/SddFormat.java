@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import org.hificamsim.core.file.Fields;
 
 /**
@@ -15,8 +13,8 @@ final class SddFormat implements TrackFormat {
           "sdd",
           "Stanford Drone Dataset: `id xmin ymin xmax ymax frame lost occluded generated"
               + " \"label\"`",
-          "frames: `" + setting("rate") + "`",
-          "px: `" + setting("homography", "FILE") + "`; the middle of the box",
+          "frames: `{rate}`",
+          "px: `{homography=FILE}`; the middle of the box",
           SddFormat::new);
 
   private static final int FRAME = 5;

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,7 +18,7 @@ final class TrajNetFormat implements TrackFormat {
       new KnownFormat(
           "trajnet",
           "TrajNet++: `{\"track\": {\"f\", \"p\", \"x\", \"y\"}}`, `{\"scene\": {..., \"fps\"}}`",
-          "`fps` counts samples; `" + setting("rate") + "` counts frames",
+          "`fps` counts samples; `{rate}` counts frames",
           "m",
           TrajNetFormat::new);
 

@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,7 +18,7 @@ final class VadereFormat implements TrackFormat {
           "vadere",
           "Vadere's `.traj`: `pedestrianId simTime endTime startX startY endX endY`, or `timeStep"
               + " pedestrianId x y`",
-          "s; time steps: `" + setting("rate") + "`",
+          "s; time steps: `{rate}`",
           "m",
           VadereFormat::new);
 

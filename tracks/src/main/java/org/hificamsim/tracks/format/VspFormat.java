@@ -1,7 +1,5 @@
 package org.hificamsim.tracks.format;
 
-import static org.hificamsim.core.NamedSetting.setting;
-
 import java.util.regex.Pattern;
 import org.hificamsim.core.file.TextLines;
 
@@ -16,8 +14,8 @@ final class VspFormat implements TrackFormat {
       new KnownFormat(
           "vsp",
           "UCY's splines: their number; for each, the number of points and `x y frame gaze`",
-          "frames: `" + setting("rate") + "`, a sample every 10",
-          "px from the middle of the picture, y up: `" + setting("homography", "FILE") + "`",
+          "frames: `{rate}`, a sample every 10",
+          "px from the middle of the picture, y up: `{homography=FILE}`",
           VspFormat::new);
 
   private static final Pattern START =
