@@ -129,15 +129,17 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Dumps the classes of three short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
+# Dumps the classes of four short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
 # Whatever goes wrong here, the command line starts without them.
 archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
+    printf '0 1 0 0\n1 1 1 0\n2 1 2 0\n' >"$scratch/people.txt"
     if java=$(run_home) && list_classes run "$root/scenarios/cluster-scripted.xml" --record &&
         list_classes compare "$root/scenarios/cluster-scripted.xml" --steps 50 --repeat 2 &&
         list_classes tradeoff "$root/scenarios/studies/yard.xml" --steps 100 --repeat 4 &&
-        sed '/ source: /d; s/ id: [0-9]*$//' "$scratch/run" "$scratch/compare" "$scratch/tradeoff" | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
+        list_classes import "$scratch/people.txt" --format ethucy --rate 2 &&
+        sed '/ source: /d; s/ id: [0-9]*$//' "$scratch/run" "$scratch/compare" "$scratch/tradeoff" "$scratch/import" | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
         "$java/bin/java" -Xshare:dump -Xlog:disable "-XX:SharedClassListFile=$scratch/all" "-XX:SharedArchiveFile=$archive.new" -cp "$lib/*"; then
         mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
     fi >/dev/null 2>&1
@@ -145,7 +147,7 @@ archive_classes() {
 }
 list_classes() {
     "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:DumpLoadedClassList=$scratch/$1" "-Dhificamsim.root=$root" \
-        -cp "$lib/*" org.hificamsim.cli.Main "$@" --out "$scratch/out"
+        -cp "$lib/*" org.hificamsim.cli.Main "$@" --out "$scratch/out-$1"
 }
 
 # Builds $1 by the Gradle task $2 if that is needed; of several calls at once one builds and the others wait for it.

@@ -60,7 +60,7 @@ final class Collector implements SampleSink {
         choice.recording().file(),
         choice.reader().hasIds(),
         targets,
-        clock.secondsPerTick(RecordedTargets.spacing(targets)),
+        clock.secondsPerTick(() -> RecordedTargets.spacing(targets)),
         collector.notes);
   }
 

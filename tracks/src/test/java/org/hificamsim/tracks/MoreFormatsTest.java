@@ -79,7 +79,8 @@ class MoreFormatsTest {
     assertRefused(
         "vsp", "2\n1\n1 2 3 4\nx\n", ":4:1: number of control points is 'x', expected a whole");
     assertRefused(
-        "vsp", "1\n2\n0 0 9 0\n1 1 8 0\n", ":4:1: the frame runs backwards, from 9.0 to 8.0");
+        "vsp", "1\n2\n0 0 9 0\n1 1 8 0\n", ":4:1: the frame goes from 9.0 to 8.0, expected");
+    assertRefused("vsp", "1\n2\n0 0 9 0\n1 1 1e9 0\n", ":4:1: the frame goes from 9.0 to 1.0E9");
   }
 
   private void assertRefused(String format, String content, String message) {

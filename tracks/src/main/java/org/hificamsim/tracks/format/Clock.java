@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.format;
 
+import java.util.function.DoubleSupplier;
+
 /**
  * The unit of time of a format.
  *
@@ -19,9 +21,9 @@ public record Clock(double rate, boolean countsSamples) {
   /**
    * Returns the length of a tick in seconds.
    *
-   * @param spacing the number of ticks between samples of a target
+   * @param spacing returns the number of ticks between samples of a target
    */
-  public double secondsPerTick(double spacing) {
-    return countsSamples ? 1 / (rate * spacing) : 1 / rate;
+  public double secondsPerTick(DoubleSupplier spacing) {
+    return countsSamples ? 1 / (rate * spacing.getAsDouble()) : 1 / rate;
   }
 }

@@ -119,9 +119,13 @@ public record FormatChoice(
    */
   public InputException wrongFormat(InputException fault) {
     if (reason.isPresent()) {
+      String file = recording.file().toString();
+      String message = fault.message(NamedSetting.MARKED);
       return InputException.of(
               "%s (read as %s, because the file %s)",
-              fault.message(NamedSetting.MARKED), known.name(), reason.get())
+              message.startsWith(file) ? message : file + ": " + message,
+              known.name(),
+              reason.get())
           .because(fault);
     }
     FileStart start = recording.start();

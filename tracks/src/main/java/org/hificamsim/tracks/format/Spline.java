@@ -10,6 +10,9 @@ import org.hificamsim.core.Place;
  * and even where the points are.
  */
 final class Spline {
+  /** A longer way between two control points, in frames, is a mistake: it is an hour. */
+  private static final double MAX_FRAMES = 100_000;
+
   /** A control point. */
   private record Control(double frame, double x, double y) {}
 
@@ -28,13 +31,15 @@ final class Spline {
   /**
    * Adds the next control point; one at the frame of the point before is ignored.
    *
-   * @throws org.hificamsim.core.InputException if it is at an earlier frame than the one before
+   * @throws org.hificamsim.core.InputException if it is at an earlier frame than the one before, or
+   *     much later
    */
   void add(Place at, double frame, double x, double y) {
     double last = controls.isEmpty() ? Double.NEGATIVE_INFINITY : last().frame;
-    if (frame < last) {
+    if (frame < last || (!controls.isEmpty() && frame - last > MAX_FRAMES)) {
       throw at.error(
-          "the frame runs backwards, from %s to %s, expected control points in order of time",
+          "the frame goes from %s to %s, expected control points in order of time, less than"
+              + " 100,000 frames apart",
           last, frame);
     }
     if (frame > last) {

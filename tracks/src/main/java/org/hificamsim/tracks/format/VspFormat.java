@@ -83,7 +83,7 @@ final class VspFormat implements TrackFormat {
   private void addPoint(Spline spline) {
     spline.add(
         lines.place(),
-        OddRows.part(Omission.NO_TIME, () -> lines.number(FRAME, "frame")),
+        OddRows.part(Omission.NO_TIME, () -> lines.coordinate(FRAME, "frame")),
         OddRows.part(Omission.NO_PLACE, () -> lines.coordinate(0, "x")),
         OddRows.part(Omission.NO_PLACE, () -> lines.coordinate(1, "y")));
   }

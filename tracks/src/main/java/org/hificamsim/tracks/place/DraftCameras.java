@@ -62,7 +62,8 @@ public final class DraftCameras {
   private CameraSpec camera(String name, double share) {
     Point border = freePoint(share);
     Point place = towardsPeople(border);
-    Point target = place.equals(border) ? middle() : mean(seenFrom(place));
+    boolean moved = place.x() != border.x() || place.y() != border.y(); // equals starts slowly
+    Point target = moved ? mean(seenFrom(place)) : middle();
     CameraSpec camera =
         DraftOptics.camera(name, DraftOptics.DOME, place.x(), place.y(), target.x(), target.y());
     double far = 2 * Math.hypot(target.x() - place.x(), target.y() - place.y());
