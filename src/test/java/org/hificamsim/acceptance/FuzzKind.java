@@ -99,6 +99,7 @@ enum FuzzKind {
       Path people = Files.writeString(file.resolveSibling("people.csv"), PEOPLE);
       List<Object> words = new ArrayList<>(List.of("import", people, "--format", "csv"));
       words.addAll(List.of("--unit", "m", "--scale", 0.1, "--walls", file, "--out", OUT));
+      words.add("--force-reading"); // so that its readers see all
       return run(words.toArray());
     }
   },
