@@ -72,7 +72,7 @@ final class PlanOptions {
         wallsUnit == null
             ? Optional.empty()
             : Optional.of(RecordingOptions.unit("--walls-unit", wallsUnit));
-    LayerChoice choice = listLayers ? LayerChoice.ALL : new LayerChoice(layers);
+    LayerChoice choice = listLayers ? LayerChoice.FOR_LIST : new LayerChoice(layers);
     boolean isDxf = file.toString().toLowerCase(Locale.ROOT).matches(".*\\.dxf(\\.gz)?");
     boolean isForPicture = isDxf && floorplan.isPresent(); // a DXF has a unit of its own
     Optional<PictureFrame> frame = isForPicture ? Optional.empty() : frame();

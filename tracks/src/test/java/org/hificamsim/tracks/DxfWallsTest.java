@@ -240,6 +240,26 @@ class DxfWallsTest {
   }
 
   @Test
+  void listsLayersOfDrawingThatIsTooLarge() throws IOException {
+    String lines = pairs(LINE + "8 MANY ").repeat(200_001);
+    Path file =
+        Files.writeString(
+            folder.resolve("many.dxf"),
+            pairs("0 SECTION 2 ENTITIES ") + lines + pairs("0 ENDSEC 0 EOF"));
+    InputException error = assertThrows(InputException.class, () -> read(file, LayerChoice.ALL));
+    assertTrue(error.getMessage().contains("choose some by layers"), error::getMessage);
+    Drawing listed = read(file, LayerChoice.FOR_LIST);
+    assertEquals(List.of("colour 7: 200001", "layer MANY: 200001"), listed.labelLines());
+  }
+
+  private static Drawing read(Path file, LayerChoice choice) {
+    return WallFile.read(
+        file,
+        new DrawingSettings(
+            Optional.of(Unit.M), Unit.M, new LocalProjection(), Optional.empty(), choice));
+  }
+
+  @Test
   void readsHundredMegabytesWithLittleMemory() throws IOException {
     Path file = folder.resolve("big.dxf");
     String point = pairs("0 TEXT 8 NOTES 10 1.5 20 2.5 40 0.2 1 a_long_note_about_nothing");

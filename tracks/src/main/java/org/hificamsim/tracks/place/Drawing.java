@@ -38,7 +38,7 @@ public final class Drawing {
   private final Map<Label, Integer> labels = new HashMap<>();
   private final Map<String, Integer> leftOut = new TreeMap<>();
   private final Set<String> used = new TreeSet<>();
-  private int points;
+  private long points;
 
   Drawing(Path file, LayerChoice choice) {
     this.file = file;
@@ -60,13 +60,18 @@ public final class Drawing {
     Set<String> matching = choice.matching(traits.labels());
     used.addAll(matching);
     if (!matching.isEmpty() || choice.names().isEmpty()) {
-      points += shape.points();
-      if (parts.size() == MAX_PARTS || points > MAX_POINTS) {
-        throw place.error(
-            "more than %s shapes or %s points, expected fewer: choose some by %s",
-            MAX_PARTS, MAX_POINTS, setting("layers"));
-      }
-      parts.add(new DrawnPart(shape, traits.height()));
+      keep(place, new DrawnPart(shape, traits.height()));
+    }
+  }
+
+  private void keep(Place place, DrawnPart part) {
+    points += part.shape().points();
+    if (parts.size() < MAX_PARTS && points <= MAX_POINTS) {
+      parts.add(part);
+    } else if (!choice.isForList()) {
+      throw place.error(
+          "more than %s shapes or %s points, expected fewer: choose some by %s",
+          MAX_PARTS, MAX_POINTS, setting("layers"));
     }
   }
 

@@ -15,10 +15,19 @@ import org.hificamsim.core.Nearest;
  * The parts of a drawing that are walls, chosen by layer, class, id or colour.
  *
  * @param names in any case; {@code *} stands for any characters; empty to choose everything
+ * @param isForList whether shapes beyond the limit are counted, but not kept
  */
-public record LayerChoice(List<String> names) {
+public record LayerChoice(List<String> names, boolean isForList) {
   /** Chooses everything. */
   public static final LayerChoice ALL = new LayerChoice(List.of());
+
+  /** Chooses everything of a drawing of any size, of which only the names are needed. */
+  public static final LayerChoice FOR_LIST = new LayerChoice(List.of(), true);
+
+  /** Chooses by names. */
+  public LayerChoice(List<String> names) {
+    this(names, false);
+  }
 
   /** Copies the list. */
   public LayerChoice {
