@@ -150,6 +150,9 @@ public final class Network implements Cooperation, WorldObserver {
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
     boolean toAll = to == MessageQueue.NEIGHBOURS;
+    if (queue.radio().counts()) {
+      countReceivers(queue.bits(kind), from, to);
+    }
     if (toAll && broadcastsReachAll) {
       return searches.receiveAll(kind, from, target);
     }
@@ -161,6 +164,14 @@ public final class Network implements Cooperation, WorldObserver {
       }
     }
     return receivers;
+  }
+
+  private void countReceivers(int bits, int from, int to) {
+    for (int camera = 0; camera < addedCameras; camera++) {
+      if ((camera == to || to == MessageQueue.NEIGHBOURS) && agents[from].reaches(camera)) {
+        queue.radio().receive(camera, bits);
+      }
+    }
   }
 
   private void choose(int camera) {

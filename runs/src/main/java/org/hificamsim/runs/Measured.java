@@ -1,9 +1,10 @@
 package org.hificamsim.runs;
 
 import java.util.Optional;
-import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.engine.EnergySums;
 import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -13,6 +14,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  *
  * @param traffic between the cameras
  * @param network the sums of the cameras' cooperation
+ * @param energy that the cameras took
  * @param proof of the policy; empty if it does not claim to be the best
  * @param expectedGap the most that the least expected coverage could gain, summed over the steps;
  *     NaN if it is not known
@@ -23,6 +25,7 @@ public record Measured(
     Objective objective,
     Traffic traffic,
     NetworkSums network,
+    EnergySums energy,
     Optional<Proof> proof,
     double expectedGap,
     Zones zones) {
@@ -36,21 +39,30 @@ public record Measured(
       RunCoverage coverage,
       Objective objective,
       ZoomPolicy policy,
-      Channel channel,
-      NetworkSums network,
+      Simulation simulation,
       Zones zones) {
     double gap =
         policy instanceof ProvingZoomPolicy proving && proving.ofExpectation()
             ? proving.gap()
             : Double.NaN;
-    Traffic traffic = Traffic.of(policy, channel).with(network);
-    return new Measured(coverage, objective, traffic, network, Proof.of(policy), gap, zones);
+    NetworkSums network = simulation.cooperation().sums();
+    Traffic traffic = Traffic.of(policy, simulation.network().channel()).with(network);
+    return new Measured(
+        coverage, objective, traffic, network, simulation.energy(), Proof.of(policy), gap, zones);
   }
 
   /** The sums of a repeat that another program ran. */
   public Measured(
       RunCoverage coverage, Objective objective, Traffic traffic, Optional<Proof> proof) {
-    this(coverage, objective, traffic, NetworkSums.NONE, proof, Double.NaN, Zones.NONE);
+    this(
+        coverage,
+        objective,
+        traffic,
+        NetworkSums.NONE,
+        EnergySums.NONE,
+        proof,
+        Double.NaN,
+        Zones.NONE);
   }
 
   /** The number of steps that are not proven; NaN if the policy claims nothing. */

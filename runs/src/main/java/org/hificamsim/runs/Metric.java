@@ -183,7 +183,30 @@ public enum Metric {
       "share",
       "the same of the zone of which least is met",
       measured(run -> run.zones().least()),
-      new Line("least of a zone", "%.4f", ""));
+      new Line("least of a zone", "%.4f", "")),
+  ENERGY(
+      "J",
+      "of scenarios with [energy](energy.md) alone, as the next four: what all cameras took",
+      measured(run -> run.energy().joules()),
+      new Line("energy", "%.6g", "J")),
+  LIFETIME_FIRST(
+      "steps",
+      "until the first battery was empty; empty where none is",
+      measured(run -> run.energy().firstEmpty()),
+      new Line("first battery empty", "%.0f", "steps")),
+  LIFETIME_HALF(
+      "steps",
+      "until half the batteries were empty",
+      measured(run -> run.energy().halfEmpty()),
+      new Line("half of them empty", "%.0f", "steps")),
+  COVERED_UNTIL_FIRST(
+      "share of targets",
+      "covered by any camera, over the steps until the first battery was empty",
+      measured(run -> run.energy().coveredUntilFirst())),
+  COVERED_UNTIL_HALF(
+      "share of targets",
+      "the same until half the batteries were empty",
+      measured(run -> run.energy().coveredUntilHalf()));
 
   private static final String EXPECTED = "EXPECTED_";
 

@@ -6,10 +6,8 @@ import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Cooperation;
-import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
@@ -64,11 +62,9 @@ public final class RunExecutor {
     }
     Simulation simulation = simulation(plan, run, policy, allListeners);
     run(simulation, plan, run);
-    Channel channel = simulation.network().channel();
-    NetworkSums sums = simulation.cooperation().sums();
     Measured.Zones seenOfZones =
         zones == null ? Measured.Zones.NONE : new Measured.Zones(zones.met(), zones.least());
-    Measured measured = Measured.of(coverage, plan.objective(), policy, channel, sums, seenOfZones);
+    Measured measured = Measured.of(coverage, plan.objective(), policy, simulation, seenOfZones);
     return RunResult.of(run, plan.seed(run), measured);
   }
 

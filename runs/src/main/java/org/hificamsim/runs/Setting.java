@@ -10,6 +10,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.energy.EnergyModel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Headings;
@@ -213,6 +214,36 @@ public enum Setting {
       return channel.isPerfect() ? Optional.empty() : Optional.of(channel.text());
     }
   },
+  ENERGY(
+      Kind.TEXT,
+      "PROFILE|FILE|key=value,...",
+      null,
+      Keeper.SCENARIO,
+      "What cameras take and what their batteries hold, such as "
+          + EnergyModel.EXAMPLE
+          + ", a file with such lines, or none; overrides the scenario's. See docs/energy.md.") {
+    /** The metric of this name stands in the same files. */
+    @Override
+    public String field() {
+      return "energy_model";
+    }
+
+    @Override
+    void check(String text) {
+      EnergyModel.parseOrRead(text);
+    }
+
+    @Override
+    Scenario override(Scenario scenario, String text) {
+      return scenario.with(Scenario.ENERGY, EnergyModel.parseOrRead(text));
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      EnergyModel energy = scenario.energy();
+      return energy.isNone() ? Optional.empty() : Optional.of(energy.text());
+    }
+  },
   ORDER(
       Kind.TEXT,
       "coverage|camsim",
@@ -309,7 +340,12 @@ public enum Setting {
     return Arrays.stream(values()).filter(setting -> setting.label().equals(label)).findFirst();
   }
 
-  /** The name in files and of the argument in Python; the option has {@code -} for {@code _}. */
+  /** The name in files: the {@link #label}, unless a metric has it. */
+  public String field() {
+    return label();
+  }
+
+  /** The name of the argument in Python; the option has {@code -} for {@code _}. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);
   }

@@ -23,7 +23,7 @@ public final class Post<M> {
     void receive(int from, int to, long sent, M message);
   }
 
-  private record Copy<M>(int from, int to, long sent, M message) {}
+  private record Copy<M>(int from, int to, long sent, long bits, M message) {}
 
   private final Stations stations;
   private final Channel channel;
@@ -38,27 +38,29 @@ public final class Post<M> {
   /** Sends a message from one camera to another. */
   public void send(int from, int to, long bits, M message) {
     if (channel.send(from, bits)) {
-      copy(from, to, message);
+      stations.radio().send(from, bits);
+      copy(from, to, bits, message);
     }
   }
 
   /** Sends a message from a camera to all others that are online. */
   public void broadcast(int from, long bits, M message) {
     if (channel.send(from, bits)) {
+      stations.radio().send(from, bits);
       for (int to = 0; to < stations.cameras(); to++) {
         if (to != from && stations.online(to)) {
-          copy(from, to, message);
+          copy(from, to, bits, message);
         }
       }
     }
   }
 
-  private void copy(int from, int to, M message) {
+  private void copy(int from, int to, long bits, M message) {
     int delay = channel.delay(from, to);
     if (delay != Channel.LOST) {
       long sent = stations.step();
       Queue<Copy<M>> copies = arriving.computeIfAbsent(sent + delay, step -> new ArrayDeque<>());
-      copies.add(new Copy<>(from, to, sent, message));
+      copies.add(new Copy<>(from, to, sent, bits, message));
     }
   }
 
@@ -71,6 +73,7 @@ public final class Post<M> {
       Queue<Copy<M>> copies = arriving.firstEntry().getValue();
       for (Copy<M> copy = copies.poll(); copy != null; copy = copies.poll()) {
         if (stations.online(copy.to())) {
+          stations.radio().receive(copy.to(), copy.bits());
           receiver.receive(copy.from(), copy.to(), copy.sent(), copy.message());
         }
       }

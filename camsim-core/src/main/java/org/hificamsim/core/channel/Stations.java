@@ -5,6 +5,11 @@ public interface Stations {
   /** The step that is under way, from 0. */
   long step();
 
+  /** What counts the bits that cameras send and receive; {@link Post} counts its own messages. */
+  default RadioLog radio() {
+    return RadioLog.NONE;
+  }
+
   /** A number that changes whenever a camera is added, moved, refitted or switched. */
   int revision();
 

@@ -1,6 +1,7 @@
 package org.hificamsim.core.engine;
 
 import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.channel.RadioLog;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -21,6 +22,7 @@ class ObservedNetwork implements NetworkView {
   private final Objective objective;
   private final Field field;
   private Channel channel = Channel.PERFECT;
+  private RadioLog radio = RadioLog.NONE;
 
   ObservedNetwork(World world, Sight sight, Observation observation) {
     this.cameras = world.cameras();
@@ -34,6 +36,16 @@ class ObservedNetwork implements NetworkView {
   /** Sends all messages over a channel in place of the perfect one. */
   void connect(Channel newChannel) {
     channel = newChannel;
+  }
+
+  /** Counts the bits that cameras send and receive. */
+  void count(RadioLog newRadio) {
+    radio = newRadio;
+  }
+
+  @Override
+  public RadioLog radio() {
+    return radio;
   }
 
   @Override

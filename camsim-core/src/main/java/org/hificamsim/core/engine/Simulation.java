@@ -1,10 +1,12 @@
 package org.hificamsim.core.engine;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.ChannelModel;
+import org.hificamsim.core.channel.RadioLog;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.AimingZoomPolicy;
@@ -46,6 +48,10 @@ public final class Simulation {
   private final OracleNetwork oracle;
   private final NetworkView policyView;
   private final StepCoverage coverage;
+
+  /** Null if nothing takes energy. */
+  private final EnergyMeter energy;
+
   private final StepPhases phases = new StepPhases(this);
   private final int[] views;
   private final boolean byChance;
@@ -99,6 +105,7 @@ public final class Simulation {
       known.connect(channel);
       oracle.connect(channel);
     }
+    this.energy = energyMeter(known);
     this.policyView = policy instanceof OraclePolicy ? oracle : known;
     this.byChance = !detection.certain();
     this.policyJumps = policy.jumps();
@@ -107,6 +114,16 @@ public final class Simulation {
     this.views = new int[world.cameras().count()];
     cooperation.begin(oracle);
     policy.begin(policyView, new SplittableRandom(seed));
+  }
+
+  private EnergyMeter energyMeter(ObservedNetwork known) {
+    if (world.scenario().energy().isNone()) {
+      return null;
+    }
+    RadioLog radio = new RadioLog(world.cameras().count());
+    known.count(radio);
+    oracle.count(radio);
+    return new EnergyMeter(world, radio);
   }
 
   /**
@@ -235,6 +252,9 @@ public final class Simulation {
     if (byChance) {
       coverage.expect(oracle);
     }
+    if (energy != null) {
+      energy.measure(oracle, coverage);
+    }
   }
 
   void report() {
@@ -253,6 +273,16 @@ public final class Simulation {
   /** The network as the last phase left it, with what no camera knows. */
   public OracleView network() {
     return oracle;
+  }
+
+  /** The energy that the cameras have taken. */
+  public EnergySums energy() {
+    return energy == null ? EnergySums.NONE : energy.sums();
+  }
+
+  /** What each camera has taken, part by part; empty if nothing takes energy. */
+  public Optional<EnergyMeter> energyMeter() {
+    return Optional.ofNullable(energy);
   }
 
   /** What the cameras do together. */

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.Seen;
+import org.hificamsim.core.energy.EnergyModel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.declaration.Element;
@@ -72,6 +73,8 @@ seen: what of a target has to be [seen](world.md#heights): `feet`, `head` or `wh
 foreshortening: `cosine`: what is seen from above [looks shorter](world.md#heights) (ours)
 channel: [what becomes of messages between cameras](channel.md), as \
 `loss=0.2,delay=2` (ours) | `perfect`
+energy: [what cameras take, and their batteries](energy.md), as \
+`cc2420,idle=300mW,battery=5kJ` (ours) | `none`
 floorplan: a PNG or JPEG that pictures and pages draw under the field; a path from the \
 scenario's folder (ours)
 floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the floorplan \
@@ -118,6 +121,11 @@ shows, m (ours) | the field's borders
               "channel",
               Type.named("", ChannelModel::parse, ChannelModel::text),
               ChannelModel.PERFECT)
+          .omittedAtDefault();
+  public static final Property<Scenario, EnergyModel> ENERGY =
+      ELEMENT
+          .attribute(
+              "energy", Type.named("", EnergyModel::parse, EnergyModel::text), EnergyModel.NONE)
           .omittedAtDefault();
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
@@ -232,6 +240,10 @@ shows, m (ours) | the field's borders
 
   public ChannelModel channel() {
     return get(CHANNEL);
+  }
+
+  public EnergyModel energy() {
+    return get(ENERGY);
   }
 
   /** The picture that is drawn under the field. */

@@ -25,6 +25,7 @@ public final class World {
   private final Registry<Movement> registry;
   private final Movement[] movements;
   private final RandomStreams random;
+  private final Shifts shifts;
   private WorldObserver observer = WorldObserver.NONE;
   private int nextEvent;
   private int nextCamera;
@@ -46,6 +47,7 @@ public final class World {
     this.random = new RandomStreams(seed);
     Scenario scenario = participants.scenario();
     cameras = new Cameras(participants.cameras().size());
+    shifts = new Shifts(cameras);
     Obstacles obstacles = new Obstacles(scenario.obstacles());
     int count = participants.targets().size();
     targets = new Targets(scenario.field(), obstacles, scenario.order(), count);
@@ -140,6 +142,21 @@ public final class World {
     cameras.switchTo(camera, on);
   }
 
+  /** Switches a camera off for ever, as an event does. */
+  public void switchOffForEver(int camera) {
+    switchOff(camera, -1);
+  }
+
+  /** Whether the duty cycle of a camera lets it sleep now. */
+  public boolean sleeps(int camera) {
+    return shifts.sleeps(camera);
+  }
+
+  /** Whether a camera is not there or was switched off; not if it sleeps. */
+  public boolean isOff(int camera) {
+    return !cameras.online(camera) && !shifts.sleeps(camera);
+  }
+
   /** Moves a camera to a position in metres, independently of events. */
   public void moveCamera(int camera, double x, double y) {
     cameras.place(camera, Pose.of(x, y, cameras.heading(camera)));
@@ -182,6 +199,7 @@ public final class World {
     while (nextEvent < events.size() && events.get(nextEvent).step() <= step) {
       fire(nextEvent++);
     }
+    shifts.begin(step);
     sightLines.refresh();
   }
 
@@ -250,14 +268,19 @@ public final class World {
   private void failCamera(ScenarioEvent.FailCamera fail) {
     int camera = onlineCamera(fail.camera());
     if (camera != Participants.NONE && fail.duration() != 0) {
-      cameras.switchTo(camera, false);
-      observer.cameraFailed(camera, fail.duration());
+      switchOff(camera, fail.duration());
     }
+  }
+
+  private void switchOff(int camera, int duration) {
+    shifts.end(camera);
+    cameras.switchTo(camera, false);
+    observer.cameraFailed(camera, duration);
   }
 
   private int onlineCamera(String name) {
     int camera = participants.cameraNumbers().getOrDefault(name, Participants.NONE);
-    return camera != Participants.NONE && cameras.online(camera) ? camera : Participants.NONE;
+    return camera != Participants.NONE && !isOff(camera) ? camera : Participants.NONE;
   }
 
   private int addTarget() {
@@ -276,6 +299,7 @@ public final class World {
   private void defineAll() {
     for (int camera = 0; camera < cameras.count(); camera++) {
       cameras.define(camera, cameraSpec(camera).name(), participants.mounts().get(camera));
+      shifts.define(camera, cameraSpec(camera));
     }
     cameras.startMotion(scenario().stepTime());
     for (int target = 0; target < movements.length; target++) {

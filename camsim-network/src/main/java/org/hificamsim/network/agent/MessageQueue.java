@@ -5,6 +5,7 @@ import java.util.List;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.channel.Post;
+import org.hificamsim.core.channel.RadioLog;
 import org.hificamsim.core.channel.Stations;
 
 /**
@@ -39,6 +40,7 @@ public final class MessageQueue {
   /** Carries messages over the channel; null if the channel is perfect. */
   private Post<Message> post;
 
+  private RadioLog radio = RadioLog.NONE;
   private final List<Message> waiting = new ArrayList<>();
   private long startSearches;
   private long startTrackings;
@@ -54,16 +56,21 @@ public final class MessageQueue {
 
   /** Sends all further messages over a channel. */
   public void connect(Stations stations, Channel channel) {
+    radio = stations.radio();
     post = channel.isPerfect() ? null : new Post<>(stations, channel);
   }
 
   /** Appends a message to a camera, or to {@link #NEIGHBOURS}. */
   void send(MessageKind kind, int from, int to, int target, double value) {
     bits += bits(kind);
+    if (post == null) {
+      radio.send(from, bits(kind));
+    }
     waiting.add(new Message(kind, from, to, target, value));
   }
 
-  private int bits(MessageKind kind) {
+  /** The length of a message of a kind. */
+  public int bits(MessageKind kind) {
     return bitsWithoutValue + (kind.hasValue() ? MessageBits.REAL : 0);
   }
 
@@ -114,6 +121,11 @@ public final class MessageQueue {
   /** The number of StartTracking messages, or handovers, received since then. */
   public long startTrackings() {
     return startTrackings;
+  }
+
+  /** The log of the messages that no {@link Post} counts. */
+  public RadioLog radio() {
+    return post == null ? radio : RadioLog.NONE;
   }
 
   /** The number of bits of all messages sent so far; a message to all neighbours counts once. */

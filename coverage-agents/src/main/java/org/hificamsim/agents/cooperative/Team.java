@@ -5,6 +5,7 @@ import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.channel.Post;
+import org.hificamsim.core.channel.Stations;
 import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -33,6 +34,7 @@ final class Team {
   /** By sender and receiver, whether any report or choice arrived in this step. */
   private final boolean[] messageArrived;
 
+  private final Stations stations;
   private long messages;
   private long bits;
 
@@ -41,6 +43,7 @@ final class Team {
    */
   Team(Parameters parameters, Site site, NetworkView network, boolean individual) {
     this.site = site;
+    stations = network;
     cameras = network.cameras();
     shared = !individual || cameras <= 1;
     boolean perfect = network.channel().isPerfect();
@@ -171,8 +174,12 @@ final class Team {
     count(camera, length);
     if (!shared) {
       boolean sent = channel.send(camera, length);
+      stations.radio().send(camera, sent ? length : 0);
       for (int receiver = 0; receiver < cameras; receiver++) {
         boolean arrived = sent && channel.delay(camera, receiver) == 0;
+        if (arrived && receiver != camera && stations.online(receiver)) {
+          stations.radio().receive(receiver, length);
+        }
         bidHasArrived[camera * cameras + receiver] = arrived;
       }
     }
@@ -183,7 +190,12 @@ final class Team {
     return shared || bidHasArrived[sender * cameras + receiver];
   }
 
+  /** Counts a message; separate minds tell the radio when they post it. */
   private void count(int camera, int length) {
+    if (shared) {
+      stations.radio().send(camera, length);
+      stations.radio().receiveAll(camera, length, stations);
+    }
     messagesInStep[camera]++;
     messages++;
     bits += length;

@@ -4,6 +4,7 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.core.channel.MessageBits;
+import org.hificamsim.core.channel.RadioLog;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -103,7 +104,19 @@ public final class QbSarsaZoomPolicy extends TemporalDifferenceZoomPolicy {
       if (!network.moving(camera)) {
         electedViews[camera] = elect(network, camera);
         directMessages += 2L * nearest.count(camera);
+        countBits(network.radio(), camera);
       }
+    }
+  }
+
+  /** Counts the queries of a camera and their answers, unless {@link Inquiries} posts them. */
+  private void countBits(RadioLog radio, int camera) {
+    for (int i = 0; inquiries == null && radio.counts() && i < nearest.count(camera); i++) {
+      int neighbour = nearest.neighbour(camera, i);
+      radio.send(camera, lengths.query());
+      radio.receive(neighbour, lengths.query());
+      radio.send(neighbour, lengths.answer());
+      radio.receive(camera, lengths.answer());
     }
   }
 

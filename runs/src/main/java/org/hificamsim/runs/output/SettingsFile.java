@@ -50,9 +50,9 @@ public final class SettingsFile {
 
   private static void put(ObjectNode json, Setting setting, String value) {
     switch (setting.kind()) {
-      case TEXT -> json.put(setting.label(), value);
-      case INT, LONG -> json.put(setting.label(), Long.parseLong(value));
-      case NUMBER -> json.put(setting.label(), Double.parseDouble(value));
+      case TEXT -> json.put(setting.field(), value);
+      case INT, LONG -> json.put(setting.field(), Long.parseLong(value));
+      case NUMBER -> json.put(setting.field(), Double.parseDouble(value));
     }
   }
 

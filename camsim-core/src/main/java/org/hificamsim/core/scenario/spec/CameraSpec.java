@@ -29,6 +29,8 @@ optics: the name of its [optics](#optics) (ours) | none
 z: [height](world.md#heights) of the lens above the ground, m (ours) \
 | the scenario's `mount_height`, else 0
 tilt: how far a lens looks down, degrees, -90 to 90 (ours)
+duty: [when it is awake](energy.md#duty-cycles): `2/6@4`, 2 of every 6 steps, first from step 4 \
+on (ours) | always
 ai_algorithm: class name of an auction schedule of CamSim's network
 comm: communication policy in the network: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, \
 4 the class of `customcom`
@@ -52,6 +54,8 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
   public static final Property<CameraSpec, Double> Z = ELEMENT.optional("z", Type.LENGTH);
   public static final Property<CameraSpec, Double> TILT =
       ELEMENT.attribute("tilt", Type.number(Range.TILT), 0.0).omittedAtDefault();
+  public static final Property<CameraSpec, DutyCycle> DUTY =
+      ELEMENT.optional("duty", Type.named(DutyCycle.EXPECTED, DutyCycle::parse, DutyCycle::text));
   public static final Property<CameraSpec, String> ALGORITHM =
       ELEMENT.optional("ai_algorithm", Type.TEXT);
   public static final Property<CameraSpec, Integer> COMM =

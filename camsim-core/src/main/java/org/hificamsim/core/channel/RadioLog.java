@@ -1,0 +1,62 @@
+package org.hificamsim.core.channel;
+
+import java.util.Arrays;
+
+/** The bits that each camera has sent and received in a step, where somebody wants to know. */
+public final class RadioLog {
+  /** Counts nothing. */
+  public static final RadioLog NONE = new RadioLog(0);
+
+  private final long[] sent;
+  private final long[] received;
+
+  /** Creates a log of a number of cameras. */
+  public RadioLog(int cameras) {
+    sent = new long[cameras];
+    received = new long[cameras];
+  }
+
+  /** Whether the log counts, so that receivers have to be found. */
+  public boolean counts() {
+    return sent.length > 0;
+  }
+
+  /** Counts a message that a camera sends. */
+  public void send(int from, long bits) {
+    if (counts()) {
+      sent[from] += bits;
+    }
+  }
+
+  /** Counts a message that a camera receives. */
+  public void receive(int to, long bits) {
+    if (counts()) {
+      received[to] += bits;
+    }
+  }
+
+  /** Counts a message that all other cameras receive that are online. */
+  public void receiveAll(int from, long bits, Stations stations) {
+    for (int to = 0; to < sent.length; to++) {
+      if (to != from && stations.online(to)) {
+        received[to] += bits;
+      }
+    }
+  }
+
+  /** The bits that a camera has sent since the last {@link #clear}. */
+  public long sent(int camera) {
+    return sent[camera];
+  }
+
+  /** The bits that a camera has received since the last {@link #clear}. */
+  public long received(int camera) {
+    return received[camera];
+  }
+
+  /** Starts a step. */
+  public void clear() {
+    Arrays.fill(sent, 0);
+    Arrays.fill(received, 0);
+  }
+}

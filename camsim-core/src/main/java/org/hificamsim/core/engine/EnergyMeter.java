@@ -1,0 +1,175 @@
+package org.hificamsim.core.engine;
+
+import static org.hificamsim.core.energy.EnergyFigure.DETECTION;
+import static org.hificamsim.core.energy.EnergyFigure.IDLE;
+import static org.hificamsim.core.energy.EnergyFigure.PAN;
+import static org.hificamsim.core.energy.EnergyFigure.PIXEL;
+import static org.hificamsim.core.energy.EnergyFigure.RECEIVE;
+import static org.hificamsim.core.energy.EnergyFigure.SEND;
+import static org.hificamsim.core.energy.EnergyFigure.SENSE;
+import static org.hificamsim.core.energy.EnergyFigure.SLEEP;
+import static org.hificamsim.core.energy.EnergyFigure.ZOOM;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import org.hificamsim.core.channel.RadioLog;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.energy.EnergyFigure;
+import org.hificamsim.core.energy.EnergyModel;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.World;
+
+/**
+ * Measures what each camera takes in each step, and switches off cameras whose battery is empty.
+ *
+ * <p>A camera that its battery lets see a whole step sees it: it goes offline after the step in
+ * which the battery ran empty, for ever, as by an event.
+ */
+public final class EnergyMeter {
+  private static final double HEIGHT_OF_PICTURE = 0.75; // of its width
+
+  private final EnergyModel model;
+  private final World world;
+  private final Cameras cameras;
+  private final RadioLog radio;
+  private final double stepTime;
+
+  /** By figure, then by camera, in joules. */
+  private final Map<EnergyFigure, double[]> joules = new EnumMap<>(EnergyFigure.class);
+
+  private final double[] left;
+  private final double[] lastPan;
+  private final int[] lastZoom;
+  private final boolean[] wasThere;
+  private long steps;
+  private int empty;
+  private long coveredTargets;
+  private long allTargets;
+  private EnergySums sums = new EnergySums(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+
+  /** Creates the meter of a world before its first step. */
+  public EnergyMeter(World world, RadioLog radio) {
+    this.model = world.scenario().energy();
+    this.world = world;
+    this.cameras = world.cameras();
+    this.radio = radio;
+    this.stepTime = world.scenario().stepTime();
+    int count = cameras.count();
+    for (EnergyFigure figure : EnergyFigure.values()) {
+      joules.put(figure, new double[count]);
+    }
+    left = new double[count];
+    Arrays.fill(left, model.battery());
+    lastPan = new double[count];
+    lastZoom = new int[count];
+    wasThere = new boolean[count];
+  }
+
+  /** Measures a step that has been observed; called before targets move on. */
+  public void measure(NetworkView network, StepCoverage coverage) {
+    steps++;
+    coveredTargets += coverage.targets() - coverage.covered0();
+    allTargets += coverage.targets();
+    double sum = sums.joules();
+    for (int camera = 0; camera < left.length; camera++) {
+      double taken = measure(network, camera);
+      sum += taken;
+      left[camera] -= taken;
+    }
+    sums =
+        new EnergySums(
+            sum,
+            sums.firstEmpty(),
+            sums.halfEmpty(),
+            sums.coveredUntilFirst(),
+            sums.coveredUntilHalf());
+    switchOffEmpty();
+    radio.clear();
+  }
+
+  /** Measures a camera; returns the joules that it took in this step. */
+  private double measure(NetworkView network, int camera) {
+    if (cameras.online(camera)) {
+      return measureAwake(network, camera);
+    }
+    return world.sleeps(camera) ? take(camera, SLEEP, stepTime) : 0;
+  }
+
+  private double measureAwake(NetworkView network, int camera) {
+    double taken =
+        take(camera, IDLE, stepTime)
+            + take(camera, SEND, (double) radio.sent(camera))
+            + take(camera, RECEIVE, (double) radio.received(camera))
+            + takeForMoves(network, camera);
+    int view = cameras.seeing(camera);
+    if (view == Cameras.NO_VIEW) {
+      return taken;
+    }
+    ZoomLevel zoom = cameras.zoom(camera, view);
+    double pixels = HEIGHT_OF_PICTURE * zoom.pixels() * zoom.pixels();
+    return taken
+        + take(camera, SENSE, 1)
+        + take(camera, PIXEL, pixels)
+        + take(camera, DETECTION, network.detected(camera));
+  }
+
+  private double takeForMoves(NetworkView network, int camera) {
+    int view = cameras.view(camera);
+    double pan = cameras.pan(camera, view);
+    int zoom = network.zoomOf(camera, view);
+    double degrees =
+        Math.toDegrees(Math.abs(Math.IEEEremainder(pan - lastPan[camera], 2 * Math.PI)));
+    int levels = Math.abs(zoom - lastZoom[camera]);
+    double taken = wasThere[camera] ? take(camera, PAN, degrees) + take(camera, ZOOM, levels) : 0;
+    wasThere[camera] = true;
+    lastPan[camera] = pan;
+    lastZoom[camera] = zoom;
+    return taken;
+  }
+
+  private double take(int camera, EnergyFigure figure, double amount) {
+    double taken = model.figure(figure) * amount;
+    joules.get(figure)[camera] += taken;
+    return taken;
+  }
+
+  private void switchOffEmpty() {
+    for (int camera = 0; camera < left.length && model.hasBatteries(); camera++) {
+      if (left[camera] <= 0 && !world.isOff(camera)) {
+        world.switchOffForEver(camera);
+        empty++;
+        noteEmpty();
+      }
+    }
+  }
+
+  private void noteEmpty() {
+    double covered = allTargets == 0 ? Double.NaN : (double) coveredTargets / allTargets;
+    boolean isHalf = 2 * empty >= left.length && Double.isNaN(sums.halfEmpty());
+    sums =
+        new EnergySums(
+            sums.joules(),
+            empty == 1 ? steps : sums.firstEmpty(),
+            isHalf ? steps : sums.halfEmpty(),
+            empty == 1 ? covered : sums.coveredUntilFirst(),
+            isHalf ? covered : sums.coveredUntilHalf());
+  }
+
+  /** What a camera has taken for a figure so far, joules. */
+  public double joules(int camera, EnergyFigure figure) {
+    return joules.get(figure)[camera];
+  }
+
+  /** What is left in the battery of a camera, joules; 0 or less once it is empty. */
+  public double left(int camera) {
+    return left[camera];
+  }
+
+  /** The sums over all steps so far. */
+  public EnergySums sums() {
+    return sums;
+  }
+}
