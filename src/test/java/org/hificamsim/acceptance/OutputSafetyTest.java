@@ -313,8 +313,9 @@ class OutputSafetyTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "<polygon points=''/> | 0",
-        "<polygon points='1 1'/> | 0",
+        "<polygon points=''/><line x1='8' x2='9' y2='1'/> | 0",
+        "<polygon points='1 1'/><line x1='8' x2='9' y2='1'/> | 0",
+        "<polygon points=''/> | 2",
         "<polygon points='a b c'/> | 2",
         "<path d='M 1e5000 0 L 1 1'/> | 2",
         "<g transform='scale(1e9)'><line transform='scale(1e9)' x1='1' x2='5'/></g> | 2"
