@@ -108,6 +108,25 @@ class ReadingSignsTest {
   }
 
   @Test
+  void noticesIdsOfRows() throws IOException {
+    String table = "time,id,x,y\n0,a,0,0\n1,b,1,0\n2,c,2,0\n";
+    Path rows = Files.writeString(folder.resolve("rows.csv"), table);
+    assertRefused(
+        rows, "--unit m", "no target has two samples: the ids are probably those of rows");
+  }
+
+  @Test
+  void readsColumnsAndIdsAsTablesWriteThem() throws IOException {
+    String table = "Time,ID,X,Y\n0,1.0,0,0\n1,1,1,0\n2,1.0,2,0\n";
+    Path capitals = Files.writeString(folder.resolve("capitals.csv"), table);
+    Cli imported = imported(capitals, "--unit m");
+    assertEquals(0, imported.exit(), imported.err());
+    assertTrue(imported.out().contains("3 samples of 1 targets"), imported.out());
+    Path twice = Files.writeString(folder.resolve("twice.csv"), table.replace("ID", "X"));
+    imported(twice, "--unit m").assertRefused("two columns have the name", out());
+  }
+
+  @Test
   void refusesManyOddRows() throws IOException {
     String table = Files.readString(walkers(1, 1));
     Path odd = Files.writeString(folder.resolve("odd.csv"), table + "21,1,,\n".repeat(5));

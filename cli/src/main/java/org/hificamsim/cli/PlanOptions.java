@@ -75,6 +75,11 @@ final class PlanOptions {
     LayerChoice choice = listLayers ? LayerChoice.FOR_LIST : new LayerChoice(layers);
     boolean isDxf = file.toString().toLowerCase(Locale.ROOT).matches(".*\\.dxf(\\.gz)?");
     boolean isForPicture = isDxf && floorplan.isPresent(); // a DXF has a unit of its own
+    if (isDxf && !isForPicture && wallsUnit != null && (scale != null || width != null)) {
+      throw new InputException(
+          "--walls-unit and %s are given, expected one of them"
+              .formatted(scale != null ? "--scale" : "--width"));
+    }
     Optional<PictureFrame> frame = isForPicture ? Optional.empty() : frame();
     if (listLayers && frame.isEmpty()) {
       frame = Optional.of(new PictureFrame(new PlanScale.PerUnit(1), 0, 0));

@@ -10,6 +10,7 @@ import org.hificamsim.tracks.RecordedTarget.Sample;
 /**
  * How the targets of a recording move, before positions are rounded.
  *
+ * @param targets the number of targets
  * @param speeds of all moves to another place, in ascending order, metres per second
  * @param moves the number of moves, with those to the same place
  * @param least the position with the least x and y of all, metres
@@ -17,7 +18,7 @@ import org.hificamsim.tracks.RecordedTarget.Sample;
  * @param flags the values of x and y if they are few whole numbers; else empty
  */
 record MotionMeasures(
-    double[] speeds, long moves, double[] least, double[] greatest, Set<Long> flags) {
+    int targets, double[] speeds, long moves, double[] least, double[] greatest, Set<Long> flags) {
   private static final int MAX_FLAGS = 2;
 
   /** Measures the targets of a recording. */
@@ -45,6 +46,7 @@ record MotionMeasures(
       ys.distinct.forEach(value -> flags.add(value.longValue()));
     }
     return new MotionMeasures(
+        recorded.targets().size(),
         sorted,
         moves,
         new double[] {xs.least, ys.least},

@@ -26,6 +26,7 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
 
   private static final double MAX_EXTENT = 1e5; // metres
   private static final int MIN_MOVES = 10;
+  private static final int MIN_SINGLE_SAMPLES = 3;
 
   void addTo(Plausibility signs) {
     double median = motion.quantile(0.5);
@@ -83,6 +84,11 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
   }
 
   private void addPlaceSigns(Plausibility signs) {
+    if (motion.moves() == 0 && motion.targets() >= MIN_SINGLE_SAMPLES) {
+      signs.fault(
+          "no target has two samples: the ids are probably those of rows",
+          setting("columns", "id=...") + " with what names a target");
+    }
     if (motion.moves() >= MIN_MOVES && !motion.flags().isEmpty()) {
       signs.fault(
           "x and y have hardly any values but %s: they are probably flags, and no positions"

@@ -72,7 +72,8 @@ class GroundTest {
       InputException e =
           assertThrows(InputException.class, () -> middle.metres(PLACE, outside[0], outside[1]));
       assertEquals(
-          "file:7:1: longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees"
+          ("file:7:1: longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees,"
+                  + " or unit=m (of walls walls_unit=m) if they are metres")
               .formatted(outside[0], outside[1]),
           e.getMessage());
     }

@@ -70,7 +70,7 @@ class WallHeightsTest {
     InputException error =
         assertThrows(
             InputException.class,
-            () -> read("a.wkt", "LINESTRING (5 6, 7 8)\nLINESTRING (1 2,\n x)"));
+            () -> read("a.wkt", "SRID=25832;LINESTRING (5 6, 7 8)\nLINESTRING (1 2,\n x)"));
     assertTrue(error.getMessage().contains("a.wkt:3:1: "), error::getMessage);
     for (String height : List.of("0", "-1")) {
       String text = "LINESTRING Z (1 2 " + height + ", 3 4 " + height + ")";

@@ -55,7 +55,14 @@ record CsvColumns(
     /** The column of a key; -1 if there is none. */
     int column(String key) {
       String name = name(key);
-      int column = areNumbers() ? -1 : header.indexOf(name);
+      int column = areNumbers() ? -1 : indexOf(header, name);
+      if (column >= 0 && header.lastIndexOf(header.get(column)) != column) {
+        throw firstLine
+            .place(0)
+            .error(
+                "two columns have the name '%s', expected one, or their numbers with %s",
+                header.get(column), setting("columns"));
+      }
       boolean isIndex = column < 0 && isNumber(name) && Integer.parseInt(name) <= header.size();
       return isIndex ? Integer.parseInt(name) - 1 : column;
     }
@@ -95,8 +102,17 @@ record CsvColumns(
    */
   static boolean countsFrames(Recording recording, List<String> header) {
     Set<String> keys = recording.columns().keySet();
-    boolean isFrame = header.contains("frame") && !header.contains("time");
+    boolean isFrame = indexOf(header, "frame") >= 0 && indexOf(header, "time") < 0;
     return keys.contains("frame") || (isFrame && !keys.contains("time"));
+  }
+
+  /** The first column of a name, in any case if none is written so; -1 if there is none. */
+  static int indexOf(List<String> header, String name) {
+    int column = header.indexOf(name);
+    for (int i = 0; i < header.size() && column < 0; i++) {
+      column = header.get(i).equalsIgnoreCase(name) ? i : -1;
+    }
+    return column;
   }
 
   /**

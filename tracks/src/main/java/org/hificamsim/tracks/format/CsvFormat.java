@@ -3,6 +3,7 @@ package org.hificamsim.tracks.format;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
@@ -22,6 +23,9 @@ final class CsvFormat implements TrackFormat {
           CsvFormat::new);
 
   private static final String ONLY_TARGET = "1";
+
+  /** A whole number as tables write it that hold decimal numbers only. */
+  private static final Pattern WHOLE_WITH_POINT = Pattern.compile("[0-9]+\\.0+");
 
   private final Times times = new Times();
   private boolean countsFrames;
@@ -47,10 +51,11 @@ final class CsvFormat implements TrackFormat {
       return FormatFit.yes(start.look() + ", which are named");
     }
     List<String> names = start.rows().get(0).texts();
-    boolean hasTime = names.contains("time") || names.contains("frame");
+    boolean hasTime =
+        CsvColumns.indexOf(names, "time") >= 0 || CsvColumns.indexOf(names, "frame") >= 0;
     return FormatFit.named(
-        names.contains("x")
-            && names.contains("y")
+        CsvColumns.indexOf(names, "x") >= 0
+            && CsvColumns.indexOf(names, "y") >= 0
             && (hasTime || recording.columns().containsKey("time")),
         "has the columns " + String.join(", ", names),
         "the columns of the table have no names");
@@ -144,7 +149,7 @@ final class CsvFormat implements TrackFormat {
     if (name.isBlank()) {
       throw row.invalid(columns.target(), "id", "a name or number");
     }
-    return name;
+    return WHOLE_WITH_POINT.matcher(name).matches() ? name.substring(0, name.indexOf('.')) : name;
   }
 
   private double tick(Fields row) {

@@ -1,5 +1,7 @@
 package org.hificamsim.tracks.ground;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
 import org.hificamsim.core.Place;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.format.TrackSample;
@@ -62,8 +64,9 @@ public final class LocalProjection implements Ground {
   public Point metres(Place place, double pointLongitude, double pointLatitude) {
     if (!(Math.abs(pointLongitude) <= 180 && Math.abs(pointLatitude) <= 90)) {
       throw place.error(
-          "longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees",
-          pointLongitude, pointLatitude);
+          "longitude %s and latitude %s, expected -180 to 180 and -90 to 90 degrees, or %s (of"
+              + " walls %s) if they are metres",
+          pointLongitude, pointLatitude, setting("unit", "m"), setting("walls_unit", "m"));
     }
     if (Double.isNaN(longitude)) {
       setOrigin(pointLongitude, pointLatitude);

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 import org.hificamsim.core.obstacle.Point;
@@ -27,6 +28,9 @@ import org.locationtech.jts.io.WKTReader;
  */
 final class WktWalls {
   private final Drawing drawing;
+  private static final Pattern REFERENCE_SYSTEM = Pattern.compile("(?i)SRID=[0-9]+");
+  private static final int MAX_REFERENCE_SYSTEM = 20;
+
   private final PlanPoints planPoints;
   private Place geometryPlace;
 
@@ -42,6 +46,7 @@ final class WktWalls {
             new InputStreamReader(TextLines.stream(file), StandardCharsets.UTF_8))) {
       while (skipSpaces(in)) {
         geometryPlace = line(file, in);
+        skipReferenceSystem(in);
         try {
           add(reader.read(in));
         } catch (ParseException | IllegalArgumentException e) {
@@ -67,6 +72,20 @@ final class WktWalls {
     } while (Character.isWhitespace(next));
     in.reset();
     return next >= 0;
+  }
+
+  /** Skips what PostGIS writes before a geometry, such as {@code SRID=25832;}. */
+  private static void skipReferenceSystem(LineNumberReader in) throws IOException {
+    in.mark(MAX_REFERENCE_SYSTEM);
+    StringBuilder start = new StringBuilder();
+    int next = in.read();
+    while (next >= 0 && next != ';' && start.length() < MAX_REFERENCE_SYSTEM - 1) {
+      start.append((char) next);
+      next = in.read();
+    }
+    if (next != ';' || !REFERENCE_SYSTEM.matcher(start).matches()) {
+      in.reset();
+    }
   }
 
   private void add(Geometry geometry) {
