@@ -176,7 +176,9 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
       type("x1", "25", "y1", "12.5", "x2", "28.5", "y2", "12.5");
       browser.find(".walls [name=y2]").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 7");
-      assertEquals("wall from (25, 12.5) to (28.5, 12.5) added", status());
+      browser.until( // the answer to the command may come after the step that it changed
+          "return document.querySelector('[role=status]').textContent"
+              + " === 'wall from (25, 12.5) to (28.5, 12.5) added'");
       assertEquals("y2", browser.run("return document.activeElement.name"), "keeps the focus");
       type("x1", "99", "y1", "1", "x2", "2", "y2", "2");
       browser.find(".walls .add-wall").click();

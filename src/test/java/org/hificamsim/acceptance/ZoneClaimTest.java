@@ -57,7 +57,7 @@ class ZoneClaimTest {
     <zones>
       <zone name="door" points="16.5,0.3 19.6,2.4"
           detection="oodpcvs-2025:level=characterise"/>
-      <zone name="aisle" points="5.8,3.5 8,9.5" k="2"/>
+      <zone name="aisle" points="5.9,3.5 7.9,9.5" k="2"/>
     </zones>
     <cameras><camera name="A" x="1" y="1" heading="45" viewing_angle="70" range="9"/></cameras>
     <objects>
