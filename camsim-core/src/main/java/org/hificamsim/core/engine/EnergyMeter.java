@@ -48,7 +48,11 @@ public final class EnergyMeter {
   private int empty;
   private long coveredTargets;
   private long allTargets;
-  private EnergySums sums = new EnergySums(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+  private double sum;
+  private double firstEmpty = Double.NaN;
+  private double halfEmpty = Double.NaN;
+  private double coveredUntilFirst = Double.NaN;
+  private double coveredUntilHalf = Double.NaN;
 
   /** Creates the meter of a world before its first step. */
   public EnergyMeter(World world, RadioLog radio) {
@@ -73,19 +77,11 @@ public final class EnergyMeter {
     steps++;
     coveredTargets += coverage.targets() - coverage.covered0();
     allTargets += coverage.targets();
-    double sum = sums.joules();
     for (int camera = 0; camera < left.length; camera++) {
       double taken = measure(network, camera);
       sum += taken;
       left[camera] -= taken;
     }
-    sums =
-        new EnergySums(
-            sum,
-            sums.firstEmpty(),
-            sums.halfEmpty(),
-            sums.coveredUntilFirst(),
-            sums.coveredUntilHalf());
     switchOffEmpty();
     radio.clear();
   }
@@ -148,14 +144,14 @@ public final class EnergyMeter {
 
   private void noteEmpty() {
     double covered = allTargets == 0 ? Double.NaN : (double) coveredTargets / allTargets;
-    boolean isHalf = 2 * empty >= left.length && Double.isNaN(sums.halfEmpty());
-    sums =
-        new EnergySums(
-            sums.joules(),
-            empty == 1 ? steps : sums.firstEmpty(),
-            isHalf ? steps : sums.halfEmpty(),
-            empty == 1 ? covered : sums.coveredUntilFirst(),
-            isHalf ? covered : sums.coveredUntilHalf());
+    if (empty == 1) {
+      firstEmpty = steps;
+      coveredUntilFirst = covered;
+    }
+    if (2 * empty >= left.length && Double.isNaN(halfEmpty)) {
+      halfEmpty = steps;
+      coveredUntilHalf = covered;
+    }
   }
 
   /** What a camera has taken for a figure so far, joules. */
@@ -170,6 +166,6 @@ public final class EnergyMeter {
 
   /** The sums over all steps so far. */
   public EnergySums sums() {
-    return sums;
+    return new EnergySums(sum, firstEmpty, halfEmpty, coveredUntilFirst, coveredUntilHalf);
   }
 }
