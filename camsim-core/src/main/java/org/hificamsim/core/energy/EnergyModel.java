@@ -57,7 +57,7 @@ public final class EnergyModel {
    * @throws InputException if a name, figure or unit is unknown or out of range
    */
   public static EnergyModel parse(String text) {
-    return text.equals("none") ? NONE : of(Stream.of(text.split(",", -1)).toList());
+    return text.equals("none") ? NONE : of(List.of(text.split(",", -1)));
   }
 
   /**

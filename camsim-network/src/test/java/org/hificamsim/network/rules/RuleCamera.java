@@ -154,11 +154,7 @@ final class RuleCamera {
       if (searcher == null || owns(object)) {
         continue;
       }
-      if (searcher == NOBODY) {
-        owned.put(object.features, object);
-        broadcastStop(object);
-        claimed.add(object);
-      } else if (searcher == this) {
+      if (searcher == NOBODY || searcher == this) {
         owned.put(object.features, object);
         broadcastStop(object);
         claimed.add(object);
