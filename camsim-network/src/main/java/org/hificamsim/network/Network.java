@@ -150,28 +150,19 @@ public final class Network implements Cooperation, WorldObserver {
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
     boolean toAll = to == MessageQueue.NEIGHBOURS;
-    if (queue.radio().counts()) {
-      countReceivers(queue.bits(kind), from, to);
-    }
     if (toAll && broadcastsReachAll) {
+      queue.countReceivedByAll(kind, from);
       return searches.receiveAll(kind, from, target);
     }
     int receivers = 0;
     for (int camera = toAll ? 0 : to; camera < (toAll ? addedCameras : to + 1); camera++) {
       if (agents[from].reaches(camera)) {
+        queue.countReceived(kind, camera);
         agents[camera].receive(kind, from, target, value);
         receivers++;
       }
     }
     return receivers;
-  }
-
-  private void countReceivers(int bits, int from, int to) {
-    for (int camera = 0; camera < addedCameras; camera++) {
-      if ((camera == to || to == MessageQueue.NEIGHBOURS) && agents[from].reaches(camera)) {
-        queue.radio().receive(camera, bits);
-      }
-    }
   }
 
   private void choose(int camera) {

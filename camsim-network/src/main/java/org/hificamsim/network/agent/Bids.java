@@ -20,7 +20,7 @@ final class Bids {
     }
   }
 
-  boolean hasBid(int camera) {
+  private boolean hasBid(int camera) {
     for (int i = 0; i < bidders.size(); i++) {
       if (bidders.get(i) == camera) {
         return true;

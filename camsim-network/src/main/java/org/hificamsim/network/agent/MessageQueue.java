@@ -40,7 +40,11 @@ public final class MessageQueue {
   /** Carries messages over the channel; null if the channel is perfect. */
   private Post<Message> post;
 
+  private Stations stations;
+
+  /** Counts the bits of messages that no {@link #post} carries and counts. */
   private RadioLog radio = RadioLog.NONE;
+
   private final List<Message> waiting = new ArrayList<>();
   private long startSearches;
   private long startTrackings;
@@ -55,22 +59,30 @@ public final class MessageQueue {
   }
 
   /** Sends all further messages over a channel. */
-  public void connect(Stations stations, Channel channel) {
-    radio = stations.radio();
+  public void connect(Stations newStations, Channel channel) {
+    stations = newStations;
+    radio = channel.isPerfect() ? stations.radio() : RadioLog.NONE;
     post = channel.isPerfect() ? null : new Post<>(stations, channel);
   }
 
   /** Appends a message to a camera, or to {@link #NEIGHBOURS}. */
   void send(MessageKind kind, int from, int to, int target, double value) {
     bits += bits(kind);
-    if (post == null) {
-      radio.send(from, bits(kind));
-    }
+    radio.send(from, bits(kind));
     waiting.add(new Message(kind, from, to, target, value));
   }
 
-  /** The length of a message of a kind. */
-  public int bits(MessageKind kind) {
+  /** Takes note that a camera receives a message. */
+  public void countReceived(MessageKind kind, int to) {
+    radio.receive(to, bits(kind));
+  }
+
+  /** Takes note that all cameras that are online receive a message of another one. */
+  public void countReceivedByAll(MessageKind kind, int from) {
+    radio.receiveAll(from, bits(kind), stations);
+  }
+
+  private int bits(MessageKind kind) {
     return bitsWithoutValue + (kind.hasValue() ? MessageBits.REAL : 0);
   }
 
@@ -121,11 +133,6 @@ public final class MessageQueue {
   /** The number of StartTracking messages, or handovers, received since then. */
   public long startTrackings() {
     return startTrackings;
-  }
-
-  /** The log of the messages that no {@link Post} counts. */
-  public RadioLog radio() {
-    return post == null ? radio : RadioLog.NONE;
   }
 
   /** The number of bits of all messages sent so far; a message to all neighbours counts once. */
