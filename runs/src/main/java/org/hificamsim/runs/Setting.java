@@ -112,17 +112,13 @@ public enum Setting {
       Keeper.PLAN,
       "The zoom policy; see 'list policies'."),
   OBJECTIVE(
-      Kind.TEXT,
       Objective.CHOICES,
-      null,
-      Keeper.SCENARIO,
+      new ScenarioAttribute<>(
+          Scenario.OBJECTIVE,
+          Objective::parse,
+          scenario -> Optional.of(scenario.objective().text())),
       "The score of a step, and what optimal, one-hop and best-fixed maximise; overrides the"
           + " scenario's. See docs/objectives.md.") {
-    @Override
-    void check(String text) {
-      Objective.parse(text);
-    }
-
     @Override
     boolean mayComeFromFile() {
       return true;
@@ -131,16 +127,6 @@ public enum Setting {
     @Override
     Optional<String> inFile(Scenario scenario) {
       return scenario.find(Scenario.OBJECTIVE).map(Objective::text);
-    }
-
-    @Override
-    Scenario override(Scenario scenario, String text) {
-      return scenario.with(Scenario.OBJECTIVE, Objective.parse(text));
-    }
-
-    @Override
-    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
-      return Optional.of(scenario.objective().text());
     }
   },
   STEPS(
@@ -191,34 +177,26 @@ public enum Setting {
     }
   },
   CHANNEL(
-      Kind.TEXT,
       "key=value,...",
-      null,
-      Keeper.SCENARIO,
+      new ScenarioAttribute<>(
+          Scenario.CHANNEL,
+          ChannelModel::parse,
+          scenario ->
+              scenario.channel().isPerfect()
+                  ? Optional.empty()
+                  : Optional.of(scenario.channel().text())),
       "How messages between cameras are lost or delayed, such as "
           + ChannelModel.EXAMPLE
-          + ", or perfect; overrides the scenario's. See docs/channel.md.") {
-    @Override
-    void check(String text) {
-      ChannelModel.parse(text);
-    }
-
-    @Override
-    Scenario override(Scenario scenario, String text) {
-      return scenario.with(Scenario.CHANNEL, ChannelModel.parse(text));
-    }
-
-    @Override
-    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
-      ChannelModel channel = scenario.channel();
-      return channel.isPerfect() ? Optional.empty() : Optional.of(channel.text());
-    }
-  },
+          + ", or perfect; overrides the scenario's. See docs/channel.md."),
   ENERGY(
-      Kind.TEXT,
       "PROFILE|FILE|key=value,...",
-      null,
-      Keeper.SCENARIO,
+      new ScenarioAttribute<>(
+          Scenario.ENERGY,
+          EnergyModel::parseOrRead,
+          scenario ->
+              scenario.energy().isNone()
+                  ? Optional.empty()
+                  : Optional.of(scenario.energy().text())),
       "What cameras take and what their batteries hold, such as "
           + EnergyModel.EXAMPLE
           + ", a file with such lines, or none; overrides the scenario's. See docs/energy.md.") {
@@ -227,65 +205,21 @@ public enum Setting {
     public String field() {
       return "energy_model";
     }
-
-    @Override
-    void check(String text) {
-      EnergyModel.parseOrRead(text);
-    }
-
-    @Override
-    Scenario override(Scenario scenario, String text) {
-      return scenario.with(Scenario.ENERGY, EnergyModel.parseOrRead(text));
-    }
-
-    @Override
-    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
-      EnergyModel energy = scenario.energy();
-      return energy.isNone() ? Optional.empty() : Optional.of(energy.text());
-    }
   },
   ORDER(
-      Kind.TEXT,
       "coverage|camsim",
-      null,
-      Keeper.SCENARIO,
-      "Whether targets move after (coverage) or before (camsim) the observation.") {
-    @Override
-    void check(String text) {
-      require(StepOrder.class, text);
-    }
-
-    @Override
-    Scenario override(Scenario scenario, String text) {
-      return scenario.with(Scenario.ORDER, require(StepOrder.class, text));
-    }
-
-    @Override
-    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
-      return Optional.of(Spelling.of(scenario.get(Scenario.ORDER)));
-    }
-  },
+      new ScenarioAttribute<>(
+          Scenario.ORDER,
+          text -> Spelling.require(StepOrder.class, setting("order"), text),
+          scenario -> Optional.of(Spelling.of(scenario.order()))),
+      "Whether targets move after (coverage) or before (camsim) the observation."),
   HEADINGS(
-      Kind.TEXT,
       "degrees|as-radians",
-      null,
-      Keeper.SCENARIO,
-      "Unit of targets' headings; as-radians as in the coverage study's simulator.") {
-    @Override
-    void check(String text) {
-      require(Headings.class, text);
-    }
-
-    @Override
-    Scenario override(Scenario scenario, String text) {
-      return scenario.with(Scenario.HEADINGS, require(Headings.class, text));
-    }
-
-    @Override
-    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
-      return Optional.of(Spelling.of(scenario.get(Scenario.HEADINGS)));
-    }
-  },
+      new ScenarioAttribute<>(
+          Scenario.HEADINGS,
+          text -> Spelling.require(Headings.class, setting("headings"), text),
+          scenario -> Optional.of(Spelling.of(scenario.headings()))),
+      "Unit of targets' headings; as-radians as in the coverage study's simulator."),
   NETWORK(
       Kind.TEXT,
       "NAME[:key=value,...]",
@@ -325,13 +259,34 @@ public enum Setting {
   private final String form;
   private final String fallback;
   private final Keeper keeper;
+
+  /** Null unless the scenario keeps the value. */
+  private final ScenarioAttribute<?> attribute;
+
   private final String[] meaning;
 
+  /** A setting that a plan or its detection keeps. */
   Setting(Kind kind, String form, String fallback, Keeper keeper, String... meaning) {
+    this(kind, form, fallback, keeper, null, meaning);
+  }
+
+  /** A setting that an attribute of the plan's scenario keeps. */
+  Setting(String form, ScenarioAttribute<?> attribute, String... meaning) {
+    this(Kind.TEXT, form, null, Keeper.SCENARIO, attribute, meaning);
+  }
+
+  Setting(
+      Kind kind,
+      String form,
+      String fallback,
+      Keeper keeper,
+      ScenarioAttribute<?> attribute,
+      String[] meaning) {
     this.kind = kind;
     this.form = form;
     this.fallback = fallback;
     this.keeper = keeper;
+    this.attribute = attribute;
     this.meaning = meaning;
   }
 
@@ -381,11 +336,15 @@ public enum Setting {
   }
 
   /**
-   * Checks a value; by default, any text is one.
+   * Checks a value; any text is one, unless an attribute or the setting itself knows better.
    *
    * @throws InputException when the setting cannot have it
    */
-  void check(String text) {}
+  void check(String text) {
+    if (attribute != null) {
+      attribute.check(text);
+    }
+  }
 
   /**
    * Whether results say where the value is from: an option, the scenario file or the default. If
@@ -402,14 +361,17 @@ public enum Setting {
 
   /** The scenario with this value in place of what its file says. */
   Scenario override(Scenario scenario, String text) {
-    return scenario;
+    return attribute == null ? scenario : attribute.override(scenario, text);
   }
 
   /**
    * The value that a scenario and a detection keep; empty if the setting does not apply to them.
    */
   Optional<String> derivedFrom(Scenario scenario, Detection detection) {
-    throw new IllegalStateException(label() + " is kept by the plan");
+    if (attribute == null) {
+      throw new IllegalStateException(label() + " is kept by the plan");
+    }
+    return attribute.text().apply(scenario);
   }
 
   /** Fails unless a text is a whole number from {@code min} to {@code max}. */
@@ -424,9 +386,5 @@ public enum Setting {
     }
     throw InputException.of(
         "%s is %s, expected a whole number from %s to %s", setting(label()), text, min, max);
-  }
-
-  <E extends Enum<E>> E require(Class<E> type, String text) {
-    return Spelling.require(type, setting(label()), text);
   }
 }

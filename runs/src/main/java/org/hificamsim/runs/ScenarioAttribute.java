@@ -1,0 +1,27 @@
+package org.hificamsim.runs;
+
+import java.util.Optional;
+import java.util.function.Function;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.declaration.Property;
+
+/**
+ * An attribute of scenarios that keeps the value of a {@link Setting}.
+ *
+ * @param parser reads a value that a user asks for
+ * @param text the value of a scenario, given or default; empty if it does not apply
+ */
+record ScenarioAttribute<T>(
+    Property<Scenario, T> property,
+    Function<String, T> parser,
+    Function<Scenario, Optional<String>> text) {
+  /** Fails unless a text is a value. */
+  void check(String value) {
+    parser.apply(value);
+  }
+
+  /** The scenario with this value in place of what its file says. */
+  Scenario override(Scenario scenario, String value) {
+    return scenario.with(property, parser.apply(value));
+  }
+}
