@@ -3,18 +3,14 @@ package org.hificamsim.core.scenario;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.declaration.Element;
@@ -29,6 +25,8 @@ import org.hificamsim.core.scenario.file.Faults;
 import org.hificamsim.core.scenario.file.OpticsReader;
 import org.hificamsim.core.scenario.file.TargetReader;
 import org.hificamsim.core.scenario.file.TracksReader;
+import org.hificamsim.core.scenario.file.VisionGraphReader;
+import org.hificamsim.core.scenario.file.ZoneReader;
 import org.hificamsim.core.scenario.spec.AgentCheck;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.EventHead;
@@ -38,7 +36,6 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.scenario.spec.TargetSpec;
-import org.hificamsim.core.scenario.spec.VisionGraph;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.scenario.xml.XmlElement;
 import org.hificamsim.core.scenario.xml.XmlParser;
@@ -161,9 +158,11 @@ public final class ScenarioReader {
     scenario =
         scenario
             .with(Scenario.OBSTACLES, obstacles())
-            .with(Scenario.ZONES, zones(scenario.field()));
+            .with(
+                Scenario.ZONES,
+                faults.each(all(Zone.ELEMENT), new ZoneReader(scenario.field())::zone));
     scenario = withStory(withZooms(scenario, attributes));
-    scenario = scenario.with(Scenario.VISION_GRAPH, visionGraph());
+    scenario = scenario.with(Scenario.VISION_GRAPH, VisionGraphReader.read(root));
     attributes.warnOfUnknown();
     return scenario;
   }
@@ -277,32 +276,6 @@ public final class ScenarioReader {
     return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name())));
   }
 
-  private List<Zone> zones(Field field) {
-    Set<String> names = new HashSet<>();
-    return faults.each(
-        all(Zone.ELEMENT),
-        xml -> {
-          Zone zone = Attributes.read(xml, Zone.ELEMENT);
-          if (!names.add(zone.name())) {
-            throw xml.invalid("name", "a name that no other zone has");
-          }
-          if (!zone.points().stream().allMatch(point -> field.contains(point.x(), point.y()))) {
-            throw xml.invalid(
-                "points",
-                "points inside the field, %s to %s and %s to %s"
-                    .formatted(field.minX(), field.maxX(), field.minY(), field.maxY()));
-          }
-          return zone;
-        });
-  }
-
-  private <T> T value(
-      XmlElement xml, Element<VisionGraph> element, Property<VisionGraph, T> property) {
-    Attributes<VisionGraph> attributes = new Attributes<>(xml, element);
-    attributes.warnOfUnknown();
-    return attributes.get(property);
-  }
-
   /** Reads the zoom list, which marks the coverage study's dialect. */
   private Scenario withZooms(Scenario scenario, Attributes<Scenario> attributes) {
     if (!hasZooms() && !attributes.has(Scenario.ORDER) && !all(OpticsSpec.ELEMENT).isEmpty()) {
@@ -405,29 +378,5 @@ public final class ScenarioReader {
 
   private static boolean lacksTargets(Scenario scenario) {
     return scenario.everyTarget().findAny().isEmpty();
-  }
-
-  private Optional<VisionGraph> visionGraph() {
-    List<XmlElement> graphs = all(VisionGraph.ELEMENT);
-    if (graphs.isEmpty() || graphs.get(0).all(VisionGraph.NODE.name()).isEmpty()) {
-      return Optional.empty();
-    }
-    Map<String, List<String>> neighbours = new LinkedHashMap<>();
-    for (XmlElement node : all(VisionGraph.NODE)) {
-      String camera = value(node, VisionGraph.NODE, VisionGraph.NODE_NAME);
-      if (neighbours.remove(camera) != null) {
-        node.warn(
-            "name",
-            "a second <graphnode> for '%s', the last one counts"
-                .formatted(Place.shortened(camera)));
-      }
-      neighbours.put(
-          camera,
-          node.all(VisionGraph.NEIGHBOUR.name()).stream()
-              .map(xml -> value(xml, VisionGraph.NEIGHBOUR, VisionGraph.NEIGHBOUR_NAME))
-              .toList());
-    }
-    boolean isStatic = value(graphs.get(0), VisionGraph.ELEMENT, VisionGraph.STATIC);
-    return Optional.of(new VisionGraph(isStatic, neighbours));
   }
 }
