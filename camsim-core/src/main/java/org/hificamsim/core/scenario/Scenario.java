@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -81,11 +80,7 @@ floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the flo
 shows, m (ours) | the field's borders
 """);
 
-  /** The borders of the field: west, east, south and north. */
-  static final List<Property<Scenario, Double>> BORDERS =
-      Stream.of("min_x", "max_x", "min_y", "max_y")
-          .map(name -> ELEMENT.required(name, Type.COORDINATE))
-          .toList();
+  static final Borders BORDERS = Borders.of(name -> ELEMENT.required(name, Type.COORDINATE));
 
   public static final Property<Scenario, StepOrder> ORDER =
       ELEMENT.attribute("order", Type.choice(StepOrder.class), StepOrder.CAMSIM);
@@ -129,11 +124,8 @@ shows, m (ours) | the field's borders
           .omittedAtDefault();
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
-  /** The borders of the floorplan: west, east, south and north. */
-  static final List<Property<Scenario, Double>> FLOORPLAN_BORDERS =
-      BORDERS.stream()
-          .map(border -> ELEMENT.optional("floorplan_" + border.name(), Type.COORDINATE))
-          .toList();
+  static final Borders FLOORPLAN_BORDERS =
+      Borders.of(name -> ELEMENT.optional("floorplan_" + name, Type.COORDINATE));
 
   /** The file's name without its ending. */
   public static final Property<Scenario, String> NAME = ELEMENT.property("scenario");
@@ -175,23 +167,7 @@ shows, m (ours) | the field's borders
 
   /** Creates a scenario with an empty field. */
   public Scenario(String name, Field field) {
-    super(withArea(ELEMENT.empty().put(NAME, name), BORDERS, field));
-  }
-
-  private static Spec<Scenario> withArea(
-      Spec<Scenario> spec, List<Property<Scenario, Double>> borders, Field area) {
-    return spec.put(borders.get(0), area.minX())
-        .put(borders.get(1), area.maxX())
-        .put(borders.get(2), area.minY())
-        .put(borders.get(3), area.maxY());
-  }
-
-  /** The area between borders. */
-  static Field area(
-      List<Property<Scenario, Double>> borders,
-      Function<Property<Scenario, Double>, Double> value) {
-    List<Double> sides = borders.stream().map(value).toList();
-    return new Field(sides.get(0), sides.get(1), sides.get(2), sides.get(3));
+    super(BORDERS.put(ELEMENT.empty().put(NAME, name), field));
   }
 
   public String name() {
@@ -199,7 +175,7 @@ shows, m (ours) | the field's borders
   }
 
   public Field field() {
-    return area(BORDERS, this::get);
+    return BORDERS.area(this::get);
   }
 
   public StepOrder order() {
@@ -248,22 +224,17 @@ shows, m (ours) | the field's borders
 
   /** The picture that is drawn under the field. */
   public Optional<Floorplan> floorplan() {
-    return find(FLOORPLAN).map(file -> new Floorplan(file, area(FLOORPLAN_BORDERS, this::get)));
+    return find(FLOORPLAN).map(file -> new Floorplan(file, FLOORPLAN_BORDERS.area(this::get)));
   }
 
   /** The same scenario with another picture under the field. */
   public Scenario withFloorplan(Floorplan floorplan) {
-    return new Scenario(
-        withArea(put(FLOORPLAN, floorplan.file()), FLOORPLAN_BORDERS, floorplan.area()));
+    return new Scenario(FLOORPLAN_BORDERS.put(put(FLOORPLAN, floorplan.file()), floorplan.area()));
   }
 
   /** The same scenario without a picture under the field. */
   public Scenario withoutFloorplan() {
-    Scenario without = without(FLOORPLAN);
-    for (Property<Scenario, Double> border : FLOORPLAN_BORDERS) {
-      without = without.without(border);
-    }
-    return without;
+    return FLOORPLAN_BORDERS.without(without(FLOORPLAN));
   }
 
   public List<Obstacle> obstacles() {

@@ -30,7 +30,6 @@ import org.hificamsim.core.scenario.file.ZoneReader;
 import org.hificamsim.core.scenario.spec.AgentCheck;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.EventHead;
-import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.ObstacleElements;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
@@ -150,7 +149,7 @@ public final class ScenarioReader {
     warnOfUnknown();
     XmlElement simulation = simulation();
     Attributes<Scenario> attributes = new Attributes<>(simulation, Scenario.ELEMENT);
-    checkArea(Scenario.area(Scenario.BORDERS, attributes::get), Scenario.BORDERS, attributes);
+    Scenario.BORDERS.check(attributes, attributes::get);
     Scenario given = Scenario.ELEMENT.make(attributes.spec(faults)).with(Scenario.NAME, name());
     faults.check(() -> checkThreshold(given, attributes));
     Scenario shown = faults.or(given, () -> withFloorplan(given, attributes));
@@ -196,19 +195,6 @@ public final class ScenarioReader {
     return base.replace(".", "").isEmpty() ? "scenario" : base;
   }
 
-  private static void checkArea(
-      Field area, List<Property<Scenario, Double>> borders, Attributes<Scenario> attributes) {
-    String more = "more than %s, %s";
-    if (!(area.width() > 0)) {
-      String expected = more.formatted(borders.get(0).name(), area.minX());
-      throw attributes.invalid(borders.get(1), expected);
-    }
-    if (!(area.height() > 0)) {
-      String expected = more.formatted(borders.get(2).name(), area.minY());
-      throw attributes.invalid(borders.get(3), expected);
-    }
-  }
-
   /** Refuses a threshold in addition to a rule of chance, or to a detection with a rule. */
   private static void checkThreshold(Scenario given, Attributes<Scenario> attributes) {
     if (given.find(Scenario.DETECTION).filter(Scenario::hasOwnRule).isPresent()) {
@@ -252,19 +238,18 @@ public final class ScenarioReader {
   /** Completes the borders of the floorplan by those of the field. */
   private static Scenario withFloorplan(Scenario given, Attributes<Scenario> attributes) {
     if (given.find(Scenario.FLOORPLAN).isEmpty()) {
-      Scenario.FLOORPLAN_BORDERS.forEach(
-          border -> attributes.refuse(border, "none without floorplan"));
+      Scenario.FLOORPLAN_BORDERS
+          .sides()
+          .forEach(border -> attributes.refuse(border, "none without floorplan"));
       return given;
     }
     Scenario shown = given;
-    for (int side = 0; side < Scenario.BORDERS.size(); side++) {
-      Property<Scenario, Double> border = Scenario.FLOORPLAN_BORDERS.get(side);
-      shown = shown.with(border, given.find(border).orElse(given.get(Scenario.BORDERS.get(side))));
+    for (int side = 0; side < Scenario.BORDERS.sides().size(); side++) {
+      Property<Scenario, Double> border = Scenario.FLOORPLAN_BORDERS.sides().get(side);
+      Property<Scenario, Double> ofField = Scenario.BORDERS.sides().get(side);
+      shown = shown.with(border, given.find(border).orElse(given.get(ofField)));
     }
-    checkArea(
-        Scenario.area(Scenario.FLOORPLAN_BORDERS, shown::get),
-        Scenario.FLOORPLAN_BORDERS,
-        attributes);
+    Scenario.FLOORPLAN_BORDERS.check(attributes, shown::get);
     return shown;
   }
 
