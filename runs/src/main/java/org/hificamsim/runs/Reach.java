@@ -1,11 +1,6 @@
 package org.hificamsim.runs;
 
-import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
@@ -61,19 +56,6 @@ public record Reach(double radius, double detected) {
         .everyTarget()
         .mapToDouble(TargetSpec::size)
         .max()
-        .orElse(TargetSpec.DEFAULT_SIZE);
-  }
-
-  /** The most frequent size of a world's targets, metres; the first if several are as frequent. */
-  public static double usualTarget(World world) {
-    Map<Double, Long> counts =
-        IntStream.range(0, world.targets().count())
-            .mapToObj(world.targets()::size)
-            .collect(
-                Collectors.groupingBy(size -> size, LinkedHashMap::new, Collectors.counting()));
-    return counts.entrySet().stream()
-        .min(Map.Entry.comparingByValue(Comparator.reverseOrder()))
-        .map(Map.Entry::getKey)
         .orElse(TargetSpec.DEFAULT_SIZE);
   }
 

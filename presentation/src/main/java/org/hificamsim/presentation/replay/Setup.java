@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
-import org.hificamsim.runs.Reach;
+import org.hificamsim.runs.cells.UsualTarget;
 
 /**
  * What does not change while a run is shown: the scenario and the settings.
@@ -81,7 +81,7 @@ public record Setup(
         IntStream.range(0, world.targets().count())
             .mapToObj(i -> new Target(world.targets().name(i), world.targets().size(i)))
             .toList();
-    double size = Reach.usualTarget(world);
+    double size = UsualTarget.size(world);
     List<Obstacle> obstacles = world.scenario().obstacles();
     Poses poses = new Poses(detection, size, obstacles, world.scenario().field());
     List<Camera> cameras =

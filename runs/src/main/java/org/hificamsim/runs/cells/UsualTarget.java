@@ -3,7 +3,9 @@ package org.hificamsim.runs.cells;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.scenario.Scenario;
@@ -11,21 +13,30 @@ import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.visibility.Body;
+import org.hificamsim.core.world.World;
 
 /** The target that stands for all targets of a scenario where its area is measured. */
 public final class UsualTarget {
-  private static final Extent PERSON = new Extent(0.5, 1.75);
-
   private UsualTarget() {}
 
   /** Returns a target of the most frequent size; a person if there are none. */
   public static TargetSpec of(Scenario scenario) {
-    List<TargetSpec> targets = scenario.everyTarget().toList();
+    return among(scenario.everyTarget().toList())
+        .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(Extent.PERSON));
+  }
+
+  /** The most frequent size of a world's targets, metres; the first if several are as frequent. */
+  public static double size(World world) {
+    return among(IntStream.range(0, world.targets().count()).mapToObj(world::targetSpec).toList())
+        .map(TargetSpec::size)
+        .orElse(TargetSpec.DEFAULT_SIZE);
+  }
+
+  /** The first target of the most frequent size. */
+  private static Optional<TargetSpec> among(List<TargetSpec> targets) {
     Map<Double, Long> counts =
         targets.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
-    return targets.stream()
-        .max(Comparator.comparingLong(target -> counts.get(target.size())))
-        .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(PERSON));
+    return targets.stream().max(Comparator.comparingLong(target -> counts.get(target.size())));
   }
 
   /**

@@ -25,7 +25,6 @@ public record FreePositions(
   private static final double MIN_SPEED = 0.8; // m/s
   private static final double MAX_SPEED = 1.6;
   private static final double CENTIMETRES = 100; // of a metre
-  private static final Extent PERSON = new Extent(0.5, 1.75);
   private static final int MAX_TRIES = 10_000;
 
   /**
@@ -91,6 +90,6 @@ public record FreePositions(
     return new TargetSpec(number, position.x(), position.y())
         .with(TargetSpec.MOVE, "RandomWaypoint")
         .with(TargetSpec.SPEED, draw(MIN_SPEED, MAX_SPEED))
-        .withExtent(PERSON);
+        .withExtent(Extent.PERSON);
   }
 }

@@ -9,8 +9,8 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.world.World;
-import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.cells.FieldCells;
+import org.hificamsim.runs.cells.UsualTarget;
 import org.hificamsim.runs.cells.ViewCells;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
@@ -53,7 +53,7 @@ public final class HeatRecorder implements StepListener {
   public HeatRecorder(World world, Detection detection, int along) {
     this.cells = FieldCells.of(world.scenario().field(), along);
     this.obstacles = new Obstacles(world.scenario().obstacles());
-    double size = Reach.usualTarget(world);
+    double size = UsualTarget.size(world);
     this.views = new ViewCells(cells, detection, obstacles, network -> network.body(size));
     chanceOfNone = new double[cells.count()];
     chanceOfOne = new double[cells.count()];

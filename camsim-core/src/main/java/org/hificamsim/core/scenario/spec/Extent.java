@@ -5,6 +5,9 @@ package org.hificamsim.core.scenario.spec;
  * same area; its width hides others.
  */
 public record Extent(double width, double height) {
+  /** A person of a usual size. */
+  public static final Extent PERSON = new Extent(0.5, 1.75);
+
   /** The edge of the square with the same area, metres. */
   public double size() {
     return Math.sqrt(width * height);
