@@ -328,15 +328,7 @@ final class Sight {
   private int find(int camera, int view, int from, int to, long[] found, int first) {
     int number = cameras.zoomNumber(camera, view);
     double below = levels.squaredLimit(number);
-    double x = cameras.x(camera);
-    double y = cameras.y(camera);
-    int filled = first;
-    for (int i = from; i < to; i++) {
-      double dx = grid.x(i) - x;
-      double dy = grid.y(i) - y;
-      found[filled] = i;
-      filled += negative(dx * dx + dy * dy - below);
-    }
+    int filled = grid.findNear(cameras.x(camera), cameras.y(camera), below, from, to, found, first);
     return levels.detectsAllInReach(number)
         ? filled
         : keepDetected(camera, view, found, first, filled);

@@ -159,10 +159,12 @@ public final class PointGrid {
    *
    * @param below the square of the distance
    * @param near receives the indices of the points, and one entry more may be written
-   * @return the number of points
+   * @param first the number of entries of {@code near} that are kept
+   * @return the number of entries with those found
    */
-  public int findNear(double fromX, double fromY, double below, int start, int end, int[] near) {
-    int found = 0;
+  public int findNear(
+      double fromX, double fromY, double below, int start, int end, long[] near, int first) {
+    int found = first;
     for (int i = start; i < end; i++) {
       double dx = x[i] - fromX;
       double dy = y[i] - fromY;

@@ -43,7 +43,7 @@ public final class Sightings {
   private int viewRevision;
 
   private final int[] foundTargets;
-  private final int[] nearPoints;
+  private final long[] nearPoints;
   private final boolean[] isKept;
 
   /** Creates the sightings of a world's cameras, none at first. */
@@ -60,7 +60,7 @@ public final class Sightings {
     isKept = new boolean[targets.count()];
     lastSights = new LevelSight[cameras.count()];
     foundTargets = new int[targets.count()];
-    nearPoints = new int[targets.count() + 1];
+    nearPoints = new long[targets.count() + 1];
   }
 
   /** Creates a grid for all targets, whose cells are about as wide as cameras reach. */
@@ -180,11 +180,11 @@ public final class Sightings {
   private int findVisible(
       long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
     double reach = Visibility.roundedUp(zoom.radius());
-    int near = grid.findNear(pose.x(), pose.y(), reach * reach, start, end, nearPoints);
+    int near = grid.findNear(pose.x(), pose.y(), reach * reach, start, end, nearPoints, 0);
     int count = before;
     LevelSight sight = null;
     for (int k = 0; k < near; k++) {
-      int i = nearPoints[k];
+      int i = (int) nearPoints[k];
       int target = grid.point(i);
       if (sight == null || sight.body().size() != targets.size(target)) {
         sight = sight(camera, zoom, targets.size(target));
