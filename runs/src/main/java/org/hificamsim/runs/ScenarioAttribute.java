@@ -1,5 +1,6 @@
 package org.hificamsim.runs;
 
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import org.hificamsim.core.scenario.Scenario;
@@ -17,7 +18,7 @@ record ScenarioAttribute<T>(
     Function<Scenario, Optional<String>> text) {
   /** Fails unless a text is a value. */
   void check(String value) {
-    parser.apply(value);
+    Objects.requireNonNull(parser.apply(value));
   }
 
   /** The scenario with this value in place of what its file says. */
