@@ -27,8 +27,7 @@ final class CsvFormat implements TrackFormat {
   /** A whole number as tables write it that hold decimal numbers only. */
   private static final Pattern WHOLE_WITH_POINT = Pattern.compile("[0-9]+\\.0+");
 
-  private final Times times = new Times();
-  private boolean countsFrames;
+  private Ticks ticks;
   private boolean mayHaveMore;
   private CsvColumns columns; // null before the first line
 
@@ -66,14 +65,14 @@ final class CsvFormat implements TrackFormat {
     CsvColumns.requireValidKeys(recording);
     FileStart start = recording.start();
     mayHaveMore = start.separator() == Separator.BLANKS;
-    countsFrames =
+    boolean countsFrames =
         CsvColumns.countsFrames(
             recording, start.rows().isEmpty() ? List.of() : start.rows().get(0).texts());
-    Clock clock = countsFrames ? recording.frames() : Clock.SECONDS;
+    ticks = countsFrames ? Ticks.frames(recording) : Ticks.times();
     samples.measuredIn(recording.requireUnit("a table does not have it"));
     RowTable.forEachRow(
         recording, "fields between separators", row -> read(recording, row, samples));
-    return clock;
+    return ticks.clock();
   }
 
   private void read(Recording recording, Fields row, SampleSink samples) {
@@ -124,7 +123,7 @@ final class CsvFormat implements TrackFormat {
     return new TrackSample(
         row.place(0),
         target,
-        OddRows.part(Omission.NO_TIME, () -> tick(row)),
+        OddRows.part(Omission.NO_TIME, () -> ticks.tick(row, columns.tick())),
         OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.x(), "x")),
         OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.y(), "y")),
         columns.width() < 0 ? height : width,
@@ -150,17 +149,6 @@ final class CsvFormat implements TrackFormat {
       throw row.invalid(columns.target(), "id", "a name or number");
     }
     return WHOLE_WITH_POINT.matcher(name).matches() ? name.substring(0, name.indexOf('.')) : name;
-  }
-
-  private double tick(Fields row) {
-    if (countsFrames) {
-      return row.number(columns.tick(), "frame");
-    }
-    double seconds = times.seconds(row, columns.tick());
-    if (Double.isNaN(seconds)) {
-      throw row.invalid(columns.tick(), "time", Times.EXPECTED);
-    }
-    return seconds;
   }
 
   /** The length in a column; NaN if the row has none. */

@@ -25,7 +25,21 @@ final class Ticks {
   static Ticks of(Recording recording, int column) {
     boolean areTimes =
         recording.start().rows().stream().limit(1).anyMatch(row -> isTime(row, column));
-    return new Ticks(areTimes, areTimes ? Clock.SECONDS : recording.frames());
+    return areTimes ? times() : frames(recording);
+  }
+
+  /** Returns a reader of times. */
+  static Ticks times() {
+    return new Ticks(true, Clock.SECONDS);
+  }
+
+  /**
+   * Returns a reader of frames.
+   *
+   * @throws org.hificamsim.core.InputException if their rate is not given
+   */
+  static Ticks frames(Recording recording) {
+    return new Ticks(false, recording.frames());
   }
 
   private static boolean isTime(Fields row, int column) {
