@@ -25,7 +25,6 @@ final class Collector implements SampleSink {
   private final ReadingNotes notes = new ReadingNotes();
   private final Map<String, RecordedTarget> targets = new LinkedHashMap<>();
   private Ground ground;
-  private long samples;
   private long fractions; // samples whose tick is not a whole number
 
   private Collector(Path file, Function<Unit, Ground> groundOf) {
@@ -47,7 +46,7 @@ final class Collector implements SampleSink {
       InputException empty = choice.recording().missing("samples of targets; the file has none");
       throw choice.wrongFormat(collector.notes.leftOut().first().orElse(empty));
     }
-    if (clock.countsFrames() && 2 * collector.fractions > collector.samples) {
+    if (clock.countsFrames() && 2 * collector.fractions > collector.notes.leftOut().samples()) {
       collector.doubt(
           new Doubt(
               "most frames are not whole numbers: they are probably seconds",
@@ -77,7 +76,6 @@ final class Collector implements SampleSink {
       notes.addDuplicate(sample.place());
     }
     notes.leftOut().addSample();
-    samples++;
     fractions += fileSample.tick() == Math.rint(fileSample.tick()) ? 0 : 1;
   }
 

@@ -42,6 +42,11 @@ final class LeftOut {
     samples++;
   }
 
+  /** The number of rows that are samples. */
+  long samples() {
+    return samples;
+  }
+
   /**
    * Counts a row that is left out.
    *
