@@ -52,9 +52,6 @@ final class Collector implements SampleSink {
               "most frames are not whole numbers: they are probably seconds",
               setting("rate", "1")));
     }
-    if (!choice.reader().hasIds() && targets.size() == 1) {
-      collector.notes.addLine("ids: none, all samples are of one target");
-    }
     return new FileTargets(
         choice.recording().file(),
         choice.reader().hasIds(),

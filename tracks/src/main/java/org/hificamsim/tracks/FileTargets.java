@@ -32,7 +32,11 @@ record FileTargets(
     ReadingNotes notes = new ReadingNotes();
     files.forEach(file -> notes.combine(file.notes));
     if (files.size() == 1) {
-      return new RecordedTargets(files.get(0).targets, files.get(0).secondsPerTick, notes);
+      FileTargets only = files.get(0);
+      if (!only.haveIds && only.targets.size() == 1) {
+        notes.addLine("ids: none, all samples are of one target");
+      }
+      return new RecordedTargets(only.targets, only.secondsPerTick, notes);
     }
     boolean share = !overlap(files);
     if (files.stream().anyMatch(FileTargets::haveIds)) {

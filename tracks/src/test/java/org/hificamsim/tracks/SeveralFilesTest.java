@@ -1,6 +1,7 @@
 package org.hificamsim.tracks;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -39,8 +40,10 @@ class SeveralFilesTest {
   @Test
   void takesFilesWithoutIdsForOneTargetEach() {
     Imported imported = new Imported(folder).unit(Unit.M);
-    imported.ofAll("csv", "time,x,y\n0,0,0\n1,1,0\n", "time,x,y\n2,5,0\n3,6,0\n");
+    ImportSummary found =
+        imported.ofAll("csv", "time,x,y\n0,0,0\n1,1,0\n", "time,x,y\n2,5,0\n3,6,0\n");
     assertEquals("target 1 size 0.66;0 0 0;1 0;target 2 size 0.66;2 5 0;6 0;", imported.tracks());
+    assertFalse(found.lines().toString().contains("ids:"), found.lines()::toString);
   }
 
   @Test
