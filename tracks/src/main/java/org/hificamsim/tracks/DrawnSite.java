@@ -36,7 +36,7 @@ public final class DrawnSite {
       String name = "inside" + (walkable.size() == 1 ? "" : "-" + (zones.size() + 1));
       zones.add(new Zone(name, Zone.Shape.POLYGON, border, null, null, 1.0));
     }
-    this.draft = new DraftCameras(field, obstacles, way(true));
+    this.draft = new DraftCameras(field, obstacles, way(true), settings.cameras());
   }
 
   /** Rounds a field with a margin outwards to metres. */
@@ -73,7 +73,7 @@ public final class DrawnSite {
 
   /** Says that no draft camera sees a free place; empty if one does, or if there are none. */
   Optional<String> blindDraft() {
-    return draft.blind(settings.cameras());
+    return draft.blind();
   }
 
   /** The objective and detection of the scenario, in one line. */
@@ -86,7 +86,7 @@ public final class DrawnSite {
     return SiteQuestion.about(settings, field)
         .with(Scenario.STEPS, STEPS)
         .with(Scenario.ZONES, zones)
-        .with(Scenario.CAMERAS, draft.draw(settings.cameras()));
+        .with(Scenario.CAMERAS, draft.cameras());
   }
 
   /** The XML of this scenario with people. */

@@ -6,7 +6,6 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.place.DraftCameras;
-import org.hificamsim.tracks.place.Way;
 
 /** Makes the scenario of imported tracks: field, draft of cameras, walls, and floor plan. */
 public final class TrackedSite {
@@ -24,7 +23,7 @@ public final class TrackedSite {
   private final double interval;
   private final double duration;
   private final Obstacles obstacles;
-  private final Way way;
+  private final DraftCameras draft;
 
   /**
    * @param summary of the tracks
@@ -35,7 +34,7 @@ public final class TrackedSite {
     this.interval = summary.interval();
     this.duration = summary.duration();
     this.obstacles = new Obstacles(settings.walls());
-    this.way = summary.way();
+    this.draft = new DraftCameras(field, obstacles, summary.way(), settings.cameras());
   }
 
   private Field field(Field box) {
@@ -65,10 +64,6 @@ public final class TrackedSite {
     return (int) Math.min(Scenario.MAX_STEPS, Math.floor(duration / step() + STEP_TOLERANCE) + 1);
   }
 
-  private DraftCameras draft() {
-    return new DraftCameras(field, obstacles, way);
-  }
-
   /** The walls and solids. */
   public Obstacles obstacles() {
     return obstacles;
@@ -76,7 +71,7 @@ public final class TrackedSite {
 
   /** Says that no draft camera sees anybody; empty if one does. */
   Optional<String> blindDraft() {
-    return draft().blind(settings.cameras());
+    return draft.blind();
   }
 
   /** The objective, detection and steps of the scenario, in one line. */
@@ -99,6 +94,6 @@ public final class TrackedSite {
     return SiteQuestion.about(settings, field)
         .with(Scenario.STEPS, steps())
         .with(Scenario.STEP_TIME, step())
-        .with(Scenario.CAMERAS, draft().draw(settings.cameras()));
+        .with(Scenario.CAMERAS, draft.cameras());
   }
 }

@@ -191,7 +191,7 @@ class PlacesTest {
   void placesDraftCamerasOnBorderLookingInside() {
     Field field = new Field(0, 100, 0, 50);
     Obstacles walls = new Obstacles(List.of(new Obstacle.Pillar(0, 0, 3, 0)));
-    List<CameraSpec> cameras = new DraftCameras(field, walls, new Way()).draw(6);
+    List<CameraSpec> cameras = new DraftCameras(field, walls, new Way(), 6).cameras();
     assertEquals(
         6, cameras.stream().map(camera -> camera.x() + " " + camera.y()).distinct().count());
     for (CameraSpec camera : cameras) {

@@ -100,11 +100,11 @@ class WallHeightsTest {
     List<Obstacle> walls =
         read("walls.xml", "<Lines><Line x1='4' y1='5' x2='6' y2='5' height='1.2'/></Lines>");
     Field field = new Field(100, 140, -50, -20);
-    CameraSpec hung = new DraftCameras(field, new Obstacles(walls), new Way()).draw(1).get(0);
+    CameraSpec hung = new DraftCameras(field, new Obstacles(walls), new Way(), 1).cameras().get(0);
     assertEquals(3, hung.z().orElseThrow());
     double half = Math.toDegrees(Math.atan(Math.tan(Math.toRadians(30)) * 9 / 16));
     assertEquals(half + Math.toDegrees(Math.atan(3 / 49.2)), hung.tilt(), 0.5);
-    CameraSpec flat = new DraftCameras(field, Obstacles.NONE, new Way()).draw(1).get(0);
+    CameraSpec flat = new DraftCameras(field, Obstacles.NONE, new Way(), 1).cameras().get(0);
     assertTrue(flat.z().isEmpty() && flat.tilt() == 0);
   }
 }

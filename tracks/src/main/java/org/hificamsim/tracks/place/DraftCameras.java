@@ -1,6 +1,7 @@
 package org.hificamsim.tracks.place;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -29,32 +30,32 @@ public final class DraftCameras {
   private final Obstacles obstacles;
   private final Way way;
   private final boolean flat;
+  private final List<CameraSpec> cameras = new ArrayList<>();
 
   /**
    * @param way positions of people that cameras should see
+   * @param count of cameras
    */
-  public DraftCameras(Field field, Obstacles obstacles, Way way) {
+  public DraftCameras(Field field, Obstacles obstacles, Way way, int count) {
     this.field = field;
     this.obstacles = obstacles;
     this.way = way;
     this.flat = obstacles.all().stream().allMatch(Obstacle::full);
-  }
-
-  /** Returns {@code count} cameras. */
-  public List<CameraSpec> draw(int count) {
-    List<CameraSpec> cameras = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       cameras.add(camera("camera-" + (i + 1), (double) i / count));
     }
-    return cameras;
+  }
+
+  /** The cameras. */
+  public List<CameraSpec> cameras() {
+    return Collections.unmodifiableList(cameras);
   }
 
   /** Says that walls of any height hide everybody from all cameras; empty if one sees somebody. */
-  public Optional<String> blind(int count) {
+  public Optional<String> blind() {
     boolean sees =
-        draw(count).stream()
-            .anyMatch(camera -> !seenFrom(new Point(camera.x(), camera.y())).isEmpty());
-    return count == 0 || sees
+        cameras.stream().anyMatch(camera -> !seenFrom(new Point(camera.x(), camera.y())).isEmpty());
+    return cameras.isEmpty() || sees
         ? Optional.empty()
         : Optional.of("walls hide everybody from the draft cameras: move these before a run");
   }
