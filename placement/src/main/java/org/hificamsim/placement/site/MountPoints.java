@@ -3,8 +3,9 @@ package org.hificamsim.placement.site;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -28,7 +29,7 @@ public final class MountPoints {
   private final Field field;
   private final Obstacles obstacles;
   private final List<Zone> forbidden;
-  private final List<Point> points = new ArrayList<>();
+  private final Set<Point> points = new LinkedHashSet<>();
 
   private MountPoints(Scenario site, List<Zone> forbidden) {
     this.field = site.field();
@@ -99,7 +100,7 @@ public final class MountPoints {
     if (points.isEmpty()) {
       throw new InputException("no camera can be mounted anywhere, expected " + expected);
     }
-    return points;
+    return List.copyOf(points);
   }
 
   private void addAround(List<Point> corners, double spacing) {
@@ -143,8 +144,7 @@ public final class MountPoints {
     boolean allowed =
         field.contains(x, y)
             && obstacles.containing(x, y).isEmpty()
-            && forbidden.stream().noneMatch(zone -> zone.contains(x, y))
-            && !points.contains(point);
+            && forbidden.stream().noneMatch(zone -> zone.contains(x, y));
     return allowed && points.add(point);
   }
 }
