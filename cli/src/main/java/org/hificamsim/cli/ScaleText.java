@@ -3,6 +3,8 @@ package org.hificamsim.cli;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.place.PlanScale;
 
 /** Reads {@code --scale}: metres, a scale of paper, or two points of known distance. */
@@ -38,7 +40,9 @@ final class ScaleText {
   }
 
   private static double metresPerUnit(String text, Matcher distance) {
-    double metres = positive(text, distance.group(1)) * unit(distance.group(2));
+    String unit = distance.group(2) == null ? "m" : distance.group(2);
+    double metres =
+        positive(text, distance.group(1)) * Spelling.require(Unit.class, "--scale", unit).metres();
     double[] ends = new double[4];
     for (int i = 0; i < ends.length; i++) {
       ends[i] = Double.parseDouble(distance.group(3 + i));
@@ -48,10 +52,6 @@ final class ScaleText {
       throw InputException.of("--scale is '%s', expected two points apart", text);
     }
     return scale;
-  }
-
-  private static double unit(String unit) {
-    return unit == null || unit.equals("m") ? 1 : unit.equals("cm") ? 0.01 : 0.001;
   }
 
   private static double positive(String text, String number) {
