@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -44,26 +45,23 @@ final class ScenarioOptions {
 
   /** Reads a scenario with the settings that are asked for, and warnings on {@code err}. */
   Scenario read(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
-    Consumer<String> warnings = warningsTo(err);
-    return checked(
-        file,
-        ScenarioReader.read(file, catalogue.movements().names()::contains, warnings),
-        asked,
-        warnings);
+    return read(ScenarioReader::read, file, asked, catalogue, err);
   }
 
   /** Reads a scenario that may have no cameras and no targets, like {@link #read}. */
   Scenario readSite(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
-    Consumer<String> warnings = warningsTo(err);
-    return checked(
-        file,
-        ScenarioReader.readSite(file, catalogue.movements().names()::contains, warnings),
-        asked,
-        warnings);
+    return read(ScenarioReader::readSite, file, asked, catalogue, err);
   }
 
-  private static Scenario checked(
-      Path file, Scenario scenario, Settings asked, Consumer<String> warnings) {
+  /** A way to read a scenario file. */
+  private interface Reading {
+    Scenario read(Path file, Predicate<String> movements, Consumer<String> warnings);
+  }
+
+  private Scenario read(
+      Reading reading, Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
+    Consumer<String> warnings = warningsTo(err);
+    Scenario scenario = reading.read(file, catalogue.movements().names()::contains, warnings);
     List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
       warnings.accept(
