@@ -2,14 +2,11 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.Writer;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -74,7 +71,8 @@ final class ImportCommand implements Callable<Integer> {
     if (plan.listsLayers()) {
       return listLayers(unit, projection);
     }
-    Destination.claim(spec, out, names(name));
+    SiteOutput output = new SiteOutput(spec, name, plan.floorplan());
+    output.claim(out, List.of(name + ".tracks"));
     Optional<Drawing> drawing = drawing(unit, projection);
     List<Obstacle> obstacles =
         drawing.map(read -> read.obstacles(plan.walkable())).orElse(List.of());
@@ -86,11 +84,11 @@ final class ImportCommand implements Callable<Integer> {
     List<String> signs = Plausibility.of(summary, made).signs(forceReading);
     try (OutputFolder folder = Destination.folder(spec, out)) {
       tracks.write(settings, folder, name + ".tracks");
-      write(folder, name, made);
+      output.write(folder, made.xml(name + ".tracks"));
       folder.commit(List.of());
       print(name, recordings, summary, projection);
       printSite(name, made, drawing.flatMap(Drawing::leftOut));
-      signs.forEach(this::warn);
+      signs.forEach(output::warn);
     }
     return 0;
   }
@@ -121,30 +119,6 @@ final class ImportCommand implements Callable<Integer> {
         plan.floorplan().map(image -> plan.floorplan(name, image)));
   }
 
-  private void warn(String sign) {
-    spec.commandLine().getErr().println("warning: " + printable(sign));
-  }
-
-  private static String printable(String line) {
-    return Place.printable(NamedSetting.written(line, Flags.NOTATION));
-  }
-
-  /** The names of the files that are written. */
-  private List<String> names(String name) {
-    List<String> names = new ArrayList<>(List.of(name + ".xml", name + ".tracks"));
-    plan.floorplan().ifPresent(image -> names.add(PlanOptions.floorplanName(name, image)));
-    return names;
-  }
-
-  private void write(OutputFolder folder, String name, TrackedSite made) throws IOException {
-    if (plan.floorplan().isPresent()) {
-      PlanOptions.copy(name, plan.floorplan().get(), folder);
-    }
-    try (Writer xml = folder.open(name + ".xml")) {
-      xml.write(made.xml(name + ".tracks"));
-    }
-  }
-
   private void print(
       String name,
       List<FormatChoice> recordings,
@@ -153,12 +127,11 @@ final class ImportCommand implements Callable<Integer> {
     PrintWriter terminal = spec.commandLine().getOut();
     terminal.println(out.resolve(name + ".xml"));
     recordings.forEach(
-        choice -> choice.line().ifPresent(line -> terminal.println("  " + printable(line))));
-    summary.lines().forEach(line -> terminal.println("  " + printable(line)));
+        choice ->
+            choice.line().ifPresent(line -> terminal.println("  " + SiteOutput.printable(line))));
+    summary.lines().forEach(line -> terminal.println("  " + SiteOutput.printable(line)));
     terminal.println("  " + recording.sizeLine(summary));
-    if (!Double.isNaN(projection.longitude())) {
-      terminal.println("  " + PlanOptions.projected(projection));
-    }
+    PlanOptions.projected(projection).ifPresent(line -> terminal.println("  " + line));
   }
 
   private void printSite(String name, TrackedSite made, Optional<String> leftOut) {

@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -192,10 +191,10 @@ final class PlaceCommand implements Callable<Integer> {
   private void copyFloorplan(SitePlan plan, OutputFolder folder) throws IOException {
     Optional<Floorplan> original = plan.demand().site().floorplan();
     if (original.isPresent()) {
-      String name = plan.scenario().floorplan().orElseThrow().file();
-      try (OutputStream copy = folder.stream(name)) {
-        Files.copy(file.resolveSibling(original.get().file()), copy);
-      }
+      SiteOutput.copy(
+          file.resolveSibling(original.get().file()),
+          folder,
+          plan.scenario().floorplan().orElseThrow().file());
     }
   }
 

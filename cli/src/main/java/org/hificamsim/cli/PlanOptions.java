@@ -1,9 +1,6 @@
 package org.hificamsim.cli;
 
-import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,7 +9,6 @@ import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
@@ -95,11 +91,14 @@ final class PlanOptions {
     drawing.leftOut().ifPresent(line -> terminal.println("  " + Place.printable(line)));
   }
 
-  /** How degrees became metres, in a line. */
-  static String projected(LocalProjection projection) {
-    return Texts.format(
-        "projected to metres: equirectangular, WGS84, about latitude %s, longitude %s",
-        projection.latitude(), projection.longitude());
+  /** How degrees became metres, in a line; empty if none did. */
+  static Optional<String> projected(LocalProjection projection) {
+    return Double.isNaN(projection.longitude())
+        ? Optional.empty()
+        : Optional.of(
+            Texts.format(
+                "projected to metres: equirectangular, WGS84, about latitude %s, longitude %s",
+                projection.latitude(), projection.longitude()));
   }
 
   /** The place of drawings and pictures; empty if their scale is not given. */
@@ -144,12 +143,5 @@ final class PlanOptions {
                             + " --width M",
                         picture));
     return new Floorplan(floorplanName(scenario, picture), frame.area(picture));
-  }
-
-  /** Copies a picture into the folder of the scenario. */
-  static void copy(String scenario, Path picture, OutputFolder folder) throws IOException {
-    try (OutputStream copy = folder.stream(floorplanName(scenario, picture))) {
-      Files.copy(picture, copy);
-    }
   }
 }

@@ -2,16 +2,13 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.Writer;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
@@ -73,15 +70,19 @@ final class SiteCommand implements Callable<Integer> {
         out.orElseThrow(() -> new InputException("expected --out DIR, a folder for the site"));
     String name = site.name(file);
     Optional<Path> picture = isPicture() ? Optional.of(file) : plan.floorplan();
-    Destination.claim(spec, folder, names(name, picture));
+    SiteOutput output = new SiteOutput(spec, name, picture);
+    output.claim(folder, List.of());
     DrawnSite made = made(name, drawing, picture);
     List<String> signs = Plausibility.of(made).signs(forceReading);
     Scenario empty = made.scenario();
     long seed = settings.settings().seed();
     Scenario scenario = empty.with(Scenario.TARGETS, FreePositions.people(empty, people, seed));
-    write(folder, name, made.xml(scenario), picture);
-    print(folder.resolve(name + ".xml"), made, drawing.flatMap(Drawing::leftOut), projection);
-    signs.forEach(this::warn);
+    try (OutputFolder written = Destination.folder(spec, folder)) {
+      output.write(written, made.xml(scenario));
+      written.commit(List.of());
+    }
+    print(folder.resolve(output.scenarioFile()), made, drawing.flatMap(Drawing::leftOut), projection);
+    signs.forEach(output::warn);
     return 0;
   }
 
@@ -103,12 +104,6 @@ final class SiteCommand implements Callable<Integer> {
     return 0;
   }
 
-  private static List<String> names(String name, Optional<Path> picture) {
-    List<String> names = new ArrayList<>(List.of(name + ".xml"));
-    picture.ifPresent(image -> names.add(PlanOptions.floorplanName(name, image)));
-    return names;
-  }
-
   private DrawnSite made(String name, Optional<Drawing> drawing, Optional<Path> picture) {
     Optional<Floorplan> floorplan = picture.map(image -> plan.floorplan(name, image));
     SiteSettings siteSettings =
@@ -126,19 +121,6 @@ final class SiteCommand implements Callable<Integer> {
     return new DrawnSite(siteSettings, drawn, walkable);
   }
 
-  private void write(Path path, String name, String xml, Optional<Path> picture)
-      throws IOException {
-    try (OutputFolder folder = Destination.folder(spec, path)) {
-      if (picture.isPresent()) {
-        PlanOptions.copy(name, picture.get(), folder);
-      }
-      try (Writer writer = folder.open(name + ".xml")) {
-        writer.write(xml);
-      }
-      folder.commit(List.of());
-    }
-  }
-
   private void print(
       Path scenario, DrawnSite made, Optional<String> leftOut, LocalProjection projection) {
     PrintWriter terminal = spec.commandLine().getOut();
@@ -149,9 +131,7 @@ final class SiteCommand implements Callable<Integer> {
             "  field: %s x %s m; walls and solids: %s",
             field.width(), field.height(), made.obstacles().all().size()));
     leftOut.ifPresent(line -> terminal.println("  " + Place.printable(line)));
-    if (!Double.isNaN(projection.longitude())) {
-      terminal.println("  " + PlanOptions.projected(projection));
-    }
+    PlanOptions.projected(projection).ifPresent(line -> terminal.println("  " + line));
     terminal.println(
         Texts.format(
             "  draft cameras: %s; people who walk at random: %s", site.cameras(0), people));
@@ -159,10 +139,5 @@ final class SiteCommand implements Callable<Integer> {
     terminal.println("Plan its cameras, or move them by hand:");
     terminal.println(Texts.format("  ./hificamsim place %s --cameras 4", scenario));
     terminal.println(Texts.format("  ./hificamsim view %s", scenario));
-  }
-
-  private void warn(String sign) {
-    String line = NamedSetting.written(sign, Flags.NOTATION);
-    spec.commandLine().getErr().println("warning: " + Place.printable(line));
   }
 }

@@ -1,0 +1,59 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.NamedSetting;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.file.OutputFolder;
+import picocli.CommandLine.Model.CommandSpec;
+
+/**
+ * The files of a scenario that a command makes of a plan, and the command's warnings.
+ *
+ * @param name of the scenario
+ * @param picture of the floor plan; empty if there is none
+ */
+record SiteOutput(CommandSpec command, String name, Optional<Path> picture) {
+  /** The name of the scenario's file. */
+  String scenarioFile() {
+    return name + ".xml";
+  }
+
+  /** Checks before the work that the scenario and other files may be written into a folder. */
+  void claim(Path folder, List<String> others) throws IOException {
+    List<String> names = new ArrayList<>(List.of(scenarioFile()));
+    names.addAll(others);
+    picture.ifPresent(image -> names.add(PlanOptions.floorplanName(name, image)));
+    Destination.claim(command, folder, names);
+  }
+
+  /** Writes the scenario, with its picture beside it. */
+  void write(OutputFolder folder, String xml) throws IOException {
+    if (picture.isPresent()) {
+      copy(picture.get(), folder, PlanOptions.floorplanName(name, picture.get()));
+    }
+    folder.write(scenarioFile(), xml);
+  }
+
+  /** Copies a picture into a folder. */
+  static void copy(Path picture, OutputFolder folder, String name) throws IOException {
+    try (OutputStream copy = folder.stream(name)) {
+      Files.copy(picture, copy);
+    }
+  }
+
+  /** Prints a warning, in which settings are written as options. */
+  void warn(String sign) {
+    command.commandLine().getErr().println("warning: " + printable(sign));
+  }
+
+  /** A line for the terminal, in which settings are written as options. */
+  static String printable(String line) {
+    return Place.printable(NamedSetting.written(line, Flags.NOTATION));
+  }
+}
