@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -69,7 +68,7 @@ final class PlanOptions {
             ? Optional.empty()
             : Optional.of(RecordingOptions.unit("--walls-unit", wallsUnit));
     LayerChoice choice = listLayers ? LayerChoice.FOR_LIST : new LayerChoice(layers);
-    boolean isDxf = file.toString().toLowerCase(Locale.ROOT).matches(".*\\.dxf(\\.gz)?");
+    boolean isDxf = WallFile.isDxf(file);
     boolean isForPicture = isDxf && floorplan.isPresent(); // a DXF has a unit of its own
     if (isDxf && !isForPicture && wallsUnit != null && (scale != null || width != null)) {
       throw new InputException(

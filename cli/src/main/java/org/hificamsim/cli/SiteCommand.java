@@ -24,6 +24,7 @@ import org.hificamsim.tracks.SiteSettings;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.Drawing;
+import org.hificamsim.tracks.place.WallFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -81,7 +82,8 @@ final class SiteCommand implements Callable<Integer> {
       output.write(written, made.xml(scenario));
       written.commit(List.of());
     }
-    print(folder.resolve(output.scenarioFile()), made, drawing.flatMap(Drawing::leftOut), projection);
+    print(
+        folder.resolve(output.scenarioFile()), made, drawing.flatMap(Drawing::leftOut), projection);
     signs.forEach(output::warn);
     return 0;
   }
@@ -92,8 +94,7 @@ final class SiteCommand implements Callable<Integer> {
 
   /** The unit of coordinates in files that have none. */
   private Unit usualUnit() {
-    boolean isGeoJson = file.toString().toLowerCase(Locale.ROOT).matches(".*json(\\.gz)?");
-    return isGeoJson ? Unit.DEG : Unit.M;
+    return WallFile.isGeoJson(file) ? Unit.DEG : Unit.M;
   }
 
   private int listLayers(Optional<Drawing> drawing) {

@@ -22,27 +22,46 @@ public final class WallFile {
    * @throws InputException with the place, if the file is wrong
    */
   public static Drawing read(Path file, DrawingSettings settings) {
-    String name = file.toString().toLowerCase(Locale.ROOT).replaceFirst("\\.gz$", "");
-    boolean isDrawing = name.matches(".*\\.(svgz?|dxf)");
+    boolean isDrawing = isDxf(file) || isSvg(file);
     if (settings.points().unit() == Unit.PX && !isDrawing) {
       throw InputException.of(
           "%s: %s is px, expected m, cm, mm or deg: a homography is not applied to walls",
           file, setting("walls_unit"));
     }
-    return drawing(file, name, settings).complete();
+    return drawing(file, settings).complete();
   }
 
-  private static Drawing drawing(Path file, String name, DrawingSettings settings) {
+  /** Whether a file is a DXF, by its ending. */
+  public static boolean isDxf(Path file) {
+    return ending(file).equals(".dxf");
+  }
+
+  /** Whether a file is GeoJSON, by its ending. */
+  public static boolean isGeoJson(Path file) {
+    return ending(file).equals(".geojson") || ending(file).equals(".json");
+  }
+
+  private static boolean isSvg(Path file) {
+    return ending(file).equals(".svg") || ending(file).equals(".svgz");
+  }
+
+  /** The ending of a file that may be packed, in lower case; the name if it has none. */
+  private static String ending(Path file) {
+    String name = file.toString().toLowerCase(Locale.ROOT).replaceFirst("\\.gz$", "");
+    return name.substring(Math.max(0, name.lastIndexOf('.')));
+  }
+
+  private static Drawing drawing(Path file, DrawingSettings settings) {
     Drawing drawing = new Drawing(file, settings.choice());
-    if (name.endsWith(".json") || name.endsWith(".geojson")) {
+    if (isGeoJson(file)) {
       new GeoJsonWalls(drawing, settings.points()).read(file);
-    } else if (name.endsWith(".wkt")) {
+    } else if (ending(file).equals(".wkt")) {
       new WktWalls(drawing, settings.points()).read(file);
-    } else if (name.endsWith(".xml")) {
+    } else if (ending(file).equals(".xml")) {
       new XmlWalls(drawing, settings).readFile(file);
-    } else if (name.endsWith(".dxf")) {
+    } else if (isDxf(file)) {
       return new DxfReader(file, settings).read();
-    } else if (name.endsWith(".svg") || name.endsWith(".svgz")) {
+    } else if (isSvg(file)) {
       return new SvgReader(file, settings.choice())
           .read(settings.frame().orElseThrow(() -> noScale(file)));
     } else {
