@@ -38,11 +38,7 @@ final class DxfReader {
         && settings.frame().isPresent()
         && settings.frame().get().scale() instanceof PlanScale.Width width) {
       double inUnits = new Pass(1).draw().bounds().getWidth();
-      if (!(inUnits > 0)) {
-        throw InputException.of(
-            "%s: what is drawn has no width, expected walls side by side", file);
-      }
-      return new Pass(width.metres() / inUnits).draw();
+      return new Pass(width.perUnit(file, inUnits)).draw();
     }
     return new Pass(Double.NaN).draw();
   }

@@ -1,5 +1,8 @@
 package org.hificamsim.tracks.place;
 
+import java.nio.file.Path;
+import org.hificamsim.core.InputException;
+
 /** How large the things of a drawing or picture are in reality. */
 public sealed interface PlanScale {
   /**
@@ -21,5 +24,19 @@ public sealed interface PlanScale {
    *
    * @param metres above 0
    */
-  record Width(double metres) implements PlanScale {}
+  record Width(double metres) implements PlanScale {
+    /**
+     * Returns the metres of a unit.
+     *
+     * @param units the width in units of the drawing
+     * @throws InputException if that is not above 0
+     */
+    double perUnit(Path file, double units) {
+      if (!(units > 0)) {
+        throw InputException.of(
+            "%s: what is drawn has no width, expected walls side by side", file);
+      }
+      return metres / units;
+    }
+  }
 }

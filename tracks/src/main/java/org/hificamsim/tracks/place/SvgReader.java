@@ -5,7 +5,6 @@ import static org.hificamsim.core.NamedSetting.setting;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Rectangle2D;
 import java.nio.file.Path;
-import org.hificamsim.core.InputException;
 
 /** Reads an SVG as walls, at the scale and place that a frame gives it. */
 final class SvgReader {
@@ -53,16 +52,9 @@ final class SvgReader {
       return perUnit.metres();
     }
     if (scale instanceof PlanScale.Width width) {
-      return width.metres() / positive(bounds().getWidth());
+      return width.perUnit(file, bounds().getWidth());
     }
     return ((PlanScale.Paper) scale).ratio() * paperMetresPerUnit();
-  }
-
-  private double positive(double width) {
-    if (!(width > 0)) {
-      throw InputException.of("%s: what is drawn has no width, expected walls side by side", file);
-    }
-    return width;
   }
 
   /** The size of a unit on paper, from the width of the page. */
@@ -76,6 +68,7 @@ final class SvgReader {
               setting("scale", "M"));
     }
     double[] box = SvgViewport.viewBox(tree.root());
-    return width * METRES_PER_PIXEL / (box == null ? width : positive(box[2]));
+    return new PlanScale.Width(width * METRES_PER_PIXEL)
+        .perUnit(file, box == null ? width : box[2]);
   }
 }
