@@ -140,10 +140,7 @@ public final class ImportSummary {
    */
   double quantile(double share) {
     sortedSpeeds = sortedSpeeds == null ? allSpeeds.build().sorted().toArray() : sortedSpeeds;
-    int last = (int) Math.ceil(share * sortedSpeeds.length) - 1;
-    return sortedSpeeds.length == 0
-        ? Double.NaN
-        : Math.rint(sortedSpeeds[Math.max(0, last)] / SPEED_STEP) * SPEED_STEP;
+    return Math.rint(MotionMeasures.quantile(sortedSpeeds, share) / SPEED_STEP) * SPEED_STEP;
   }
 
   /**

@@ -60,9 +60,14 @@ record MotionMeasures(
 
   /** The speed that a share of all moves to another place does not exceed; NaN without any. */
   double quantile(double share) {
-    return speeds.length == 0
+    return quantile(speeds, share);
+  }
+
+  /** The value that a share of some sorted values does not exceed; NaN if there are none. */
+  static double quantile(double[] sorted, double share) {
+    return sorted.length == 0
         ? Double.NaN
-        : speeds[Math.max(0, (int) Math.ceil(share * speeds.length) - 1)];
+        : sorted[Math.max(0, (int) Math.ceil(share * sorted.length) - 1)];
   }
 
   /** The longer side of the rectangle around all positions, metres. */
