@@ -56,9 +56,9 @@ final class DxfEntities {
                   fields.number(21, 0)),
               Kind.LINES);
       case "LWPOLYLINE" ->
-          flat(fields, DxfCurves.polyline(fields.points(10, 42), fields.hasFlag(CLOSED)));
+          lines(fields, DxfCurves.polyline(fields.points(10, 42), fields.hasFlag(CLOSED)));
       case "POLYLINE" -> polyline(fields);
-      case "ARC" -> flat(fields, arc(fields));
+      case "ARC" -> lines(fields, arc(fields));
       case "CIRCLE" -> circle(fields);
       case "ELLIPSE" -> ellipse(fields);
       case "SPLINE" -> new Outline(spline(fields), Kind.LINES);
@@ -68,9 +68,14 @@ final class DxfEntities {
     };
   }
 
-  private static Content flat(DxfFields fields, Shape shape) {
+  private static Content lines(DxfFields fields, Shape shape) {
+    return flat(fields, new Outline(fields.toPlan().createTransformedShape(shape), Kind.LINES));
+  }
+
+  /** Leaves an entity out that does not lie in the plane. */
+  private static Content flat(DxfFields fields, Content content) {
     return fields.isFlat()
-        ? new Outline(fields.toPlan().createTransformedShape(shape), Kind.LINES)
+        ? content
         : new Other("upright " + fields.type().toLowerCase(Locale.ROOT));
   }
 
@@ -94,7 +99,7 @@ final class DxfEntities {
     }
     return fields.hasFlag(MESH)
         ? new Other("mesh")
-        : flat(fields, DxfCurves.polyline(corners, fields.hasFlag(CLOSED)));
+        : lines(fields, DxfCurves.polyline(corners, fields.hasFlag(CLOSED)));
   }
 
   private static Shape arc(DxfFields fields) {
@@ -113,9 +118,7 @@ final class DxfEntities {
     double x = fields.number(10, 0);
     double y = fields.number(20, 0);
     Shape circle = new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
-    return fields.isFlat()
-        ? new Circle(fields.toPlan().createTransformedShape(circle))
-        : new Other("upright circle");
+    return flat(fields, new Circle(fields.toPlan().createTransformedShape(circle)));
   }
 
   private static Content ellipse(DxfFields fields) {
@@ -130,9 +133,7 @@ final class DxfEntities {
             ratio,
             start,
             end);
-    return fields.isFlat()
-        ? new Outline(shape, isWhole ? Kind.SOLID : Kind.LINES)
-        : new Other("upright ellipse");
+    return flat(fields, new Outline(shape, isWhole ? Kind.SOLID : Kind.LINES));
   }
 
   private static Shape spline(DxfFields fields) {
@@ -180,9 +181,7 @@ final class DxfEntities {
     int[] grid = {Math.max(1, fields.integer(70, 1)), Math.max(1, fields.integer(71, 1))};
     double[] spacing = {fields.number(44, 0), fields.number(45, 0)};
     double[] scale = {fields.number(41, 1), fields.number(42, 1)};
-    return fields.isFlat()
-        ? new Insert(fields.name(), toParent, scale, grid, spacing)
-        : new Other("upright insert");
+    return flat(fields, new Insert(fields.name(), toParent, scale, grid, spacing));
   }
 
   private void skipAttributes() {
