@@ -1,5 +1,7 @@
 package org.hificamsim.tracks;
 
+import static java.util.stream.Collectors.summarizingDouble;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -104,6 +106,7 @@ public final class ImportSummary {
 
   private void addMoves(String target, List<Sample> track) {
     List<Move> moves = new ArrayList<>();
+    Obstacles near = near(track);
     for (int i = 1; i < track.size(); i++) {
       Sample from = track.get(i - 1);
       Sample to = track.get(i);
@@ -112,9 +115,7 @@ public final class ImportSummary {
       moves.add(new Move(target, to.time(), length, speed));
       allSpeeds.add(speed);
       this.moves++;
-      if (!obstacles.isEmpty()
-          && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
-          && blockedMoves++ == 0) {
+      if (!near.clear(from.x(), from.y(), to.x(), to.y()) && blockedMoves++ == 0) {
         firstBlocked = "target " + target + " at " + to.time() + " s";
       }
     }
@@ -123,6 +124,16 @@ public final class ImportSummary {
         fastMoves.add(moves.get(i));
       }
     }
+  }
+
+  /** The obstacles near a track, so that not all are compared with each move. */
+  private Obstacles near(List<Sample> track) {
+    if (obstacles.isEmpty()) {
+      return obstacles;
+    }
+    DoubleSummaryStatistics x = track.stream().collect(summarizingDouble(Sample::x));
+    DoubleSummaryStatistics y = track.stream().collect(summarizingDouble(Sample::y));
+    return obstacles.near(x.getMin(), y.getMin(), x.getMax(), y.getMax());
   }
 
   /** The speed of the slower of the moves before and after a move; 0 if there are none. */

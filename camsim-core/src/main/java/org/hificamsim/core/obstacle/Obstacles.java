@@ -2,6 +2,7 @@ package org.hificamsim.core.obstacle;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * A set of obstacles that do not move, with tests of lines of sight. A line of sight is a closed
@@ -59,6 +60,15 @@ public final class Obstacles {
       product *= obstacle.touches(x1, y1, z, x2, y2, low, high) ? obstacle.transmittance() : 1;
     }
     return product;
+  }
+
+  /** The obstacles that may meet a segment in a rectangle, of which opposite corners are given. */
+  public Obstacles near(double x1, double y1, double x2, double y2) {
+    return new Obstacles(
+        IntStream.range(0, obstacles.size())
+            .filter(i -> !pieces.isApart(i, x1, y1, x2, y2))
+            .mapToObj(obstacles::get)
+            .toList());
   }
 
   /** Whether a person can walk straight from one point to the other. */

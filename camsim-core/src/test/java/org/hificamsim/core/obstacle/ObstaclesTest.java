@@ -63,6 +63,14 @@ class ObstaclesTest {
   }
 
   @Test
+  void findsObstaclesNearRectangle() {
+    Obstacles obstacles = new Obstacles(List.of(WALL, SOLID, PILLAR));
+    assertEquals(new Obstacles(List.of(WALL, SOLID)), obstacles.near(2, 4, 0, 5));
+    assertEquals(new Obstacles(List.of(PILLAR)), obstacles.near(-9, 0, -1, 3));
+    assertEquals(Obstacles.NONE, obstacles.near(3, 0, 9, 9));
+  }
+
+  @Test
   void equalIfTheirObstaclesAreEqual() {
     Obstacles obstacles = new Obstacles(List.of(WALL, PILLAR));
     Obstacles same = new Obstacles(List.of(new Obstacle.Wall(0, 0, 0, 4, 0.5), PILLAR));
