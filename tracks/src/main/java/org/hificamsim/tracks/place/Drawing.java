@@ -38,6 +38,7 @@ public final class Drawing {
   private final Map<Label, Integer> labels = new HashMap<>();
   private final Map<String, Integer> leftOut = new TreeMap<>();
   private final Set<String> used = new TreeSet<>();
+  private WalkableArea walkableArea; // null until it is asked for
   private long points;
 
   Drawing(Path file, LayerChoice choice) {
@@ -98,7 +99,12 @@ public final class Drawing {
 
   /** The borders of the walkable areas, each as corners without a repetition. */
   public List<List<Point>> walkableBorders() {
-    return WalkableArea.outerBorders(parts);
+    return walkableArea().outerBorders();
+  }
+
+  private WalkableArea walkableArea() {
+    walkableArea = walkableArea == null ? new WalkableArea(parts) : walkableArea;
+    return walkableArea;
   }
 
   /** The chosen shapes. */
@@ -139,7 +145,7 @@ public final class Drawing {
           file, setting("walkable"));
     }
     List<Obstacle> obstacles =
-        new ObstacleMaker().make(walkable ? WalkableArea.borders(parts) : parts);
+        new ObstacleMaker().make(walkable ? walkableArea().borders() : parts);
     if (obstacles.isEmpty()) {
       throw InputException.of(
           "%s: all that is drawn are points, expected lines, polygons or circles", file);

@@ -3,6 +3,7 @@ package org.hificamsim.tracks.place;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.obstacle.Point;
@@ -26,16 +27,32 @@ import org.locationtech.jts.operation.union.UnaryUnionOp;
 final class WalkableArea {
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
 
-  private WalkableArea() {}
+  private final List<DrawnPart> parts;
+  private final List<DrawnPart> outermost;
+  private final Geometry union;
 
-  /** Returns the parts of a drawing with the borders of walkable areas in place of these areas. */
-  static List<DrawnPart> borders(List<DrawnPart> parts) {
-    List<DrawnPart> outermost = outermost(parts);
+  /**
+   * @param parts all of a drawing
+   */
+  WalkableArea(List<DrawnPart> parts) {
+    this.parts = parts;
+    List<DrawnPart> areas = parts.stream().filter(part -> part.shape() instanceof Area).toList();
+    List<Geometry> polygons = areas.stream().map(part -> polygon((Area) part.shape())).toList();
+    boolean[] inner = inner(polygons);
+    int[] outer = IntStream.range(0, inner.length).filter(i -> !inner[i]).toArray();
+    outermost = Arrays.stream(outer).mapToObj(areas::get).toList();
+    union = UnaryUnionOp.union(Arrays.stream(outer).mapToObj(polygons::get).toList(), GEOMETRY);
+  }
+
+  /**
+   * Returns the parts of the drawing with the borders of walkable areas in place of these areas.
+   */
+  List<DrawnPart> borders() {
     List<DrawnPart> result = new ArrayList<>(parts);
-    result.removeAll(outermost);
+    result.removeAll(new HashSet<>(outermost));
     double[] heights = outermost.stream().mapToDouble(DrawnPart::height).distinct().toArray();
     double height = heights.length == 1 ? heights[0] : Double.POSITIVE_INFINITY;
-    for (Object line : LinearComponentExtracter.getLines(union(outermost))) {
+    for (Object line : LinearComponentExtracter.getLines(union)) {
       List<Point> points = points(((LineString) line).getCoordinates());
       result.add(new DrawnPart(new DrawnShape.Line(points), height));
     }
@@ -43,24 +60,13 @@ final class WalkableArea {
   }
 
   /** Returns the outer borders of the walkable areas. */
-  static List<List<Point>> outerBorders(List<DrawnPart> parts) {
+  List<List<Point>> outerBorders() {
     List<List<Point>> borders = new ArrayList<>();
-    for (Object polygon : PolygonExtracter.getPolygons(union(outermost(parts)))) {
+    for (Object polygon : PolygonExtracter.getPolygons(union)) {
       LinearRing ring = ((Polygon) polygon).getExteriorRing();
       borders.add(ObstacleMaker.corners(points(ring.getCoordinates())));
     }
     return borders;
-  }
-
-  private static List<DrawnPart> outermost(List<DrawnPart> parts) {
-    List<DrawnPart> areas = parts.stream().filter(part -> part.shape() instanceof Area).toList();
-    boolean[] inner = inner(areas.stream().map(part -> polygon((Area) part.shape())).toList());
-    return IntStream.range(0, inner.length).filter(i -> !inner[i]).mapToObj(areas::get).toList();
-  }
-
-  private static Geometry union(List<DrawnPart> areas) {
-    return UnaryUnionOp.union(
-        areas.stream().map(part -> polygon((Area) part.shape())).toList(), GEOMETRY);
   }
 
   /** Whether a border surrounds a point. */
