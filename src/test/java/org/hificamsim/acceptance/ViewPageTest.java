@@ -35,6 +35,9 @@ class ViewPageTest {
       "return hificamsim.players.every(({timeline: {kMin}}) =>"
           + " kMin.element.getBoundingClientRect().bottom <= innerHeight)";
 
+  private static final String SHARE =
+      "parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/))";
+
   @TempDir static Path folder;
   private static Browser browser;
   private ViewProcess view;
@@ -310,30 +313,26 @@ class ViewPageTest {
     browser.until("return document.querySelector('.shares')?.textContent.includes('% of field')");
     pause();
     long cameras = number("hificamsim.runs[0].setup.cameras.length");
+    double all = share();
     browser.find(".pose .remove-camera").click();
     browser.until("return hificamsim.runs[0].setup.cameras.length === " + (cameras - 1));
+    untilShare("< " + all);
     double before = share();
     browser.find(".pose .suggest").click();
     browser.until("return hificamsim.runs[0].setup.cameras.length === " + cameras);
-    browser.until(
-        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) > "
-            + before);
+    untilShare("> " + before);
     double added = share();
     browser.run(
         "hificamsim.players[0].select(0); hificamsim.edits.move(0, 0.5, 0.5);"
             + " hificamsim.edits.turn(0, 225)");
-    browser.until(
-        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) < "
-            + added);
+    untilShare("< " + added);
+    browser.until("return !hificamsim.edits.sending");
     double moved = share();
     browser.find(".pose .suggest-place").click();
-    browser.until(
-        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) > "
-            + moved);
+    untilShare("> " + moved);
+    double suggested = share();
     browser.find("#undo").click();
-    browser.until(
-        "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+ %/)) === "
-            + moved);
+    untilShare("< " + suggested);
   }
 
   @Test
@@ -352,11 +351,12 @@ class ViewPageTest {
 
   /** The first of the shares that the page shows, in percent. */
   private static double share() {
-    return ((Number)
-            browser.run(
-                "return parseFloat(document.querySelector('.shares').textContent.match(/[0-9.]+"
-                    + " %/))"))
-        .doubleValue();
+    return ((Number) browser.run("return " + SHARE)).doubleValue();
+  }
+
+  /** Waits for the view's answer: the shares change a moment after the cameras do. */
+  private static void untilShare(String comparison) {
+    browser.until("return " + SHARE + " " + comparison);
   }
 
   @Test
