@@ -1,8 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,16 +33,9 @@ record SiteOutput(CommandSpec command, String name, Optional<Path> picture) {
   /** Writes the scenario, with its picture beside it. */
   void write(OutputFolder folder, String xml) throws IOException {
     if (picture.isPresent()) {
-      copy(picture.get(), folder, PlanOptions.floorplanName(name, picture.get()));
+      folder.copy(PlanOptions.floorplanName(name, picture.get()), picture.get());
     }
     folder.write(scenarioFile(), xml);
-  }
-
-  /** Copies a picture into a folder. */
-  static void copy(Path picture, OutputFolder folder, String name) throws IOException {
-    try (OutputStream copy = folder.stream(name)) {
-      Files.copy(picture, copy);
-    }
   }
 
   /** Prints a warning, in which settings are written as options. */

@@ -250,6 +250,13 @@ public final class OutputFolder implements Closeable {
     write(name, content.getBytes(StandardCharsets.UTF_8));
   }
 
+  /** Copies a file. */
+  public void copy(String name, Path file) throws IOException {
+    try (OutputStream out = stream(name)) {
+      Files.copy(file, out);
+    }
+  }
+
   private Path draft(String name) {
     return drafts.resolve(name.replace("/", "%2F"));
   }
