@@ -1,7 +1,6 @@
 package org.hificamsim.placement.cover;
 
 import java.util.Arrays;
-import java.util.Optional;
 
 /**
  * Replaces a plan by a cheaper one that covers every point as often, as far as that counts. A plan
@@ -22,13 +21,8 @@ public final class CheaperPlan {
     if (!mayBeCheaper(instance, plan)) {
       return plan;
     }
-    int[] counts = instance.counts(plan);
-    int[] kept = new int[counts.length];
-    Arrays.setAll(kept, point -> Math.min(instance.needs()[point], counts[point]));
-    CoverInstance same =
-        new CoverInstance(instance.unitWorths(), kept, instance.covered(), instance.prices());
-    Effort search =
-        new Effort(effort.seed(), effort.idleRounds(), Optional.empty(), effort.limits());
+    CoverInstance same = instance.needingAtMost(instance.counts(plan));
+    Effort search = Effort.searchOnly(effort.seed(), effort.idleRounds(), effort.limits().all());
     int[] found = CoverSearch.solve(same, Goal.FULL_COVER, search, (score, bound) -> {}).chosen();
     boolean cheaper = instance.price(found) < instance.price(plan);
     return cheaper && found.length <= maxCameras ? found : plan;

@@ -1,6 +1,7 @@
 package org.hificamsim.placement.cover;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * A covering problem: points that are to be covered, and candidates with their prices and the
@@ -95,15 +96,14 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
 
   /** Returns the instance in which no point needs more than all candidates together can do. */
   public CoverInstance coverable() {
-    int[] coveringCandidates = new int[points()];
-    for (int[] points : covered) {
-      for (int point : points) {
-        coveringCandidates[point]++;
-      }
-    }
-    int[] possibleNeeds = new int[needs.length];
-    Arrays.setAll(possibleNeeds, point -> Math.min(needs[point], coveringCandidates[point]));
-    return new CoverInstance(unitWorths, possibleNeeds, covered, prices);
+    return needingAtMost(counts(IntStream.range(0, candidates()).toArray()));
+  }
+
+  /** Returns the instance in which no point needs more than some plan does. */
+  CoverInstance needingAtMost(int[] counts) {
+    int[] limitedNeeds = new int[needs.length];
+    Arrays.setAll(limitedNeeds, point -> Math.min(needs[point], counts[point]));
+    return new CoverInstance(unitWorths, limitedNeeds, covered, prices);
   }
 
   /** Returns the instance without candidates that are {@linkplain Dominance dominated}. */
