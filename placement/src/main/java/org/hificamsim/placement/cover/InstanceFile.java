@@ -10,7 +10,8 @@ import org.hificamsim.core.file.TextLines;
 
 /**
  * Set cover instances as files of whole numbers between blanks, in the two forms of OR-Library.
- * Points and candidates are numbered from 1; how many there are of each comes first.
+ * Points and candidates are numbered from 1; how many there are of each comes first. (Messages call
+ * points samples, as the command line does.)
  *
  * <p>In the form {@code scp}, all prices follow; then, for each point, the number of candidates
  * that cover it, and these candidates. In the form {@code candidates}, which OR-Library uses for
@@ -46,7 +47,7 @@ public final class InstanceFile {
   }
 
   private CoverInstance instance(Form form) {
-    int points = next("the number of points", 1, MAX_NUMBER);
+    int points = next("the number of samples", 1, MAX_NUMBER);
     int candidates = next("the number of candidates", 1, MAX_NUMBER);
     double[] prices = new double[candidates];
     List<List<Integer>> covered = new ArrayList<>();
@@ -83,7 +84,7 @@ public final class InstanceFile {
       prices[candidate] = next("a price", 1, MAX_NUMBER);
       int count = next("a count", 0, points);
       for (int i = 0; i < count; i++) {
-        covered.get(candidate).add(next("a point", 1, points) - 1);
+        covered.get(candidate).add(next("a sample", 1, points) - 1);
       }
     }
   }
