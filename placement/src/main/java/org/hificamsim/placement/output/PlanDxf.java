@@ -8,7 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -43,17 +43,18 @@ final class PlanDxf {
   private static final double SYMBOL = 0.2; // metres, the radius of a camera's symbol
 
   /** What a camera's block says, by tag; only the name is shown. */
-  private static final Map<String, Function<PlannedCamera, String>> ATTRIBUTES =
+  private static final Map<String, BiFunction<SitePlan, PlannedCamera, String>> ATTRIBUTES =
       new LinkedHashMap<>();
 
   static {
-    ATTRIBUTES.put("NAME", planned -> planned.camera().name());
-    ATTRIBUTES.put("LENS", planned -> planned.camera().optics().map(OpticsSpec::name).orElse(""));
-    ATTRIBUTES.put("HEADING", planned -> number(planned.camera().heading()));
-    ATTRIBUTES.put("TILT", planned -> number(planned.camera().tilt()));
-    ATTRIBUTES.put("HEIGHT", planned -> number(planned.camera().z().orElse(Double.NaN)));
-    ATTRIBUTES.put("ANGLE", planned -> number(planned.camera().viewingAngle()));
-    ATTRIBUTES.put("PRICE", planned -> number(planned.price()));
+    ATTRIBUTES.put("NAME", (plan, planned) -> planned.camera().name());
+    ATTRIBUTES.put(
+        "LENS", (plan, planned) -> planned.camera().optics().map(OpticsSpec::name).orElse(""));
+    ATTRIBUTES.put("HEADING", (plan, planned) -> number(planned.camera().heading()));
+    ATTRIBUTES.put("TILT", (plan, planned) -> number(planned.camera().tilt()));
+    ATTRIBUTES.put("HEIGHT", (plan, planned) -> number(plan.height(planned.camera())));
+    ATTRIBUTES.put("ANGLE", (plan, planned) -> number(planned.camera().viewingAngle()));
+    ATTRIBUTES.put("PRICE", (plan, planned) -> number(planned.price()));
   }
 
   private final SitePlan plan;
@@ -186,11 +187,11 @@ final class PlanDxf {
     dxf.point(10, camera.x(), camera.y());
     dxf.number(50, -camera.heading()); // a heading is clockwise from +y
     int row = 0;
-    for (Map.Entry<String, Function<PlannedCamera, String>> attribute : ATTRIBUTES.entrySet()) {
+    for (var attribute : ATTRIBUTES.entrySet()) {
       dxf.entity("ATTRIB", CAMERAS);
       dxf.point(10, camera.x() + 2 * SYMBOL, camera.y() - row * TEXT_HEIGHT);
       dxf.number(40, TEXT_HEIGHT);
-      dxf.text(1, attribute.getValue().apply(planned));
+      dxf.text(1, attribute.getValue().apply(plan, planned));
       dxf.pair(2, attribute.getKey());
       dxf.pair(70, row++ == 0 ? 0 : 1);
     }
