@@ -39,15 +39,12 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
     NetworkView network = PointSight.network(site, catalogue);
     List<Zone> zones = site.zones().isEmpty() ? List.of(Zone.ofField()) : site.zones();
     return zones.stream()
-        .map(zone -> zone.withDefaults(detection.name(), site.objective()))
-        .map(zone -> new Share(zone.name(), share(site, zone, detection, network)))
+        .map(zone -> new Share(zone.name(), area(site, zone, detection).metByAnyView(network)))
         .toList();
   }
 
-  private double share(Scenario site, Zone zone, Detection usual, NetworkView network) {
-    String name = zone.detection();
-    Detection detection = name.equals(usual.name()) ? usual : detections.apply(name);
-    return new ZoneArea(site, zone, detection).metByAnyView(network);
+  private ZoneArea area(Scenario site, Zone zone, Detection usual) {
+    return ZoneArea.of(site, zone, usual, detections);
   }
 
   private Demand demand(Scenario site, Detection detection) {

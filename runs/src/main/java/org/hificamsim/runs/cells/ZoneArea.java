@@ -1,6 +1,7 @@
 package org.hificamsim.runs.cells;
 
 import java.util.Arrays;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -48,6 +49,20 @@ public final class ZoneArea {
     Body body = UsualTarget.body(site, detection);
     views = new ViewCells(raster, detection, obstacles, network -> body);
     camerasByCell = new double[raster.count()];
+  }
+
+  /**
+   * Returns the area of a zone, which may leave its detection and number of cameras to the site.
+   *
+   * @param usual the detection of zones that name none
+   * @param detections finds a detection by the name that a zone has
+   */
+  public static ZoneArea of(
+      Scenario site, Zone zone, Detection usual, Function<String, Detection> detections) {
+    Zone demanded = zone.withDefaults(usual.name(), site.objective());
+    String name = demanded.detection();
+    Detection detection = name.equals(usual.name()) ? usual : detections.apply(name);
+    return new ZoneArea(site, demanded, detection);
   }
 
   private static FieldCells raster(Field bounds) {

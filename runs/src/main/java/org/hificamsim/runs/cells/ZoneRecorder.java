@@ -7,7 +7,6 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.Zone;
 
 /**
  * Measures which share of a scenario's zones is seen as the zones demand, as the mean over the
@@ -23,18 +22,11 @@ public final class ZoneRecorder implements StepListener {
   public ZoneRecorder(Scenario site, Detection usual, Function<String, Detection> detections) {
     zones =
         site.zones().stream()
-            .map(zone -> zone.withDefaults(usual.name(), site.objective()))
             .filter(zone -> zone.weight() > 0)
-            .map(zone -> new ZoneArea(site, zone, detection(zone, usual, detections)))
+            .map(zone -> ZoneArea.of(site, zone, usual, detections))
             .filter(area -> !area.isEmpty())
             .map(WatchedZone::new)
             .toList();
-  }
-
-  private static Detection detection(
-      Zone zone, Detection usual, Function<String, Detection> detections) {
-    String name = zone.detection();
-    return name.equals(usual.name()) ? usual : detections.apply(name);
   }
 
   @Override
