@@ -18,9 +18,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Floorplan;
-import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
@@ -35,7 +33,6 @@ import org.hificamsim.placement.site.CameraKind;
 import org.hificamsim.placement.site.Candidates;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
-import org.hificamsim.placement.site.MountPoints;
 import org.hificamsim.placement.site.PlacementProblem;
 import org.hificamsim.placement.site.Refinement;
 import org.hificamsim.placement.site.SitePlan;
@@ -74,13 +71,8 @@ final class PlaceCommand implements Callable<Integer> {
   /** The share of the time after which cameras are moved to refine the plan. */
   private static final double SHARE_BEFORE_REFINEMENT = 0.7;
 
-  private static final String UNKNOWN = "%s: the site has no %s '%s', expected the name of one";
-
   /** The number of blind spots that are printed. */
   private static final int MAX_SPOTS = 3;
-
-  /** The default number of candidate positions along the longer side of the field. */
-  private static final double DEFAULT_POSITIONS = 40;
 
   @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
   private Path file;
@@ -99,15 +91,6 @@ final class PlaceCommand implements Callable<Integer> {
 
   @Option(names = "--catalogue", paramLabel = "FILE.csv")
   private String kinds;
-
-  @Option(names = "--candidates", paramLabel = "every=M|FILE.csv")
-  private Optional<String> candidates;
-
-  @Option(names = "--keep", paramLabel = "all|A,B")
-  private Optional<String> keep;
-
-  @Option(names = "--forbid", paramLabel = "ZONE,ZONE")
-  private Optional<String> forbid;
 
   @Option(names = "--redundancy", paramLabel = "K")
   private Optional<Integer> redundancy;
@@ -139,6 +122,7 @@ final class PlaceCommand implements Callable<Integer> {
   @Option(names = "--form", paramLabel = "scp|candidates")
   private Optional<String> form;
 
+  @Mixin private MountOptions mounts;
   @Mixin private ThreadsOption threads;
   @Mixin private ScenarioOptions scenarioOptions;
   @Mixin private Screen screen;
@@ -191,10 +175,8 @@ final class PlaceCommand implements Callable<Integer> {
   private void copyFloorplan(SitePlan plan, OutputFolder folder) throws IOException {
     Optional<Floorplan> original = plan.demand().site().floorplan();
     if (original.isPresent()) {
-      SiteOutput.copy(
-          file.resolveSibling(original.get().file()),
-          folder,
-          plan.scenario().floorplan().orElseThrow().file());
+      String name = plan.scenario().floorplan().orElseThrow().file();
+      folder.copy(name, file.resolveSibling(original.get().file()));
     }
   }
 
@@ -218,7 +200,8 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   private Refinement refinement(Scenario site, Interrupt interrupt) {
-    List<List<Point>> denser = Stream.of(2, 4, 8).map(parts -> positions(site, parts)).toList();
+    List<List<Point>> denser =
+        Stream.of(2, 4, 8).map(parts -> mounts.positions(site, parts)).toList();
     return new Refinement(denser, threads.count(), interrupt::isDue);
   }
 
@@ -259,9 +242,9 @@ final class PlaceCommand implements Callable<Integer> {
     return PlacementProblem.of(
         new PlacementProblem.Request(
             demanded,
-            new Candidates.Options(positions(site, 1), CameraKind.catalogue(kinds, site)),
+            new Candidates.Options(mounts.positions(site, 1), CameraKind.catalogue(kinds, site)),
             coverageReading,
-            kept(site),
+            mounts.kept(site),
             new PlacementProblem.SiteGoal(goal, cameras.isPresent())),
         catalogue,
         threads.count());
@@ -276,46 +259,6 @@ final class PlaceCommand implements Callable<Integer> {
   /** Finds the detections that zones name. */
   static Function<String, Detection> detections(Catalogue catalogue) {
     return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
-  }
-
-  /** The positions of candidates, or positions that are {@code parts} times as dense. */
-  private List<Point> positions(Scenario site, int parts) {
-    List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
-    double longer = Math.max(site.field().width(), site.field().height());
-    String text = candidates.orElse("every=" + longer / DEFAULT_POSITIONS);
-    if (!text.startsWith("every=")) {
-      return MountPoints.read(Path.of(text), site, forbidden);
-    }
-    boolean ceiling = text.endsWith(",ceiling");
-    String number = text.substring("every=".length()).replaceFirst(",ceiling$", "");
-    try {
-      double every =
-          Numbers.within("--candidates every", Double.parseDouble(number), longer / 1000, longer);
-      return MountPoints.of(site, every / parts, ceiling, forbidden);
-    } catch (NumberFormatException e) {
-      throw new InputException(
-          "--candidates is '" + text + "', expected every=M, every=M,ceiling or a table", e);
-    }
-  }
-
-  private List<CameraSpec> kept(Scenario site) {
-    return keep.equals(Optional.of("all"))
-        ? site.cameras()
-        : named("--keep", keep, "camera", site.cameras(), CameraSpec::name);
-  }
-
-  /** The parts of a site that an option names. */
-  private static <T> List<T> named(
-      String option, Optional<String> list, String kind, List<T> parts, Function<T, String> name) {
-    return list.stream()
-        .flatMap(text -> Stream.of(text.split(",")))
-        .map(
-            asked ->
-                parts.stream()
-                    .filter(part -> name.apply(part).equals(asked))
-                    .findFirst()
-                    .orElseThrow(() -> InputException.of(UNKNOWN, option, kind, asked)))
-        .toList();
   }
 
   /** Prints the score of the plan and the bound when they change, as shares or as numbers. */
