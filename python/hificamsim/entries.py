@@ -61,13 +61,12 @@ def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]
             worlds.reset(seed)
             if hasattr(policy, "begin"):
                 policy.begin()
-            episode, score = [], 0.0
+            score = 0.0
             for _ in range(worlds.episode_steps):
                 actions = np.asarray(policy(worlds.observations[0].copy(), worlds.masks[0].copy())).reshape(counts.shape)
                 worlds.actions[0] = spaces.told(actions, counts, lambda index: f"camera {worlds.cameras[index[0]]}")
                 worlds.step()
-                episode.append(worlds.actions.astype("<i4").tobytes())
                 score += float(worlds.measures[0, 2])
-            (folder / f"{task.removeprefix(TASKS)}-{seed}").write_bytes(b"".join(episode))
+            (folder / f"{task.removeprefix(TASKS)}-{seed}").write_bytes(worlds.played().astype("<i4").tobytes())
             scores.append(score / worlds.episode_steps)
     return np.array(scores)
