@@ -118,7 +118,7 @@ public final class Network implements Cooperation, WorldObserver {
 
   @Override
   public void observe(Observation observation) {
-    sightings.look(step, observation.detected(), observation.coverage());
+    sightings.look(step, observation.detected(), observation.coverage(), observation.late());
   }
 
   /** Runs the auctions and adds up the figures of the step. */

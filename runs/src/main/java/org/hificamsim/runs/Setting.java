@@ -14,6 +14,7 @@ import org.hificamsim.core.energy.EnergyModel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Headings;
+import org.hificamsim.core.scenario.spec.ProcessingBudget;
 import org.hificamsim.core.scenario.spec.StepOrder;
 
 /**
@@ -206,6 +207,17 @@ public enum Setting {
       return "energy_model";
     }
   },
+  PROCESSING(
+      "N",
+      new ScenarioAttribute<>(
+          Scenario.PROCESSING,
+          ProcessingBudget::parse,
+          scenario ->
+              scenario.processing().isUnlimited()
+                  ? Optional.empty()
+                  : Optional.of(scenario.processing().text())),
+      "How many detections a camera processes in a step, 1 or more, or none for all; the others"
+          + " come a step late. Overrides the scenario's. See docs/following.md."),
   ORDER(
       "coverage|camsim",
       new ScenarioAttribute<>(

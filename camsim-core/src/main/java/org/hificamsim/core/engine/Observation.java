@@ -1,10 +1,16 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
+import org.hificamsim.core.world.World;
 
 /** The numbers of detections in the current step, by camera and by target. */
 public final class Observation {
   private final Sight sight;
+  private final LateDetections late;
+
+  /** Null if cameras process all that they see. */
+  private final BudgetedSight budgeted;
+
   private final boolean hasPhantoms;
   private final int[] detected;
   private final int[] coverage;
@@ -15,8 +21,12 @@ public final class Observation {
   /** The coverage in the order of the grid. */
   private final int[] gridCounts;
 
-  Observation(Sight sight, int cameras, int targets) {
+  Observation(World world, Sight sight, LateDetections late) {
+    int cameras = world.cameras().count();
+    int targets = world.targets().count();
     this.sight = sight;
+    this.late = late;
+    this.budgeted = late.isLimited() ? new BudgetedSight(world, sight, late) : null;
     this.hasPhantoms = sight.hasPhantoms();
     this.detected = new int[cameras];
     this.coverage = new int[targets];
@@ -26,12 +36,26 @@ public final class Observation {
 
   /** Lets every online camera look at the targets, each through the view that it sees through. */
   public void look() {
+    if (budgeted != null) {
+      budgeted.look(detected, coverage);
+      return;
+    }
     Arrays.fill(gridCounts, 0);
     sight.look(detected, gridCounts, found);
     Arrays.fill(coverage, 0);
     for (int i = 0; i < sight.grid().count(); i++) {
       coverage[sight.grid().point(i)] = gridCounts[i];
     }
+  }
+
+  /** What cameras know a step late; cameras that look by themselves give it what they detect. */
+  public LateDetections late() {
+    return late;
+  }
+
+  /** What cameras know of what they see; null if they know all of it. */
+  BudgetedSight budgeted() {
+    return budgeted;
   }
 
   /** How many targets each camera detects, 0 while offline; one entry for each camera. */

@@ -19,6 +19,10 @@ class ObservedNetwork implements NetworkView {
   final Targets targets;
   final Sight sight;
   private final Observation observation;
+
+  /** Null if cameras process all that they see. */
+  private final BudgetedSight budgeted;
+
   private final Objective objective;
   private final Field field;
   private Channel channel = Channel.PERFECT;
@@ -29,6 +33,7 @@ class ObservedNetwork implements NetworkView {
     this.targets = world.targets();
     this.sight = sight;
     this.observation = observation;
+    this.budgeted = observation.budgeted();
     this.objective = world.scenario().objective();
     this.field = world.scenario().field();
   }
@@ -211,23 +216,28 @@ class ObservedNetwork implements NetworkView {
 
   @Override
   public double confidence(int camera, int target) {
-    return sight.confidence(camera, target);
+    return budgeted != null && sight.sees(camera, target)
+        ? budgeted.confidence(camera, target)
+        : sight.confidence(camera, target);
   }
 
   @Override
   public double seenConfidence(int camera, int target, double distance) {
-    return sight.seenConfidence(camera, target, distance);
+    return budgeted == null
+        ? sight.seenConfidence(camera, target, distance)
+        : budgeted.confidence(camera, target);
   }
 
   @Override
   public boolean sees(int camera, int target) {
-    return sight.sees(camera, target);
+    return budgeted == null ? sight.sees(camera, target) : budgeted.sees(camera, target);
   }
 
   @Override
   public double distance(int camera, int target) {
     return sees(camera, target)
-        ? Math.hypot(targets.x(target) - cameras.x(camera), targets.y(target) - cameras.y(camera))
+        ? Math.hypot(
+            seenX(camera, target) - cameras.x(camera), seenY(camera, target) - cameras.y(camera))
         : Double.NaN;
   }
 
@@ -238,12 +248,26 @@ class ObservedNetwork implements NetworkView {
     }
     double axis = cameras.heading(camera) + cameras.pan(camera, cameras.seeing(camera));
     double direction =
-        Math.atan2(targets.x(target) - cameras.x(camera), targets.y(target) - cameras.y(camera));
+        Math.atan2(
+            seenX(camera, target) - cameras.x(camera), seenY(camera, target) - cameras.y(camera));
     return Math.IEEEremainder(direction - axis, 2 * Math.PI);
   }
 
   @Override
   public void findSeen(SeenPairs pairs) {
-    sight.findSeen(pairs);
+    if (budgeted == null) {
+      sight.findSeen(pairs);
+    } else {
+      budgeted.findSeen(pairs);
+    }
+  }
+
+  /** Where a target was, metres, that the camera sees. */
+  private double seenX(int camera, int target) {
+    return budgeted == null ? targets.x(target) : budgeted.x(camera, target);
+  }
+
+  private double seenY(int camera, int target) {
+    return budgeted == null ? targets.y(target) : budgeted.y(camera, target);
   }
 }

@@ -307,7 +307,7 @@ final class Sight {
    * @param found receives their indices in the grid
    * @return how many there are; the next entry may be written, too
    */
-  private int find(int camera, int view, long[] found) {
+  int find(int camera, int view, long[] found) {
     if (view == Cameras.NO_VIEW) {
       return 0;
     }
@@ -351,22 +351,23 @@ final class Sight {
       if (cameras.online(camera)) {
         long[] found = pairs.scratch(bodyOfTarget.length + 1);
         int view = cameras.seeing(camera);
-        addSeen(camera, view, found, find(camera, view, found), pairs);
+        int count = find(camera, view, found);
+        for (int k = 0; k < count; k++) {
+          int i = (int) found[k];
+          addPair(camera, grid.point(i), grid.x(i), grid.y(i), pairs);
+        }
       }
     }
   }
 
-  /** Adds the targets found, with their positions relative to the axis of the view. */
-  private void addSeen(int camera, int view, long[] found, int count, SeenPairs pairs) {
-    for (int k = 0; k < count; k++) {
-      int i = (int) found[k];
-      Pose pose = cameras.pose(camera, view);
-      double dx = grid.x(i) - pose.x();
-      double dy = grid.y(i) - pose.y();
-      double ahead = dx * pose.headingX() + dy * pose.headingY();
-      double right = dx * pose.headingY() - dy * pose.headingX();
-      pairs.add(camera, grid.point(i), ahead, right);
-    }
+  /** Adds a target at a position, relative to the axis of the view that the camera has. */
+  void addPair(int camera, int target, double x, double y, SeenPairs pairs) {
+    Pose pose = cameras.pose(camera, cameras.seeing(camera));
+    double dx = x - pose.x();
+    double dy = y - pose.y();
+    double ahead = dx * pose.headingX() + dy * pose.headingY();
+    double right = dx * pose.headingY() - dy * pose.headingX();
+    pairs.add(camera, target, ahead, right);
   }
 
   int chances(int camera, int view, int[] possible, double[] chances) {

@@ -14,6 +14,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OraclePolicy;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.spec.ProcessingBudget;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.world.World;
 
@@ -44,6 +45,7 @@ public final class Simulation {
   private final Cooperation cooperation;
   private final StepListener[] listeners;
   private final Sight sight;
+  private final LateDetections late;
   private final Observation observation;
   private final OracleNetwork oracle;
   private final NetworkView policyView;
@@ -96,7 +98,8 @@ public final class Simulation {
     this.cooperation = behaviour.cooperation();
     this.listeners = listeners.toArray(StepListener[]::new);
     this.sight = new Sight(world, cooperation.visibility(detection, seed));
-    this.observation = new Observation(sight, world.cameras().count(), world.targets().count());
+    this.late = lateDetections();
+    this.observation = new Observation(world, sight, late);
     ObservedNetwork known = new ObservedNetwork(world, sight, observation);
     this.oracle = new OracleNetwork(world, sight, observation);
     ChannelModel channelModel = world.scenario().channel();
@@ -114,6 +117,14 @@ public final class Simulation {
     this.views = new int[world.cameras().count()];
     cooperation.begin(oracle);
     policy.begin(policyView, new SplittableRandom(seed));
+  }
+
+  /** Bounds tell what cameras could do that process all that they see. */
+  private LateDetections lateDetections() {
+    ProcessingBudget budget = world.scenario().processing();
+    return budget.isUnlimited() || policy instanceof OraclePolicy
+        ? LateDetections.NONE
+        : new LateDetections(world, budget);
   }
 
   private EnergyMeter energyMeter(ObservedNetwork known) {
@@ -181,6 +192,7 @@ public final class Simulation {
     }
     world.fireEvents(step);
     sight.beginStep(step);
+    late.beginStep();
   }
 
   private void start() {

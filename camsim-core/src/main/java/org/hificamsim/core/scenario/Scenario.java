@@ -24,6 +24,7 @@ import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.Headings;
 import org.hificamsim.core.scenario.spec.Occlusion;
+import org.hificamsim.core.scenario.spec.ProcessingBudget;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.scenario.spec.TargetSpec;
@@ -74,6 +75,8 @@ channel: [what becomes of messages between cameras](channel.md), as \
 `loss=0.2,delay=2` (ours) | `perfect`
 energy: [what cameras take, and their batteries](energy.md), as \
 `cc2420,idle=300mW,battery=5kJ` (ours) | `none`
+processing: [how many detections a camera processes in a step](following.md#a-processing-budget); \
+the others come a step late (ours) | `none`: all
 floorplan: a PNG or JPEG that pictures and pages draw under the field; a path from the \
 scenario's folder (ours)
 floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the floorplan \
@@ -121,6 +124,13 @@ shows, m (ours) | the field's borders
       ELEMENT
           .attribute(
               "energy", Type.named("", EnergyModel::parse, EnergyModel::text), EnergyModel.NONE)
+          .omittedAtDefault();
+  public static final Property<Scenario, ProcessingBudget> PROCESSING =
+      ELEMENT
+          .attribute(
+              "processing",
+              Type.named("", ProcessingBudget::parse, ProcessingBudget::text),
+              ProcessingBudget.UNLIMITED)
           .omittedAtDefault();
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
@@ -220,6 +230,10 @@ shows, m (ours) | the field's borders
 
   public EnergyModel energy() {
     return get(ENERGY);
+  }
+
+  public ProcessingBudget processing() {
+    return get(PROCESSING);
   }
 
   /** The picture that is drawn under the field. */

@@ -21,7 +21,7 @@ final class TestNetwork extends OracleNetwork {
   }
 
   private TestNetwork(World world, Sight sight) {
-    this(world, sight, new Observation(sight, world.cameras().count(), world.targets().count()));
+    this(world, sight, new Observation(world, sight, LateDetections.NONE));
   }
 
   private TestNetwork(World world, Sight sight, Observation observation) {

@@ -2,6 +2,7 @@ package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.engine.LateDetections;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.LevelSight;
@@ -42,7 +43,11 @@ public final class Sightings {
 
   private int viewRevision;
 
+  /** What cameras know a step late, since the last look. */
+  private LateDetections late;
+
   private final int[] foundTargets;
+  private final double[] foundConfidences;
   private final long[] nearPoints;
   private final boolean[] isKept;
 
@@ -60,6 +65,7 @@ public final class Sightings {
     isKept = new boolean[targets.count()];
     lastSights = new LevelSight[cameras.count()];
     foundTargets = new int[targets.count()];
+    foundConfidences = new double[targets.count()];
     nearPoints = new long[targets.count() + 1];
   }
 
@@ -102,8 +108,10 @@ public final class Sightings {
    * @param step the current step
    * @param detected by camera, receives the number of targets that it sees, 0 while offline
    * @param coverage by target, receives the number of cameras that see it
+   * @param newLate what cameras know a step late
    */
-  public void look(long step, int[] detected, int[] coverage) {
+  public void look(long step, int[] detected, int[] coverage, LateDetections newLate) {
+    late = newLate;
     fillGrid();
     forgetChangedSights();
     Arrays.fill(coverage, 0);
@@ -129,8 +137,23 @@ public final class Sightings {
         view == Cameras.NO_VIEW
             ? 0
             : findVisible(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view));
-    updateVisible(camera, count);
-    return count;
+    int known = late.isLimited() && view != Cameras.NO_VIEW ? process(camera, count) : count;
+    updateVisible(camera, known);
+    return known;
+  }
+
+  /** Leaves a camera what it can process of the targets found; returns their number. */
+  private int process(int camera, int count) {
+    for (int i = 0; i < count; i++) {
+      foundConfidences[i] = confidence[camera][foundTargets[i]];
+      confidence[camera][foundTargets[i]] = 0;
+    }
+    int known = late.process(camera, foundTargets, foundConfidences, count);
+    for (int i = 0; i < known; i++) {
+      confidence[camera][foundTargets[i]] = foundConfidences[i];
+    }
+    Arrays.sort(foundTargets, 0, known);
+    return known;
   }
 
   /**

@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.engine.LateDetections;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -40,7 +41,7 @@ class SightingsTest {
   /** Returns the targets that the camera sees from a place near the line of targets. */
   private List<Integer> from(double x) {
     world.moveCamera(0, x + 0.5, 1);
-    sightings.look(0, new int[1], new int[3]);
+    sightings.look(0, new int[1], new int[3], LateDetections.NONE);
     return IntStream.range(0, sightings.visibleCount(0))
         .mapToObj(index -> sightings.visible(0, index))
         .toList();
