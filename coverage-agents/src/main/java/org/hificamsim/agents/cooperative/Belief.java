@@ -25,6 +25,7 @@ final class Belief {
   /** Null if reports identify targets. */
   private final Association association;
 
+  private final IdentitySwitches identitySwitches;
   private final double[] viewChances;
   private final List<SightingReport> reports = new ArrayList<>();
 
@@ -33,6 +34,7 @@ final class Belief {
     boolean identified = parameters.identified();
     tracks = new TargetTracks(parameters, site.map(), identified ? network.targets() : 0);
     association = identified ? null : new Association(site.grid(), tracks);
+    identitySwitches = new IdentitySwitches(tracks, identified ? 0 : network.targets());
     boolean learnsSight = parameters.learn() == Parameters.Learn.SIGHT;
     learnedSight = new LearnedSight(learnsSight, site.grid(), network.cameras());
     int[] views = IntStream.range(0, network.cameras()).map(network::views).toArray();
@@ -57,6 +59,9 @@ final class Belief {
       if (tracks.see(report, i, now)) {
         searchMap.countSighting(report.x(i), report.y(i));
       }
+    }
+    if (association != null) {
+      identitySwitches.count(report);
     }
     if (report.view() >= 0) {
       reports.add(report);
@@ -137,6 +142,11 @@ final class Belief {
       chances[view] = Math.min(1, share * chances[view]);
     }
     return visible;
+  }
+
+  /** The number of sightings so far that were taken for another target than before. */
+  long identitySwitches() {
+    return identitySwitches.count();
   }
 
   LearnedSight learnedSight() {

@@ -8,7 +8,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.policy.TrackingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.ScenarioReader;
 
@@ -23,7 +23,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
  * done in {@link #decide}: a {@link Team} passes the messages between the {@link Mind}s, which have
  * a belief and a plan each.
  */
-public final class CooperativeZoomPolicy implements ZoomPolicy {
+public final class CooperativeZoomPolicy implements TrackingZoomPolicy {
   private static final String SITE_MAP = "site";
   private static final String NO_MAP = "none";
 
@@ -128,6 +128,11 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
     for (int pair = 0; pair < pairs.count(); pair++) {
       reports[pairs.camera(pair)].add(network, pairs, pair);
     }
+  }
+
+  @Override
+  public double identitySwitches() {
+    return team == null || parameters.identified() ? Double.NaN : team.identitySwitches();
   }
 
   @Override

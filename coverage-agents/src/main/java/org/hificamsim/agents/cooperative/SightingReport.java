@@ -16,6 +16,10 @@ final class SightingReport {
   private long step;
   private int count;
   private int[] targets = {};
+
+  /** The truth, which nobody decides by: the numbers of the targets that were seen. */
+  private int[] trueTargets = {};
+
   private double[] xs = {};
   private double[] ys = {};
   private double[] sizes = {};
@@ -45,6 +49,7 @@ final class SightingReport {
     double aheadY = Math.cos(axis);
     double ahead = pairs.ahead(pair);
     double right = pairs.right(pair);
+    trueTargets[count] = pairs.target(pair);
     targets[count] = identifies ? pairs.target(pair) : UNIDENTIFIED;
     sizes[count] = network.targetSize(pairs.target(pair));
     xs[count] = network.cameraX(camera) + ahead * aheadX + right * aheadY;
@@ -68,6 +73,7 @@ final class SightingReport {
     copy.step = step;
     copy.count = count;
     copy.targets = Arrays.copyOf(numbers, count);
+    copy.trueTargets = Arrays.copyOf(trueTargets, count);
     copy.xs = Arrays.copyOf(xs, count);
     copy.ys = Arrays.copyOf(ys, count);
     copy.sizes = Arrays.copyOf(sizes, count);
@@ -84,6 +90,7 @@ final class SightingReport {
 
   private void grow(int length) {
     targets = Arrays.copyOf(targets, length);
+    trueTargets = Arrays.copyOf(trueTargets, length);
     xs = Arrays.copyOf(xs, length);
     ys = Arrays.copyOf(ys, length);
     sizes = Arrays.copyOf(sizes, length);
@@ -121,6 +128,11 @@ final class SightingReport {
   /** The number of the i-th target, or {@link #UNIDENTIFIED}. */
   int target(int i) {
     return targets[i];
+  }
+
+  /** The number of the target that the i-th sighting is of, to count mistakes alone. */
+  int trueTarget(int i) {
+    return trueTargets[i];
   }
 
   /** The position of the i-th target, metres. */

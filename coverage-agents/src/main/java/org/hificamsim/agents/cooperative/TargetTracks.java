@@ -17,6 +17,9 @@ final class TargetTracks {
   private static final class Track {
     private boolean known;
 
+    /** How many tracks began before this one. */
+    private long birth;
+
     /** Where the target is believed to be now. */
     private double x;
 
@@ -43,6 +46,7 @@ final class TargetTracks {
   private int knownCount;
   private double measuredDistance;
   private long measuredSteps;
+  private long births;
 
   TargetTracks(Parameters parameters, Obstacles map, int capacity) {
     this.parameters = parameters;
@@ -105,6 +109,7 @@ final class TargetTracks {
           track, seenAt - track.seenAt, report.x(i) - track.seenX, report.y(i) - track.seenY);
     } else {
       track.known = true;
+      track.birth = births++;
       knownTracks[knownCount++] = number;
       track.stepX = 0;
       track.stepY = 0;
@@ -218,6 +223,11 @@ final class TargetTracks {
   /** The probability that the target is where it is believed to be, in (0, 1]. */
   double weight(int number) {
     return tracks[number].weight;
+  }
+
+  /** Tells a track from an earlier one with the same number. */
+  long birth(int number) {
+    return tracks[number].birth;
   }
 
   /** The step in which the target was last seen. */

@@ -219,6 +219,14 @@ final class Team {
         : messageArrived[sender * cameras + receiver];
   }
 
+  /** The identity switches so far in the tracks of a mind, mean over minds; 0 without cameras. */
+  double identitySwitches() {
+    return Arrays.stream(minds)
+        .mapToLong(mind -> mind.belief().identitySwitches())
+        .average()
+        .orElse(0);
+  }
+
   /** The view that a camera chose in this step. */
   int chosenView(int camera) {
     return chosenViews[camera];

@@ -1,0 +1,14 @@
+package org.hificamsim.core.policy;
+
+/**
+ * A policy whose cameras tell targets apart by tracks of their own, and may confuse them. The truth
+ * only counts the mistakes; it must not change a decision.
+ */
+public interface TrackingZoomPolicy extends ZoomPolicy {
+  /**
+   * How often a sighting of a target was assigned to another track than the sighting of the same
+   * target before (CLEAR MOT; Bernardin and Stiefelhagen 2008), so far; the mean over cameras that
+   * keep tracks of their own. NaN if sightings identify their targets.
+   */
+  double identitySwitches();
+}
