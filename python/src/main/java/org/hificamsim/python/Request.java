@@ -45,7 +45,8 @@ record Request(Settings asked, Environment own) {
    * repeats. Settings without an effect on episodes must be excluded here.
    */
   static final Set<Setting> SETTINGS =
-      EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT, Setting.NETWORK));
+      EnumSet.complementOf(
+          EnumSet.of(Setting.POLICY, Setting.REPEAT, Setting.FOLLOWING, Setting.NETWORK));
 
   /** The settings that the Python package sets from its own arguments. */
   private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads", "task");

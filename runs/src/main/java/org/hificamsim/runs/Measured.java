@@ -2,6 +2,7 @@ package org.hificamsim.runs;
 
 import java.util.Optional;
 import org.hificamsim.core.engine.EnergySums;
+import org.hificamsim.core.engine.FollowingSums;
 import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
@@ -19,6 +20,8 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param expectedGap the most that the least expected coverage could gain, summed over the steps;
  *     NaN if it is not known
  * @param zones the shares of the zones that are seen as they demand
+ * @param following how the cameras followed targets
+ * @param identitySwitches of the policy; NaN if it makes none or they are not measured
  */
 public record Measured(
     RunCoverage coverage,
@@ -28,19 +31,16 @@ public record Measured(
     EnergySums energy,
     Optional<Proof> proof,
     double expectedGap,
-    Zones zones) {
+    Zones zones,
+    FollowingSums following,
+    double identitySwitches) {
   /** The share that is seen of all zones, and of the zone with the least; NaN without zones. */
   public record Zones(double met, double least) {
     static final Zones NONE = new Zones(Double.NaN, Double.NaN);
   }
 
   /** The sums of a repeat under a policy. */
-  static Measured of(
-      RunCoverage coverage,
-      Objective objective,
-      ZoomPolicy policy,
-      Simulation simulation,
-      Zones zones) {
+  static Measured of(RunMeters meters, RunPlan plan, ZoomPolicy policy, Simulation simulation) {
     double gap =
         policy instanceof ProvingZoomPolicy proving && proving.ofExpectation()
             ? proving.gap()
@@ -48,7 +48,16 @@ public record Measured(
     NetworkSums network = simulation.cooperation().sums();
     Traffic traffic = Traffic.of(policy, simulation.network().channel()).with(network);
     return new Measured(
-        coverage, objective, traffic, network, simulation.energy(), Proof.of(policy), gap, zones);
+        meters.coverage(),
+        plan.objective(),
+        traffic,
+        network,
+        simulation.energy(),
+        Proof.of(policy),
+        gap,
+        meters.zoneShares(),
+        meters.followingSums(),
+        meters.identitySwitches(policy));
   }
 
   /** The sums of a repeat that another program ran. */
@@ -62,7 +71,15 @@ public record Measured(
         EnergySums.NONE,
         proof,
         Double.NaN,
-        Zones.NONE);
+        Zones.NONE,
+        FollowingSums.NONE,
+        Double.NaN);
+  }
+
+  /** Handovers by the network's own meaning, where there is one. */
+  double handovers() {
+    double ofNetwork = network.counted(network.handovers());
+    return Double.isNaN(ofNetwork) ? following.handovers() : ofNetwork;
   }
 
   /** The number of steps that are not proven; NaN if the policy claims nothing. */

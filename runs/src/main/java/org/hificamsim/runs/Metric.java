@@ -159,8 +159,10 @@ public enum Metric {
       measured(run -> run.network().counted(run.network().invitations()))),
   HANDOVERS(
       "number",
-      "targets that were sold to another camera",
-      measured(run -> run.network().counted(run.network().handovers()))),
+      "targets that were sold to another camera; without CamSim's network, of runs that"
+          + " [follow targets](following.md) alone, that passed from one camera to another without"
+          + " a gap",
+      measured(Measured::handovers)),
   OVERLAP(
       "m2 x steps",
       "of fields of view by CamSim's formula",
@@ -206,7 +208,37 @@ public enum Metric {
   COVERED_UNTIL_HALF(
       "share of targets",
       "the same until half the batteries were empty",
-      measured(run -> run.energy().coveredUntilHalf()));
+      measured(run -> run.energy().coveredUntilHalf())),
+  TIME_TO_FIND(
+      "steps",
+      "of runs that [follow targets](following.md) alone, as the next five: from the appearance of"
+          + " a target until a camera first covers it, mean",
+      measured(run -> run.following().stepsToFind()),
+      new Line("found after", "%.4g", "steps")),
+  TIME_TO_FIND_AGAIN(
+      "steps",
+      "for which a target that was lost is covered by no camera, mean over the losses that ended",
+      measured(run -> run.following().stepsToFindAgain()),
+      new Line("found again after", "%.4g", "steps")),
+  LOSSES(
+      "number",
+      "how often no camera covered a target any more that was still there",
+      measured(run -> run.following().losses())),
+  ENDED_LOSSES(
+      "number",
+      "those of them after which a camera covered the target again",
+      measured(run -> run.following().endedLosses())),
+  UNBROKEN(
+      "share",
+      "the longest time for which a target was covered without a gap, of the time for which it was"
+          + " there, mean over targets",
+      measured(run -> run.following().unbroken()),
+      new Line("without a gap", "%.4f", "share of a target's time")),
+  IDENTITY_SWITCHES(
+      "number",
+      "of policies that [tell targets apart](cooperation.md#in-each-step) by tracks of their own"
+          + " alone: how often a target was taken for another one",
+      measured(Measured::identitySwitches));
 
   private static final String EXPECTED = "EXPECTED_";
 

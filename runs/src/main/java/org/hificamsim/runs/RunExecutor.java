@@ -8,13 +8,11 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Cooperation;
-import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
-import org.hificamsim.runs.cells.ZoneRecorder;
 
 /** Runs the repeats of a plan one after the other. */
 public final class RunExecutor {
@@ -50,29 +48,14 @@ public final class RunExecutor {
 
   /** Runs one repeat with a policy that the catalogue need not know. */
   public RunResult repeat(RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
-    RunCoverage coverage = new RunCoverage();
-    List<StepListener> allListeners = new ArrayList<>(listeners);
-    allListeners.add(0, coverage);
+    RunMeters meters = RunMeters.of(plan, catalogue);
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
-    ZoneRecorder zones = plan.scenario().zones().isEmpty() ? null : zones(plan);
-    if (zones != null) {
-      allListeners.add(zones);
-    }
-    Simulation simulation = simulation(plan, run, policy, allListeners);
+    Simulation simulation = simulation(plan, run, policy, meters.with(listeners));
     run(simulation, plan, run);
-    Measured.Zones seenOfZones =
-        zones == null ? Measured.Zones.NONE : new Measured.Zones(zones.met(), zones.least());
-    Measured measured = Measured.of(coverage, plan.objective(), policy, simulation, seenOfZones);
+    Measured measured = Measured.of(meters, plan, policy, simulation);
     return RunResult.of(run, plan.seed(run), measured);
-  }
-
-  private ZoneRecorder zones(RunPlan plan) {
-    return new ZoneRecorder(
-        plan.scenario(),
-        plan.detection(),
-        name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE));
   }
 
   /**

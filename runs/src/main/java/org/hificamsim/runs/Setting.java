@@ -13,6 +13,7 @@ import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.energy.EnergyModel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.Headings;
 import org.hificamsim.core.scenario.spec.ProcessingBudget;
 import org.hificamsim.core.scenario.spec.StepOrder;
@@ -218,6 +219,17 @@ public enum Setting {
                   : Optional.of(scenario.processing().text())),
       "How many detections a camera processes in a step, 1 or more, or none for all; the others"
           + " come a step late. Overrides the scenario's. See docs/following.md."),
+  FOLLOWING(
+      "none|targets",
+      new ScenarioAttribute<>(
+          Scenario.FOLLOWING,
+          text -> Spelling.require(Following.class, setting("following"), text),
+          scenario ->
+              scenario.following() == Following.NONE
+                  ? Optional.empty()
+                  : Optional.of(Spelling.of(scenario.following()))),
+      "Whether it is measured how cameras follow each target; overrides the scenario's. See"
+          + " docs/following.md."),
   ORDER(
       "coverage|camsim",
       new ScenarioAttribute<>(

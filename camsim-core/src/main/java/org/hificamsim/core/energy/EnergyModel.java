@@ -9,6 +9,7 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
@@ -28,7 +29,10 @@ public final class EnergyModel {
 
   /** The profiles that come with the simulator; docs/energy.md has their sources. */
   private static final Map<String, String> PROFILES =
-      Map.of("cc2420", "send=0.2088uJ,receive=0.2256uJ");
+      new TreeMap<>(
+          Map.of(
+              "cc2420", "send=0.2088uJ,receive=0.2256uJ",
+              "nrf24l01", "send=16.95nJ,receive=20.25nJ"));
 
   private final Map<EnergyFigure, Double> figures = new EnumMap<>(EnergyFigure.class);
   private final double battery;

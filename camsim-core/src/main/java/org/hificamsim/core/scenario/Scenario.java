@@ -21,6 +21,7 @@ import org.hificamsim.core.scenario.declaration.Type;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Floorplan;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.Headings;
 import org.hificamsim.core.scenario.spec.Occlusion;
@@ -77,6 +78,7 @@ energy: [what cameras take, and their batteries](energy.md), as \
 `cc2420,idle=300mW,battery=5kJ` (ours) | `none`
 processing: [how many detections a camera processes in a step](following.md#a-processing-budget); \
 the others come a step late (ours) | `none`: all
+following: `targets`: [how cameras follow each target](following.md) is measured (ours)
 floorplan: a PNG or JPEG that pictures and pages draw under the field; a path from the \
 scenario's folder (ours)
 floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the floorplan \
@@ -131,6 +133,10 @@ shows, m (ours) | the field's borders
               "processing",
               Type.named("", ProcessingBudget::parse, ProcessingBudget::text),
               ProcessingBudget.UNLIMITED)
+          .omittedAtDefault();
+  public static final Property<Scenario, Following> FOLLOWING =
+      ELEMENT
+          .attribute("following", Type.choice(Following.class), Following.NONE)
           .omittedAtDefault();
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
@@ -234,6 +240,10 @@ shows, m (ours) | the field's borders
 
   public ProcessingBudget processing() {
     return get(PROCESSING);
+  }
+
+  public Following following() {
+    return get(FOLLOWING);
   }
 
   /** The picture that is drawn under the field. */
