@@ -23,6 +23,8 @@ import org.hificamsim.core.metrics.StepCoverage;
  *     camera needs time to turn
  * @param belief what the first camera online believes, as numbers of {@link BeliefFrame}; empty if
  *     cameras believe nothing
+ * @param holders by target, the camera that has it, -1 for none; empty unless the setup follows
+ *     targets
  */
 public record Frame(
     long step,
@@ -36,7 +38,8 @@ public record Frame(
     double[][] estimates,
     double[][] counts,
     @JsonInclude(JsonInclude.Include.NON_EMPTY) int[] seeing,
-    @JsonInclude(JsonInclude.Include.NON_EMPTY) double[] belief)
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) double[] belief,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) int[] holders)
     implements CoveredTargets {
   /**
    * Returns a frame of zeros.
@@ -59,7 +62,8 @@ public record Frame(
         byView(setup, hasEstimates ? cameras : 0),
         byView(setup, hasEstimates ? cameras : 0),
         new int[setup.slow().isEmpty() ? 0 : cameras],
-        new double[hasBelief ? BeliefFrame.length(setup) : 0]);
+        new double[hasBelief ? BeliefFrame.length(setup) : 0],
+        new int[setup.following() ? targets : 0]);
   }
 
   private static double[][] byView(Setup setup, int cameras) {
@@ -86,7 +90,8 @@ public record Frame(
         noEstimates,
         noEstimates,
         seeing,
-        noBelief);
+        noBelief,
+        holders);
   }
 
   /** Returns the coverage of the step, as in a row of {@code steps.csv}. */

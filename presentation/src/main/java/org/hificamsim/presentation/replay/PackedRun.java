@@ -143,6 +143,9 @@ public record PackedRun(
       for (int i = 0; i < beliefs; i++) {
         columns.add(ofDoubles(Frame::belief, i, BELIEF));
       }
+      for (int target = 0; setup.following() && target < setup.targets().size(); target++) {
+        columns.add(ofInts(Frame::holders, target));
+      }
       return columns;
     }
 

@@ -1,6 +1,9 @@
 package org.hificamsim.presentation.replay;
 
 import com.fasterxml.jackson.annotation.JsonIgnore;
+import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonSetter;
+import com.fasterxml.jackson.annotation.Nulls;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -8,6 +11,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.world.Targets;
@@ -32,6 +36,7 @@ import org.hificamsim.runs.cells.UsualTarget;
  * @param obstacles in the order of the scenario
  * @param floor pictures under the field, at most one
  * @param zones each with the detection and number of cameras that it demands
+ * @param following whether frames say which camera has each target
  */
 public record Setup(
     String scenario,
@@ -49,7 +54,9 @@ public record Setup(
     @IfAny List<Integer> slow,
     @IfAny List<Obstacle> obstacles,
     @IfAny List<Floor> floor,
-    @IfAny List<Zone> zones) {
+    @IfAny List<Zone> zones,
+    @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY)
+        boolean following) {
   /** A camera at the start, or where an event will add it. */
   public record Camera(String name, CameraPose pose) {}
 
@@ -104,7 +111,8 @@ public record Setup(
         floor,
         world.scenario().zones().stream()
             .map(zone -> zone.withDefaults(detection.name(), world.scenario().objective()))
-            .toList());
+            .toList(),
+        world.scenario().following() == Following.TARGETS);
   }
 
   private static Camera camera(World world, int camera, Poses poses) {
@@ -140,7 +148,7 @@ public record Setup(
 
   /** The count of numbers in a frame, without its step. */
   public long numbersPerFrame() {
-    return 4L * targets.size()
+    return (following ? 5L : 4L) * targets.size()
         + (slow.isEmpty() ? 0 : cameras.size())
         + cameras.stream().mapToLong(camera -> 3 + 2L * camera.pose().views()).sum();
   }

@@ -1,9 +1,11 @@
 package org.hificamsim.presentation.replay;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Holders;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -14,6 +16,7 @@ public final class Snapshots {
   private final Poses poseMaker;
   private final ZoomPolicy policy;
   private final CameraPose[] poses;
+  private final Holders holders = new Holders();
   private String estimated;
   private int knownRevision = Integer.MIN_VALUE;
   private boolean posesForgotten;
@@ -65,7 +68,15 @@ public final class Snapshots {
       BeliefFrame belief = belief(network);
       System.arraycopy(belief.numbers(), 0, frame.belief(), 0, frame.belief().length);
     }
+    if (frame.holders().length > 0) {
+      takeHolders(network, frame);
+    }
     return frame;
+  }
+
+  private void takeHolders(OracleView network, Frame frame) {
+    holders.update(network);
+    Arrays.setAll(frame.holders(), holders::holder);
   }
 
   /** Whether cameras have a belief of where targets are. */

@@ -26,6 +26,7 @@ export class Player {
       drag: edit && ((camera, x, y) => edit.move(camera, x, y)),
       ceiling: options.ceiling,
       objective: run.objective,
+      following: run.setup.following,
       pick: target => this.targets?.choose(target),
       heat: options.heat,
       figures: options.figures,

@@ -76,6 +76,7 @@ export async function unpack(setup, packed) {
   run.belief = packed.beliefs
     ? transposed(Array.from({length: packed.beliefs}, () => next(scaled(1000))))
     : [];
+  run.holders.forEach((list, i) => (run.holders[i] = next(plain)));
   packed.moves.forEach(move => run.move(move));
   Object.assign(run, {
     every: packed.every,

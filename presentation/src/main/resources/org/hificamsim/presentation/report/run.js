@@ -31,6 +31,7 @@ export class Run {
     this.y = lists(targets);
     this.coverage = lists(targets);
     this.seeing = setup.slow ? lists(cameras) : []; // the view that a camera has, -1 while it turns
+    this.holders = setup.following ? lists(targets) : []; // the camera that has it, -1 for none
     this.estimates = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.counts = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.belief = []; // by frame: the record BeliefFrame, if there is one
@@ -52,6 +53,7 @@ export class Run {
       frame[name].forEach((value, i) => this[name][i].push(value));
     }
     frame.seeing?.forEach((view, i) => this.seeing[i].push(view));
+    frame.holders?.forEach((camera, i) => this.holders[i].push(camera));
     for (const name of ['estimates', 'counts']) {
       this[name].forEach((views, camera) =>
         views.forEach((list, view) => list.push(frame[name][camera]?.[view] ?? NaN)),
@@ -108,6 +110,7 @@ export class Run {
       'coverage',
       'covered',
       'seeing',
+      'holders',
     ])
       this[name] = this[name].map(half);
     for (const name of ['estimates', 'counts'])

@@ -1,15 +1,17 @@
-// Charts over the steps of a run: k_min, the score, how targets are covered, and each camera's
-// zoom.
+// Charts over the steps of a run: k_min, the score, how targets are covered, each camera's zoom,
+// and who had each target.
 import {Chart, curveSeries, linePath} from './chart.js';
 import {el} from './dom.js';
 import {scoreNumber} from './names.js';
 import {COVER} from './palette.js';
 import {smoothed} from './smooth.js';
+import {TargetStrip} from './target-strip.js';
 import {ZoomStrip} from './zoom-strip.js';
 
 export class Timeline {
   /**
-   * @param on `select(camera)`, `objective` of the run, `ceiling()` as in Player
+   * @param on `select(camera)`, `objective` of the run, `ceiling()` as in Player, `following`:
+   *   whether the run says which camera has each target
    */
   constructor(playhead, on) {
     this.kMin = new Chart(
@@ -50,6 +52,7 @@ export class Timeline {
       },
     );
     this.zooms = new ZoomStrip(playhead, on);
+    this.lives = on.following ? new TargetStrip(playhead, on) : null;
     this.element = el(
       'section',
       {class: 'timeline', 'aria-label': 'over time'},
@@ -57,6 +60,7 @@ export class Timeline {
       this.kMin.element,
       this.cover.element,
       this.zooms.element,
+      this.lives?.element,
     );
   }
 
@@ -89,15 +93,17 @@ export class Timeline {
     );
     this.cover.load([steps, ...stacked.reverse()]);
     this.zooms.load(run);
+    this.lives?.load(run);
   }
 
   select(camera) {
     this.zooms.select(camera);
+    this.lives?.select(camera);
   }
 
   show(frame) {
     if (!this.run?.count) return;
-    [this.score, this.kMin, this.cover, this.zooms].forEach(part => part?.show(frame));
+    [this.score, this.kMin, this.cover, this.zooms, this.lives].forEach(part => part?.show(frame));
   }
 
   describeScore(frame) {

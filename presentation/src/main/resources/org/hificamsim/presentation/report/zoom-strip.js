@@ -1,57 +1,31 @@
 // The zoom level of each camera over time, one row for each camera.
-import {scrub} from './chart.js';
-import {el, setText, style, Surface} from './dom.js';
+import {el, style} from './dom.js';
 import {decimals} from './numbers.js';
 import {levelShare, scaleColour} from './palette.js';
+import {Strip} from './strip.js';
 import {viewName, viewOf} from './views.js';
 
-export class ZoomStrip {
+export class ZoomStrip extends Strip {
   constructor(playhead, on) {
-    this.playhead = playhead;
+    const label = 'zoom level of each camera over time';
+    super(playhead, {title: 'zoom of each camera', label, name: 'cameras'}, key());
     this.on = on;
-    this.value = el('span', {class: 'value'});
-    this.surface = new Surface(
-      {role: 'img', 'aria-label': 'zoom level of each camera over time'},
-      (context, width, height) => this.paint(context, width, height),
-    );
-    this.line = el('div', {class: 'playhead'});
-    this.rows = el('div', {class: 'rows', role: 'group', 'aria-label': 'cameras'});
-    this.box = el('div', {class: 'strip'}, this.surface.canvas, this.line);
-    this.element = el(
-      'figure',
-      {class: 'chart zooms'},
-      el('figcaption', {}, 'zoom of each camera', key(), this.value),
-      el('div', {class: 'strip-scroll'}, el('div', {class: 'strip-box'}, this.rows, this.box)),
-    );
-    scrub(this.box, playhead, x => this.frameAt(x));
-    this.box.addEventListener('pointermove', event => this.hover(event));
-    this.box.addEventListener('pointerleave', () => setText(this.value, ''));
-    this.box.addEventListener('click', event => this.on.select(this.cameraAt(event)));
+    this.box.addEventListener('click', event => this.on.select(this.rowAt(event)));
   }
 
-  load(run) {
-    if (this.run?.setup !== run.setup) this.writeNames(run);
-    this.run = run;
-    this.surface.draw();
-  }
-
-  writeNames(run) {
-    this.rows.replaceChildren(
-      ...run.setup.cameras.map((camera, i) =>
-        el(
-          'button',
-          {
-            type: 'button',
-            title: camera.name,
-            'aria-pressed': 'false',
-            onclick: () => this.on.select(i),
-          },
-          camera.name,
-        ),
+  namesOf({cameras}) {
+    return cameras.map((camera, i) =>
+      el(
+        'button',
+        {
+          type: 'button',
+          title: camera.name,
+          'aria-pressed': 'false',
+          onclick: () => this.on.select(i),
+        },
+        camera.name,
       ),
     );
-    this.element.dataset.rows = run.setup.cameras.length;
-    this.element.style.setProperty('--rows', run.setup.cameras.length);
   }
 
   select(camera) {
@@ -60,24 +34,7 @@ export class ZoomStrip {
     );
   }
 
-  frameAt(x) {
-    const first = this.run.step[0];
-    const last = this.run.step[this.run.count - 1];
-    return this.run.frameAt(first + (x / this.surface.width) * (last - first));
-  }
-
-  cameraAt(event) {
-    const box = this.box.getBoundingClientRect();
-    const row = Math.floor(
-      ((event.clientY - box.top) / box.height) * this.run.setup.cameras.length,
-    );
-    return Math.max(0, Math.min(row, this.run.setup.cameras.length - 1));
-  }
-
-  hover(event) {
-    if (!this.run.count) return;
-    const frame = this.frameAt(event.clientX - this.box.getBoundingClientRect().left);
-    const camera = this.cameraAt(event);
+  describe(camera, frame) {
     const view = this.run.level[camera][frame];
     const pose = this.run.pose(camera, frame);
     const {zoom, viewingAngle} = viewOf(pose, view);
@@ -87,16 +44,12 @@ export class ZoomStrip {
     const text = this.run.online[camera][frame]
       ? `${viewName(pose, view)}, ${extent}, detects ${this.run.detected[camera][frame]}`
       : 'not online';
-    setText(
-      this.value,
-      `${this.run.setup.cameras[camera].name}, step ${this.run.step[frame]}: ${text}`,
-    );
+    return `${this.run.setup.cameras[camera].name}, step ${this.run.step[frame]}: ${text}`;
   }
 
   /** Each column of pixels has the mean level of its frames. */
   paint(context, width, height) {
     const {run} = this;
-    if (!run?.count) return;
     const cameras = run.setup.cameras.length;
     const columns = this.surface.canvas.width;
     const image = new ImageData(columns, cameras);
@@ -117,17 +70,6 @@ export class ZoomStrip {
     context.fillStyle = style('--paper');
     for (let camera = 1; camera < cameras; camera++)
       context.fillRect(0, (camera * height) / cameras - 0.5, width, 1);
-    this.show(this.frame || 0);
-  }
-
-  show(frame) {
-    this.frame = frame;
-    if (!this.run?.count || !this.surface.width) return;
-    const first = this.run.step[0];
-    const last = this.run.step[this.run.count - 1];
-    const x =
-      last > first ? ((this.run.step[frame] - first) / (last - first)) * this.surface.width : 0;
-    this.line.style.transform = `translateX(${x}px)`;
   }
 }
 

@@ -41,7 +41,8 @@ final class Hall {
         slow,
         obstacles,
         floor,
-        List.of());
+        List.of(),
+        false);
   }
 
   /**
@@ -71,6 +72,7 @@ final class Hall {
         new double[0][],
         new double[0][],
         seeing,
-        new double[0]);
+        new double[0],
+        new int[0]);
   }
 }
