@@ -1,5 +1,7 @@
 package org.hificamsim.reproduction.network;
 
+import static org.hificamsim.reproduction.network.ExperimentRuns.rounded;
+
 import java.awt.Color;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -20,7 +22,6 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
@@ -35,8 +36,6 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.RunExecutor;
-import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -78,12 +77,14 @@ public final class ChannelExperiment {
       String policy, String key, double value, Estimate share, double bits, double dropped) {}
 
   private final Catalogue catalogue = Catalogue.load();
+  private final ExperimentRuns runs;
   private final int steps;
   private final int seeds;
   private final List<Path> files;
   private final Map<String, Double> optima = new HashMap<>();
 
   private ChannelExperiment(int steps, int seeds, List<Path> files) {
+    this.runs = new ExperimentRuns(catalogue, steps);
     this.steps = steps;
     this.seeds = seeds;
     this.files = files;
@@ -110,7 +111,7 @@ public final class ChannelExperiment {
     }
   }
 
-  private List<Outcome> run() throws IOException {
+  private List<Outcome> run() {
     List<Outcome> outcomes = new ArrayList<>();
     for (String policy : SILENT) {
       Outcome same = outcome(policy, "", 0, ChannelModel.PERFECT);
@@ -130,15 +131,14 @@ public final class ChannelExperiment {
     return outcomes;
   }
 
-  private Outcome outcome(String policy, String key, double value, ChannelModel channel)
-      throws IOException {
+  private Outcome outcome(String policy, String key, double value, ChannelModel channel) {
     double[] shares = new double[seeds];
     double bits = 0;
     double dropped = 0;
     for (Path file : files) {
-      Scenario scenario = scenario(file).with(Scenario.CHANNEL, channel);
+      Scenario scenario = runs.scenario(file).with(Scenario.CHANNEL, channel);
       for (int seed = 0; seed < seeds; seed++) {
-        RunResult run = run(scenario, policy, seed);
+        RunResult run = runs.run(scenario, policy, seed);
         double best = optimum(file, seed);
         shares[seed] += run.score() / best / files.size();
         long sums = (long) seeds * files.size() * steps * scenario.cameras().size();
@@ -149,26 +149,10 @@ public final class ChannelExperiment {
     return new Outcome(policy, key, value, Estimate.mean(shares).within(0, 1), bits, dropped);
   }
 
-  private Scenario scenario(Path file) {
-    return ScenarioReader.read(file, catalogue.movements().names()::contains, warning -> {});
-  }
-
-  private RunResult run(Scenario scenario, String policy, long seed) {
-    Settings settings =
-        Settings.NONE
-            .with(Setting.POLICY, policy)
-            .with(Setting.STEPS, Integer.toString(steps))
-            .with(Setting.SEED, Long.toString(seed));
-    DetectionSpec spec =
-        DetectionSpec.parse(settings.value(Setting.DETECTION, scenario), catalogue::detection);
-    RunPlan plan = settings.plan(scenario, spec.detection(settings, scenario));
-    return new RunExecutor(catalogue).repeat(plan, 0, List.of());
-  }
-
   /** The exact optimum's score, which no channel changes. */
   private double optimum(Path file, long seed) {
     return optima.computeIfAbsent(
-        file + " " + seed, key -> run(scenario(file), "optimal", seed).score());
+        file + " " + seed, key -> runs.run(runs.scenario(file), "optimal", seed).score());
   }
 
   /** Counts the targets in sight, and those that are owned by a camera that sees them. */
@@ -244,12 +228,6 @@ public final class ChannelExperiment {
         .doubles("bits", "", "", outcome -> rounded(outcome.bits()))
         .doubles("dropped", "", "", outcome -> rounded(outcome.dropped()))
         .write(folder, outcomes.stream());
-  }
-
-  private static double rounded(double value) {
-    return Double.isNaN(value)
-        ? value
-        : Double.parseDouble(String.format(Locale.ROOT, "%.4f", value));
   }
 
   private Figure figure(List<Outcome> outcomes) {
