@@ -24,6 +24,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
@@ -85,11 +86,14 @@ final class BridgeOptions {
     Optional<String> pan = text("pan");
     Optional<String> pixels = text("pixels");
     Optional<String> givenObjective = text("objective");
+    Optional<String> givenFollowing = text("following");
     Optional<String> seed = text("seed");
     Optional<String> tracks = text("tracks");
     Optional<String> out = text("out");
     boolean scores = policy.isPresent() || out.isPresent();
     Optional<String> objective = givenObjective.or(() -> fromScenario("objective", scores));
+    Optional<String> following =
+        givenFollowing.or(() -> fromScenario("following", out.isPresent()));
     given.choice("strict", Strict.FALSE, "");
     rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
@@ -99,6 +103,7 @@ final class BridgeOptions {
     boolean draws = policy.isPresent() || (detection.isPresent() && !detection.get().certain());
     requireFor("seed", seed, draws, "policy or detect");
     requireFor("objective", objective, scores, "policy or out");
+    requireFor("following", following, out.isPresent(), "out");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     requireFor("hfov", hfov, policy.isPresent(), "policy");
     requireFor("law", law, hfov.isPresent(), "hfov");
@@ -120,6 +125,9 @@ final class BridgeOptions {
         objective.map(Objective::parse).orElseGet(Objective::kMin),
         seed.map(text -> integer("seed", text, Integer.MIN_VALUE, Integer.MAX_VALUE)).orElse(0),
         tracks.map(BridgeOptions::tracks),
+        following
+            .map(text -> Spelling.require(Following.class, "following", text))
+            .orElse(Following.NONE),
         out.map(Path::of));
   }
 

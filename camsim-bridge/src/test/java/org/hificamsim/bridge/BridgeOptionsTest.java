@@ -126,7 +126,7 @@ class BridgeOptionsTest {
         arguments(
             "policy=sarsa:gamma=0.9,epsilon=0.1",
             "options: unknown option 'epsilon=0.1', expected one of detection, threshold, detect,"
-                + " size, policy, zooms, hfov, law, pan, pixels, objective, seed, tracks, out,"
+                + " size, policy, zooms, hfov, law, pan, pixels, objective, following, seed, tracks, out,"
                 + " strict, with ';' between a policy's own"),
         arguments("hfov=8;25", "hfov is '8;25' without policy, expected both"),
         arguments("policy=random,law=pinhole", "law is 'pinhole' without hfov, expected both"),

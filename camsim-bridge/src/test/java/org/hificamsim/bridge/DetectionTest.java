@@ -124,6 +124,24 @@ class DetectionTest {
   }
 
   @Test
+  void followsTargetsAsOwnEngine() throws IOException {
+    CamSimRun with = run("with", "detection=hifi:orb-lin,out=results,following=targets");
+    Path expected = folder.resolve("engine");
+    Detection detection = OwnSimulation.detection("hifi:orb-lin");
+    OwnSimulation.record(expected, CamSimRun.CROSSING, List.of(), detection, "zoom-out", 200);
+    String summary = with.text("results/summary.json");
+    List<String> figures =
+        Files.readString(expected.resolve("summary.json"))
+            .lines()
+            .filter(line -> line.matches(" *\"(time_to|.*losses|unbroken|handovers).*"))
+            .toList();
+    assertTrue(figures.size() > 3, figures.toString());
+    for (String figure : figures) {
+      assertTrue(summary.contains(figure), figure + " is missing in " + summary);
+    }
+  }
+
+  @Test
   void filesRecordCamSimSightingsWithoutModel() {
     CamSimRun with = CamSimRun.shared("out=results");
     Map<Integer, Long> seen =

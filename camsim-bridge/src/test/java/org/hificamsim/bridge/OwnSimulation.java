@@ -12,6 +12,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.StepOrder;
 import org.hificamsim.core.world.World;
@@ -46,7 +47,8 @@ final class OwnSimulation {
       throws IOException {
     World world = new World(scenario, CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
-    try (SingleRun run = new SingleRun(folder, 0, detection, Detail.full(scenario))) {
+    try (SingleRun run =
+        new SingleRun(folder, 0, detection, Detail.full(scenario), Following.TARGETS)) {
       new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
       RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
       run.commit(plan, Traffic.NONE, Optional.empty());

@@ -62,7 +62,11 @@ public record Measured(
 
   /** The sums of a repeat that another program ran. */
   public Measured(
-      RunCoverage coverage, Objective objective, Traffic traffic, Optional<Proof> proof) {
+      RunCoverage coverage,
+      Objective objective,
+      Traffic traffic,
+      Optional<Proof> proof,
+      FollowingSums following) {
     this(
         coverage,
         objective,
@@ -72,7 +76,7 @@ public record Measured(
         proof,
         Double.NaN,
         Zones.NONE,
-        FollowingSums.NONE,
+        following,
         Double.NaN);
   }
 

@@ -12,6 +12,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.track.Track;
 import org.hificamsim.runs.output.Detail;
@@ -28,6 +29,7 @@ import org.hificamsim.runs.output.Detail;
  * @param objective the objective that scores a step
  * @param seed the seed of the first run; run i uses seed + i
  * @param tracks the tracks that objects follow, by their features, in the order of time
+ * @param following whether it is measured how cameras follow targets
  * @param out the folder of the result files
  */
 public record BridgeSettings(
@@ -39,6 +41,7 @@ public record BridgeSettings(
     Objective objective,
     int seed,
     Optional<Map<String, List<Track>>> tracks,
+    Following following,
     Optional<Path> out) {
   /**
    * A policy with its options, created for each run.
@@ -85,6 +88,6 @@ public record BridgeSettings(
   /** Returns these settings with another folder for result files, or none. */
   BridgeSettings with(Optional<Path> newOut) {
     return new BridgeSettings(
-        detection, size, policy, zooms, optics, objective, seed, tracks, newOut);
+        detection, size, policy, zooms, optics, objective, seed, tracks, following, newOut);
   }
 }

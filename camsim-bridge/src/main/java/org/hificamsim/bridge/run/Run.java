@@ -86,7 +86,8 @@ final class Run {
                     folder(settings.out().get(), number),
                     number,
                     settings.seen(),
-                    settings.detail()))
+                    settings.detail(),
+                    settings.following()))
             : Optional.empty();
   }
 
@@ -256,6 +257,7 @@ final class Run {
     Field unknown = new Field(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
     return new Scenario(scenario.map(ScenarioFile::name).orElse(NO_SCENARIO), unknown)
         .with(Scenario.OBJECTIVE, settings.objective())
+        .with(Scenario.FOLLOWING, settings.following())
         .with(Scenario.ZOOMS, settings.zooms())
         .with(Scenario.CAMERAS, live.cameraSpecs());
   }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.SeparateFiles;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.runs.RunPlan;
@@ -64,7 +65,9 @@ public final class CamSimFiles implements Closeable {
       steps = new StepTable(stepsFile.open());
       run.listen((view, measured) -> steps.add(network.figures()));
       if (places.coverage().isPresent()) {
-        coverage = new SingleRun(places.coverage().get(), 0, plan.detection(), Detail.STEPS);
+        coverage =
+            new SingleRun(
+                places.coverage().get(), 0, plan.detection(), Detail.STEPS, Following.NONE);
         run.listen(coverage);
       }
     } catch (IOException | RuntimeException e) {

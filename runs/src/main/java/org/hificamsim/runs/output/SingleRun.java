@@ -6,11 +6,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.FollowingSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.TargetFollowing;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.runs.Measured;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
@@ -25,15 +28,21 @@ public final class SingleRun implements StepListener, Closeable {
   private final StepListener rows;
   private final RunCoverage sums = new RunCoverage();
 
+  /** Null unless it is measured. */
+  private final TargetFollowing following;
+
   /**
    * Begins the folder.
    *
    * @param run the number of the run
    * @param detection of the run
    * @param detail of each step
+   * @param following what is measured of how cameras follow targets
    */
-  public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
+  public SingleRun(Path path, int run, Detection detection, Detail detail, Following following)
+      throws IOException {
     this.run = run;
+    this.following = following == Following.TARGETS ? new TargetFollowing() : null;
     files = new OutputFolder(path);
     folder = new RunFolder(files, detection, detail, TableFormat.CSV);
     rows = folder.listener(run);
@@ -43,6 +52,9 @@ public final class SingleRun implements StepListener, Closeable {
   public void stepped(OracleView network, StepCoverage coverage) {
     sums.stepped(network, coverage);
     rows.stepped(network, coverage);
+    if (following != null) {
+      following.stepped(network, coverage);
+    }
   }
 
   /** The number of steps so far. */
@@ -63,9 +75,13 @@ public final class SingleRun implements StepListener, Closeable {
    * @param proof of the policy; empty if it does not claim to be the best
    */
   public void commit(RunPlan plan, Traffic traffic, Optional<Proof> proof) throws IOException {
-    Measured measured = new Measured(sums, plan.objective(), traffic, proof);
+    Measured measured = new Measured(sums, plan.objective(), traffic, proof, followed());
     folder.finish(plan, List.of(RunResult.of(run, plan.seed(), measured)));
     folder.commit();
+  }
+
+  private FollowingSums followed() {
+    return following == null ? FollowingSums.NONE : following.sums();
   }
 
   @Override

@@ -21,6 +21,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
@@ -307,7 +308,7 @@ class RunFolderTest {
     RunPlan plan = plan("geometric", "random", 1);
     Path whole = run("whole", plan, Detail.VIEWS);
     Path out = folder.resolve("own");
-    try (SingleRun own = new SingleRun(out, 0, plan.detection(), Detail.VIEWS)) {
+    try (SingleRun own = new SingleRun(out, 0, plan.detection(), Detail.VIEWS, Following.NONE)) {
       assertEquals(0, own.steps());
       RunResult result = new RunExecutor(Catalogue.load()).repeat(plan, 0, List.of(own));
       assertEquals(STEPS, own.steps());
