@@ -16,6 +16,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.DutyCycle;
+import org.hificamsim.core.scenario.spec.ProcessingBudget;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.WorldObserver;
 import org.junit.jupiter.api.Test;
@@ -115,6 +116,36 @@ class EnergyMeterTest {
     }
     assertEquals(simulation.energy().joules(), sum, 1e-9);
     assertEquals(33 * 0.1, meter.joules(1, EnergyFigure.SLEEP), 0.11);
+  }
+
+  /** In every step, what each camera has taken for its parts is missing in its battery. */
+  @Test
+  void batteriesHoldWhatCamerasDidNotTakeInEachStep() {
+    World world =
+        scenario("idle=0.3W,sleep=0.1W,sense=0.7J,detection=0.9J,zoom=0.11J,battery=1kJ")
+            .with(Scenario.PROCESSING, new ProcessingBudget(1))
+            .camera(camera("a", null))
+            .camera(camera("b", "2/3@1"))
+            .zooms(1, 2, 3)
+            .world();
+    Simulation simulation = simulation(world, new Levels());
+    EnergyMeter meter = simulation.energyMeter().orElseThrow();
+    double before = 0;
+    for (int step = 0; step < 60; step++) {
+      simulation.step();
+      double taken = 0;
+      for (int camera = 0; camera < 2; camera++) {
+        double parts = 0;
+        for (EnergyFigure figure : EnergyFigure.values()) {
+          parts += meter.joules(camera, figure);
+        }
+        assertEquals(1000 - meter.left(camera), parts, 1e-9, "camera " + camera);
+        taken += parts;
+      }
+      assertEquals(simulation.energy().joules(), taken, 1e-9, "step " + step);
+      assertTrue(taken > before, "step " + step);
+      before = taken;
+    }
   }
 
   @Test
