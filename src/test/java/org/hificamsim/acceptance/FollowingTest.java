@@ -73,7 +73,7 @@ class FollowingTest {
     browser.until("return document.getElementById('page').dataset.ready === '0'");
     assertEquals(summary.get("losses").asLong(), browser.run(LOSSES));
     assertEquals(summary.get("handovers").asLong(), browser.run(HANDOVERS));
-    int targets = browser.findAll(".targets .rows span").size();
+    int targets = browser.findAll(".chart.targets .rows span").size();
     assertEquals((long) targets, browser.run("return hificamsim.run.setup.targets.length"));
     assertEquals(
         true,
@@ -91,7 +91,7 @@ class FollowingTest {
     Browser browser = Browser.shared();
     browser.open(folder.resolve("o/report.html").toUri().toString());
     browser.until("return document.getElementById('page').dataset.ready === '0'");
-    assertTrue(browser.findAll(".targets").isEmpty());
+    assertTrue(browser.findAll(".chart.targets").isEmpty());
     assertFalse(Files.readString(folder.resolve("o/replay.json")).contains("following"));
   }
 
