@@ -126,8 +126,8 @@ class BridgeOptionsTest {
         arguments(
             "policy=sarsa:gamma=0.9,epsilon=0.1",
             "options: unknown option 'epsilon=0.1', expected one of detection, threshold, detect,"
-                + " size, policy, zooms, hfov, law, pan, pixels, objective, following, seed, tracks, out,"
-                + " strict, with ';' between a policy's own"),
+                + " size, policy, zooms, hfov, law, pan, pixels, objective, following, seed,"
+                + " tracks, out, strict, with ';' between a policy's own"),
         arguments("hfov=8;25", "hfov is '8;25' without policy, expected both"),
         arguments("policy=random,law=pinhole", "law is 'pinhole' without hfov, expected both"),
         arguments("policy=random,pan=0;60", "pan is '0;60' without hfov, expected both"),
