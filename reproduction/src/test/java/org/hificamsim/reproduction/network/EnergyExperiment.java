@@ -45,10 +45,15 @@ public final class EnergyExperiment {
 
   private static final int PERIOD = 6;
 
-  /** What cameras do, by its name in the figure. */
-  private record Contender(String name, Settings settings) {
+  /**
+   * What cameras do, by its name in the figure.
+   *
+   * @param thin whether its line is thin, so that it does not cover others
+   */
+  private record Contender(String name, Settings settings, boolean thin) {
     static Contender policy(String name, String policy) {
-      return new Contender(name, Settings.NONE.with(Setting.POLICY, policy));
+      boolean thin = policy.equals("best-fixed");
+      return new Contender(name, Settings.NONE.with(Setting.POLICY, policy), thin);
     }
 
     /** Cameras in their widest views that trade targets by one of CamSim's strategies. */
@@ -57,7 +62,8 @@ public final class EnergyExperiment {
           "CamSim " + strategy,
           Settings.NONE
               .with(Setting.POLICY, "zoom-out")
-              .with(Setting.NETWORK, "camsim:strategies=" + strategy));
+              .with(Setting.NETWORK, "camsim:strategies=" + strategy),
+          strategy.startsWith("P"));
     }
   }
 
@@ -200,22 +206,24 @@ public final class EnergyExperiment {
     panel.x(0, 1.05 * most);
     panel.y(0, 1);
     for (int i = 0; i < CONTENDERS.size(); i++) {
-      String name = CONTENDERS.get(i).name;
-      draw(
-          panel,
-          shown.stream().filter(outcome -> outcome.contender.equals(name)).toList(),
-          Palette.line(i));
+      Contender contender = CONTENDERS.get(i);
+      List<Outcome> own =
+          shown.stream().filter(outcome -> outcome.contender.equals(contender.name)).toList();
+      draw(panel, own, Palette.line(i), contender.thin);
     }
     return panel;
   }
 
-  private static void draw(XyPanel panel, List<Outcome> outcomes, Color color) {
+  private static void draw(XyPanel panel, List<Outcome> outcomes, Color color, boolean thin) {
     Curve curve =
         new Curve(
             outcomes.stream().mapToDouble(outcome -> outcome.joules.mean()).toArray(),
             outcomes.stream().mapToDouble(outcome -> outcome.share.mean()).toArray());
-    panel.straight(curve, color);
-    panel.dots(curve, color);
+    if (thin) {
+      panel.thin(curve, color).diamonds(curve, color);
+    } else {
+      panel.straight(curve, color).dots(curve, color);
+    }
     for (Outcome outcome : outcomes) {
       panel.interval(outcome.joules.mean(), outcome.share.low(), outcome.share.high(), color);
     }
