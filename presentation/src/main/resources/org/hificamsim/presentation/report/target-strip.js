@@ -88,7 +88,7 @@ function key() {
     'span',
     {class: 'key'},
     swatch('var(--accent)'),
-    'the selected camera',
+    'the selected camera\u2003',
     swatch(MEANING.unseen),
     'none',
   );
