@@ -59,7 +59,8 @@ public record Goal(double budget) {
     }
     double steps = bound / scoreStep;
     double margin = ROUNDING * Math.max(1, Math.abs(steps));
-    return scoreStep * (isFullCover() ? Math.ceil(steps - margin) : Math.floor(steps + margin));
+    double whole = isFullCover() ? Math.ceil(steps - margin) : Math.floor(steps + margin);
+    return scoreStep * whole + 0.0; // 0.0 makes -0.0 a 0 as people write it
   }
 
   /** Whether no plan within a bound is better than a score. */
