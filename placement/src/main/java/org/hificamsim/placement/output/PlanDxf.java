@@ -19,7 +19,6 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.placement.site.SitePlan;
-import org.hificamsim.placement.site.SitePlan.PlannedCamera;
 
 /**
  * Writes a plan as DXF in metres, in the coordinates of the site: cameras as blocks with
@@ -43,18 +42,17 @@ final class PlanDxf {
   private static final double SYMBOL = 0.2; // metres, the radius of a camera's symbol
 
   /** What a camera's block says, by tag; only the name is shown. */
-  private static final Map<String, BiFunction<SitePlan, PlannedCamera, String>> ATTRIBUTES =
+  private static final Map<String, BiFunction<SitePlan, CameraSpec, String>> ATTRIBUTES =
       new LinkedHashMap<>();
 
   static {
-    ATTRIBUTES.put("NAME", (plan, planned) -> planned.camera().name());
-    ATTRIBUTES.put(
-        "LENS", (plan, planned) -> planned.camera().optics().map(OpticsSpec::name).orElse(""));
-    ATTRIBUTES.put("HEADING", (plan, planned) -> number(planned.camera().heading()));
-    ATTRIBUTES.put("TILT", (plan, planned) -> number(planned.camera().tilt()));
-    ATTRIBUTES.put("HEIGHT", (plan, planned) -> number(plan.height(planned.camera())));
-    ATTRIBUTES.put("ANGLE", (plan, planned) -> number(planned.camera().viewingAngle()));
-    ATTRIBUTES.put("PRICE", (plan, planned) -> number(planned.price()));
+    ATTRIBUTES.put("NAME", (plan, camera) -> camera.name());
+    ATTRIBUTES.put("LENS", (plan, camera) -> camera.optics().map(OpticsSpec::name).orElse(""));
+    ATTRIBUTES.put("HEADING", (plan, camera) -> number(camera.heading()));
+    ATTRIBUTES.put("TILT", (plan, camera) -> number(camera.tilt()));
+    ATTRIBUTES.put("HEIGHT", (plan, camera) -> number(plan.height(camera)));
+    ATTRIBUTES.put("ANGLE", (plan, camera) -> number(camera.viewingAngle()));
+    ATTRIBUTES.put("PRICE", (plan, camera) -> number(camera.price()));
   }
 
   private final SitePlan plan;
@@ -86,10 +84,10 @@ final class PlanDxf {
     for (Zone zone : site.zones()) {
       zone(zone);
     }
-    for (int camera = 0; camera < plan.planned().size(); camera++) {
+    for (int camera = 0; camera < plan.cameras().size(); camera++) {
       Area seen = sectors.sector(camera);
       dxf.path(SECTORS, new FlatteningPathIterator(seen.getPathIterator(null), FLATNESS));
-      camera(plan.planned().get(camera));
+      camera(plan.cameras().get(camera));
     }
     dxf.end();
     dxf.pair(0, "EOF");
@@ -179,8 +177,7 @@ final class PlanDxf {
     return Double.isNaN(value) ? "" : Texts.format("%.2f", value);
   }
 
-  private void camera(PlannedCamera planned) throws IOException {
-    CameraSpec camera = planned.camera();
+  private void camera(CameraSpec camera) throws IOException {
     dxf.entity("INSERT", CAMERAS);
     dxf.pair(66, 1);
     dxf.pair(2, BLOCK);
@@ -191,7 +188,7 @@ final class PlanDxf {
       dxf.entity("ATTRIB", CAMERAS);
       dxf.point(10, camera.x() + 2 * SYMBOL, camera.y() - row * TEXT_HEIGHT);
       dxf.number(40, TEXT_HEIGHT);
-      dxf.text(1, attribute.getValue().apply(plan, planned));
+      dxf.text(1, attribute.getValue().apply(plan, camera));
       dxf.pair(2, attribute.getKey());
       dxf.pair(70, row++ == 0 ? 0 : 1);
     }

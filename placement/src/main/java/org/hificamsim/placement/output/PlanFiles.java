@@ -12,6 +12,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.output.PlanTables.CameraRow;
 import org.hificamsim.placement.output.PlanTables.PointRow;
@@ -20,8 +21,8 @@ import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.PlacementProblem;
+import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.placement.site.SitePlan;
-import org.hificamsim.placement.site.SitePlan.PlannedCamera;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.ManifestFile;
@@ -60,10 +61,13 @@ public final class PlanFiles {
     }
     folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
     JsonOutput.write(folder, ResultFolder.SUMMARY, summary(plan));
-    int[] counts = plan.counts();
+    int[] counts = plan.cover().counts();
     Demand demand = plan.demand();
+    double[] sharesWithout = plan.cover().sharesWithout();
     PlanTables.CAMERAS.write(
-        folder, IntStream.range(0, plan.planned().size()).mapToObj(i -> cameraRow(plan, i)));
+        folder,
+        IntStream.range(0, plan.cameras().size())
+            .mapToObj(i -> cameraRow(plan, i, sharesWithout[i])));
     folder.write(CANDIDATES, ScenarioWriter.write(plan.candidateScenario()));
     double[] multipliers = plan.coverPlan().multiplierBound().multipliers();
     PlanTables.POINTS.write(
@@ -78,18 +82,15 @@ public final class PlanFiles {
     PlanTables.CURVE.write(folder, plan.curve().stream());
   }
 
-  private static CameraRow cameraRow(SitePlan plan, int number) {
-    PlannedCamera planned = plan.planned().get(number);
-    return new CameraRow(
-        planned.camera(),
-        plan.height(planned.camera()),
-        planned.price(),
-        planned.covered().length,
-        plan.share(plan.countsWithout(number)));
+  private static CameraRow cameraRow(SitePlan plan, int number, double shareWithout) {
+    CameraSpec camera = plan.cameras().get(number);
+    int coveredPoints = plan.cover().covered()[number].length;
+    return new CameraRow(camera, plan.height(camera), coveredPoints, shareWithout);
   }
 
   private static ObjectNode summary(SitePlan plan) {
-    int[] counts = plan.counts();
+    PlanCover cover = plan.cover();
+    int[] counts = cover.counts();
     Demand demand = plan.demand();
     PlacementProblem problem = plan.problem();
     CoverPlan coverPlan = plan.coverPlan();
@@ -103,7 +104,7 @@ public final class PlanFiles {
       json.put("budget", problem.goal().budget());
     }
     json.put("kept", problem.kept().size());
-    json.put("cameras", plan.planned().size());
+    json.put("cameras", plan.cameras().size());
     json.put("price", plan.price());
     ObjectNode prices = json.putObject("prices");
     for (Candidate candidate : problem.candidates().list()) {
@@ -112,12 +113,12 @@ public final class PlanFiles {
     json.put("samples", counts.length);
     json.put("cell", demand.cells().width());
     json.put("candidates", problem.candidates().list().size());
-    json.put("share", plan.share());
-    json.put("share_of_area", plan.area().of(demand));
+    json.put("share", cover.share());
+    json.put("share_of_area", cover.area().of(demand));
     if (plan.shares().unrefined().isPresent()) {
       double unrefined = plan.shares().unrefined().get();
       json.put("share_unrefined", unrefined);
-      json.put("gain_of_refinement", plan.share() - unrefined);
+      json.put("gain_of_refinement", cover.share() - unrefined);
       Arrays.stream(coverPlan.chosen()).forEach(json.putArray("unrefined")::add);
     }
     json.put("share_bound", plan.shares().bound());
@@ -135,9 +136,9 @@ public final class PlanFiles {
       zoneJson.put("threshold", zone.detection().threshold()).put("k", zone.k());
       zoneJson.put("share", demand.share(zone, counts));
       zoneJson.put("share_whole", demand.shareByK(zone, counts));
-      zoneJson.put("share_of_area", plan.area().shares().get(number));
+      zoneJson.put("share_of_area", cover.area().shares().get(number));
     }
-    plan.blindSpots().forEach(json.putArray("blind_spots")::addPOJO);
+    cover.blindSpots().forEach(json.putArray("blind_spots")::addPOJO);
     return json;
   }
 }

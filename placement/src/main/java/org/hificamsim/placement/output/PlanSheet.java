@@ -30,7 +30,6 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.placement.site.SitePlan.CurvePoint;
-import org.hificamsim.placement.site.SitePlan.PlannedCamera;
 import org.hificamsim.presentation.picture.PlanPicture;
 import org.hificamsim.presentation.plot.A4Pages;
 import org.hificamsim.presentation.plot.Curve;
@@ -65,7 +64,7 @@ final class PlanSheet {
   PlanSheet(SitePlan plan, Catalogue catalogue, List<Setup.Floor> floor) {
     this.plan = plan;
     this.demand = plan.demand();
-    this.counts = plan.counts();
+    this.counts = plan.cover().counts();
     this.floor =
         picture(
             catalogue,
@@ -178,7 +177,7 @@ final class PlanSheet {
                         zone.detection().name(),
                         Integer.toString(zone.k()),
                         Integer.toString(zone.count()),
-                        percent(plan.claimedShare(zone)),
+                        percent(plan.cover().claimedShare(zone)),
                         percent(demand.shareByK(zone, counts)),
                         percent(unseenShare(zone, counts))))
             .toList();
@@ -193,11 +192,10 @@ final class PlanSheet {
 
   private PlanTable cameraTable() {
     List<List<String>> rows = new ArrayList<>();
-    for (int i = 0; i < plan.planned().size(); i++) {
-      PlannedCamera planned = plan.planned().get(i);
-      CameraSpec camera = planned.camera();
+    for (int i = 0; i < plan.cameras().size(); i++) {
+      CameraSpec camera = plan.cameras().get(i);
       boolean kept = i < plan.problem().kept().size();
-      int[] countsWithout = plan.countsWithout(i);
+      int[] countsWithout = plan.cover().countsWithout(i);
       rows.add(
           List.of(
               camera.name(),
@@ -207,9 +205,9 @@ final class PlanSheet {
               Texts.format("%.1f", camera.heading()),
               Texts.format("%.1f", camera.tilt()),
               camera.optics().map(OpticsSpec::name).orElse("own"),
-              kept ? "stays" : Texts.format("%.2f", planned.price()),
-              Integer.toString(planned.covered().length),
-              percent(plan.share(countsWithout)),
+              kept ? "stays" : Texts.format("%.2f", camera.price()),
+              Integer.toString(plan.cover().covered()[i].length),
+              percent(plan.cover().share(countsWithout)),
               mostBlindZone(countsWithout)));
     }
     return new PlanTable(
@@ -245,7 +243,7 @@ final class PlanSheet {
   }
 
   private PlanTable blindSpotTable() {
-    List<BlindSpot> spots = plan.blindSpots();
+    List<BlindSpot> spots = plan.cover().blindSpots();
     double restArea = spots.stream().skip(MAX_SPOTS).mapToDouble(BlindSpot::area).sum();
     Stream<List<String>> rest =
         restArea > 0

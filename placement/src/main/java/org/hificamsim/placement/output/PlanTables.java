@@ -18,8 +18,7 @@ final class PlanTables {
    * @param coveredPoints number of points that it covers
    * @param shareWithout share of the demand that is met without it
    */
-  record CameraRow(
-      CameraSpec camera, double z, double price, int coveredPoints, double shareWithout) {}
+  record CameraRow(CameraSpec camera, double z, int coveredPoints, double shareWithout) {}
 
   /**
    * A point of the demand.
@@ -38,7 +37,7 @@ final class PlanTables {
           .doubles("z", "m", "where it has a height", CameraRow::z)
           .doubles("tilt", "degrees", "downwards", row -> row.camera.tilt())
           .texts("lens", "its optics", row -> row.camera.optics().map(OpticsSpec::name).orElse(""))
-          .plain("price", "as in the catalogue", "0 of one that stays", CameraRow::price)
+          .plain("price", "as in the catalogue", "0 if it is not known", row -> row.camera.price())
           .ints("covers", "samples", "that it covers", CameraRow::coveredPoints)
           .doubles("share_without", SHARE, "met if it fails", CameraRow::shareWithout);
 

@@ -21,7 +21,6 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.LagrangianBound;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
-import org.hificamsim.placement.site.SitePlan.PlannedCamera;
 import org.hificamsim.placement.site.SitePlan.Shares;
 
 /**
@@ -211,10 +210,8 @@ public record PlacementProblem(
             refinement.isPresent() ? Optional.of(share(unrefinedCounts)) : Optional.empty(),
             goal().isFullCover() ? coverableShare() : Math.min(1, shownScore(plan.bound())),
             shareOfSite());
-    List<PlannedCamera> planned = plannedCameras(refined);
-    List<CameraSpec> cameras = planned.stream().map(PlannedCamera::camera).toList();
-    PlanArea area = PlanArea.of(demand(), sight, cameras, request.reading);
-    return new SitePlan(this, planned, area, plan, shares);
+    PlanCover cover = PlanCover.of(demand(), sight, plannedCameras(refined), request.reading);
+    return new SitePlan(this, cover, plan, shares);
   }
 
   /** Returns a plan that meets as much as another one for the lowest price that is found. */
@@ -235,22 +232,17 @@ public record PlacementProblem(
         : share(counts(sight, request, cameras));
   }
 
-  private List<PlannedCamera> plannedCameras(List<Candidate> newCandidates) {
+  private List<CameraSpec> plannedCameras(List<Candidate> newCandidates) {
     List<CameraSpec> cameras = new ArrayList<>(kept());
-    List<Double> prices = new ArrayList<>();
-    kept().forEach(camera -> prices.add(0.0));
     int number = 1;
     for (Candidate candidate : newCandidates) {
       while (isTaken("P" + number)) {
         number++;
       }
-      cameras.add(candidate.camera("P" + number++));
-      prices.add(candidate.kind().price());
+      CameraSpec camera = candidate.camera("P" + number++);
+      cameras.add(camera.with(CameraSpec.PRICE, candidate.kind().price()));
     }
-    int[][] covered = sight.covered(cameras, request.reading);
-    return IntStream.range(0, cameras.size())
-        .mapToObj(i -> new PlannedCamera(cameras.get(i), prices.get(i), covered[i]))
-        .toList();
+    return cameras;
   }
 
   private boolean isTaken(String name) {

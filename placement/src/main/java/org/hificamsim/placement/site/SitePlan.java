@@ -14,30 +14,16 @@ import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.site.Demand.DemandPoint;
-import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.runs.cells.UsualTarget;
 
 /**
  * Cameras for a site, and how good they are.
  *
- * @param planned the cameras that stay, then the new ones
- * @param area what the cameras see of each zone's area
+ * @param cover what the cameras that stay, then the new ones, cover
  * @param coverPlan what the search found: candidates of {@code problem}, before any refinement
  */
 public record SitePlan(
-    PlacementProblem problem,
-    List<PlannedCamera> planned,
-    PlanArea area,
-    CoverPlan coverPlan,
-    Shares shares) {
-
-  /**
-   * A camera of the plan.
-   *
-   * @param price 0 if the camera stays
-   * @param covered the points that it covers, rising
-   */
-  public record PlannedCamera(CameraSpec camera, double price, int[] covered) {}
+    PlacementProblem problem, PlanCover cover, CoverPlan coverPlan, Shares shares) {
 
   /**
    * Shares of the demand, in [0, 1].
@@ -54,51 +40,7 @@ public record SitePlan(
 
   /** The cameras that stay, then the new ones, as elements of a scenario. */
   public List<CameraSpec> cameras() {
-    return planned.stream().map(PlannedCamera::camera).toList();
-  }
-
-  /** By point, the number of cameras that cover it. */
-  public int[] counts() {
-    return countsWithout(-1);
-  }
-
-  /** By point, the number of cameras that cover it after the failure of one. */
-  public int[] countsWithout(int failed) {
-    int[] counts = new int[demand().points().size()];
-    for (int camera = 0; camera < planned.size(); camera++) {
-      if (camera != failed) {
-        count(counts, camera);
-      }
-    }
-    return counts;
-  }
-
-  private void count(int[] counts, int camera) {
-    for (int point : planned.get(camera).covered) {
-      counts[point]++;
-    }
-  }
-
-  /** The share of the demand that is met if points are covered this often. */
-  public double share(int[] counts) {
-    return problem.share(counts);
-  }
-
-  /** The share of the demand that the plan meets. */
-  public double share() {
-    return share(counts());
-  }
-
-  /** What is claimed to be met: a share of the area, or of where targets are. */
-  public double claimedShare() {
-    return demand().isForArea() ? area.of(demand()) : share();
-  }
-
-  /** What is claimed to be met of a zone. */
-  public double claimedShare(ZoneDemand zone) {
-    return demand().isForArea()
-        ? area.shares().get(demand().zones().indexOf(zone))
-        : demand().share(zone, counts());
+    return cover.cameras();
   }
 
   /** How good the plan is, in lines for people; what is met comes first. */
@@ -107,16 +49,16 @@ public record SitePlan(
     facts.add(
         Texts.format(
             "%s, %d of them kept, price %.2f: %.2f %% of the demand is met",
-            Texts.counted(planned.size(), "camera"),
+            Texts.counted(cameras().size(), "camera"),
             problem.kept().size(),
             price(),
-            100 * claimedShare()));
+            100 * cover.claimedShare()));
     if (demand().isForArea()) {
       facts.add(
           Texts.format(
               "measured on the area; the search and its bound are of samples, of which %.2f %% is"
                   + " met",
-              100 * share()));
+              100 * cover.share()));
     }
     facts.add(problem.request().reading().words() + refinementFact());
     if (problem.goal().isFullCover()) {
@@ -126,7 +68,7 @@ public record SitePlan(
               coverPlan.bound(), 100 * coverPlan.gap()));
       facts.add(Texts.format("all candidates together meet %.2f %%", 100 * shares.bound));
     } else {
-      double found = shares.unrefined.orElse(share());
+      double found = shares.unrefined.orElse(cover.share());
       facts.add(
           Texts.format("no plan of these candidates meets more than %.2f %%", 100 * shares.bound));
       facts.add(Texts.format("gap %.2f %%", 100 * (1 - found / shares.bound)));
@@ -148,12 +90,16 @@ public record SitePlan(
     double before = shares.unrefined.get();
     return Texts.format(
         "; refined from a plan of candidates that meets %.2f %%, a gain of %.2f points",
-        100 * before, 100 * (share() - before));
+        100 * before, 100 * (cover.share() - before));
   }
 
   /** The price of all new cameras. */
   public double price() {
-    return planned.stream().mapToDouble(PlannedCamera::price).sum();
+    return newCameras().stream().mapToDouble(CameraSpec::price).sum();
+  }
+
+  private List<CameraSpec> newCameras() {
+    return cameras().subList(problem.kept().size(), cameras().size());
   }
 
   /**
@@ -170,11 +116,11 @@ public record SitePlan(
   public List<CurvePoint> curve() {
     int kept = problem.kept().size();
     int[] counts = problem.keptCounts().clone();
-    List<Integer> rest = new ArrayList<>(IntStream.range(kept, planned.size()).boxed().toList());
+    List<Integer> rest = new ArrayList<>(IntStream.range(kept, cameras().size()).boxed().toList());
     List<CurvePoint> curve = new ArrayList<>();
     DoubleUnaryOperator boundAtPrice = problem.shareBound(coverPlan);
     double price = 0;
-    curve.add(new CurvePoint(0, 0, share(counts), share(counts)));
+    curve.add(new CurvePoint(0, 0, cover.share(counts), cover.share(counts)));
     while (!rest.isEmpty()) {
       Integer next = rest.get(0);
       for (Integer camera : rest) {
@@ -182,14 +128,20 @@ public record SitePlan(
       }
       rest.remove(next);
       count(counts, next);
-      price += problem.countedPrice(planned.get(next).price);
+      price += problem.countedPrice(cameras().get(next).price());
       boolean isWholePlan = rest.isEmpty() && !problem.goal().isFullCover();
       double bound = isWholePlan ? shares.bound : boundAtPrice.applyAsDouble(price);
-      double leastBound = shares.unrefined.isPresent() ? 0 : share(counts);
-      int number = planned.size() - kept - rest.size();
-      curve.add(new CurvePoint(number, price, share(counts), Math.max(leastBound, bound)));
+      double leastBound = shares.unrefined.isPresent() ? 0 : cover.share(counts);
+      int number = cameras().size() - kept - rest.size();
+      curve.add(new CurvePoint(number, price, cover.share(counts), Math.max(leastBound, bound)));
     }
     return curve;
+  }
+
+  private void count(int[] counts, int camera) {
+    for (int point : cover.covered()[camera]) {
+      counts[point]++;
+    }
   }
 
   private double worthWith(int[] counts, int camera) {
@@ -243,10 +195,5 @@ public record SitePlan(
     return site.with(Scenario.CAMERAS, cameras)
         .with(Scenario.EVENTS, List.of())
         .with(Scenario.TARGETS, List.of(Demand.targetAt(first.x(), first.y(), 0, usual)));
-  }
-
-  /** Returns the connected parts of zones that no camera covers, the largest first. */
-  public List<BlindSpot> blindSpots() {
-    return BlindSpot.of(demand(), counts());
   }
 }

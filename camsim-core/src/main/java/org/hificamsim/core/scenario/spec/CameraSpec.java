@@ -31,6 +31,7 @@ z: [height](world.md#heights) of the lens above the ground, m (ours) \
 tilt: how far a lens looks down, degrees, -90 to 90 (ours)
 duty: [when it is awake](energy.md#duty-cycles): `2/6@4`, 2 of every 6 steps, first from step 4 \
 on (ours) | always
+price: what it costs, in any currency, 0 or more; `place` sums it up (ours)
 ai_algorithm: class name of an auction schedule of CamSim's network
 comm: communication policy in the network: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, \
 4 the class of `customcom`
@@ -56,6 +57,8 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
       ELEMENT.attribute("tilt", Type.number(Range.TILT), 0.0).omittedAtDefault();
   public static final Property<CameraSpec, DutyCycle> DUTY =
       ELEMENT.optional("duty", Type.named(DutyCycle.EXPECTED, DutyCycle::parse, DutyCycle::text));
+  public static final Property<CameraSpec, Double> PRICE =
+      ELEMENT.attribute("price", Type.number(Range.PRICE), 0.0).omittedAtDefault();
   public static final Property<CameraSpec, String> ALGORITHM =
       ELEMENT.optional("ai_algorithm", Type.TEXT);
   public static final Property<CameraSpec, Integer> COMM =
@@ -140,6 +143,11 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
   /** Degrees below the horizon, [-90, 90]. */
   public double tilt() {
     return get(TILT);
+  }
+
+  /** In the currency of its plan, 0 or more; 0 if it is not known. */
+  public double price() {
+    return get(PRICE);
   }
 
   /** The same camera without heights. */

@@ -1,0 +1,81 @@
+package org.hificamsim.placement.site;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.placement.cover.CoverInstance;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+
+/**
+ * What cameras cover of a demand.
+ *
+ * @param covered by camera, the points that it covers, rising
+ * @param area what the cameras see of each zone's area
+ */
+public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered, PlanArea area) {
+  /** Measures cameras. */
+  public static PlanCover of(
+      Demand demand, PointSight sight, List<CameraSpec> cameras, CoverageReading reading) {
+    return new PlanCover(
+        demand,
+        cameras,
+        sight.covered(cameras, reading),
+        PlanArea.of(demand, sight, cameras, reading));
+  }
+
+  /** By point, the number of cameras that cover it. */
+  public int[] counts() {
+    return countsWithout(-1);
+  }
+
+  /** By point, the number of cameras that cover it after the failure of one. */
+  public int[] countsWithout(int failed) {
+    int[] working = IntStream.range(0, cameras.size()).filter(camera -> camera != failed).toArray();
+    return instance().counts(working);
+  }
+
+  private CoverInstance instance() {
+    double[] prices = cameras.stream().mapToDouble(CameraSpec::price).toArray();
+    return new CoverInstance(demand.unitWorths(), demand.needs(), covered, prices);
+  }
+
+  /** The share of the demand that is met if points are covered this often. */
+  public double share(int[] counts) {
+    CoverInstance instance = instance();
+    return instance.worth(counts) / instance.totalWorth();
+  }
+
+  /** The share of the demand that the cameras meet. */
+  public double share() {
+    return share(counts());
+  }
+
+  /** The shares of the demand that are met after the failure of each camera. */
+  public double[] sharesWithout() {
+    return IntStream.range(0, cameras.size())
+        .mapToDouble(camera -> share(countsWithout(camera)))
+        .toArray();
+  }
+
+  /** What is claimed to be met: a share of the area, or of where targets are. */
+  public double claimedShare() {
+    return demand.isForArea() ? area.of(demand) : share();
+  }
+
+  /** What is claimed to be met of a zone. */
+  public double claimedShare(ZoneDemand zone) {
+    return demand.isForArea()
+        ? area.shares().get(demand.zones().indexOf(zone))
+        : demand.share(zone, counts());
+  }
+
+  /** The price of all cameras. */
+  public double price() {
+    return cameras.stream().mapToDouble(CameraSpec::price).sum();
+  }
+
+  /** Returns the connected parts of zones that no camera covers, the largest first. */
+  public List<BlindSpot> blindSpots() {
+    return BlindSpot.of(demand, counts());
+  }
+}
