@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.core.Texts;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -159,6 +161,73 @@ class PlaceCommandTest {
   }
 
   @Test
+  void evaluationAgreesWithPlan() throws IOException {
+    Path plan = folder.resolve("plan");
+    Cli placed = place(site(WALL, DOOR), "--cameras 2 --out " + plan);
+    Cli evaluated = Cli.run("place", "--evaluate", plan, "--cells", 12);
+    assertEquals(0, evaluated.exit(), evaluated.err());
+    String zone = placed.out().lines().filter(line -> line.contains("zone door")).findFirst().get();
+    assertTrue(evaluated.out().contains(zone), evaluated.out());
+    String price = placed.out().replaceAll("(?s).*price ([0-9.]+):.*", "$1");
+    assertTrue(evaluated.out().contains("2 cameras, price " + price + ":"), evaluated.out());
+    for (String row : Files.readAllLines(plan.resolve("cameras.csv")).subList(1, 3)) {
+      String[] cells = row.split(",");
+      double without = 100 * Double.parseDouble(cells[cells.length - 1]);
+      String failure = Texts.format("if %s fails: %.2f %%", cells[0], without);
+      assertTrue(evaluated.out().contains(failure), failure + evaluated.out());
+    }
+  }
+
+  @Test
+  void comparesEditedPlanWithPlan() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site(WALL, DOOR), "--cameras 2 --out " + plan);
+    String text = Files.readString(plan.resolve("plan.xml"));
+    Path edited = folder.resolve("edited.xml");
+    String pillar = "<pillar x=\"3.5\" y=\"3.5\" radius=\"0.6\"/></obstacles>";
+    Files.writeString(
+        edited, text.replace("</obstacles>", pillar).replaceAll("<camera name=\"P2\".*\n", ""));
+    Cli compared = Cli.run("place", "--compare", plan, edited, "--cells", 12);
+    assertEquals(0, compared.exit(), compared.err());
+    assertTrue(row(compared, "").matches(" +" + plan + "/plan.xml  +" + edited), compared.out());
+    assertTrue(row(compared, "cameras").matches("cameras +2 +1"), compared.out());
+    String[] met = row(compared, "demand met").split("  +");
+    assertTrue(percent(met[1]) > percent(met[2]), compared.out());
+    assertTrue(row(compared, "camera P2").endsWith("  -"), compared.out());
+    assertFalse(compared.out().contains("camera P1"), "is in both");
+  }
+
+  private static String row(Cli compared, String name) {
+    return compared
+        .out()
+        .lines()
+        .filter(line -> line.startsWith(name + "  "))
+        .findFirst()
+        .orElseThrow(() -> new AssertionError(compared.out()));
+  }
+
+  private static double percent(String text) {
+    return Double.parseDouble(text.replace(" %", ""));
+  }
+
+  @Test
+  void keptCamerasKeepTheirPrice() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site("", DOOR), "--cover --out " + plan);
+    List<String> cameras = Files.readAllLines(plan.resolve("cameras.csv"));
+    Path again = folder.resolve("again");
+    Cli kept = place(plan.resolve("plan.xml"), "--cover --keep all --out " + again);
+    assertEquals(0, kept.exit(), kept.err());
+    assertTrue(kept.out().contains("price 0.00:"), "of new cameras: " + kept.out());
+    assertTrue(kept.out().contains("no plan costs less than 0.00"), kept.out());
+    assertEquals(cameras, Files.readAllLines(again.resolve("cameras.csv")));
+    Path wrong = folder.resolve("wrong.xml");
+    String text = Files.readString(plan.resolve("plan.xml"));
+    Files.writeString(wrong, text.replaceAll(" price=\"[0-9.]+\"", " price=\"-1\""));
+    refuses(wrong, "--cover", "price is '-1', expected a number from 0 to 1e9");
+  }
+
+  @Test
   void sameSeedGivesTheSamePlan() throws IOException {
     Path site = site("", "");
     place(site, "--cameras 3 --seed 4 --out " + folder.resolve("a"));
@@ -284,6 +353,9 @@ class PlaceCommandTest {
     Path plain = site("", "");
     refuses(plain, "", "expected one of --cameras N, --budget EUR and --cover");
     refuses(plain, "--cameras 0", "--cameras is 0");
+    refuses(plain, "--evaluate " + plain, "expected no site, instance or goal");
+    refuses(Path.of("--evaluate"), plain + " --cover", "expected no site, instance or goal");
+    refuses(Path.of("--compare"), plain + " " + folder.resolve("none.xml"), "none.xml");
     refuses(plain, "--cover --refine", "--refine is for a site with --cameras N or --budget EUR");
     refuses(plain, "--budget 2", "the price of the cheapest camera");
     refuses(plain, "--cameras 1 --keep C", "no camera 'C'");

@@ -8,7 +8,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -28,21 +27,19 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
-import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.CameraKind;
 import org.hificamsim.placement.site.Candidates;
-import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.PlacementProblem;
+import org.hificamsim.placement.site.PlanCover;
+import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.placement.site.Refinement;
 import org.hificamsim.placement.site.SitePlan;
-import org.hificamsim.placement.site.Visits;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
-import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
@@ -71,9 +68,6 @@ final class PlaceCommand implements Callable<Integer> {
   /** The share of the time after which cameras are moved to refine the plan. */
   private static final double SHARE_BEFORE_REFINEMENT = 0.7;
 
-  /** The number of blind spots that are printed. */
-  private static final int MAX_SPOTS = 3;
-
   @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
   private Path file;
 
@@ -86,20 +80,8 @@ final class PlaceCommand implements Callable<Integer> {
   @Option(names = "--cover")
   private boolean cover;
 
-  @Option(names = "--reading", paramLabel = "fixed|any")
-  private String reading;
-
   @Option(names = "--catalogue", paramLabel = "FILE.csv")
   private String kinds;
-
-  @Option(names = "--redundancy", paramLabel = "K")
-  private Optional<Integer> redundancy;
-
-  @Option(names = "--demand", paramLabel = "zones|tracks")
-  private String demand;
-
-  @Option(names = "--cells", paramLabel = "N")
-  private Optional<Integer> cells;
 
   @Option(names = "--method", paramLabel = "search|exact")
   private String method;
@@ -122,6 +104,8 @@ final class PlaceCommand implements Callable<Integer> {
   @Option(names = "--form", paramLabel = "scp|candidates")
   private Optional<String> form;
 
+  @Mixin private ReviewOptions review;
+  @Mixin private DemandOptions demand;
   @Mixin private MountOptions mounts;
   @Mixin private ThreadsOption threads;
   @Mixin private ScenarioOptions scenarioOptions;
@@ -137,8 +121,13 @@ final class PlaceCommand implements Callable<Integer> {
     if (verify.isPresent()) {
       return verify(verify.get());
     }
+    if (!review.plans().isEmpty()) {
+      return review(review.plans());
+    }
     if ((file == null) == instance.isEmpty()) {
-      throw new InputException("expected one of SITE.xml, --instance FILE and --verify DIR");
+      throw new InputException(
+          "expected one of SITE.xml, --instance FILE, --verify DIR, --evaluate PLAN.xml and"
+              + " --compare PLAN.xml PLAN.xml");
     }
     Goal goal = goal();
     Numbers.within("--time", time, 0, 1e9);
@@ -206,8 +195,7 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   private Goal goal() {
-    int goals = (cameras.isPresent() ? 1 : 0) + (budget.isPresent() ? 1 : 0) + (cover ? 1 : 0);
-    if (goals != 1 && !(goals == 0 && instance.isPresent())) {
+    if (goals() != 1 && !(goals() == 0 && instance.isPresent())) {
       throw new InputException("expected one of --cameras N, --budget EUR and --cover");
     }
     cameras.ifPresent(number -> Numbers.inRange("--cameras", number, 1, MAX_CAMERAS));
@@ -218,47 +206,53 @@ final class PlaceCommand implements Callable<Integer> {
         .orElse(Goal.FULL_COVER);
   }
 
+  private int goals() {
+    return (cameras.isPresent() ? 1 : 0) + (budget.isPresent() ? 1 : 0) + (cover ? 1 : 0);
+  }
+
   private PlacementProblem problem(Goal goal) throws IOException {
     Catalogue catalogue = Catalogue.load();
-    Settings asked = settings.settings();
-    Scenario site = scenarioOptions.readSite(file, asked, catalogue, screen.err());
-    Detection detection = DetectionSpec.of(asked, site, file, catalogue);
-    FieldCells grid =
-        FieldCells.of(
-            site.field(),
-            Numbers.inRange("--cells", cells.orElse(Demand.defaultCells(site)), 1, FieldCells.MAX));
-    redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
-    DemandSource source = Spelling.require(DemandSource.class, "--demand", demand);
-    Demand demanded =
-        Demand.of(
-            site,
-            grid,
-            redundancy,
-            new Demand.Detections(detection, detections(catalogue)),
-            source == DemandSource.TRACKS
-                ? Optional.of(Visits.of(site, grid, catalogue))
-                : Optional.empty());
-    CoverageReading coverageReading = Spelling.require(CoverageReading.class, "--reading", reading);
+    Demand demanded = demand(file, catalogue);
+    Scenario site = demanded.site();
     return PlacementProblem.of(
         new PlacementProblem.Request(
             demanded,
             new Candidates.Options(mounts.positions(site, 1), CameraKind.catalogue(kinds, site)),
-            coverageReading,
+            demand.reading(),
             mounts.kept(site),
             new PlacementProblem.SiteGoal(goal, cameras.isPresent())),
         catalogue,
         threads.count());
   }
 
-  /** Where the weights of a site's cells come from. */
-  private enum DemandSource {
-    ZONES,
-    TRACKS
+  private Demand demand(Path scenario, Catalogue catalogue) {
+    Settings asked = settings.settings();
+    Scenario site = scenarioOptions.readSite(scenario, asked, catalogue, screen.err());
+    Detection usual = DetectionSpec.of(asked, site, scenario, catalogue);
+    return demand.of(site, usual, catalogue);
   }
 
-  /** Finds the detections that zones name. */
-  static Function<String, Detection> detections(Catalogue catalogue) {
-    return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
+  private int review(List<Path> plans) {
+    if (file != null || goals() > 0 || instance.isPresent()) {
+      throw new InputException(
+          "--evaluate and --compare measure plans as they are, expected no site, instance or goal"
+              + " besides");
+    }
+    Catalogue catalogue = Catalogue.load();
+    List<PlanReview> reviews =
+        plans.stream().map(plan -> new PlanReview(plan, cover(plan, catalogue))).toList();
+    if (reviews.size() == 1) {
+      reviews.get(0).print(screen);
+    } else {
+      PlanReview.compare(screen, reviews.get(0), reviews.get(1));
+    }
+    return 0;
+  }
+
+  private PlanCover cover(Path plan, Catalogue catalogue) {
+    Demand demanded = demand(plan, catalogue);
+    PointSight sight = new PointSight(demanded, catalogue);
+    return PlanCover.of(demanded, sight, demanded.site().cameras(), demand.reading());
   }
 
   /** Prints the score of the plan and the bound when they change, as shares or as numbers. */
@@ -290,16 +284,7 @@ final class PlaceCommand implements Callable<Integer> {
         demanded.points().size(),
         demanded.cells().width(),
         plan.coverPlan().seconds());
-    for (Demand.ZoneDemand zone : demanded.zones()) {
-      screen.say(
-          "  zone %s: %.2f %% by %s, k = %d",
-          zone.name(), 100 * plan.claimedShare(zone), zone.detection().name(), zone.k());
-    }
-    List<BlindSpot> spots = plan.blindSpots();
-    spots.stream().limit(MAX_SPOTS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
-    if (spots.size() > MAX_SPOTS) {
-      screen.say("  and %d more places", spots.size() - MAX_SPOTS);
-    }
+    PlanReview.printZones(screen, plan.cover());
     screen.say(
         "%s/index.html, plan.pdf; under policies: ./hificamsim compare %s",
         folder, folder.resolve(PlanFiles.SCENARIO));
@@ -339,7 +324,7 @@ final class PlaceCommand implements Callable<Integer> {
             folder,
             path -> scenarioOptions.readSite(path, Settings.NONE, catalogue, screen.err()),
             catalogue,
-            detections(catalogue),
+            DemandOptions.detections(catalogue),
             effort(new Interrupt(time)))
         .forEach(line -> screen.out().println(line));
     return 0;

@@ -76,7 +76,7 @@ final class ViewCommand implements Callable<Integer> {
             new LiveRun.ShownScenario(scenario, FloorPictures.of(file, scenario)),
             choice,
             asked.seed(),
-            Optional.of(new SitePlanner(catalogue, PlaceCommand.detections(catalogue))));
+            Optional.of(new SitePlanner(catalogue, DemandOptions.detections(catalogue))));
     String page = LivePage.html(catalogue, scenario.name(), detection);
     try (LiveSession session = new LiveSession(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {

@@ -69,7 +69,7 @@ public final class TextTable {
         String format = "%" + (i < names ? "-" : "") + widths[i] + "s";
         cells.add(Texts.format(format, row.get(i)));
       }
-      out.println(String.join("  ", cells));
+      out.println(String.join("  ", cells).stripTrailing());
     }
   }
 

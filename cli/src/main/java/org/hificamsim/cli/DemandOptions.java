@@ -1,0 +1,68 @@
+package org.hificamsim.cli;
+
+import java.util.Optional;
+import java.util.function.Function;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.placement.site.CoverageReading;
+import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.Visits;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.cells.FieldCells;
+import picocli.CommandLine.Option;
+
+/** Options of {@code place}: what is to be covered, and when a camera covers it. */
+final class DemandOptions {
+  @Option(names = "--reading", paramLabel = "fixed|any")
+  private String reading;
+
+  @Option(names = "--redundancy", paramLabel = "K")
+  private Optional<Integer> redundancy;
+
+  @Option(names = "--demand", paramLabel = "zones|tracks")
+  private String demand;
+
+  @Option(names = "--cells", paramLabel = "N")
+  private Optional<Integer> cells;
+
+  /** Where the weights of a site's cells come from. */
+  private enum DemandSource {
+    ZONES,
+    TRACKS
+  }
+
+  /** When a camera covers a place. */
+  CoverageReading reading() {
+    return Spelling.require(CoverageReading.class, "--reading", reading);
+  }
+
+  /**
+   * The demand of a site.
+   *
+   * @param usual the detection of zones that name none
+   */
+  Demand of(Scenario site, Detection usual, Catalogue catalogue) {
+    FieldCells grid =
+        FieldCells.of(
+            site.field(),
+            Numbers.inRange("--cells", cells.orElse(Demand.defaultCells(site)), 1, FieldCells.MAX));
+    redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
+    DemandSource source = Spelling.require(DemandSource.class, "--demand", demand);
+    return Demand.of(
+        site,
+        grid,
+        redundancy,
+        new Demand.Detections(usual, detections(catalogue)),
+        source == DemandSource.TRACKS
+            ? Optional.of(Visits.of(site, grid, catalogue))
+            : Optional.empty());
+  }
+
+  /** Finds the detections that zones name. */
+  static Function<String, Detection> detections(Catalogue catalogue) {
+    return name -> DetectionSpec.parse(name, catalogue::detection).detection(Settings.NONE);
+  }
+}

@@ -1,0 +1,164 @@
+package org.hificamsim.cli;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.placement.site.BlindSpot;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.PlanCover;
+import org.hificamsim.runs.output.TextTable;
+
+/**
+ * A plan as it is, in words for the terminal.
+ *
+ * @param file its scenario
+ */
+record PlanReview(Path file, PlanCover cover) {
+  private static final String NONE = "-";
+
+  /** The number of blind spots and of failures that are printed. */
+  private static final int MAX_ROWS = 3;
+
+  /** Prints what the plan meets, zone by zone, what it costs, and what if a camera fails. */
+  void print(Screen screen) {
+    screen.say(
+        "%s: %s, price %s: %.2f %% of the demand is met",
+        file, Texts.counted(cover.cameras().size(), "camera"), price(), 100 * cover.claimedShare());
+    printZones(screen, cover);
+    double[] shares = cover.sharesWithout();
+    byShare(shares).stream()
+        .limit(MAX_ROWS)
+        .forEach(
+            camera ->
+                screen.say(
+                    "  if %s fails: %.2f %% of the samples (%.2f %% with it)",
+                    cover.cameras().get(camera).name(), 100 * shares[camera], 100 * cover.share()));
+  }
+
+  /** Prints what of each zone is met, and the largest blind spots. */
+  static void printZones(Screen screen, PlanCover cover) {
+    cover
+        .demand()
+        .zones()
+        .forEach(zone -> screen.say("  zone %s: %s", zone.name(), met(cover, zone)));
+    List<BlindSpot> spots = cover.blindSpots();
+    spots.stream().limit(MAX_ROWS).forEach(spot -> screen.say("  seen by no camera: %s", spot));
+    if (spots.size() > MAX_ROWS) {
+      screen.say("  and %d more places", spots.size() - MAX_ROWS);
+    }
+  }
+
+  private static String met(PlanCover cover, ZoneDemand zone) {
+    return Texts.format(
+        "%.2f %% by %s, k = %d", 100 * cover.claimedShare(zone), zone.detection().name(), zone.k());
+  }
+
+  private String price() {
+    long unknown = cover.cameras().stream().filter(camera -> camera.price() == 0).count();
+    String known = Texts.format("%.2f", cover.price());
+    return unknown == 0
+        ? known
+        : known + " (" + Texts.counted(unknown, "camera") + " without a price)";
+  }
+
+  /** The numbers of cameras, those without which least is met first. */
+  private static List<Integer> byShare(double[] shares) {
+    return IntStream.range(0, shares.length)
+        .boxed()
+        .sorted(Comparator.comparingDouble(camera -> shares[camera]))
+        .toList();
+  }
+
+  private String worstFailure() {
+    double[] shares = cover.sharesWithout();
+    return byShare(shares).stream()
+        .findFirst()
+        .map(
+            camera ->
+                Texts.format(
+                    "%.2f %% of the samples, without %s",
+                    100 * shares[camera], cover.cameras().get(camera).name()))
+        .orElse(NONE);
+  }
+
+  /** Prints two plans side by side. */
+  static void compare(Screen screen, PlanReview first, PlanReview second) {
+    TextTable table = new TextTable(3, List.of("", first.file + "", second.file + ""));
+    row(table, "cameras", first, second, plan -> "" + plan.cover.cameras().size());
+    row(table, "price", first, second, PlanReview::price);
+    row(
+        table,
+        "demand met",
+        first,
+        second,
+        plan -> Texts.format("%.2f %%", 100 * plan.cover.claimedShare()));
+    for (String zone : zones(first, second)) {
+      row(table, "zone " + zone, first, second, plan -> plan.met(zone));
+    }
+    row(table, "after the worst failure", first, second, PlanReview::worstFailure);
+    for (String camera : differingCameras(first, second)) {
+      row(table, "camera " + camera, first, second, plan -> plan.camera(camera));
+    }
+    table.print(screen.out());
+  }
+
+  private static void row(
+      TextTable table,
+      String name,
+      PlanReview first,
+      PlanReview second,
+      Function<PlanReview, String> cell) {
+    table.row(List.of(name, cell.apply(first), cell.apply(second)));
+  }
+
+  private static Set<String> zones(PlanReview first, PlanReview second) {
+    Set<String> names = new LinkedHashSet<>();
+    List.of(first, second)
+        .forEach(plan -> plan.cover.demand().zones().forEach(zone -> names.add(zone.name())));
+    return names;
+  }
+
+  private String met(String zone) {
+    return cover.demand().zones().stream()
+        .filter(demanded -> demanded.name().equals(zone))
+        .findFirst()
+        .map(demanded -> met(cover, demanded))
+        .orElse(NONE);
+  }
+
+  private static List<String> differingCameras(PlanReview first, PlanReview second) {
+    Set<String> names = new LinkedHashSet<>();
+    List.of(first, second)
+        .forEach(plan -> plan.cover.cameras().forEach(camera -> names.add(camera.name())));
+    List<String> differing = new ArrayList<>(names);
+    differing.removeIf(name -> first.camera(name).equals(second.camera(name)));
+    return differing;
+  }
+
+  private String camera(String name) {
+    Optional<CameraSpec> camera =
+        cover.cameras().stream().filter(spec -> spec.name().equals(name)).findFirst();
+    return camera.map(PlanReview::describe).orElse(NONE);
+  }
+
+  private static String describe(CameraSpec camera) {
+    return Texts.format(
+        "(%.2f, %.2f)%s, heading %.1f%s%s, price %.2f",
+        camera.x(),
+        camera.y(),
+        camera.z().isPresent() ? Texts.format(" at %.2f m", camera.z().getAsDouble()) : "",
+        camera.heading(),
+        camera.tilt() == 0 ? "" : Texts.format(", tilt %.1f", camera.tilt()),
+        camera.optics().map(OpticsSpec::name).map(lens -> ", " + lens).orElse(""),
+        camera.price());
+  }
+}
