@@ -219,7 +219,7 @@ public enum Metric {
       "steps",
       "for which a target that was lost is covered by no camera, mean over the losses that ended",
       measured(run -> run.following().stepsToFindAgain()),
-      new Line("found again after", "%.4g", "steps")),
+      new Line("found again in", "%.4g", "steps")),
   LOSSES(
       "number",
       "how often no camera covered a target any more that was still there",
