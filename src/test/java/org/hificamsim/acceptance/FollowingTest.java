@@ -3,6 +3,7 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -129,6 +130,17 @@ class FollowingTest {
   private byte[] steps(String policy, String budget) throws IOException {
     summary("--policy", policy, "--processing", budget, "--record");
     return Files.readAllBytes(folder.resolve("o/steps.csv"));
+  }
+
+  @Test
+  void networkTradesByWhatItsCamerasProcess() throws IOException {
+    JsonNode free = summary("--network", "camsim:strategies=A0");
+    JsonNode wide = summary("--network", "camsim:strategies=A0", "--processing", "100");
+    JsonNode narrow = summary("--network", "camsim:strategies=A0", "--processing", "1");
+    for (String metric : List.of("utility", "handovers", "messages", "bits", "tracked", "score")) {
+      assertEquals(free.get(metric), wide.get(metric), metric);
+    }
+    assertNotEquals(free.get("utility"), narrow.get("utility"));
   }
 
   /** The pairs that listeners see are those that the network has counted, late ones too. */

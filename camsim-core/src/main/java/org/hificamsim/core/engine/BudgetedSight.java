@@ -87,11 +87,20 @@ final class BudgetedSight {
     return index(target) < fresh ? targets.y(target) : late.y(camera, target);
   }
 
-  /** The confidence of a detection of which the camera knows; 0 for any other. */
+  /** The confidence for a target as the camera knows it: 0 if it has to wait. */
   double confidence(int camera, int target) {
     preview(camera);
     int index = index(target);
-    return index < 0 ? 0 : confidences[index];
+    if (index >= 0) {
+      return confidences[index];
+    }
+    return sight.sees(camera, target) ? 0 : sight.confidence(camera, target);
+  }
+
+  double seenConfidence(int camera, int target, double distance) {
+    int fresh = preview(camera);
+    int index = index(target);
+    return index < fresh ? sight.seenConfidence(camera, target, distance) : confidences[index];
   }
 
   void findSeen(SeenPairs pairs) {

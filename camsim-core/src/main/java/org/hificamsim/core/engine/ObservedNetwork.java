@@ -216,16 +216,16 @@ class ObservedNetwork implements NetworkView {
 
   @Override
   public double confidence(int camera, int target) {
-    return budgeted != null && sight.sees(camera, target)
-        ? budgeted.confidence(camera, target)
-        : sight.confidence(camera, target);
+    return budgeted == null
+        ? sight.confidence(camera, target)
+        : budgeted.confidence(camera, target);
   }
 
   @Override
   public double seenConfidence(int camera, int target, double distance) {
     return budgeted == null
         ? sight.seenConfidence(camera, target, distance)
-        : budgeted.confidence(camera, target);
+        : budgeted.seenConfidence(camera, target, distance);
   }
 
   @Override

@@ -89,6 +89,8 @@ class LateDetectionsTest {
     assertTrue(network.sees(0, 3));
     assertEquals(4.5, network.distance(0, 3));
     assertEquals(Math.PI / 2, network.bearing(0, 3), 1e-12);
+    assertEquals(1, network.confidence(0, 3));
+    assertEquals(1, network.seenConfidence(0, 3, 4.5));
     SeenPairs pairs = new SeenPairs();
     network.findSeen(pairs);
     assertEquals(4, pairs.count());
@@ -136,8 +138,13 @@ class LateDetectionsTest {
     network.findSeen(pairs);
     int[] known = new int[network.targets()];
     for (int pair = 0; pair < pairs.count(); pair++) {
-      known[pairs.target(pair)]++;
-      assertTrue(network.sees(pairs.camera(pair), pairs.target(pair)));
+      int camera = pairs.camera(pair);
+      int target = pairs.target(pair);
+      known[target]++;
+      assertTrue(network.sees(camera, target));
+      text.append(network.seenConfidence(camera, target, pairs.distance(pair))).append(' ');
+      text.append(network.confidence(camera, target)).append(' ');
+      text.append(network.bearing(camera, target)).append(' ');
     }
     for (int target = 0; target < network.targets(); target++) {
       assertEquals(network.coverage(target), known[target]);
