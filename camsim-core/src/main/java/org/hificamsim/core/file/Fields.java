@@ -39,7 +39,9 @@ public interface Fields {
   default double number(int field, String name, String expected, DoublePredicate valid) {
     double value = field < count() ? value(field) : Double.NaN;
     if (!Double.isFinite(value) || !valid.test(value)) {
-      throw invalid(field, name, expected);
+      boolean isGrouped = field < count() && isGrouped(text(field));
+      throw invalid(
+          field, name, isGrouped ? expected + " without separators of thousands" : expected);
     }
     return value;
   }
@@ -50,6 +52,11 @@ public interface Fields {
       return place(field).error("the line has no " + name + ", expected " + expected);
     }
     return place(field).invalid(name, text(field), expected);
+  }
+
+  /** Whether a text is a number whose thousands are separated, such as 1,234.5 or 1 234,5. */
+  static boolean isGrouped(String text) {
+    return text.matches("[+-]?\\d{1,3}([.,'\u2019 \u00a0\u202f]\\d{3})+([.,]\\d+)?");
   }
 
   /** Parses a number; returns NaN for other texts, including numbers with a suffix of Java's. */

@@ -1,5 +1,6 @@
 package org.hificamsim.core.scenario.declaration;
 
+import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
@@ -26,13 +27,16 @@ public record Type<T>(
   private static final String DECIMAL = "[+\\-0-9.eE]+";
   private static final int MAX_NUMBERS = 1000;
 
+  /** Java writes an exponent from this number on. */
+  private static final double FIRST_EXPONENT = 1e7;
+
   public static final Type<String> TEXT = text("a text");
 
   /** The name of an existing camera. */
   public static final Type<String> CAMERA = text("the name of a camera");
 
   public static final Type<Double> FINITE = number(Range.FINITE);
-  public static final Type<Double> COORDINATE = number(Range.COORDINATE);
+  public static final Type<Double> COORDINATE = withWriter(number(Range.COORDINATE), Type::plain);
   public static final Type<Double> LENGTH = number(Range.LENGTH);
   public static final Type<Double> POSITIVE_LENGTH = number(Range.POSITIVE_LENGTH);
   public static final Type<Double> POSITIVE = number(Range.POSITIVE);
@@ -50,7 +54,8 @@ public record Type<T>(
               + Range.COORDINATE.expected(),
           STRING + " pattern=\\s*@,@(\\s+@,@){2,}\\s*".replace("@", DECIMAL),
           text -> items(text).map(Type::point).toList(),
-          points -> listed(points.stream().map(point -> point.x() + "," + point.y())));
+          points ->
+              listed(points.stream().map(point -> plain(point.x()) + "," + plain(point.y()))));
 
   /** Any number of points. */
   public static final Type<List<Point>> PLACES =
@@ -90,6 +95,17 @@ public record Type<T>(
         "xs:double " + least + " maxInclusive=" + range.max(),
         range::parse,
         String::valueOf);
+  }
+
+  private static Type<Double> withWriter(Type<Double> type, Function<Double, String> writer) {
+    return new Type<>(type.expected, type.schema, type.parser, writer);
+  }
+
+  /** The text of a number, whose digits before the point all stand there. */
+  private static String plain(double value) {
+    return Math.abs(value) >= FIRST_EXPONENT && Double.isFinite(value)
+        ? new BigDecimal(Double.toString(value)).toPlainString()
+        : Double.toString(value);
   }
 
   /** The type with -1 as well, which stands for an unchanged value. */

@@ -45,8 +45,8 @@ class TrackWriterTest {
     "-0.0, -0.0",
     "0.1, 0.1",
     "9999999, 9999999",
-    "1e7, 1.0E7",
-    "-1e7, -1.0E7",
+    "1e7, 10000000",
+    "-1e7, -10000000",
     "NaN, NaN"
   })
   void writesShortestNumbers(double value, String text) {
