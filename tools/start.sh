@@ -30,7 +30,7 @@ start() {
     case " $* " in *[\ =,]onnx[\ :,]*) part onnx ;; esac
     case "${1:-} $* " in 'place '*' --method exact '* | 'place '*' --method=exact '*) part ortools ;; esac
     case " $* " in *' --format parquet '* | *' --format=parquet '*) part parquet ;; esac
-    case "${1:-} $* " in 'import '*' jupedsim '* | 'import '*.sqlite\ * | 'import '*.sqlite3\ * | 'import '*.db\ *) part sqlite ;; esac
+    case "${1:-} $* " in 'import '*' jupedsim '* | 'import '*.sqlite\ * | 'import '*.sqlite3\ * | 'import '*.db\ * | 'site '*.sqlite\ * | 'site '*.sqlite3\ * | 'site '*.db\ *) part sqlite ;; esac
     set -- -cp "$libraries${CLASSPATH:+:$CLASSPATH}" org.hificamsim.cli.Main "$@"
     # shellcheck disable=SC2086 # several options
     set -- ${HIFICAMSIM_OPTS:-} "$@"

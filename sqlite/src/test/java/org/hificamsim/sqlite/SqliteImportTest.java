@@ -70,6 +70,21 @@ class SqliteImportTest {
   }
 
   @Test
+  void readsWalkableAreaAsWalls() throws SQLException, IOException {
+    Path file = walk();
+    try (Connection connection = DriverManager.getConnection("jdbc:sqlite:" + file);
+        Statement statement = connection.createStatement()) {
+      statement.execute("CREATE TABLE geometry (hash INTEGER NOT NULL, wkt TEXT NOT NULL)");
+      statement.execute(
+          "INSERT INTO geometry VALUES (1, 'GEOMETRYCOLLECTION (POLYGON ((0 -1, 10 -1, 10 9, 0 9,"
+              + " 0 -1), (4 5, 5 5, 5 6, 4 5)))')");
+    }
+    assertEquals(0, imported(file, "--walls", file), errors::toString);
+    assertTrue(printed.toString().contains("walls and solids: 7"), printed::toString);
+    assertEquals("", errors.toString());
+  }
+
+  @Test
   void readsTrajectoriesAtRateOfFile() throws SQLException, IOException {
     assertEquals(0, imported(walk()), errors::toString);
     String out = printed.toString();

@@ -36,7 +36,9 @@ public final class DrawnSite {
       String name = "inside" + (walkable.size() == 1 ? "" : "-" + (zones.size() + 1));
       zones.add(new Zone(name, Zone.Shape.POLYGON, border, null, null, 1.0));
     }
-    this.draft = new DraftCameras(field, obstacles, way(true), settings.cameras());
+    this.draft =
+        new DraftCameras(
+            field, obstacles, way(true), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
   }
 
   /** Rounds a field with a margin outwards to metres. */

@@ -10,6 +10,10 @@ import org.hificamsim.core.scenario.spec.StepOrder;
 /** What scenarios that are made of files ask: their objective and detection. */
 final class SiteQuestion {
   private static final String DETECTION = "oodpcvs-2025:level=discern";
+
+  /** What this detection needs. */
+  static final double PIXELS_PER_METRE = 80;
+
   private static final String OBJECTIVE = "covered:k=1";
 
   private SiteQuestion() {}

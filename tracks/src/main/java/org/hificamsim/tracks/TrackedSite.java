@@ -34,7 +34,9 @@ public final class TrackedSite {
     this.interval = summary.interval();
     this.duration = summary.duration();
     this.obstacles = new Obstacles(settings.walls());
-    this.draft = new DraftCameras(field, obstacles, summary.way(), settings.cameras());
+    this.draft =
+        new DraftCameras(
+            field, obstacles, summary.way(), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
   }
 
   private Field field(Field box) {

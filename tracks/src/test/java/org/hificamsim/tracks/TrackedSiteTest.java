@@ -104,7 +104,7 @@ class TrackedSiteTest {
   }
 
   private static List<Point> places(int count, Obstacle... obstacles) {
-    return new DraftCameras(FIELD, new Obstacles(List.of(obstacles)), new Way(), count)
+    return new DraftCameras(FIELD, new Obstacles(List.of(obstacles)), new Way(), count, 80)
         .cameras().stream().map(camera -> new Point(camera.x(), camera.y())).toList();
   }
 }

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
@@ -14,8 +16,9 @@ import org.hificamsim.core.scenario.spec.Field;
 /**
  * A first draft of cameras: domes at equal distances along the border of the field, from its lower
  * left corner, that look at its middle. If walls have heights, cameras hang at 3 m and look down. A
- * camera that would be in a wall is moved along the border. One to which walls hide the way of
- * people is moved towards the middle, to where it sees most of them, and looks at these.
+ * camera that would be in a wall is moved along the border. One from which people are hidden by
+ * walls, or too far away, is moved towards the middle, to where it sees most of them, and looks at
+ * these.
  */
 public final class DraftCameras {
   /** The distance from the border, as a share of the field's shorter side. */
@@ -26,6 +29,9 @@ public final class DraftCameras {
   /** The number of positions between the border and the middle. */
   private static final int RINGS = 40;
 
+  /** The pixels per metre that cameras need to see somebody. */
+  private final double pixelsPerMetre;
+
   private final Field field;
   private final Obstacles obstacles;
   private final Way way;
@@ -35,8 +41,10 @@ public final class DraftCameras {
   /**
    * @param way positions of people that cameras should see
    * @param count of cameras
+   * @param pixelsPerMetre of people that are seen
    */
-  public DraftCameras(Field field, Obstacles obstacles, Way way, int count) {
+  public DraftCameras(Field field, Obstacles obstacles, Way way, int count, double pixelsPerMetre) {
+    this.pixelsPerMetre = pixelsPerMetre;
     this.field = field;
     this.obstacles = obstacles;
     this.way = way;
@@ -51,13 +59,46 @@ public final class DraftCameras {
     return Collections.unmodifiableList(cameras);
   }
 
-  /** Says that walls of any height hide everybody from all cameras; empty if one sees somebody. */
+  /** Says that no camera sees anybody, and why; empty if one sees somebody. */
   public Optional<String> blind() {
-    boolean sees =
-        cameras.stream().anyMatch(camera -> !seenFrom(new Point(camera.x(), camera.y())).isEmpty());
-    return cameras.isEmpty() || sees
-        ? Optional.empty()
-        : Optional.of("walls hide everybody from the draft cameras: move these before a run");
+    if (cameras.isEmpty()
+        || cameras.stream().anyMatch(camera -> way.points().stream().anyMatch(sees(camera)))) {
+      return Optional.empty();
+    }
+    boolean isClear =
+        cameras.stream()
+            .map(camera -> new Point(camera.x(), camera.y()))
+            .anyMatch(place -> way.points().stream().anyMatch(point -> isClear(place, point)));
+    return Optional.of(
+        isClear
+            ? Texts.format(
+                "nobody is in view of the draft cameras, which see people up to %.0f m away: move"
+                    + " these before a run",
+                reach(Collections.min(DraftOptics.DOME.anglesOfView())))
+            : "walls hide everybody from the draft cameras: move these before a run");
+  }
+
+  /** Whether a camera sees a position at one of its angles of view and pans. */
+  private Predicate<Point> sees(CameraSpec camera) {
+    return point -> {
+      double dx = point.x() - camera.x();
+      double dy = point.y() - camera.y();
+      double bearing = Math.toDegrees(Math.atan2(dx, dy)) - camera.get(CameraSpec.HEADING);
+      double offset =
+          DraftOptics.DOME.pans().stream()
+              .mapToDouble(pan -> Math.abs(Math.IEEEremainder(bearing - pan, 360)))
+              .min()
+              .orElseThrow();
+      return DraftOptics.DOME.anglesOfView().stream()
+              .anyMatch(angle -> 2 * offset <= angle && Math.hypot(dx, dy) <= reach(angle))
+          && isClear(new Point(camera.x(), camera.y()), point);
+    };
+  }
+
+  /** The distance at which a picture has the pixels per metre that are needed, metres. */
+  private double reach(double angleOfView) {
+    double width = DraftOptics.DOME.pixels().orElseThrow() / pixelsPerMetre;
+    return width / 2 / Math.tan(Math.toRadians(angleOfView) / 2);
   }
 
   private CameraSpec camera(String name, double share) {
@@ -95,9 +136,15 @@ public final class DraftCameras {
   }
 
   private List<Point> seenFrom(Point camera) {
+    double reach = reach(Collections.min(DraftOptics.DOME.anglesOfView()));
     return way.points().stream()
-        .filter(point -> obstacles.clear(camera.x(), camera.y(), point.x(), point.y()))
+        .filter(point -> Math.hypot(point.x() - camera.x(), point.y() - camera.y()) <= reach)
+        .filter(point -> isClear(camera, point))
         .toList();
+  }
+
+  private boolean isClear(Point camera, Point point) {
+    return obstacles.clear(camera.x(), camera.y(), point.x(), point.y());
   }
 
   private static Point mean(List<Point> points) {

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.DoubleSupplier;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -38,6 +39,8 @@ public final class Drawing {
   private final Map<Label, Integer> labels = new HashMap<>();
   private final Map<String, Integer> leftOut = new TreeMap<>();
   private final Set<String> used = new TreeSet<>();
+  private final Set<String> hidden = new TreeSet<>();
+  private InputException oddHeight; // null if all heights are right
   private WalkableArea walkableArea; // null until it is asked for
   private long points;
 
@@ -81,6 +84,29 @@ public final class Drawing {
     leftOut.merge(kind, 1, Integer::sum);
   }
 
+  /** Counts a thing that is not drawn, and remembers the names by which it could be chosen. */
+  void hide(String kind, List<Label> names) {
+    leaveOut(kind);
+    names.stream()
+        .map(Label::name)
+        .filter(name -> name.length() <= MAX_NAME_LENGTH && hidden.size() < MAX_NAMES)
+        .forEach(hidden::add);
+  }
+
+  /**
+   * Reads the height of a shape, metres; infinite if it has a wrong one, which is counted as left
+   * out.
+   */
+  double height(DoubleSupplier reading) {
+    try {
+      return reading.getAsDouble();
+    } catch (InputException fault) {
+      oddHeight = oddHeight == null ? fault : oddHeight;
+      leaveOut("height");
+      return Double.POSITIVE_INFINITY;
+    }
+  }
+
   /** The smallest rectangle around the chosen shapes. */
   Rectangle2D bounds() {
     Rectangle2D bounds = null;
@@ -121,6 +147,7 @@ public final class Drawing {
     choice.requireUsed(
         file.toString(),
         used,
+        hidden,
         labels.keySet().stream().map(Label::name).distinct().sorted().toList());
     if (parts.isEmpty()) {
       throw InputException.of(
@@ -159,8 +186,9 @@ public final class Drawing {
         ? Optional.empty()
         : Optional.of(
             leftOut.entrySet().stream()
-                .map(entry -> entry.getValue() + " " + entry.getKey())
-                .collect(Collectors.joining(", ", "left out: ", "")));
+                    .map(entry -> entry.getValue() + " " + entry.getKey())
+                    .collect(Collectors.joining(", ", "left out: ", ""))
+                + (oddHeight == null ? "" : "; the first height: " + oddHeight.getMessage()));
   }
 
   /** The layers, classes, ids of groups and colours, in a line each with the number of shapes. */

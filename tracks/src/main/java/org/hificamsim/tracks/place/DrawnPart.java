@@ -19,7 +19,20 @@ record DrawnPart(DrawnShape shape, double height) {
   }
 
   /**
-   * Returns a height that a file has.
+   * Reads a height with or without a unit.
+   *
+   * @throws org.hificamsim.core.InputException if it is none, or not above 0
+   */
+  static double height(Place place, String text) {
+    return height(
+        place,
+        HeightText.metres(text)
+            .orElseThrow(
+                () -> place.invalid("height", text, "a height such as 12, 12 m, 39 ft or 39'4\"")));
+  }
+
+  /**
+   * Returns a height that a file has, metres.
    *
    * @throws org.hificamsim.core.InputException if it is not above 0
    */

@@ -20,7 +20,6 @@ final class DxfPlan {
   private static final int MAX_INSERTED = 1_000_000;
 
   private static final int MAX_DEPTH = 100;
-  private static final String HIDDEN = "on layers that are off or frozen";
 
   /**
    * A block.
@@ -63,7 +62,7 @@ final class DxfPlan {
     int colour = colour(entity, layer, around);
     boolean isInsert = entity.content() instanceof Insert;
     if (isInsert ? layers.isFrozen(layer) : layers.isHidden(layer)) {
-      drawing.leaveOut(HIDDEN);
+      drawing.hide("on layers that are off or frozen", List.of(new Label(Label.LAYER, layer)));
     } else if (entity.content() instanceof Insert insert) {
       insert(entity, insert, new Context(around.toMetres(), layer, colour, around.blocks()));
     } else if (entity.content() instanceof Other other) {

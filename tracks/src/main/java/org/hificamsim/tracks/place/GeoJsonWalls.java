@@ -4,8 +4,6 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Set;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.data.JsonStream;
@@ -19,7 +17,6 @@ import org.hificamsim.tracks.place.DrawnShape.Area;
  * {@code height} of a feature is the height of its walls, in metres or with a unit.
  */
 final class GeoJsonWalls {
-  private static final Set<String> COLOURS = Set.of("color", "colour", "stroke", "fill");
   private static final int MAX_LABEL = 100;
 
   private final Drawing drawing;
@@ -96,27 +93,18 @@ final class GeoJsonWalls {
   }
 
   private void property(Feature own, String name) {
-    String lower = name.toLowerCase(Locale.ROOT);
     if (name.equals("height") && json.token() != JsonToken.VALUE_NULL) {
-      own.height = DrawnPart.height(json.place(), height());
+      own.height = drawing.height(this::height);
     } else if (json.token().isScalarValue() && json.text().length() <= MAX_LABEL) {
-      String text = json.text();
-      String kind =
-          lower.equals(Label.LAYER) || lower.equals(Label.CLASS) || lower.equals(Label.ID)
-              ? lower
-              : COLOURS.contains(lower) ? Label.COLOUR : Label.PROPERTY;
-      boolean isProperty = kind.equals(Label.PROPERTY);
-      own.labels.add(new Label(kind, isProperty ? name + "=" + text : text));
+      own.labels.add(Label.ofProperty(name, json.text()));
     }
   }
 
   /** Reads a number or, as in OpenStreetMap, a text with or without a unit. */
   private double height() {
-    if (json.token() != JsonToken.VALUE_STRING) {
-      return json.number("height");
-    }
-    return HeightText.metres(json.text())
-        .orElseThrow(() -> json.invalid("height", "a height such as 12, 12 m, 39 ft or 39'4\""));
+    return json.token() == JsonToken.VALUE_STRING
+        ? DrawnPart.height(json.place(), json.text())
+        : DrawnPart.height(json.place(), json.number("height"));
   }
 
   private void addShapes(Feature own, String type, List<List<Point>> lines) {

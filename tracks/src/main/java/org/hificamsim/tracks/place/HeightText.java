@@ -5,13 +5,14 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Reads heights as OpenStreetMap has them: {@code 12}, {@code 12 m}, {@code 39.4 ft}, {@code
- * 39'4"}.
+ * Reads heights as OpenStreetMap has them: {@code 12}, {@code 12 m}, {@code 2,5}, {@code 39.4 ft},
+ * {@code 39'4"}.
  */
 final class HeightText {
   private static final Pattern METRIC =
       Pattern.compile(
-          "([+-]?[0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)\\s*(m|metres?|meters?|cm|ft|feet)?");
+          "([+-]?[0-9]+,[0-9]{1,2}|[+-]?[0-9]*\\.?[0-9]+(?:[eE][+-]?[0-9]+)?)"
+              + "\\s*(m|metres?|meters?|cm|ft|feet)?");
   private static final Pattern FEET =
       Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*'\\s*(?:([0-9]+(?:\\.[0-9]+)?)\\s*\")?");
   private static final int MAX_LENGTH = 40;
@@ -27,7 +28,8 @@ final class HeightText {
     }
     Matcher metric = METRIC.matcher(text.strip());
     if (metric.matches()) {
-      return OptionalDouble.of(Double.parseDouble(metric.group(1)) * unit(metric.group(2)));
+      return OptionalDouble.of(
+          Double.parseDouble(metric.group(1).replace(',', '.')) * unit(metric.group(2)));
     }
     Matcher feet = FEET.matcher(text.strip());
     if (feet.matches()) {

@@ -56,11 +56,17 @@ public record LayerChoice(List<String> names, boolean isForList) {
    * Refuses names that chose nothing.
    *
    * @param used the names that chose a part
+   * @param hidden names of parts that are not drawn
    * @param known the names that the drawing has
    */
-  void requireUsed(String file, Set<String> used, Collection<String> known) {
+  void requireUsed(String file, Set<String> used, Set<String> hidden, Collection<String> known) {
     for (String name : names) {
       if (!used.contains(name)) {
+        if (hidden.stream().anyMatch(label -> matches(name, label))) {
+          throw InputException.of(
+              "%s: %s is '%s', which is hidden, off or frozen, expected it shown in the drawing",
+              file, setting("layers"), name);
+        }
         throw known.isEmpty()
             ? InputException.of(
                 "%s: %s is '%s', but nothing that is drawn has a layer, class, id or colour,"

@@ -126,7 +126,7 @@ final class SvgWalls {
   private void drawInside(SvgNode node, Context around, int depth) {
     Map<String, String> values = tree.rules().values(node, SvgStyle.PROPERTIES);
     if (values.getOrDefault("display", "").equals("none")) {
-      hide(node);
+      hide(node, labels(node, around.traits()));
       return;
     }
     SvgStyle style = around.style().with(values);
@@ -141,23 +141,17 @@ final class SvgWalls {
     }
   }
 
-  private void hide(SvgNode node) {
+  private void hide(SvgNode node, List<Label> labels) {
     for (int i = node.shapes(); i > 0; i--) {
-      drawing.leaveOut("hidden");
+      drawing.hide("hidden", labels);
     }
   }
 
-  private static double height(SvgNode node, Traits around) {
+  private double height(SvgNode node, Traits around) {
     if (!node.has(HEIGHT)) {
       return around.height();
     }
-    try {
-      return DrawnPart.height(node.place(), Double.parseDouble(node.text(HEIGHT)));
-    } catch (NumberFormatException e) {
-      throw node.place()
-          .invalid("<" + node.name() + "> " + HEIGHT, node.text(HEIGHT), "a number (m)")
-          .because(e);
-    }
+    return drawing.height(() -> DrawnPart.height(node.place(), node.text(HEIGHT)));
   }
 
   private static List<Label> labels(SvgNode node, Traits around) {
@@ -212,7 +206,7 @@ final class SvgWalls {
   private void drawShape(SvgNode node, Context context) {
     boolean isLine = node.name().equals("line");
     if (!context.style().draws(isLine)) {
-      drawing.leaveOut("hidden");
+      drawing.hide("hidden", context.traits().labels());
       return;
     }
     List<Label> labels = new ArrayList<>(context.traits().labels());

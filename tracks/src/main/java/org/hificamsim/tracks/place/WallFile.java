@@ -4,15 +4,19 @@ import static org.hificamsim.core.NamedSetting.setting;
 
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.Unit;
 
 /**
- * Reads walls from SVG, DXF, GeoJSON, well-known text or XML, according to the ending of the file,
- * before {@code .gz} if it is packed.
+ * Reads walls from SVG, DXF, GeoJSON, well-known text, tables, SQLite or XML, according to the
+ * ending of the file, before {@code .gz} if it is packed.
  */
 public final class WallFile {
-  private static final String ENDINGS = ".svg, .svgz, .dxf, .geojson, .json, .wkt or .xml";
+  private static final String ENDINGS =
+      ".svg, .svgz, .dxf, .geojson, .json, .wkt, .csv, .sqlite or .xml";
+
+  private static final Set<String> SQLITE = Set.of(".sqlite", ".sqlite3", ".db");
 
   private WallFile() {}
 
@@ -56,7 +60,11 @@ public final class WallFile {
     if (isGeoJson(file)) {
       new GeoJsonWalls(drawing, settings.points()).read(file);
     } else if (ending(file).equals(".wkt")) {
-      new WktWalls(drawing, settings.points()).read(file);
+      new WktWalls(new WktShapes(drawing, settings.points(), false)).read(file);
+    } else if (ending(file).equals(".csv") || ending(file).equals(".tsv")) {
+      new CsvWalls(drawing, new WktShapes(drawing, settings.points(), false)).read(file);
+    } else if (SQLITE.contains(ending(file))) {
+      new SqliteWalls(new WktShapes(drawing, settings.points(), true)).read(file);
     } else if (ending(file).equals(".xml")) {
       new XmlWalls(drawing, settings).readFile(file);
     } else if (isDxf(file)) {

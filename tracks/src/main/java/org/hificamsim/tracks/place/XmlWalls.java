@@ -51,7 +51,7 @@ final class XmlWalls extends PlainXml {
     double height =
         attributes.getValue("height") == null
             ? Double.POSITIVE_INFINITY
-            : DrawnPart.height(place(), number(attributes, name, "height"));
+            : drawing.height(() -> DrawnPart.height(place(), attributes.getValue("height")));
     drawing.add(place(), new DrawnShape.Line(ends), new Traits(height, List.of()));
   }
 

@@ -1,0 +1,119 @@
+package org.hificamsim.tracks.place;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.tracks.place.DrawnPart.Traits;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryCollection;
+import org.locationtech.jts.geom.LineString;
+import org.locationtech.jts.geom.Polygon;
+import org.locationtech.jts.io.ParseException;
+import org.locationtech.jts.io.WKTReader;
+
+/**
+ * Adds geometries in well-known text (OGC 06-103r4) to a drawing: lines become walls, polygons
+ * solid obstacles, and polygons with holes the walls of their sides. Z, the same for all points of
+ * a line or polygon, is the height of its walls, metres. Curves and surfaces are left out.
+ *
+ * @param areWalkable whether polygons are where people walk, so that their borders are walls
+ */
+record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
+  /** What PostGIS writes before a geometry, such as {@code SRID=25832;}. */
+  private static final Pattern REFERENCE_SYSTEM = Pattern.compile("^\\s*(?i:SRID)=[0-9]+;");
+
+  private static final Pattern OTHER =
+      Pattern.compile(
+          "(?i)Unknown geometry type: (CIRCULARSTRING|COMPOUNDCURVE|CURVEPOLYGON|MULTICURVE"
+              + "|MULTISURFACE|TRIANGLE|TIN|POLYHEDRALSURFACE).*");
+
+  private static final Pattern LINE = Pattern.compile("\\(line (\\d+)\\)$");
+
+  /**
+   * Adds a geometry.
+   *
+   * @param place where its text begins
+   * @param traits what the file says of it otherwise
+   * @throws org.hificamsim.core.InputException if the text is none
+   */
+  void add(Place place, String text, Traits traits) {
+    try {
+      Geometry geometry = new WKTReader().read(REFERENCE_SYSTEM.matcher(text).replaceFirst(""));
+      add(new At(place, traits), geometry);
+    } catch (ParseException | IllegalArgumentException e) {
+      String problem = String.valueOf(e.getMessage());
+      Matcher other = OTHER.matcher(problem);
+      if (!other.lookingAt()) {
+        throw fault(place, problem);
+      }
+      drawing.leaveOut(other.group(1).toLowerCase(Locale.ROOT));
+    }
+  }
+
+  private static RuntimeException fault(Place place, String problem) {
+    Matcher line = LINE.matcher(problem);
+    int lines = line.find() ? Integer.parseInt(line.group(1)) - 1 : 0;
+    return new Place(place.file(), place.line() + lines, place.column())
+        .error(LINE.matcher(problem).replaceFirst("").strip() + ", expected well-known text");
+  }
+
+  /** Where a geometry begins, and what the file says of it. */
+  private record At(Place place, Traits traits) {}
+
+  private void add(At at, Geometry geometry) {
+    if (geometry instanceof GeometryCollection collection) { // also of lines or of polygons
+      for (int i = 0; i < collection.getNumGeometries(); i++) {
+        add(at, collection.getGeometryN(i));
+      }
+    } else if (geometry.isEmpty()) {
+      return;
+    } else if (geometry instanceof Polygon polygon) {
+      List<Point> border = points(at, polygon.getExteriorRing());
+      List<List<Point>> holes = new ArrayList<>();
+      for (int i = 0; i < polygon.getNumInteriorRing(); i++) {
+        holes.add(points(at, polygon.getInteriorRingN(i)));
+      }
+      boolean isSolid = holes.isEmpty() && !areWalkable;
+      add(at, new DrawnShape.Area(border, holes, isSolid), polygon);
+    } else if (geometry instanceof LineString line) {
+      add(at, new DrawnShape.Line(points(at, line)), line);
+    } else {
+      drawing.leaveOut("point");
+    }
+  }
+
+  private void add(At at, DrawnShape shape, Geometry geometry) {
+    double[] heights =
+        Arrays.stream(geometry.getCoordinates()).mapToDouble(Coordinate::getZ).distinct().toArray();
+    Traits traits =
+        Double.isNaN(heights[0])
+            ? at.traits
+            : at.traits.withHeight(drawing.height(() -> height(at.place, heights)));
+    drawing.add(at.place, shape, traits);
+  }
+
+  private static double height(Place place, double[] heights) {
+    if (heights.length > 1) {
+      throw place.error(
+          "Z is %s and %s, expected one height for a line or polygon", heights[0], heights[1]);
+    }
+    return DrawnPart.height(place, heights[0]);
+  }
+
+  private List<Point> points(At at, LineString line) {
+    return Arrays.stream(line.getCoordinates()).map(position -> point(at, position)).toList();
+  }
+
+  private Point point(At at, Coordinate position) {
+    if (!Double.isFinite(position.x) || !Double.isFinite(position.y)) {
+      throw at.place.error("a coordinate is " + position + ", expected numbers");
+    }
+    return planPoints.point(at.place, position.x, position.y);
+  }
+}
