@@ -97,6 +97,50 @@ class ReadingSignsTest {
   }
 
   @Test
+  void noticesMilliseconds() throws IOException {
+    assertRefused(
+        walkers(1, 1000),
+        "--unit m",
+        "expected --unit deg if positions are degrees, or --columns frame=... and --rate 1000 if"
+            + " times are milliseconds, or --force-reading");
+    assertRefused(
+        walkers(100, 1000),
+        "--unit cm",
+        "expected --unit m, or --columns frame=... and --rate 1000 if times are milliseconds");
+    assertPlausible(walkers(1, 1000), "--unit m --columns frame=time --rate 1000");
+  }
+
+  @Test
+  void takesCrowdThatStandsInCentimetresForDegrees() throws IOException {
+    StringBuilder table = new StringBuilder("time,id,x,y\n");
+    for (int i = 0; i < 60; i++) {
+      table.append(String.format(Locale.ROOT, "%d,%d,16.370%d,48.2%n", i / 6, i % 6, i % 6));
+    }
+    Path standing = Files.writeString(folder.resolve("standing.csv"), table);
+    assertRefused(standing, "--unit m", "6 targets stand within 0.00050 m, and all positions");
+    Path apart =
+        Files.writeString(folder.resolve("apart.csv"), table.toString().replace("16.370", "1"));
+    assertWarned(apart, "--unit m", "nobody moves: x and y may not be the positions");
+  }
+
+  @Test
+  void noticesSeveralRecordingsInOneFile() throws IOException {
+    String table = Files.readString(walkers(1, 1));
+    String again =
+        table.replaceAll("(?m)^(\\d+)\\.0,(\\d),(\\d+)", "$1.5,$2,9$3").replaceFirst(".*\n", "");
+    Path both = Files.writeString(folder.resolve("both.csv"), table + again);
+    assertRefused(
+        both, "--unit m", "another recording probably begins there, expected a file for each");
+  }
+
+  @Test
+  void warnsOfPeopleOutOfReachOfCameras() throws IOException {
+    Path walkers = walkers(1, 1);
+    assertWarned(walkers, "--unit m --margin 20000", "nobody is in view of the draft cameras");
+    assertPlausible(walkers, "--unit m --margin 100");
+  }
+
+  @Test
   void noticesFlags() throws IOException {
     StringBuilder text = new StringBuilder("time,id,x,y\n");
     for (int i = 0; i < 20; i++) {

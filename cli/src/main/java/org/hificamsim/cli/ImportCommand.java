@@ -79,11 +79,12 @@ final class ImportCommand implements Callable<Integer> {
     SiteSettings siteSettings = settings(name, obstacles);
     TrackSettings settings = recording.settings();
     TracksImport tracks = new TracksImport(recordings, recording.homography(), projection);
-    ImportSummary summary = tracks.summary(settings, new Obstacles(obstacles));
+    StringBuilder text = new StringBuilder(); // written once nothing is wrong
+    ImportSummary summary = tracks.write(settings, new Obstacles(obstacles), text);
     TrackedSite made = new TrackedSite(siteSettings, summary);
     List<String> signs = Plausibility.of(summary, made).signs(forceReading);
     try (OutputFolder folder = Destination.folder(spec, out)) {
-      tracks.write(settings, folder, name + ".tracks");
+      folder.write(name + ".tracks", text.toString());
       output.write(folder, made.xml(name + ".tracks"));
       folder.commit(List.of());
       print(name, recordings, summary, projection);

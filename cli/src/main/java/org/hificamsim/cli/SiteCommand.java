@@ -41,7 +41,7 @@ final class SiteCommand implements Callable<Integer> {
 
   @Parameters(
       paramLabel = "PLAN",
-      description = "SVG, DXF, GeoJSON, well-known text, JuPedSim's XML, PNG or JPEG.")
+      description = "SVG, DXF, GeoJSON, well-known text, JuPedSim's XML or SQLite, PNG or JPEG.")
   private Path file;
 
   @Option(names = "--out", paramLabel = "DIR")
@@ -137,8 +137,11 @@ final class SiteCommand implements Callable<Integer> {
         Texts.format(
             "  draft cameras: %s; people who walk at random: %s", site.cameras(0), people));
     terminal.println("  " + made.question());
-    terminal.println("Plan its cameras, or move them by hand:");
+    terminal.println(
+        site.cameras(0) > 0 ? "Plan its cameras, or move them by hand:" : "Plan its cameras:");
     terminal.println(Texts.format("  ./hificamsim place %s --cameras 4", scenario));
-    terminal.println(Texts.format("  ./hificamsim view %s", scenario));
+    if (site.cameras(0) > 0) {
+      terminal.println(Texts.format("  ./hificamsim view %s", scenario));
+    }
   }
 }

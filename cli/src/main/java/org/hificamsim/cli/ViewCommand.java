@@ -63,7 +63,9 @@ final class ViewCommand implements Callable<Integer> {
     Scenario scenario =
         scenarioOptions.readSite(file, asked, catalogue, spec.commandLine().getErr());
     if (scenario.everyCamera().findAny().isEmpty()) {
-      throw InputException.of("%s: no <camera>, expected at least one to move", file);
+      throw InputException.of(
+          "%s: no <camera>, expected at least one to move: 'place %s --cameras 4' plans some",
+          file, file);
     }
     DetectionSpec.of(
         asked, scenario, file, catalogue); // rejects a wrong one with its place in the file

@@ -3,8 +3,8 @@ package org.hificamsim.tracks;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.nio.file.Path;
-import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -40,8 +40,8 @@ final class Collector implements SampleSink {
    */
   static FileTargets read(FormatChoice choice, Function<Unit, Ground> groundOf) {
     Collector collector = new Collector(choice.recording().file(), groundOf);
-    Collection<RecordedTarget> targets = collector.targets.values();
     Clock clock = choice.read(collector);
+    List<RecordedTarget> targets = collector.sorted(choice);
     if (targets.isEmpty()) {
       InputException empty = choice.recording().missing("samples of targets; the file has none");
       throw choice.wrongFormat(collector.notes.leftOut().first().orElse(empty));
@@ -50,7 +50,7 @@ final class Collector implements SampleSink {
       collector.doubt(
           new Doubt(
               "most frames are not whole numbers: they are probably seconds",
-              setting("rate", "1")));
+              setting("rate", "1") + " if they are"));
     }
     return new FileTargets(
         choice.recording().file(),
@@ -58,6 +58,19 @@ final class Collector implements SampleSink {
         targets,
         clock.secondsPerTick(() -> RecordedTargets.spacing(targets)),
         collector.notes);
+  }
+
+  /** The targets with their samples in the order of time. */
+  private List<RecordedTarget> sorted(FormatChoice choice) {
+    RowOrder order = new RowOrder(choice.reader().reusesIds());
+    try {
+      List<RecordedTarget> sorted = order.sort(targets.values());
+      order.lines().forEach(notes::addLine);
+      order.sign().ifPresent(notes::addDoubt);
+      return sorted;
+    } catch (InputException fault) {
+      throw choice.wrongFormat(fault);
+    }
   }
 
   @Override

@@ -222,7 +222,7 @@ public final class ImportSummary {
 
   /** Finds signs that positions or times were read in another unit than they have. */
   MotionSigns motionSigns() {
-    return new MotionSigns(MotionMeasures.of(recorded), recorded.notes().unit());
+    return new MotionSigns(MotionMeasures.of(recorded, interval), recorded.notes().unit());
   }
 
   /** What is odd about the files. */
@@ -273,30 +273,46 @@ public final class ImportSummary {
               "%s shorter pauses between the parts of a track: the target is away meanwhile",
               pauses.getCount()));
     }
+    MathContext digits = digitsOfPlaces();
     lines.add(
-        line(
-            "places: x from %s to %s m, y from %s to %s m",
-            xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax()));
+        "places: x from %s to %s m, y from %s to %s m"
+            .formatted(
+                rounded(xs.getMin(), digits),
+                rounded(xs.getMax(), digits),
+                rounded(ys.getMin(), digits),
+                rounded(ys.getMax(), digits)));
     lines.addAll(recorded.notes().lines());
     lines.addAll(recorded.notes().leftOut().lines());
     oddities().forEach(oddity -> lines.add("odd: " + oddity));
     return lines;
   }
 
+  /** The digits that tell places apart, more of which a map has far from its origin. */
+  private MathContext digitsOfPlaces() {
+    Field box = box();
+    double far =
+        Math.max(
+            Math.max(Math.abs(box.minX()), Math.abs(box.maxX())),
+            Math.max(Math.abs(box.minY()), Math.abs(box.maxY())));
+    double near = Math.max(1, Math.max(box.width(), box.height()));
+    int more = (int) Math.ceil(Math.log10(Math.max(1, far / near)));
+    return new MathContext(FOUR_DIGITS.getPrecision() + Math.max(0, more - 1));
+  }
+
   /** Formats a line; floating-point numbers are rounded. */
   private static String line(String pattern, Object... values) {
     return pattern.formatted(
         Stream.of(values)
-            .map(value -> value instanceof Double number ? rounded(number) : value)
+            .map(value -> value instanceof Double number ? rounded(number, FOUR_DIGITS) : value)
             .toArray());
   }
 
-  /** Rounds to four digits, without an exponent and without trailing zeros. */
-  private static String rounded(double value) {
+  /** Rounds without an exponent and without trailing zeros. */
+  private static String rounded(double value, MathContext digits) {
     if (!Double.isFinite(value)) {
       return "-";
     }
-    String plain = new BigDecimal(value).round(FOUR_DIGITS).toPlainString();
+    String plain = new BigDecimal(value).round(digits).toPlainString();
     return plain.contains(".") ? plain.replaceFirst("\\.?0+$", "") : plain;
   }
 }

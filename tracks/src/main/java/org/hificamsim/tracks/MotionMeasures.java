@@ -11,29 +11,42 @@ import org.hificamsim.tracks.RecordedTarget.Sample;
  * How the targets of a recording move, before positions are rounded.
  *
  * @param targets the number of targets
- * @param speeds of all moves to another place, in ascending order, metres per second
+ * @param firstTick the time of the first sample in the units of its file
+ * @param interval the usual time between two samples of a target, seconds
+ * @param speeds of moves to another place, in ascending order, metres per second
  * @param moves the number of moves, with those to the same place
  * @param least the position with the least x and y of all, metres
  * @param greatest the position with the greatest x and y of all, metres
  * @param flags the values of x and y if they are few whole numbers; else empty
  */
 record MotionMeasures(
-    int targets, double[] speeds, long moves, double[] least, double[] greatest, Set<Long> flags) {
+    int targets,
+    double firstTick,
+    double interval,
+    double[] speeds,
+    long moves,
+    double[] least,
+    double[] greatest,
+    Set<Long> flags) {
   private static final int MAX_FLAGS = 2;
 
+  /** Of a recording with more moves, this many evenly spread ones are measured. */
+  private static final long MAX_SPEEDS = 50_000;
+
   /** Measures the targets of a recording. */
-  static MotionMeasures of(RecordedTargets recorded) {
+  static MotionMeasures of(RecordedTargets recorded, double interval) {
     Values xs = new Values();
     Values ys = new Values();
     DoubleStream.Builder speeds = DoubleStream.builder();
     long moves = 0;
+    long stride = 1 + recorded.samples() / MAX_SPEEDS;
     for (RecordedTarget target : recorded.targets()) {
       List<Sample> samples = target.samples();
       for (int i = 0; i < samples.size(); i++) {
         xs.add(samples.get(i).x());
         ys.add(samples.get(i).y());
-        double speed = i == 0 ? 0 : speed(samples.get(i - 1), samples.get(i));
-        moves += i == 0 ? 0 : 1;
+        boolean isMeasured = i > 0 && moves++ % stride == 0;
+        double speed = isMeasured ? speed(samples.get(i - 1), samples.get(i)) : 0;
         if (speed > 0) {
           speeds.add(speed / recorded.secondsPerTick());
         }
@@ -47,6 +60,8 @@ record MotionMeasures(
     }
     return new MotionMeasures(
         recorded.targets().size(),
+        recorded.firstTick(),
+        interval,
         sorted,
         moves,
         new double[] {xs.least, ys.least},

@@ -26,17 +26,31 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
 
   private static final double MAX_EXTENT = 1e5; // metres
   private static final int MIN_MOVES = 10;
+
+  /** People are not recorded so seldom, seconds. */
+  private static final double SELDOM = 10;
+
+  /** Times from here on are dates, seconds. */
+  private static final double DATES = 1e8;
+
+  private static final double MILLISECONDS = 1000; // of a second
+  private static final String MILLISECONDS_CURE =
+      setting("columns", "frame=...") + " and " + setting("rate", "1000");
+
+  /** The sides of a square in which no target that stands has room, metres. */
+  private static final double NO_ROOM = 0.1;
+
   private static final int MIN_SINGLE_SAMPLES = 3;
 
   void addTo(Plausibility signs) {
     double median = motion.quantile(0.5);
-    if (unit == Unit.M && motion.quantile(0.9) < DEGREES_PER_SECOND && motion.isWithinDegrees()) {
+    if (mayBeDegrees() && motion.quantile(0.9) < DEGREES_PER_SECOND) {
       signs.fault(
           Texts.format(
               "nobody moves faster than %.2g m/s, and all positions are within 180 and 90: they"
-                  + " are probably degrees",
-              motion.quantile(0.9)),
-          setting("unit", "deg"));
+                  + " are probably degrees%s",
+              motion.quantile(0.9), mayBeMilliseconds() ? ", or times milliseconds" : ""),
+          setting("unit", "deg") + (mayBeMilliseconds() ? ", or " + MILLISECONDS_CURE : ""));
     } else if (motion.quantile(0.9) < CRAWLING) {
       signs.fault(speedsUpTo(motion.quantile(0.9), "nine tenths"), slowCauses());
     } else if (median < SLOW) {
@@ -47,6 +61,18 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
       signs.doubt(speedsFrom(median) + ", expected " + fastCauses(median) + " unless it is so");
     }
     addPlaceSigns(signs);
+  }
+
+  private boolean mayBeDegrees() {
+    return unit == Unit.M && motion.isWithinDegrees();
+  }
+
+  /** Whether whole numbers of milliseconds in place of seconds explain slow targets. */
+  private boolean mayBeMilliseconds() {
+    double interval = motion.interval();
+    double speed = MILLISECONDS * motion.quantile(0.5);
+    boolean isWhole = interval == Math.rint(interval) && motion.firstTick() < DATES;
+    return interval >= SELDOM && isWhole && speed > SLOW && speed < FAST;
   }
 
   private static String speedsUpTo(double speed, String share) {
@@ -65,13 +91,16 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
 
   private String slowCauses() {
     String times =
-        "%s and %s if times are frames"
-            .formatted(setting("columns", "frame=..."), setting("rate", "R"));
-    return switch (unit) {
-      case CM, MM -> setting("unit", "m") + ", or " + times;
-      case M -> setting("unit", "deg") + " if positions are degrees, or " + times;
-      default -> times;
-    };
+        mayBeMilliseconds()
+            ? MILLISECONDS_CURE + " if times are milliseconds"
+            : "%s and %s if times are frames"
+                .formatted(setting("columns", "frame=..."), setting("rate", "R"));
+    if (unit == Unit.CM || unit == Unit.MM) {
+      return setting("unit", "m") + ", or " + times;
+    }
+    return mayBeDegrees()
+        ? setting("unit", "deg") + " if positions are degrees, or " + times
+        : times;
   }
 
   private String fastCauses(double median) {
@@ -96,13 +125,31 @@ record MotionSigns(MotionMeasures motion, Unit unit) {
                   motion.flags().stream().map(String::valueOf).collect(Collectors.joining(", "))),
           "other " + setting("columns"));
     } else if (motion.moves() >= MIN_MOVES && motion.speeds().length == 0) {
-      signs.doubt("nobody moves: x and y may not be the positions, see " + setting("columns"));
+      addStandingSigns(signs);
     }
     if (motion.extent() > MAX_EXTENT) {
       signs.doubt(
           Texts.format(
               "positions are up to %.0f km apart: some are probably outliers, or in another %s",
               motion.extent() / 1000, setting("unit")));
+    }
+  }
+
+  private void addStandingSigns(Plausibility signs) {
+    double room = motion.extent() * motion.extent() / motion.targets();
+    if (mayBeDegrees() && motion.targets() > 1 && room < NO_ROOM * NO_ROOM) {
+      signs.fault(
+          Texts.format(
+              "%s targets stand within %.2g m, and all positions are within 180 and 90: they are"
+                  + " probably degrees",
+              motion.targets(), motion.extent()),
+          setting("unit", "deg"));
+    } else {
+      signs.doubt(
+          "nobody moves: x and y may not be the positions, see %s%s"
+              .formatted(
+                  setting("columns"),
+                  mayBeDegrees() ? ", or are degrees: " + setting("unit", "deg") : ""));
     }
   }
 }

@@ -18,11 +18,17 @@ public final class Plausibility {
 
   /** Checks the files, the tracks, the walls and the draft cameras of an import. */
   public static Plausibility of(ImportSummary summary, TrackedSite site) {
-    Plausibility signs = new Plausibility();
-    summary.notes().addTo(signs);
+    Plausibility signs = of(summary.notes());
     summary.motionSigns().addTo(signs);
     new WallSigns(summary, site.obstacles()).addTo(signs);
     site.blindDraft().ifPresent(signs::doubt);
+    return signs;
+  }
+
+  /** Checks the files of a recording. */
+  static Plausibility of(ReadingNotes notes) {
+    Plausibility signs = new Plausibility();
+    notes.addTo(signs);
     return signs;
   }
 

@@ -1,18 +1,22 @@
 package org.hificamsim.tracks;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.tracks.format.TrackSample;
 
 /**
- * A target of a recording: its samples on the ground in the order of time, and the size of its
- * boxes.
+ * A target of a recording: its samples on the ground and the size of its boxes. Rows may be in any
+ * order until they are {@link #sort sorted}.
  */
 final class RecordedTarget {
   private static final double PER_MICROSECOND = 1e6;
@@ -27,9 +31,16 @@ final class RecordedTarget {
    */
   record Sample(double time, double x, double y) {}
 
+  /** A row that is at a time before that of a row above it, or at the same one. */
+  record LateRow(double time, Place place) {}
+
   private final String name;
   private final List<Sample> samples = new ArrayList<>();
-  private final Set<Integer> pauses = new HashSet<>(); // before the sample with this index
+  private final List<LateRow> lateRows = new ArrayList<>();
+  private final Set<Double> begins = new HashSet<>(); // the times at which its parts begin
+  private boolean isPaused;
+  private double partBegin; // the time of the first row of the part
+  private double latest = Double.NEGATIVE_INFINITY;
   private final DoubleSummaryStatistics widths = new DoubleSummaryStatistics();
   private final DoubleSummaryStatistics heights = new DoubleSummaryStatistics();
 
@@ -42,14 +53,15 @@ final class RecordedTarget {
     return name;
   }
 
-  /** The samples, one or more, in the order of time, with times in ticks. */
+  /** The samples, one or more, in the order of time once they are sorted, with times in ticks. */
   List<Sample> samples() {
     return samples;
   }
 
   /** Makes the target absent from its last sample to the next one. */
   void pause() {
-    pauses.add(samples.size());
+    begins.add(partBegin);
+    isPaused = true;
   }
 
   /** Returns this target under another name, with times in other units. */
@@ -58,7 +70,7 @@ final class RecordedTarget {
     for (Sample sample : samples) {
       renamed.samples.add(new Sample(sample.time() * unitsPerTick, sample.x(), sample.y()));
     }
-    renamed.pauses.addAll(pauses);
+    begins.forEach(time -> renamed.begins.add(time * unitsPerTick));
     renamed.widths.combine(widths);
     renamed.heights.combine(heights);
     return renamed;
@@ -66,7 +78,7 @@ final class RecordedTarget {
 
   /** Adds the samples of the same target in another file, which are all later. */
   void append(RecordedTarget later) {
-    later.pauses.forEach(index -> pauses.add(samples.size() + index));
+    later.begins.stream().filter(time -> time > later.firstTime()).forEach(begins::add);
     samples.addAll(later.samples);
     widths.combine(later.widths);
     heights.combine(later.heights);
@@ -81,30 +93,22 @@ final class RecordedTarget {
   }
 
   /**
-   * Adds the next sample.
+   * Adds the sample of the next row.
    *
-   * @return false if it repeats the last one, and is ignored
-   * @throws InputException if it is earlier than the last one, or at another place at the same time
+   * @return false if it repeats the row before, and is ignored
+   * @throws InputException if it is at another place than the row before at the same time
    */
   boolean add(TrackSample sample) {
-    Sample last = samples.isEmpty() ? null : samples.get(samples.size() - 1);
-    if (last != null && sample.tick() < last.time()) {
-      throw error(
-          sample,
-          ": time runs backwards, from %s to %s, expected a target's samples in order of time"
-              .formatted(last.time(), sample.tick()));
-    }
-    if (last != null && sample.tick() == last.time()) {
-      if (last.x() != sample.x() || last.y() != sample.y()) {
-        throw error(
-            sample,
-            " is at two places at time %s, expected one sample of a target at a time"
-                .formatted(sample.tick()));
-      }
-      pauses.remove(samples.size()); // the parts meet
+    if (!samples.isEmpty() && sample.tick() == lastTime()) {
+      requirePlace(samples.get(samples.size() - 1), sample);
+      isPaused = false; // the parts meet
       return false;
     }
-    samples.add(new Sample(sample.tick(), sample.x(), sample.y()));
+    if (sample.tick() <= latest) {
+      lateRows.add(new LateRow(sample.tick(), sample.place()));
+    }
+    latest = Math.max(latest, sample.tick());
+    add(new Sample(sample.tick(), sample.x(), sample.y()));
     if (isLength(sample.width()) && isLength(sample.height())) {
       widths.accept(sample.width());
       heights.accept(sample.height());
@@ -112,8 +116,91 @@ final class RecordedTarget {
     return true;
   }
 
-  private static InputException error(TrackSample sample, String problem) {
-    return sample.place().error("target " + sample.target() + problem);
+  private void add(Sample sample) {
+    if (isPaused) {
+      begins.add(sample.time());
+    }
+    partBegin = isPaused || samples.isEmpty() ? sample.time() : partBegin;
+    isPaused = false;
+    samples.add(sample);
+  }
+
+  private static void requirePlace(Sample last, TrackSample sample) {
+    if (last.x() != sample.x() || last.y() != sample.y()) {
+      throw atTwoPlaces(sample.place(), sample.target(), sample.tick());
+    }
+  }
+
+  private static InputException atTwoPlaces(Place place, String target, double time) {
+    return place.error(
+        "target %s is at two places at time %s, expected one sample of a target at a time, and a"
+            + " file for each recording",
+        target, time);
+  }
+
+  /** The rows that are not in the order of time; empty if all are. */
+  List<LateRow> lateRows() {
+    return lateRows;
+  }
+
+  /** Whether the target is at two places at the same time. */
+  boolean isAtTwoPlaces() {
+    Map<Double, Sample> byTime = new HashMap<>();
+    return samples.stream()
+        .anyMatch(
+            sample -> {
+              Sample other = byTime.putIfAbsent(sample.time(), sample);
+              return other != null && !other.equals(sample);
+            });
+  }
+
+  /**
+   * Puts the samples in the order of time, each time once.
+   *
+   * @throws InputException if the target is at two places at the same time
+   */
+  void sort() {
+    List<Sample> sorted = new ArrayList<>(samples);
+    sorted.sort(Comparator.comparingDouble(Sample::time));
+    samples.clear();
+    for (Sample sample : sorted) {
+      Sample last = samples.isEmpty() ? null : samples.get(samples.size() - 1);
+      if (last == null || last.time() < sample.time()) {
+        samples.add(sample);
+      } else if (!last.equals(sample)) {
+        throw atTwoPlaces(placeOf(sample.time()), name, sample.time());
+      }
+    }
+  }
+
+  private Place placeOf(double time) {
+    return lateRows.stream().filter(row -> row.time() == time).findFirst().orElseThrow().place();
+  }
+
+  /** Cuts the samples wherever time goes back, into targets with names of their own. */
+  List<RecordedTarget> runs() {
+    List<RecordedTarget> runs = new ArrayList<>();
+    double last = Double.POSITIVE_INFINITY;
+    for (Sample sample : samples) {
+      if (sample.time() <= last) {
+        String runName = name + (runs.isEmpty() ? "" : " (" + (runs.size() + 1) + ")");
+        runs.add(new RecordedTarget(runName));
+      }
+      runs.get(runs.size() - 1).add(sample);
+      last = sample.time();
+    }
+    return runs;
+  }
+
+  /** The length of the way from sample to sample, metres. */
+  double length() {
+    double length = 0;
+    for (int i = 1; i < samples.size(); i++) {
+      Sample from = samples.get(i - 1);
+      Sample to = samples.get(i);
+      length += Math.hypot(to.x() - from.x(), to.y() - from.y());
+    }
+    return length;
   }
 
   private static boolean isLength(double metres) {
@@ -147,13 +234,14 @@ final class RecordedTarget {
       double first, double secondsPerTick, TrackSettings settings, double gap) {
     List<List<Sample>> tracks = new ArrayList<>();
     Sample last = null;
-    for (int i = 0; i < samples.size(); i++) {
-      Sample sample = samples.get(i);
+    for (Sample sample : samples) {
       double seconds = (sample.time() - first) * secondsPerTick;
       double time = rounded(seconds - settings.from(), PER_MICROSECOND);
       boolean kept = seconds >= settings.from() && seconds <= settings.to();
       if (kept && (last == null || time > last.time())) { // rounded times may be equal
-        if (last == null || pauses.contains(i) || time - last.time() > gap * (1 + 1e-9)) {
+        if (last == null
+            || begins.contains(sample.time())
+            || time - last.time() > gap * (1 + 1e-9)) {
           tracks.add(new ArrayList<>());
         }
         last =

@@ -37,6 +37,11 @@ record RecordedTargets(
     return spacing(targets) * secondsPerTick;
   }
 
+  /** The number of samples. */
+  long samples() {
+    return targets.stream().mapToLong(target -> target.samples().size()).sum();
+  }
+
   /** The number of targets whose size a file has. */
   long withSize() {
     return targets.stream().filter(target -> target.extent().isPresent()).count();
@@ -49,13 +54,24 @@ record RecordedTargets(
   static double spacing(Collection<RecordedTarget> targets) {
     Map<Double, Long> counts = new TreeMap<>();
     long all = 0;
+    double last = Double.NaN; // the spacing before, which most are equal to
+    long equal = 0;
     for (RecordedTarget target : targets) {
       List<Sample> samples = target.samples();
       for (int i = 1; i < samples.size(); i++) {
-        double spacing = samples.get(i).time() - samples.get(i - 1).time();
-        counts.merge(Math.rint(spacing * 1e6) / 1e6, 1L, Long::sum);
+        double exact = samples.get(i).time() - samples.get(i - 1).time();
+        double spacing = Math.rint(exact * 1e6) / 1e6;
+        if (spacing != last && equal > 0) {
+          counts.merge(last, equal, Long::sum);
+          equal = 0;
+        }
+        last = spacing;
+        equal++;
         all++;
       }
+    }
+    if (equal > 0) {
+      counts.merge(last, equal, Long::sum);
     }
     long least = (long) Math.ceil(USUAL_SHARE * all);
     return counts.entrySet().stream()

@@ -1,10 +1,8 @@
 package org.hificamsim.tracks;
 
 import java.io.IOException;
-import java.io.Writer;
 import java.util.List;
 import java.util.Optional;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.file.TrackWriter;
 import org.hificamsim.core.scenario.spec.Extent;
@@ -46,52 +44,41 @@ public final class TracksImport {
   }
 
   /**
-   * Returns what the tracks are like.
+   * Writes the tracks. Targets keep their names if all are whole numbers, otherwise they become 1,
+   * 2, 3, ... in the order of their first samples.
    *
    * @param obstacles the summary reports tracks that pass through them
+   * @param out receives the text of the file
+   * @return what the tracks are like
    * @throws org.hificamsim.core.InputException if the settings leave no samples of the recording
    */
-  public ImportSummary summary(TrackSettings settings, Obstacles obstacles) {
-    ImportSummary summary = new ImportSummary(recorded, interval, gap(settings), obstacles);
+  public ImportSummary write(TrackSettings settings, Obstacles obstacles, Appendable out)
+      throws IOException {
+    double gap = settings.gap().orElse(3 * interval);
+    ImportSummary summary = new ImportSummary(recorded, interval, gap, obstacles);
+    boolean keepsNames = recorded.haveNumericNames();
+    int count = 0;
+    TrackWriter writer = new TrackWriter(out, interval, TIME_TOLERANCE);
     for (RecordedTarget target : recorded.targets()) {
-      summary.add(target.name(), tracks(target, settings));
+      count++;
+      double number = keepsNames ? Double.parseDouble(target.name()) : count;
+      Optional<Extent> extent = target.extent().or(settings::extent);
+      List<List<Sample>> tracks =
+          target.tracks(firstTick, recorded.secondsPerTick(), settings, gap);
+      write(writer, number, extent, settings.size(), tracks);
+      summary.add(target.name(), tracks);
     }
+    requireSamples(summary);
+    return summary;
+  }
+
+  private void requireSamples(ImportSummary summary) {
     if (summary.samples() == 0) {
       throw files
           .get(0)
           .recording()
           .missing("samples of targets; what is cut from the recording has none");
     }
-    return summary;
-  }
-
-  /**
-   * Writes the tracks. Targets keep their names if all are whole numbers, otherwise they become 1,
-   * 2, 3, ... in the order of their first samples.
-   *
-   * @param folder in which the file is written
-   * @param name of the file
-   */
-  public void write(TrackSettings settings, OutputFolder folder, String name) throws IOException {
-    boolean keepsNames = recorded.haveNumericNames();
-    int count = 0;
-    try (Writer out = folder.open(name)) {
-      TrackWriter writer = new TrackWriter(out, interval, TIME_TOLERANCE);
-      for (RecordedTarget target : recorded.targets()) {
-        count++;
-        double number = keepsNames ? Double.parseDouble(target.name()) : count;
-        Optional<Extent> extent = target.extent().or(settings::extent);
-        write(writer, number, extent, settings.size(), tracks(target, settings));
-      }
-    }
-  }
-
-  private List<List<Sample>> tracks(RecordedTarget target, TrackSettings settings) {
-    return target.tracks(firstTick, recorded.secondsPerTick(), settings, gap(settings));
-  }
-
-  private double gap(TrackSettings settings) {
-    return settings.gap().orElse(3 * interval);
   }
 
   private static void write(

@@ -77,6 +77,14 @@ final class Imported {
     return ofFile(format, written("recording", content));
   }
 
+  /** Imports as {@link #of}, and refuses what is left out too often. */
+  ImportSummary checked(String format, String content) {
+    ImportSummary summary = of(format, content);
+    Plausibility signs = Plausibility.of(summary.notes());
+    signs.signs(false);
+    return summary;
+  }
+
   /** Imports several files together. */
   ImportSummary ofAll(String format, String... contents) {
     List<Path> files = new ArrayList<>();
@@ -99,9 +107,11 @@ final class Imported {
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
     TracksImport read = new TracksImport(recordings, homography, new LocalProjection());
     try (OutputFolder out = new OutputFolder(folder)) {
-      read.write(settings, out, "made.tracks");
+      StringBuilder text = new StringBuilder();
+      ImportSummary summary = read.write(settings, new Obstacles(walls), text);
+      out.write("made.tracks", text.toString());
       out.commit(List.of());
-      return read.summary(settings, new Obstacles(walls));
+      return summary;
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

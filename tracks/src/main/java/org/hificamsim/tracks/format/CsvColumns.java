@@ -4,7 +4,11 @@ import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Fields;
 
@@ -21,6 +25,10 @@ import org.hificamsim.core.file.Fields;
  */
 record CsvColumns(
     boolean isHeader, int count, int tick, int target, int x, int y, int width, int height) {
+  /** The end of a name of times in milliseconds, such as {@code time_ms} or {@code t [ms]}. */
+  private static final Pattern MILLISECONDS =
+      Pattern.compile("(?i:(.*[^a-z])?(ms|msecs?|millis|milliseconds?)[)\\]]?)|.*[a-z]Ms");
+
   private static final Set<String> KEYS =
       Set.of("time", "frame", "id", "x", "y", "width", "height");
 
@@ -104,6 +112,28 @@ record CsvColumns(
     Set<String> keys = recording.columns().keySet();
     boolean isFrame = indexOf(header, "frame") >= 0 && indexOf(header, "time") < 0;
     return keys.contains("frame") || (isFrame && !keys.contains("time"));
+  }
+
+  /** Reads times or frames of this table, whose first line may have their unit. */
+  Ticks ticks(Recording recording, Fields firstLine) {
+    List<String> names = IntStream.range(0, count).mapToObj(firstLine::text).toList();
+    return countsFrames(recording, names)
+        ? Ticks.of(recording, tick)
+        : Ticks.times(isHeader && MILLISECONDS.matcher(names.get(tick)).matches());
+  }
+
+  /**
+   * Checks that degrees are not in the wrong order.
+   *
+   * @throws InputException if the name of the column of x, a longitude, is that of a latitude
+   */
+  void requireLongitudeFirst(Recording recording, Fields firstLine) {
+    String name = firstLine.text(x).toLowerCase(Locale.ROOT);
+    if (isHeader && recording.unit().equals(Optional.of(Unit.DEG)) && name.startsWith("lat")) {
+      throw firstLine
+          .place(x)
+          .error("x is the column '%s', expected the longitude, and y the latitude", name);
+    }
   }
 
   /** The first column of a name, in any case if none is written so; -1 if there is none. */

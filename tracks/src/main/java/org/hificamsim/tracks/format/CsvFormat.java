@@ -27,7 +27,7 @@ final class CsvFormat implements TrackFormat {
   /** A whole number as tables write it that hold decimal numbers only. */
   private static final Pattern WHOLE_WITH_POINT = Pattern.compile("[0-9]+\\.0+");
 
-  private Ticks ticks;
+  private Ticks ticks; // null before the first line
   private boolean mayHaveMore;
   private CsvColumns columns; // null before the first line
 
@@ -65,14 +65,10 @@ final class CsvFormat implements TrackFormat {
     CsvColumns.requireValidKeys(recording);
     FileStart start = recording.start();
     mayHaveMore = start.separator() == Separator.BLANKS;
-    boolean countsFrames =
-        CsvColumns.countsFrames(
-            recording, start.rows().isEmpty() ? List.of() : start.rows().get(0).texts());
-    ticks = countsFrames ? Ticks.frames(recording) : Ticks.times();
     samples.measuredIn(recording.requireUnit("a table does not have it"));
     RowTable.forEachRow(
         recording, "fields between separators", row -> read(recording, row, samples));
-    return ticks.clock();
+    return ticks == null ? Clock.SECONDS : ticks.clock();
   }
 
   private void read(Recording recording, Fields row, SampleSink samples) {
@@ -80,7 +76,11 @@ final class CsvFormat implements TrackFormat {
     if (isFirst && isComment(recording, row)) {
       return;
     }
-    columns = isFirst ? CsvColumns.find(recording, row) : columns;
+    if (isFirst) {
+      columns = CsvColumns.find(recording, row);
+      ticks = columns.ticks(recording, row);
+      columns.requireLongitudeFirst(recording, row);
+    }
     if (isFirst && columns.isHeader()) {
       return;
     }
@@ -116,16 +116,43 @@ final class CsvFormat implements TrackFormat {
   }
 
   private TrackSample sample(Fields row) {
+    if (row.count() == columns.count()
+        && (columns.target() < 0 || !row.text(columns.target()).isBlank())) {
+      TrackSample sample =
+          sized(
+              row,
+              target(row),
+              ticks.value(row, columns.tick()),
+              row.value(columns.x()),
+              row.value(columns.y()));
+      if (sample.isRight()) {
+        return sample;
+      }
+    }
+    return oddSample(row);
+  }
+
+  /** Reads a row part by part, to find the one that is wrong. */
+  private TrackSample oddSample(Fields row) {
     OddRows.part(Omission.OTHER_COLUMNS, () -> requireSameColumns(row));
     String target = OddRows.part(Omission.NO_TARGET, () -> target(row));
+    return sized(
+        row,
+        target,
+        OddRows.part(Omission.NO_TIME, () -> ticks.tick(row, columns.tick())),
+        OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.x(), "x")),
+        OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.y(), "y")));
+  }
+
+  private TrackSample sized(Fields row, String target, double tick, double x, double y) {
     double width = length(row, columns.width());
     double height = length(row, columns.height());
     return new TrackSample(
         row.place(0),
         target,
-        OddRows.part(Omission.NO_TIME, () -> ticks.tick(row, columns.tick())),
-        OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.x(), "x")),
-        OddRows.part(Omission.NO_PLACE, () -> row.coordinate(columns.y(), "y")),
+        tick,
+        x,
+        y,
         columns.width() < 0 ? height : width,
         columns.height() < 0 ? width : height);
   }
@@ -148,7 +175,9 @@ final class CsvFormat implements TrackFormat {
     if (name.isBlank()) {
       throw row.invalid(columns.target(), "id", "a name or number");
     }
-    return WHOLE_WITH_POINT.matcher(name).matches() ? name.substring(0, name.indexOf('.')) : name;
+    return name.indexOf('.') > 0 && WHOLE_WITH_POINT.matcher(name).matches()
+        ? name.substring(0, name.indexOf('.'))
+        : name;
   }
 
   /** The length in a column; NaN if the row has none. */

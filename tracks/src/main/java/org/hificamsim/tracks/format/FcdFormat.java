@@ -83,6 +83,6 @@ final class FcdFormat extends PlainXml implements TrackFormat {
     }
     throw timeText == null || timeText.isEmpty()
         ? place().error("<" + name + "> outside <timestep time=\"...\">, expected it inside")
-        : place().invalid("<timestep> time", timeText, Times.EXPECTED);
+        : place().invalid("<timestep> time", timeText, times.expected(timeText));
   }
 }

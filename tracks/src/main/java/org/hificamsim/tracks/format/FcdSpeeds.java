@@ -24,7 +24,7 @@ final class FcdSpeeds {
   /** Adds a sample with the speed in the file, metres per second; NaN if it has none. */
   void add(TrackSample sample, double speed) {
     TrackSample before = last.put(sample.target(), sample);
-    if (before != null && speed > 0) {
+    if (before != null && speed > 0 && sample.tick() > before.tick()) {
       moved += Math.hypot(sample.x() - before.x(), sample.y() - before.y());
       expected += speed * (sample.tick() - before.tick());
     }

@@ -68,9 +68,11 @@ public record FormatChoice(
         start.isTable()
             ? ", or %s, which say what the columns of a table are%s"
                 .formatted(
-                    setting("columns", "time=...,id=...,x=...,y=..."),
+                    setting(
+                        "columns",
+                        start.hasNumbers() ? "time=1,id=2,x=3,y=4" : "time=...,id=...,x=...,y=..."),
                     start.hasNumbers()
-                        ? ""
+                        ? ", numbered from 1"
                         : " (" + String.join(", ", start.rows().get(0).texts()) + ")")
             : "";
     return start

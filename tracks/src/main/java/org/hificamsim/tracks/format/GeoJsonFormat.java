@@ -151,7 +151,7 @@ final class GeoJsonFormat implements TrackFormat {
     double number = json.value();
     double seconds = clock.seconds(Double.isNaN(number) ? json.text() : Double.toString(number));
     if (Double.isNaN(seconds) && wrongTime == null) {
-      wrongTime = json.invalid("time", Times.EXPECTED);
+      wrongTime = json.invalid("time", clock.expected(json.text()));
     }
     return seconds;
   }

@@ -21,7 +21,7 @@ final class GpxFormat extends PlainXml implements TrackFormat {
   private final Times times = new Times();
   private final StringBuilder text = new StringBuilder();
   private SampleSink samples;
-  private InputException route;
+  private InputException notTrack; // null without routes and waypoints
   private int trackCount;
   private Attributes point; // null outside <trkpt>
   private String time; // null without <time>
@@ -49,8 +49,8 @@ final class GpxFormat extends PlainXml implements TrackFormat {
     samples = sink;
     samples.measuredIn(recording.only(Unit.DEG));
     readFile(recording.file());
-    if (trackCount == 0 && route != null) {
-      throw route;
+    if (trackCount == 0 && notTrack != null) {
+      throw notTrack;
     }
     return Clock.SECONDS;
   }
@@ -62,11 +62,9 @@ final class GpxFormat extends PlainXml implements TrackFormat {
       case "trk" -> trackCount++;
       case "trkseg" -> samples.pause(target());
       case "trkpt" -> begin(attributes);
-      case "rte" -> leaveOutRoute();
+      case "rte" -> leaveOut("<rte> is a route, not a track: it has no times, expected <trk>");
       case "wpt" ->
-          samples.leaveOut(
-              Omission.NO_TRACK,
-              () -> place().error("<wpt> is a waypoint, expected <trkpt> of a track"));
+          leaveOut("<wpt> is a waypoint, expected a <trk> with a <trkseg>, and <trkpt> in it");
       default -> {}
     }
   }
@@ -76,10 +74,9 @@ final class GpxFormat extends PlainXml implements TrackFormat {
     time = null;
   }
 
-  private void leaveOutRoute() {
-    InputException error =
-        place().error("<rte> is a route, not a track: it has no times, expected <trk>");
-    route = route == null ? error : route;
+  private void leaveOut(String problem) {
+    InputException error = place().error(problem);
+    notTrack = notTrack == null ? error : notTrack;
     samples.leaveOut(Omission.NO_TRACK, () -> error);
   }
 
@@ -114,7 +111,7 @@ final class GpxFormat extends PlainXml implements TrackFormat {
     }
     double seconds = times.seconds(time);
     if (Double.isNaN(seconds)) {
-      throw place().invalid("<time>", time, Times.EXPECTED);
+      throw place().invalid("<time>", time, times.expected(time));
     }
     return seconds;
   }

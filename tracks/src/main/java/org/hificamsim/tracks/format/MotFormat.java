@@ -7,7 +7,7 @@ import org.hificamsim.core.InputException;
 
 /**
  * MOTChallenge: positions in the world, or the places of boxes in the picture. Rows whose
- * confidence is 0 are ignored.
+ * confidence is 0, and detections, whose id is -1, are left out.
  */
 final class MotFormat implements TrackFormat {
   static final KnownFormat DECLARATION =
@@ -30,14 +30,21 @@ final class MotFormat implements TrackFormat {
   private static final RowShape BLANK_SHAPE =
       RowShape.blanks("MOTChallenge", MotFile.COLUMNS_WITH_WORLD, MotFile.COLUMNS_WITH_WORLD);
 
+  /** What files of detections have in place of an id. */
+  private static final String NO_TARGET = "-1";
+
   @Override
   public FormatFit fit(FileStart start, Recording recording) {
+    if (PeTrackFormat.hasHeader(start)) {
+      return FormatFit.no("comments say that the first column is the id, MOTChallenge has frames");
+    }
     FormatFit blank = BLANK_SHAPE.fitNumbers(start);
     FormatFit shape = blank.fits() ? blank : SHAPE.fitNumbers(start);
     return !shape.fits() || (isWhole(start, 0) && isWhole(start, 1))
         ? shape
         : FormatFit.no(
-            "the first two columns are not whole numbers, MOTChallenge has frames and ids");
+            "the first two columns are not whole numbers, MOTChallenge has frames and ids: a table"
+                + " with times is of the format csv");
   }
 
   private static boolean isWhole(FileStart start, int column) {
@@ -60,6 +67,8 @@ final class MotFormat implements TrackFormat {
         row -> {
           if (row.confidence() == 0) {
             samples.leaveOut(Omission.MARKED, () -> row.place().error("confidence is 0"));
+          } else if (row.target().equals(NO_TARGET)) {
+            samples.leaveOut(Omission.NO_TARGET, () -> detection(row));
           } else if (unit == Unit.PX) {
             samples.accept(inPicture(row));
           } else {
@@ -69,6 +78,13 @@ final class MotFormat implements TrackFormat {
         });
     flags.sign().ifPresent(samples::doubt);
     return ticks.clock();
+  }
+
+  private static InputException detection(MotFile.Row row) {
+    return row.place()
+        .error(
+            "id is -1, which is a detection of no target, expected the tracks that a tracker has"
+                + " made of them");
   }
 
   private static TrackSample inPicture(MotFile.Row row) {

@@ -5,18 +5,18 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.hificamsim.core.file.TextLines;
 
 /**
- * PeTrack and the Juelich data archive: {@code id frame x y [z]}. Comments may have the rate and
- * the unit, such as {@code # framerate: 25} and {@code # id frame x/cm y/cm}; those that the user
- * gives take precedence.
+ * PeTrack, JuPedSim and the Juelich data archive: {@code id frame x y [z]} between any separators.
+ * Comments may have the rate and the unit, such as {@code # framerate: 25} and {@code # id frame
+ * x/cm y/cm}; those that the user gives take precedence.
  */
 final class PeTrackFormat implements TrackFormat {
   static final KnownFormat DECLARATION =
       new KnownFormat(
           "petrack",
-          "PeTrack, Juelich, JuPedSim's text: `id frame x y [z]`",
+          "PeTrack, Juelich, JuPedSim's text: `id frame x y [z]`, with comments between any"
+              + " separators",
           "`# framerate: 16`, or `{rate}`",
           "`# id frame x/cm y/cm`, or `{unit}`",
           PeTrackFormat::new);
@@ -33,7 +33,6 @@ final class PeTrackFormat implements TrackFormat {
 
   private OptionalDouble rate = OptionalDouble.empty();
   private Optional<Unit> unit = Optional.empty();
-  private Ticks ticks;
 
   /** Whether comments name the rate, or the id as the first column. */
   static boolean hasHeader(FileStart start) {
@@ -44,7 +43,7 @@ final class PeTrackFormat implements TrackFormat {
   @Override
   public FormatFit fit(FileStart start, Recording recording) {
     FormatFit shape = SHAPE.fit(start);
-    if (start.separator().isBlank() && start.columns() >= SHAPE.least() && hasHeader(start)) {
+    if (start.isTable() && start.columns() >= SHAPE.least() && hasHeader(start)) {
       return FormatFit.yes("has comments with the rate or the columns");
     }
     return shape.fits() ? ColumnOrder.fit(start, 0) : shape;
@@ -54,17 +53,14 @@ final class PeTrackFormat implements TrackFormat {
   public Clock read(Recording recording, SampleSink samples) {
     rate = recording.rate();
     unit = recording.unit();
-    try (TextLines lines = TextLines.open(recording.file())) {
-      while (lines.next()) {
-        if (lines.isComment()) {
-          readComment(lines.text().toLowerCase(Locale.ROOT));
-        } else if (lines.count() > 0) {
-          begin(recording, samples);
-          samples.reading(() -> samples.accept(ROWS.sample(lines, ticks)));
-        }
-      }
-    }
-    begin(recording, samples);
+    recording.start().comments().forEach(line -> readComment(line.toLowerCase(Locale.ROOT)));
+    Recording complete = new Recording(recording.file(), rate, unit, recording.columns());
+    Ticks ticks = Ticks.of(complete, 1);
+    samples.measuredIn(complete.requireUnit("no line such as '# id frame x/m y/m' has it"));
+    RowTable.forEachRowOfNumbers(
+        recording,
+        "rows of id, frame, x, y",
+        row -> samples.reading(() -> samples.accept(ROWS.sample(row, ticks))));
     return ticks.clock();
   }
 
@@ -77,15 +73,6 @@ final class PeTrackFormat implements TrackFormat {
     if (unit.isEmpty() && unitMatcher.find()) {
       String name = unitMatcher.group(1) == null ? unitMatcher.group(2) : unitMatcher.group(1);
       unit = Optional.of(Unit.valueOf(name.toUpperCase(Locale.ROOT)));
-    }
-  }
-
-  /** Before the first row, takes over what the comments and the user say. */
-  private void begin(Recording recording, SampleSink samples) {
-    if (ticks == null) {
-      Recording complete = new Recording(recording.file(), rate, unit, recording.columns());
-      ticks = Ticks.of(complete, 1);
-      samples.measuredIn(complete.requireUnit("no line such as '# id frame x/m y/m' has it"));
     }
   }
 }

@@ -28,6 +28,10 @@ final class RowFormat implements TrackFormat {
   private static final String UNKNOWN = "?";
 
   private final List<String> columns;
+  private final int frame;
+  private final int id;
+  private final int x;
+  private final int y;
 
   /**
    * @param columns the columns that a row must have, in order and separated by spaces: {@code
@@ -35,6 +39,10 @@ final class RowFormat implements TrackFormat {
    */
   RowFormat(String columns) {
     this.columns = List.of(columns.split(" "));
+    frame = this.columns.indexOf("frame");
+    id = this.columns.indexOf("id");
+    x = this.columns.indexOf("x");
+    y = this.columns.indexOf("y");
   }
 
   @Override
@@ -52,7 +60,7 @@ final class RowFormat implements TrackFormat {
 
   @Override
   public Clock read(Recording recording, SampleSink samples) {
-    Ticks ticks = Ticks.of(recording, columns.indexOf("frame"));
+    Ticks ticks = Ticks.of(recording, frame);
     samples.measuredIn(recording.only(Unit.M));
     try (TextLines lines = TextLines.open(recording.file())) {
       while (lines.nextFields()) {
@@ -64,11 +72,26 @@ final class RowFormat implements TrackFormat {
 
   /** Returns the sample of a row, which must have all columns. */
   TrackSample sample(Fields fields, Ticks ticks) {
-    int x = columns.indexOf("x");
-    int y = columns.indexOf("y");
-    String target = OddRows.part(Omission.NO_TARGET, () -> target(fields, columns.indexOf("id")));
-    double tick =
-        OddRows.part(Omission.NO_TIME, () -> ticks.tick(fields, columns.indexOf("frame")));
+    if (fields.count() >= columns.size()) {
+      double number = fields.value(id);
+      TrackSample sample =
+          new TrackSample(
+              fields.place(0),
+              name(number),
+              ticks.value(fields, frame),
+              fields.value(x),
+              fields.value(y));
+      if (Double.isFinite(number) && sample.isRight()) {
+        return sample;
+      }
+    }
+    return oddSample(fields, ticks);
+  }
+
+  /** Reads a row part by part, to find the one that is wrong. */
+  private TrackSample oddSample(Fields fields, Ticks ticks) {
+    String target = OddRows.part(Omission.NO_TARGET, () -> target(fields, id));
+    double tick = OddRows.part(Omission.NO_TIME, () -> ticks.tick(fields, frame));
     Omission noPlace =
         isUnknown(fields, x) && isUnknown(fields, y) ? Omission.UNKNOWN_PLACE : Omission.NO_PLACE;
     TrackSample sample =
@@ -95,7 +118,10 @@ final class RowFormat implements TrackFormat {
 
   /** Returns the name of a target that the file has as a number; 1.000000e+00 becomes 1. */
   static String target(Fields fields, int field) {
-    double number = fields.number(field, "id");
+    return name(fields.number(field, "id"));
+  }
+
+  private static String name(double number) {
     return number == Math.rint(number) && Math.abs(number) < 1e15
         ? Long.toString((long) number)
         : Double.toString(number);

@@ -27,6 +27,30 @@ final class RowTable {
     }
   }
 
+  /**
+   * Reads all rows that are not empty and no comments, of a table without quotes.
+   *
+   * @param expected what kind of table it has to be, in error lines
+   */
+  static void forEachRowOfNumbers(Recording recording, String expected, Consumer<Fields> rows) {
+    if (!recording.start().separator().isBlank()) {
+      forEachRow(
+          recording,
+          expected,
+          row -> {
+            if (!row.text(0).startsWith("#")) {
+              rows.accept(row);
+            }
+          });
+      return;
+    }
+    try (TextLines lines = TextLines.open(recording.file())) {
+      while (lines.nextFields()) {
+        rows.accept(lines);
+      }
+    }
+  }
+
   private static void readLines(Path file, Consumer<Fields> rows) {
     try (TextLines lines = TextLines.open(file)) {
       while (lines.next()) {

@@ -1,5 +1,8 @@
 package org.hificamsim.tracks.format;
 
+import static org.hificamsim.core.NamedSetting.setting;
+
+import java.util.List;
 import org.hificamsim.core.file.Fields;
 
 /**
@@ -7,13 +10,20 @@ import org.hificamsim.core.file.Fields;
  * day, or Unix times.
  */
 final class Ticks {
+  /** The number of rows that tell times from frames: names and units may stand above them. */
+  private static final int FIRST_ROWS = 4;
+
+  private static final double PER_SECOND = 1000; // milliseconds
+
   private final boolean areTimes;
   private final Clock clock;
+  private final boolean areMilliseconds;
   private final Times times = new Times();
 
-  private Ticks(boolean areTimes, Clock clock) {
+  private Ticks(boolean areTimes, Clock clock, boolean areMilliseconds) {
     this.areTimes = areTimes;
     this.clock = clock;
+    this.areMilliseconds = areMilliseconds;
   }
 
   /**
@@ -23,23 +33,33 @@ final class Ticks {
    * @throws org.hificamsim.core.InputException if they are frames and their rate is not given
    */
   static Ticks of(Recording recording, int column) {
-    boolean areTimes =
-        recording.start().rows().stream().limit(1).anyMatch(row -> isTime(row, column));
-    return areTimes ? times() : frames(recording);
-  }
-
-  /** Returns a reader of times. */
-  static Ticks times() {
-    return new Ticks(true, Clock.SECONDS);
+    List<LineFields> rows = recording.start().rows();
+    List<LineFields> first = rows.subList(0, Math.min(FIRST_ROWS, rows.size()));
+    if (first.stream().anyMatch(row -> isTime(row, column))) {
+      return times(false);
+    }
+    if (recording.rate().isEmpty() && first.stream().anyMatch(row -> isFraction(row, column))) {
+      throw recording.missing(
+          setting("rate", "1")
+              + " if column "
+              + (column + 1)
+              + " has seconds, as its numbers are not whole; else the frames per second");
+    }
+    return new Ticks(false, recording.frames(), false);
   }
 
   /**
-   * Returns a reader of frames.
+   * Returns a reader of times.
    *
-   * @throws org.hificamsim.core.InputException if their rate is not given
+   * @param areMilliseconds whether numbers count milliseconds, not seconds
    */
-  static Ticks frames(Recording recording) {
-    return new Ticks(false, recording.frames());
+  static Ticks times(boolean areMilliseconds) {
+    return new Ticks(true, Clock.SECONDS, areMilliseconds);
+  }
+
+  private static boolean isFraction(Fields row, int column) {
+    double number = column < row.count() ? row.value(column) : Double.NaN;
+    return Double.isFinite(number) && number != Math.rint(number);
   }
 
   private static boolean isTime(Fields row, int column) {
@@ -61,10 +81,21 @@ final class Ticks {
     if (!areTimes) {
       return row.number(column, "frame");
     }
-    double seconds = times.seconds(row, column);
+    double seconds = value(row, column);
     if (Double.isNaN(seconds)) {
-      throw row.invalid(column, "time", Times.EXPECTED);
+      throw row.invalid(
+          column, "time", column < row.count() ? times.expected(row.text(column)) : Times.EXPECTED);
     }
     return seconds;
+  }
+
+  /** Returns the frame or the seconds in a row, which has the column; NaN if it has neither. */
+  double value(Fields row, int column) {
+    if (!areTimes) {
+      return row.value(column);
+    }
+    double seconds = times.seconds(row, column);
+    boolean isScaled = areMilliseconds && column < row.count() && seconds == row.value(column);
+    return isScaled ? seconds / PER_SECOND : seconds;
   }
 }

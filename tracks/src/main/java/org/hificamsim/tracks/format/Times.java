@@ -10,8 +10,8 @@ import org.hificamsim.core.file.Fields;
 /**
  * Reads the times of one file, by the same rules in every format: numbers of seconds; Unix times in
  * seconds, milliseconds, microseconds or nanoseconds; dates; ISO 8601 with a zone, or without one
- * as UTC; and times of day, which go on after midnight. A file has numbers, dates or times of day,
- * not several of them.
+ * as UTC; times of day, which go on after midnight; and minutes and seconds with a fraction. A file
+ * has numbers, dates or times of day, not several of them.
  */
 final class Times {
   /** What a time may be, for error lines. */
@@ -36,10 +36,18 @@ final class Times {
       Pattern.compile(
           "(?:(?<days>\\d{1,6}):)?(?<hour>\\d{1,3}):(?<minute>[0-5]\\d):" + SECOND + HALF_OF_DAY);
 
+  /** The start of a time without seconds that is before or after noon, such as 8:00 am. */
+  private static final Pattern WITHOUT_SECONDS =
+      Pattern.compile("^(\\d{1,2}:[0-5]\\d)(?=\\s*[AaPp]\\.?[Mm]\\.?$)");
+
+  private static final Pattern MINUTES =
+      Pattern.compile("(?<minutes>\\d{1,4}):(?<seconds>[0-5]\\d[.,]\\d{1,12})");
+
   private static final Pattern DATE =
       Pattern.compile(
           "(?:(?<year>\\d{4})(?<to>[-/.]?)(?<month>\\d\\d)\\k<to>(?<day>\\d\\d)"
-              + "|(?<day2>\\d{1,2})\\.(?<month2>\\d{1,2})\\.(?<year2>\\d{4}))"
+              + "|(?<day2>\\d{1,2})\\.(?<month2>\\d{1,2})\\.(?<year2>\\d{4})"
+              + "|(?<first>\\d{1,2})(?<by>[-/])(?<second2>\\d{1,2})\\k<by>(?<year3>\\d{4}|\\d\\d))"
               + "(?:[T\\s,_]+(?<hour>\\d{1,2})(?::?(?<minute>[0-5]\\d)(?::?"
               + SECOND
               + ")?)?"
@@ -52,6 +60,11 @@ final class Times {
     TIME_OF_DAY
   }
 
+  private static final Pattern NUMERIC_DATE =
+      Pattern.compile("\\d{1,2}([-/])\\d{1,2}\\1(\\d{4}|\\d\\d)\\b.*");
+  private static final Pattern TWO_NUMBERS = Pattern.compile("\\d{1,2}:\\d\\d");
+
+  private final NumericDates numericDates = new NumericDates();
   private Notation notation;
   private double lastOfDay;
 
@@ -83,8 +96,28 @@ final class Times {
     if (date.matches()) {
       return checked(Notation.DATE, sinceEpoch(date));
     }
-    Matcher time = TIME_OF_DAY.matcher(text);
+    Matcher minutes = MINUTES.matcher(text);
+    if (minutes.matches()) {
+      double seconds = Double.parseDouble(minutes.group("seconds").replace(',', '.'));
+      return checked(Notation.TIME_OF_DAY, number(minutes, "minutes") * MINUTE + seconds);
+    }
+    Matcher time = TIME_OF_DAY.matcher(WITHOUT_SECONDS.matcher(text).replaceFirst("$1:00"));
     return time.matches() ? checked(Notation.TIME_OF_DAY, ofDay(time)) : Double.NaN;
+  }
+
+  /** Says what a text that is no time should be, for error lines. */
+  String expected(String text) {
+    String time = text.strip();
+    if (TWO_NUMBERS.matcher(time).matches()) {
+      return "00:%1$s if these are minutes and seconds, %1$s:00 if hours and minutes"
+          .formatted(time);
+    }
+    if (Fields.isGrouped(time)) {
+      return "a number without separators of thousands";
+    }
+    return NUMERIC_DATE.matcher(time).matches() && notation != Notation.NUMBER
+        ? "a date such as 2024-05-31: the file does not tell months from days"
+        : EXPECTED;
   }
 
   /** Returns the time, or NaN if the file has times in another notation. */
@@ -93,18 +126,24 @@ final class Times {
     return notation == found ? seconds : Double.NaN;
   }
 
-  private static double sinceEpoch(Matcher date) {
+  private double sinceEpoch(Matcher date) {
     try {
-      boolean yearFirst = date.group("year") != null;
-      LocalDate day =
-          LocalDate.of(
-              number(date, yearFirst ? "year" : "year2"),
-              number(date, yearFirst ? "month" : "month2"),
-              number(date, yearFirst ? "day" : "day2"));
-      return day.toEpochDay() * DAY + clock(date) - offset(date.group("zone"));
+      return day(date).toEpochDay() * DAY + clock(date) - offset(date.group("zone"));
     } catch (DateTimeException e) {
       return Double.NaN;
     }
+  }
+
+  private LocalDate day(Matcher date) {
+    if (date.group("first") != null) {
+      return numericDates.day(
+          number(date, "first"), number(date, "second2"), number(date, "year3"));
+    }
+    boolean yearFirst = date.group("year") != null;
+    return LocalDate.of(
+        number(date, yearFirst ? "year" : "year2"),
+        number(date, yearFirst ? "month" : "month2"),
+        number(date, yearFirst ? "day" : "day2"));
   }
 
   private static int offset(String zone) {
@@ -115,6 +154,9 @@ final class Times {
   /** Returns the time on the day that brings it nearest to the time read before. */
   private double ofDay(Matcher time) {
     double seconds = number(time, "days") * DAY + clock(time);
+    if (Double.isNaN(seconds)) {
+      return seconds;
+    }
     boolean isFirst = notation != Notation.TIME_OF_DAY;
     lastOfDay = isFirst ? seconds : seconds + DAY * Math.rint((lastOfDay - seconds) / DAY);
     return lastOfDay;
@@ -123,6 +165,9 @@ final class Times {
   private static double clock(Matcher time) {
     int hour = number(time, "hour");
     String half = time.group("half");
+    if (half != null && (hour < 1 || hour > NOON)) {
+      return Double.NaN;
+    }
     if (half != null) {
       hour = hour % NOON + (half.equalsIgnoreCase("p") ? NOON : 0);
     }

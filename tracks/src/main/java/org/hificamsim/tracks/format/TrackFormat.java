@@ -2,8 +2,7 @@ package org.hificamsim.tracks.format;
 
 /**
  * A format of recorded tracks. An implementation reads a file once from start to end, and stores
- * nothing. Samples of one target are in the order of time; targets may alternate. A new instance is
- * made for each file.
+ * nothing. Samples may be in any order. A new instance is made for each file.
  */
 public interface TrackFormat {
   /** Says whether a file looks like this format, and why. */
@@ -29,6 +28,11 @@ public interface TrackFormat {
    */
   default boolean hasIds() {
     return true;
+  }
+
+  /** Whether the same name is that of another target where time goes back. */
+  default boolean reusesIds() {
+    return false;
   }
 
   /** Whether users may name the columns or properties of a file. */

@@ -15,6 +15,13 @@ import org.hificamsim.core.Place;
  */
 public record TrackSample(
     Place place, String target, double tick, double x, double y, double width, double height) {
+  private static final double MAX_COORDINATE = 1e9;
+
+  /** Whether time and position are numbers, and these not too large. */
+  boolean isRight() {
+    return Double.isFinite(tick) && Math.abs(x) <= MAX_COORDINATE && Math.abs(y) <= MAX_COORDINATE;
+  }
+
   /** Returns this sample with another position and size. */
   public TrackSample at(double newX, double newY, double newWidth, double newHeight) {
     return new TrackSample(place, target, tick, newX, newY, newWidth, newHeight);

@@ -5,13 +5,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Texts;
 import org.hificamsim.data.JsonStream;
 
 /**
  * TrajNet++: an object in each line. A {@code track} has the frame f, the pedestrian p, and x and y
  * in metres; a {@code scene} has {@code fps}, the number of a pedestrian's samples per second,
  * whatever the number of frames between them. A rate that the user gives is in frames and takes
- * precedence. Further predictions of the same way are left out.
+ * precedence. Further predictions of the same way are left out. A pedestrian of another scene is
+ * another one.
  */
 final class TrajNetFormat implements TrackFormat {
   static final KnownFormat DECLARATION =
@@ -24,8 +26,10 @@ final class TrajNetFormat implements TrackFormat {
 
   private static final List<String> TRACK_KEYS = List.of("f", "p", "x", "y");
   private static final String PREDICTION = "prediction_number";
+  private static final String SCENE = "scene_id";
   private static final Pattern LINE = Pattern.compile("\\s*\\{\\s*\"(track|scene)\"\\s*:");
 
+  private final Map<String, Double> firstScenes = new HashMap<>(); // by pedestrian
   private double fps = Double.NaN;
 
   @Override
@@ -34,6 +38,11 @@ final class TrajNetFormat implements TrackFormat {
         LINE.matcher(start.text()).lookingAt(),
         "has lines of JSON with a track or a scene",
         "the file %s, TrajNet++ has lines {\"track\": {...}}".formatted(start.look()));
+  }
+
+  @Override
+  public boolean reusesIds() {
+    return true;
   }
 
   @Override
@@ -57,7 +66,7 @@ final class TrajNetFormat implements TrackFormat {
         : new Clock(fps, true);
   }
 
-  private static void readTrack(JsonStream json, SampleSink samples) {
+  private void readTrack(JsonStream json, SampleSink samples) {
     Place place = json.place();
     Map<String, Double> values = new HashMap<>();
     json.object("a track", name -> values.put(name, json.value()));
@@ -68,14 +77,23 @@ final class TrajNetFormat implements TrackFormat {
     }
   }
 
-  private static TrackSample sample(Place place, Map<String, Double> values) {
+  private TrackSample sample(Place place, Map<String, Double> values) {
     double pedestrian = OddRows.part(Omission.NO_TARGET, () -> value(place, values, "p"));
     return new TrackSample(
         place,
-        Long.toString((long) pedestrian),
+        name(Long.toString((long) pedestrian), values.get(SCENE)),
         OddRows.part(Omission.NO_TIME, () -> value(place, values, "f")),
         OddRows.part(Omission.NO_PLACE, () -> coordinate(place, values, "x")),
         OddRows.part(Omission.NO_PLACE, () -> coordinate(place, values, "y")));
+  }
+
+  /** The name of a pedestrian, which has the scene from the second one on. */
+  private String name(String pedestrian, Double scene) {
+    if (scene == null || Double.isNaN(scene)) {
+      return pedestrian;
+    }
+    double first = firstScenes.computeIfAbsent(pedestrian, key -> scene);
+    return first == scene ? pedestrian : Texts.format("%s in scene %.0f", pedestrian, scene);
   }
 
   private static double value(Place place, Map<String, Double> values, String key) {
