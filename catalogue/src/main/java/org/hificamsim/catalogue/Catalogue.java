@@ -16,6 +16,7 @@ import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.hifi.density.DensityDetections;
+import org.hificamsim.hifi.model.BoxDetections;
 import org.hificamsim.hifi.model.HiFiDetections;
 import org.hificamsim.hifi.model.LabDetections;
 import org.hificamsim.hifi.model.ModelFiles;
@@ -39,6 +40,7 @@ public record Catalogue(
     DensityDetections.register(detections);
     HiFiDetections.register(detections);
     LabDetections.register(detections);
+    BoxDetections.register(detections);
     detections.registerServices(DetectionModel.class, DetectionModel::name, (model, options) -> {});
     Registry<ZoomPolicy> policies = CoveragePolicies.register(new Registry<>("policy"));
     policies.registerServices(ZoomPolicy.class, ZoomPolicy::name, ZoomPolicy::configure);

@@ -6,8 +6,6 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.check.Calibration;
@@ -18,6 +16,7 @@ import org.hificamsim.profiling.check.MotSightings;
 import org.hificamsim.profiling.check.RealityCheck;
 import org.hificamsim.tracks.format.Unit;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -31,7 +30,6 @@ import picocli.CommandLine.Spec;
       "Writes reality.csv, boxes.csv and reality.png."
     })
 final class CheckCommand implements Callable<Integer> {
-  private static final Pattern SIZE = Pattern.compile("(\\d{1,6})x(\\d{1,6})");
   private static final double MAX_METRES = 100;
 
   @Parameters(paramLabel = "MOT.txt", description = "Boxes: frame,id,left,top,width,height,...")
@@ -52,8 +50,7 @@ final class CheckCommand implements Callable<Integer> {
   @Option(names = "--calibration-unit", paramLabel = "m|cm|mm")
   private Optional<Unit> calibrationUnit;
 
-  @Option(names = "--image", paramLabel = "WxH")
-  private Optional<String> image;
+  @Mixin private ImageSizeOption image;
 
   @Option(names = "--out", paramLabel = "DIR")
   private Path out;
@@ -64,10 +61,9 @@ final class CheckCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MAX_METRES);
     Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MAX_METRES);
-    Optional<Size> size = image.map(CheckCommand::size);
     requireLength("--unit", unit);
     calibrationUnit.ifPresent(length -> requireLength("--calibration-unit", length));
-    Calibration camera = Calibration.read(calibration, calibrationUnit, size);
+    Calibration camera = Calibration.read(calibration, calibrationUnit, image.size());
     MotSightings boxes = new MotSightings(file, camera, unit.metres());
     RealityCheck check = RealityCheck.of(boxes.sightings(), camera, new Size(width, height));
     CheckFolder.write(out, check);
@@ -80,14 +76,6 @@ final class CheckCommand implements Callable<Integer> {
       throw InputException.of(
           "%s is %s, expected m, cm or mm", option, unit.name().toLowerCase(Locale.ROOT));
     }
-  }
-
-  private static Size size(String text) {
-    Matcher size = SIZE.matcher(text);
-    if (!size.matches() || text.startsWith("0") || text.contains("x0")) {
-      throw new InputException("--image is '" + text + "', expected pixels such as 1920x1080");
-    }
-    return new Size(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
   }
 
   private void print(MotSightings boxes, RealityCheck check) {

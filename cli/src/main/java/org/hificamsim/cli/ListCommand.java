@@ -13,7 +13,7 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
@@ -53,8 +53,7 @@ See docs/detection.md.
    * confidence at which the model detects half of the time by chance.
    */
   private static String thresholds(DetectionModel model) {
-    String equation =
-        model instanceof HiFiDetection fitted ? "; g(p) = " + fitted.g().equation() : "";
+    String equation = model instanceof FittedDetection fitted ? "; " + fitted.equation() : "";
     String chance =
         model.scatter().isPresent()
             ? Texts.format(

@@ -8,7 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.runs.DetectionSpec;
 
 /** Reads lists of names that users write. */
@@ -61,7 +61,7 @@ final class NameLists {
         others.stream()
             .map(DetectionSpec::model)
             .anyMatch(other -> other.name().equals(model.name()) && !other.equals(model));
-    return isTaken && model instanceof HiFiDetection fitted && !name.equals(model.name())
+    return isTaken && model instanceof FittedDetection fitted && !name.equals(model.name())
         ? fitted.named(fileName(name))
         : model;
   }

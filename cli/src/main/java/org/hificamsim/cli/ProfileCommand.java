@@ -6,8 +6,14 @@ import picocli.CommandLine.Command;
 @Command(
     name = "profile",
     description = {
-      "Makes detection models from photos: renders or measures photos, fits models, checks them.",
+      "Makes detection models from photos or labelled recordings, and checks them.",
       "Without photos of your own, begin with lab."
     },
-    subcommands = {LabCommand.class, MeasureCommand.class, FitCommand.class, CheckCommand.class})
+    subcommands = {
+      LabCommand.class,
+      MeasureCommand.class,
+      FitCommand.class,
+      BoxesCommand.class,
+      CheckCommand.class
+    })
 final class ProfileCommand {}

@@ -30,11 +30,16 @@ public record HiFiDetection(
     Optional<Residuals> residuals,
     Optional<FittedOn> fitted,
     Provenance provenance)
-    implements OpticalDetection {
-  /** Returns this model under another name. */
+    implements FittedDetection {
+  @Override
   public HiFiDetection named(String newName) {
     return new HiFiDetection(
         newName, f, g, optics, defaultThreshold, residuals, fitted, provenance);
+  }
+
+  @Override
+  public String equation() {
+    return "g(p) = " + g.equation();
   }
 
   @Override

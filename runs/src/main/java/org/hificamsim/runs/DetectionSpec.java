@@ -110,7 +110,7 @@ public record DetectionSpec(
     DetectionRule used =
         rule(askedThreshold, asked.asked(Setting.DETECT).map(DetectionRule::parse))
             .or(() -> ruleOfScenario)
-            .orElseGet(DetectionRule.Threshold::new);
+            .orElseGet(model::defaultRule);
     if (!used.certain()) {
       return Detection.by(used, name(used), model);
     }

@@ -14,7 +14,7 @@ import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
@@ -46,9 +46,9 @@ record PortablePlan(
   record PortableDetection(String name, String model, boolean isFile, double threshold, String rule)
       implements Serializable {
     static PortableDetection of(Detection detection) {
-      boolean isFile = detection.model() instanceof HiFiDetection;
+      boolean isFile = detection.model() instanceof FittedDetection;
       String model =
-          detection.model() instanceof HiFiDetection fitted
+          detection.model() instanceof FittedDetection fitted
               ? new String(ModelFiles.bytes(fitted), StandardCharsets.UTF_8)
               : detection.model().name();
       return new PortableDetection(

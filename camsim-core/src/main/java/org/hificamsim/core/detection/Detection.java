@@ -67,18 +67,36 @@ public final class Detection {
    * Creates a detection by a rule; the rule {@code threshold} takes the model's default threshold.
    *
    * @param name in result files
-   * @throws InputException if the rule needs a scatter and the model has none
+   * @throws InputException if the rule needs a scatter or a number of false alarms and the model
+   *     has none
    */
   public static Detection by(DetectionRule rule, String name, DetectionModel model) {
-    if (rule instanceof DetectionRule.Chance chance) {
+    requirePhantoms(rule, model);
+    if (rule instanceof DetectionRule.Chance chance && !isProbability(chance, model)) {
       Scatter scatter = model.scatter().orElseThrow(() -> noScatter(model));
       double threshold = scatter.threshold(chance.alpha());
       return new Detection(
           name, model, rule, scatter.half(threshold), value -> scatter.chance(value, threshold));
     }
-    return rule instanceof DetectionRule.Probability
-        ? new Detection(name, model, rule, HALF, DetectionModel::clamp)
-        : new Detection(name, model, model.defaultThreshold());
+    return rule.certain()
+        ? new Detection(name, model, model.defaultThreshold())
+        : new Detection(name, model, rule, HALF, DetectionModel::clamp);
+  }
+
+  /** Whether the values of a model are probabilities, from which chance draws without a scatter. */
+  private static boolean isProbability(DetectionRule.Chance chance, DetectionModel model) {
+    return model.scatter().isEmpty()
+        && model.defaultRule() instanceof DetectionRule.Probability
+        && chance.alpha() == DetectionRule.Chance.DEFAULT_ALPHA;
+  }
+
+  private static void requirePhantoms(DetectionRule rule, DetectionModel model) {
+    if (rule instanceof DetectionRule.Probability
+        && rule.phantoms() > 0
+        && model.phantoms().isEmpty()) {
+      throw InputException.of(
+          "detection '%s' does not know its false alarms, expected phantoms=off", model.name());
+    }
   }
 
   private static InputException noScatter(DetectionModel model) {
@@ -116,6 +134,31 @@ public final class Detection {
   /** The rule by which a value becomes a detection. */
   public DetectionRule rule() {
     return rule;
+  }
+
+  /**
+   * The number of phantoms that a camera reports in a step: by the number of false alarms that the
+   * model knows, a Poisson variable; else 0 or 1, by the chance of the rule.
+   *
+   * @param luck in [0, 1)
+   */
+  public int phantoms(double luck) {
+    return rule.phantoms() > 0 && model.phantoms().isPresent()
+        ? poisson(model.phantoms().getAsDouble(), luck)
+        : luck < rule.phantoms() ? 1 : 0;
+  }
+
+  /** The least number whose cumulative probability exceeds a share. */
+  private static int poisson(double mean, double share) {
+    int count = 0;
+    double chance = StrictMath.exp(-mean);
+    double sum = chance;
+    while (sum <= share && chance > 0) {
+      count++;
+      chance *= mean / count;
+      sum += chance;
+    }
+    return count;
   }
 
   /** Whether no luck is drawn: equal values give equal detections. */

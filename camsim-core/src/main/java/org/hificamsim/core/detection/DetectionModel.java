@@ -1,6 +1,7 @@
 package org.hificamsim.core.detection;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * How confident a camera is that it detects a target: an extension point, found by {@link #name}.
@@ -26,6 +27,35 @@ public interface DetectionModel {
    * @return the value of the formula, not clamped; see {@link #reported}
    */
   double confidence(double size, double distance, double offAxis, ZoomLevel zoom);
+
+  /**
+   * Computes the value like {@link #confidence(double, double, double, ZoomLevel)}, for a target
+   * that is partly hidden; called only if {@link #dependsOnHiddenShare}.
+   *
+   * @param hiddenShare the share of the target's silhouette that solid obstacles and nearer targets
+   *     hide, in [0, 1]
+   */
+  default double confidence(
+      double size, double distance, double offAxis, ZoomLevel zoom, double hiddenShare) {
+    return confidence(size, distance, offAxis, zoom);
+  }
+
+  /**
+   * Whether {@link #confidence} depends on the share of a target that is hidden. Solid obstacles
+   * and, whatever the scenario says of occlusion, nearer targets then hide targets by degrees; one
+   * that is hidden entirely is never detected.
+   */
+  default boolean dependsOnHiddenShare() {
+    return false;
+  }
+
+  /**
+   * Whether the size that {@link #confidence} takes is the target's height, as it appears in the
+   * picture, instead of the edge of its bounding box.
+   */
+  default boolean byHeight() {
+    return false;
+  }
 
   /** The threshold that is used if neither the settings nor the scenario give one. */
   default double defaultThreshold() {
@@ -76,6 +106,19 @@ public interface DetectionModel {
    */
   default Optional<Scatter> scatter() {
     return Optional.empty();
+  }
+
+  /** The rule that is used if neither the settings nor the scenario give a rule or threshold. */
+  default DetectionRule defaultRule() {
+    return new DetectionRule.Threshold();
+  }
+
+  /**
+   * The mean number of detections in a step that show no target, if it is known; cameras report
+   * them as phantoms if the rule says so.
+   */
+  default OptionalDouble phantoms() {
+    return OptionalDouble.empty();
   }
 
   /** Clamps a value to [0, 1]; NaN becomes 0. */

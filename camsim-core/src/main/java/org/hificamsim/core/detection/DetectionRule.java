@@ -22,7 +22,10 @@ public sealed interface DetectionRule {
     return 1;
   }
 
-  /** The chance in each step that a camera reports a phantom, a target that is not there. */
+  /**
+   * The chance in each step that a camera reports a phantom, a target that is not there, if the
+   * model does not know how many there are; 0 if cameras report none.
+   */
   default double phantoms() {
     return 0;
   }
@@ -81,9 +84,7 @@ public sealed interface DetectionRule {
               0.5,
               "rate of false alarms, which sets the threshold"),
           memoryFrom(options),
-          options.choice(
-                  "phantoms", Phantoms.OFF, "on: each camera, each step, a false alarm by alpha")
-              == Phantoms.ON);
+          phantomsFrom(options, "on: each camera, each step, a false alarm by alpha"));
     }
 
     @Override
@@ -105,15 +106,24 @@ public sealed interface DetectionRule {
    * Detects a target with a chance that equals its value, clamped to [0, 1].
    *
    * @param memory steps, 1 or more
+   * @param withPhantoms whether cameras report phantoms, as many as the model knows
    */
-  record Probability(int memory) implements DetectionRule {
+  record Probability(int memory, boolean withPhantoms) implements DetectionRule {
     private static Probability from(Options options) {
-      return new Probability(memoryFrom(options));
+      return new Probability(
+          memoryFrom(options),
+          phantomsFrom(options, "on: each camera, each step, the false alarms of the model"));
+    }
+
+    @Override
+    public double phantoms() {
+      return withPhantoms ? 1 : 0;
     }
 
     @Override
     public String text() {
-      return spelled("probability", memory == 1 ? "" : "memory=" + memory);
+      return spelled(
+          "probability", memory == 1 ? "" : "memory=" + memory, withPhantoms ? "phantoms=on" : "");
     }
   }
 
@@ -121,6 +131,10 @@ public sealed interface DetectionRule {
     String given =
         Stream.of(options).filter(option -> !option.isEmpty()).collect(Collectors.joining(","));
     return given.isEmpty() ? name : name + ":" + given;
+  }
+
+  private static boolean phantomsFrom(Options options, String meaning) {
+    return options.choice("phantoms", Phantoms.OFF, meaning) == Phantoms.ON;
   }
 
   private static int memoryFrom(Options options) {

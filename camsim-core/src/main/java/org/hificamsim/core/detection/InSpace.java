@@ -1,6 +1,7 @@
 package org.hificamsim.core.detection;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * Evaluates a model at distances in space, given distances over the ground.
@@ -24,11 +25,45 @@ record InSpace(DetectionModel model, double rise, boolean foreshortened) impleme
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
     double slant = Math.sqrt(distance * distance + rise * rise);
-    double apparentSize =
-        foreshortened && slant > 0
-            ? size * Math.sqrt(Math.max(distance / slant, MIN_COSINE))
-            : size;
-    return model.confidence(apparentSize, slant, offAxis, zoom);
+    return model.confidence(
+        apparentSize(size, distance, slant, zoom.vertical()), slant, offAxis, zoom);
+  }
+
+  @Override
+  public double confidence(
+      double size, double distance, double offAxis, ZoomLevel zoom, double hiddenShare) {
+    double slant = Math.sqrt(distance * distance + rise * rise);
+    return model.confidence(
+        apparentSize(size, distance, slant, zoom.vertical()), slant, offAxis, zoom, hiddenShare);
+  }
+
+  private double apparentSize(double size, double distance, double slant, VerticalView view) {
+    if (model.byHeight()) {
+      return slant * view.heightInPicture(distance, size);
+    }
+    return foreshortened && slant > 0
+        ? size * Math.sqrt(Math.max(distance / slant, MIN_COSINE))
+        : size;
+  }
+
+  @Override
+  public boolean dependsOnHiddenShare() {
+    return model.dependsOnHiddenShare();
+  }
+
+  @Override
+  public boolean byHeight() {
+    return model.byHeight();
+  }
+
+  @Override
+  public DetectionRule defaultRule() {
+    return model.defaultRule();
+  }
+
+  @Override
+  public OptionalDouble phantoms() {
+    return model.phantoms();
   }
 
   @Override

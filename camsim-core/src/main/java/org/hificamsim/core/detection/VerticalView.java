@@ -11,6 +11,22 @@ public record VerticalView(double z, double tilt, double angle) {
   /** The vertical view in a world without heights. */
   public static final VerticalView FLAT = new VerticalView(Double.NaN, 0, Double.NaN);
 
+  /**
+   * Returns the height of the picture of an upright target on the optical axis, in focal lengths.
+   * Where the view has no vertical limit, the lens is assumed to be turned to the target.
+   *
+   * @param distance over the ground, metres
+   * @param height of the target, metres
+   */
+  double heightInPicture(double distance, double height) {
+    double axis = Double.isNaN(angle) ? StrictMath.atan2(z - height / 2, distance) : tilt;
+    double sine = StrictMath.sin(axis);
+    double cosine = StrictMath.cos(axis);
+    double feet = distance * cosine + z * sine;
+    double head = distance * cosine + (z - height) * sine;
+    return feet > 0 && head > 0 ? distance * height / (feet * head) : Double.POSITIVE_INFINITY;
+  }
+
   /** Whether the world has no heights. */
   public boolean flat() {
     return Double.isNaN(z);

@@ -89,12 +89,17 @@ final class DetectionMasks {
     double x = targets.x(target);
     double y = targets.y(target);
     double transmittance = UNKNOWN;
+    double hidden = 0;
     for (int view = 0; view < views; view++) {
       LevelSight level = sight.level(camera, view, target);
       Pose pose = cameras.pose(camera, view);
       if (level.isInReach(squared) && level.isInAngle(pose, x, y)) {
-        transmittance = transmittance < 0 ? sight.transmittance(camera, target) : transmittance;
-        long hit = level.detectsInView(pose, x, y, squared, luck, transmittance) ? 1 : 0;
+        if (transmittance < 0) {
+          transmittance = sight.transmittance(camera, target);
+          hidden = sight.hiddenShare(camera, target);
+        }
+        boolean detected = level.detectsInView(pose, x, y, squared, luck, transmittance, hidden);
+        long hit = detected ? 1 : 0;
         masks[view * words + (target >> 6)] |= hit << target;
       }
     }

@@ -180,7 +180,7 @@ class ObservedNetwork implements NetworkView {
 
   @Override
   public double targetSize(int target) {
-    return targets.size(target);
+    return targets.seenSize(target);
   }
 
   @Override

@@ -5,6 +5,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.silhouette.HiddenShares;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.LevelSight;
@@ -38,6 +39,9 @@ final class Sight {
   private final SightLines lines;
   private final boolean open;
 
+  /** Null unless the detection model depends on hidden shares. */
+  private final HiddenShares hiddenShares;
+
   /** The different bodies of targets, the smallest first. */
   private final Body[] bodies;
 
@@ -61,12 +65,15 @@ final class Sight {
     this.cameras = world.cameras();
     this.targets = world.targets();
     this.lines = world.sightLines();
-    this.open = lines.open();
     this.visibility = visibility;
     this.field = world.scenario().field();
-    lines.require(visibility.detection().model().seen());
+    DetectionModel model = visibility.detection().model();
+    this.hiddenShares = model.dependsOnHiddenShare() ? new HiddenShares(world) : null;
+    this.open = hiddenShares == null && lines.open();
+    lines.require(model);
     Body[] all = new Body[targets.count()];
-    Arrays.setAll(all, lines.flat() ? target -> Body.flat(targets.size(target)) : targets::body);
+    Arrays.setAll(
+        all, lines.flat() ? target -> Body.flat(targets.seenSize(target)) : targets::body);
     this.bodies = Arrays.stream(all).sorted(Body.ORDER).distinct().toArray(Body[]::new);
     this.bodyOfTarget = new int[all.length];
     Arrays.setAll(bodyOfTarget, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
@@ -97,6 +104,9 @@ final class Sight {
   /** Reads the positions of the targets. No camera detects a target whose position is NaN. */
   void locate() {
     grid.clear();
+    if (hiddenShares != null) {
+      hiddenShares.begin();
+    }
     for (int target = 0; target < bodyOfTarget.length; target++) {
       double x = targets.x(target);
       double y = targets.y(target);
@@ -139,8 +149,17 @@ final class Sight {
     return visibility.luck(step, camera, target);
   }
 
+  /** Where hidden shares are known, solid things count as these, unless they hide everything. */
   double transmittance(int camera, int target) {
-    return open ? 1 : lines.transmittance(camera, target);
+    if (hiddenShares == null) {
+      return open ? 1 : lines.transmittance(camera, target);
+    }
+    return hiddenShares.share(camera, target) < 1 ? lines.throughGlass(camera, target) : 0;
+  }
+
+  /** The share of a target that is hidden, 0 unless the detection model depends on it. */
+  double hiddenShare(int camera, int target) {
+    return hiddenShares == null ? 0 : hiddenShares.share(camera, target);
   }
 
   boolean certain() {
@@ -165,7 +184,13 @@ final class Sight {
     return level.isInReach(squared)
         && level.isInAngle(pose, x, y)
         && level.detectsInView(
-            pose, x, y, squared, luck(camera, target), transmittance(camera, target));
+            pose,
+            x,
+            y,
+            squared,
+            luck(camera, target),
+            transmittance(camera, target),
+            hiddenShare(camera, target));
   }
 
   double chance(int camera, int view, int target) {
@@ -175,7 +200,8 @@ final class Sight {
                 cameras.pose(camera, view),
                 targets.x(target),
                 targets.y(target),
-                transmittance(camera, target))
+                transmittance(camera, target),
+                hiddenShare(camera, target))
         : 0;
   }
 
@@ -216,12 +242,19 @@ final class Sight {
     }
     double value =
         level(camera, view, target)
-            .value(cameras.pose(camera, view), targets.x(target), targets.y(target));
-    return DetectionModel.clamp(value * lines.transmittance(camera, target));
+            .valueWhenHidden(
+                cameras.pose(camera, view),
+                targets.x(target),
+                targets.y(target),
+                hiddenShare(camera, target));
+    return DetectionModel.clamp(value * transmittance(camera, target));
   }
 
   /** A target that is seen is not hidden: only partly transparent obstacles matter. */
   double seenConfidence(int camera, int target, double distance) {
+    if (hiddenShares != null) {
+      return confidence(camera, target);
+    }
     int view = cameras.seeing(camera);
     double value =
         level(camera, view, target)

@@ -74,7 +74,8 @@ public final class LevelSight {
     this.asInCamSim = asInCamSim;
     this.zoom = zoom;
     this.certain = detection.certain();
-    this.byDistance = certain && !model.dependsOnBearing();
+    boolean hiddenByDegrees = model.dependsOnHiddenShare();
+    this.byDistance = certain && !model.dependsOnBearing() && !hiddenByDegrees;
     this.allRound = zoom.allRound();
     this.cosineOfHalfAngle = Math.cos(zoom.viewingAngle() / 2);
     this.outsideBelow = signedSquare(cosineOfHalfAngle - MARGIN);
@@ -84,7 +85,8 @@ public final class LevelSight {
     int intervals = detectedDistances.intervals();
     this.singleInterval = intervals == 1 && detectedDistances.from(0) == 0;
     this.farthestSquared = intervals == 0 ? -1 : detectedDistances.to(intervals - 1);
-    this.chances = byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
+    boolean byTable = !certain && !model.dependsOnBearing();
+    this.chances = byTable ? detection.chances(size, zoom) : null;
   }
 
   /** The part of targets that must be seen. */
@@ -190,6 +192,26 @@ public final class LevelSight {
   }
 
   /**
+   * The same as {@link #detectsInView(Pose, double, double, double, double, double)} for a target
+   * that is partly hidden.
+   *
+   * @param hidden the share of the target that is hidden, in [0, 1]; 0 unless the model depends on
+   *     it
+   */
+  public boolean detectsInView(
+      Pose camera,
+      double x,
+      double y,
+      double squared,
+      double luck,
+      double transmittance,
+      double hidden) {
+    return hidden == 0
+        ? detectsInView(camera, x, y, squared, luck, transmittance)
+        : detection.detects(valueInView(camera, x, y, hidden), luck, transmittance);
+  }
+
+  /**
    * The confidence that the model reports for a target; 0 if the camera does not detect it.
    *
    * @param luck of the camera and the target in this step
@@ -227,6 +249,37 @@ public final class LevelSight {
     return Double.isNaN(value) ? 0 : transmittance * detection.chance(value);
   }
 
+  /**
+   * The same as {@link #chance(Pose, double, double, double)} for a target that is partly hidden.
+   *
+   * @param hidden the share of the target that is hidden, in [0, 1]; 0 unless the model depends on
+   *     it
+   */
+  public double chance(Pose camera, double x, double y, double transmittance, double hidden) {
+    if (hidden == 0 || !isInView(camera, x, y)) {
+      return chance(camera, x, y, transmittance);
+    }
+    double value = valueInView(camera, x, y, hidden);
+    if (certain) {
+      return detection.detects(value, 0, transmittance) ? 1 : 0;
+    }
+    return Double.isNaN(value) ? 0 : transmittance * detection.chance(value);
+  }
+
+  /**
+   * The same as {@link #value(Pose, double, double)} for a target that is partly hidden.
+   *
+   * @param hidden the share of the target that is hidden, in [0, 1]; 0 unless the model depends on
+   *     it
+   */
+  public double valueWhenHidden(Pose camera, double x, double y, double hidden) {
+    if (hidden == 0 || value(camera, x, y) == 0) {
+      return value(camera, x, y);
+    }
+    double value = valueInView(camera, x, y, hidden);
+    return Double.isNaN(value) ? 0 : value;
+  }
+
   /** The model's value for a target in the field of view, independent of the threshold; else 0. */
   public double value(Pose camera, double x, double y) {
     double value =
@@ -257,6 +310,11 @@ public final class LevelSight {
   private double valueInView(Pose camera, double x, double y) {
     double distance = camera.distance(x, y);
     return model.confidence(size, distance, offAxis(camera, x, y, distance), zoom);
+  }
+
+  private double valueInView(Pose camera, double x, double y, double hidden) {
+    double distance = camera.distance(x, y);
+    return model.confidence(size, distance, offAxis(camera, x, y, distance), zoom, hidden);
   }
 
   /** The angle off the axis, or any angle between 0 and pi if the model ignores which one it is. */

@@ -95,10 +95,9 @@ public final class Visibility {
     return certain ? 0 : luck.draw(step, camera, target);
   }
 
-  /** The number of phantoms that a camera reports in a step: 0 or 1. */
+  /** The number of phantoms that a camera reports in a step. */
   public int phantoms(long step, int camera) {
-    double chance = detection.rule().phantoms();
-    return chance > 0 && luck.draw(step, camera, -1) < chance ? 1 : 0;
+    return detection.rule().phantoms() > 0 ? detection.phantoms(luck.draw(step, camera, -1)) : 0;
   }
 
   /**

@@ -1,6 +1,8 @@
 package org.hificamsim.core.world;
 
-import org.hificamsim.core.detection.Seen;
+import java.util.List;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.scenario.Scenario;
@@ -21,6 +23,10 @@ public final class SightLines {
   private final Targets targets;
   private final VisibleRegion[] regions;
   private final boolean partial;
+
+  /** The obstacles that let a part of the light through. */
+  private final Obstacles glass;
+
   private int revision = -1;
 
   /**
@@ -40,7 +46,10 @@ public final class SightLines {
         shared == null
             ? new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()]
             : shared.regions.clone();
-    this.partial = obstacles.all().stream().anyMatch(obstacle -> obstacle.transmittance() > 0);
+    List<Obstacle> transparent =
+        obstacles.all().stream().filter(obstacle -> !obstacle.solid()).toList();
+    this.partial = !transparent.isEmpty();
+    this.glass = new Obstacles(transparent);
     refresh();
   }
 
@@ -99,10 +108,25 @@ public final class SightLines {
         : through;
   }
 
-  /** Sets what must be seen of a target, unless the scenario says so. */
-  public void require(Seen usual) {
+  /** The part of a target's light that passes the obstacles that are not solid. */
+  public double throughGlass(int camera, int target) {
+    return partial
+        ? glass.transmittance(
+            cameras.x(camera),
+            cameras.y(camera),
+            cameras.z(camera),
+            targets.x(target),
+            targets.y(target),
+            targets.low(target),
+            targets.high(target))
+        : 1;
+  }
+
+  /** Sets what a model must see of a target, unless the scenario says so, and its size. */
+  public void require(DetectionModel model) {
     targets.setRule(
-        scenario.find(Scenario.SEEN).orElse(usual),
-        scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE);
+        scenario.find(Scenario.SEEN).orElse(model.seen()),
+        scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE,
+        model.byHeight());
   }
 }

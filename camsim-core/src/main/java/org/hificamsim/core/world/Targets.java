@@ -37,6 +37,7 @@ public final class Targets {
   private final boolean movesFirst;
   private Seen commonSeen = Seen.WHOLE;
   private boolean foreshortened;
+  private boolean byHeight;
 
   Targets(Field field, Obstacles obstacles, StepOrder order, int count) {
     movesFirst = order == StepOrder.CAMSIM;
@@ -132,10 +133,21 @@ public final class Targets {
     return width[target];
   }
 
-  /** Sets what must be seen of targets that have no rule of their own. */
-  void setRule(Seen newCommonSeen, boolean foreshortened) {
+  /** The height of the target, metres. */
+  public double height(int target) {
+    return height[target];
+  }
+
+  /** The size of the target as the detection model takes it: its size or its height, metres. */
+  public double seenSize(int target) {
+    return byHeight ? height[target] : size[target];
+  }
+
+  /** Sets what must be seen of targets that have no rule of their own, and which size counts. */
+  void setRule(Seen newCommonSeen, boolean foreshortened, boolean byHeight) {
     commonSeen = newCommonSeen;
     this.foreshortened = foreshortened;
+    this.byHeight = byHeight;
   }
 
   private Seen seen(int target) {
@@ -154,7 +166,7 @@ public final class Targets {
 
   /** What a camera with a height must see of the target. */
   public Body body(int target) {
-    return new Body(size[target], low(target), high(target), foreshortened);
+    return new Body(seenSize(target), low(target), high(target), foreshortened);
   }
 
   /** Whether another target hides this one from a point, metres; fromZ is NaN in a flat world. */

@@ -14,9 +14,6 @@ import org.hificamsim.hifi.optics.Optics;
 
 /** Registers the detection models that are based on pixel density. */
 public final class DensityDetections {
-  /** The width of a picture if the scenario does not give one: full high definition. */
-  private static final int DEFAULT_PIXELS = 1920;
-
   private DensityDetections() {}
 
   /** Adds the models to a registry. */
@@ -137,7 +134,7 @@ public final class DensityDetections {
       implements OpticalDetection {
     @Override
     public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-      return Math.min(1, density(zoom, optics, distance) / demandedDensity);
+      return Math.min(1, optics.pixelsPerMetre(zoom, distance) / demandedDensity);
     }
 
     @Override
@@ -163,7 +160,7 @@ public final class DensityDetections {
       implements OpticalDetection {
     @Override
     public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-      return probability(size * density(zoom, optics, distance) / 2 / halfCycles);
+      return probability(size * optics.pixelsPerMetre(zoom, distance) / 2 / halfCycles);
     }
 
     @Override
@@ -175,18 +172,5 @@ public final class DensityDetections {
   /** Computes 1 / (1 + r^-E), which is a number for any ratio r of 0 or more. */
   static double probability(double ratio) {
     return 1 / (1 + Math.pow(ratio, -(2.7 + 0.7 * ratio)));
-  }
-
-  /**
-   * Returns the horizontal pixels per metre, W / (2 d tan(theta / 2)); infinite at distance 0.
-   *
-   * @param optics determine the angle of view if the scenario names no lens
-   * @param distance metres
-   */
-  private static double density(ZoomLevel zoom, Optics optics, double distance) {
-    int pixels = zoom.pixels() > 0 ? zoom.pixels() : DEFAULT_PIXELS;
-    double angle =
-        zoom.hasLens() ? zoom.angleOfView() : optics.angleOfView(optics.focalLength(zoom));
-    return pixels / (2 * distance * StrictMath.tan(angle / 2));
   }
 }

@@ -5,7 +5,7 @@ import java.util.Locale;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.registry.Registry;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 
 /**
  * Registers the models that {@code profile} fitted in the rendered laboratory: {@code
@@ -39,7 +39,7 @@ public final class LabDetections {
         () -> model("lab/" + model + ".json"));
   }
 
-  private static HiFiDetection model(String resource) {
+  private static FittedDetection model(String resource) {
     return ModelFiles.parse(resource, Io.resource(LabDetections.class, resource));
   }
 }

@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.hifi.json.JsonFile;
 
 /**
@@ -35,7 +35,7 @@ public final class ModelFiles {
    *
    * @throws InputException in one line with file, line and column, when it is not a valid model
    */
-  public static HiFiDetection read(Path file) {
+  public static FittedDetection read(Path file) {
     return JsonFile.read(file, "a model in JSON", MAX_BYTES).whole(ModelFormat::read);
   }
 
@@ -46,7 +46,7 @@ public final class ModelFiles {
    * @throws IllegalArgumentException when a number or the name of the model is not allowed in files
    * @throws InputException when the file cannot be written
    */
-  public static void write(HiFiDetection model, Path file) {
+  public static void write(FittedDetection model, Path file) {
     byte[] bytes = bytes(model);
     try {
       new OutputFile(file).write(out -> out.write(bytes));
@@ -61,7 +61,7 @@ public final class ModelFiles {
    *
    * @param file the file's name, for error messages
    */
-  public static HiFiDetection parse(String file, byte[] bytes) {
+  public static FittedDetection parse(String file, byte[] bytes) {
     return JsonFile.parse(file, bytes).whole(ModelFormat::read);
   }
 
@@ -70,7 +70,7 @@ public final class ModelFiles {
    *
    * @throws IllegalArgumentException when a number or the name of the model is not allowed in files
    */
-  public static byte[] bytes(HiFiDetection model) {
+  public static byte[] bytes(FittedDetection model) {
     try {
       String text = WRITER.writeValueAsString(ModelFormat.json(model)) + "\n";
       byte[] bytes = text.getBytes(StandardCharsets.UTF_8);

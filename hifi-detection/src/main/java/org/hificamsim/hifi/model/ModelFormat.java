@@ -5,18 +5,20 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.Residuals;
+import org.hificamsim.hifi.boxes.BoxDetection;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.optics.Optics;
 
-/** Reads and writes a {@link HiFiDetection} as JSON, and checks the range of each number. */
+/** Reads and writes a {@link FittedDetection} as JSON, and checks the range of each number. */
 final class ModelFormat {
   static final ObjectMapper MAPPER = new ObjectMapper();
   static final List<String> LENGTHS = List.of("q", "d", "z");
@@ -28,6 +30,9 @@ final class ModelFormat {
   /** The first version in which the scatter of residuals may grow with g. */
   private static final int GROWING_SCATTER = 3;
 
+  /** The version of models of detectors that draw boxes. */
+  private static final int BOXES = 4;
+
   private static final String SCHEMA = "hificamsim-model";
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9:._-]{0,99}");
   private static final double MIN_RMSE = 1e-9;
@@ -36,13 +41,18 @@ final class ModelFormat {
 
   private ModelFormat() {}
 
-  static HiFiDetection read(JsonObject json) {
-    int version = version(json, SCHEMA, LINES_ONLY, 2, GROWING_SCATTER);
+  static FittedDetection read(JsonObject json) {
+    int version = version(json, SCHEMA, LINES_ONLY, 2, GROWING_SCATTER, BOXES);
+    return version == BOXES
+        ? BoxModelFormat.read(name(json), json)
+        : readHiFi(name(json), version, json);
+  }
+
+  private static HiFiDetection readHiFi(String name, int version, JsonObject json) {
     refuseCovariates(json);
-    String name = name(json);
     FeatureAbstraction f = json.object("f", FeatureFormats::read);
     Fitted g = json.object("g", detector -> fitted(detector, version));
-    Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
+    Optics optics = opticsOrUsual(json);
     double threshold =
         json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.model());
     checkUnits(json);
@@ -54,10 +64,28 @@ final class ModelFormat {
         name, f, g.model(), optics, threshold, g.residuals(), fittedOn, provenance(json));
   }
 
-  static ObjectNode json(HiFiDetection model) {
+  /**
+   * Returns the properties of a model.
+   *
+   * @throws IllegalArgumentException if there is no format for its class
+   */
+  static ObjectNode json(FittedDetection model) {
+    ObjectNode json = MAPPER.createObjectNode().put("schema", SCHEMA);
+    if (model instanceof HiFiDetection hiFi) {
+      write(hiFi, json);
+    } else if (model instanceof BoxDetection boxes) {
+      json.put("version", BOXES).put("name", model.name());
+      BoxModelFormat.write(boxes, json);
+      json.putPOJO("provenance", boxes.provenance().remarks());
+    } else {
+      throw new IllegalArgumentException("no file format for " + model.getClass().getName());
+    }
+    return json;
+  }
+
+  private static void write(HiFiDetection model, ObjectNode json) {
     int version = oldestVersion(model);
-    ObjectNode json = MAPPER.createObjectNode().put("schema", SCHEMA).put("version", version);
-    json.put("name", model.name());
+    json.put("version", version).put("name", model.name());
     json.set("f", FeatureFormats.json(model.f()));
     ObjectNode g = json.putObject("g").setAll(DetectorFormats.json(model.g(), version));
     model.residuals().ifPresent(residuals -> write(residuals, g));
@@ -66,7 +94,7 @@ final class ModelFormat {
     model.fitted().ifPresent(fittedOn -> json.putPOJO("fitted", fittedOn));
     ObjectNode units = json.putObject("units");
     LENGTHS.forEach(length -> units.put(length, "m"));
-    return json.putPOJO("provenance", model.provenance().remarks());
+    json.putPOJO("provenance", model.provenance().remarks());
   }
 
   /**
@@ -128,6 +156,10 @@ final class ModelFormat {
                 scatter.number("growth", 0, MAX_COEFFICIENT)));
   }
 
+  static Optics opticsOrUsual(JsonObject json) {
+    return json.has("optics") ? optics(json) : PublishedModels.published().optics();
+  }
+
   static Optics optics(JsonObject json) {
     return json.object(
         "optics",
@@ -149,16 +181,16 @@ final class ModelFormat {
 
   static FittedOn fittedOn(JsonObject json) {
     return new FittedOn(
-        json.object("q", ModelFormat::span),
-        json.object("d", ModelFormat::span),
-        json.object("z", ModelFormat::span),
+        json.object("q", size -> span(size, MAX_LENGTH)),
+        json.object("d", distance -> span(distance, MAX_LENGTH)),
+        json.object("z", focalLength -> span(focalLength, MAX_LENGTH)),
         json.count("objects", MAX_OBJECTS),
         json.number("betweenObjects", 0, MAX_COEFFICIENT),
         json.number("withinObjects", 0, MAX_COEFFICIENT));
   }
 
-  private static Span span(JsonObject json) {
-    Span span = new Span(json.number("least", 0, MAX_LENGTH), json.number("most", 0, MAX_LENGTH));
+  static Span span(JsonObject json, double greatest) {
+    Span span = new Span(json.number("least", 0, greatest), json.number("most", 0, greatest));
     if (span.most() < span.least()) {
       throw json.error("most", "expected " + span.least() + " or more, the least");
     }

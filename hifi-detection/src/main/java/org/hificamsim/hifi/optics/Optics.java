@@ -11,6 +11,9 @@ import org.hificamsim.core.detection.ZoomLevel;
  *     not known, metres, above 0
  */
 public record Optics(double sensorWidth, double longestFocalLength) {
+  /** The width of a picture if the scenario does not give one: full high definition. */
+  private static final int USUAL_PIXELS = 1920;
+
   /** Returns the angle of view in radians, in (0, pi), at a focal length above 0 (Eq 3.1). */
   public double angleOfView(double focalLength) {
     return 2 * StrictMath.atan(sensorWidth / (2 * focalLength));
@@ -37,6 +40,17 @@ public record Optics(double sensorWidth, double longestFocalLength) {
    */
   public double focalLength(double radius, double mountHeight) {
     return mountHeight * sensorWidth / (2 * radius);
+  }
+
+  /**
+   * Returns the horizontal pixels per metre, W / (2 d tan(theta / 2)); infinite at distance 0.
+   *
+   * @param distance metres
+   */
+  public double pixelsPerMetre(ZoomLevel zoom, double distance) {
+    int pixels = zoom.pixels() > 0 ? zoom.pixels() : USUAL_PIXELS;
+    double angle = zoom.hasLens() ? zoom.angleOfView() : angleOfView(focalLength(zoom));
+    return pixels / (2 * distance * StrictMath.tan(angle / 2));
   }
 
   /**

@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.util.List;
 import org.hificamsim.runs.Estimate;
+import org.knowm.xchart.AnnotationText;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.Marker;
@@ -149,6 +150,23 @@ public class XyPanel extends XYChart {
     series.setFillColor(Palette.pale(color, PALE_BAND));
     series.setLineColor(Palette.pale(color, 0));
     series.setLineStyle(THIN);
+    return this;
+  }
+
+  /**
+   * Adds a cell of a heat map around whole coordinates, with a text in it.
+   *
+   * @param share from 0, pale, to 1, dark
+   */
+  public XyPanel cell(int x, int y, Color color, double share, String text) {
+    double[] left = {x - 0.5, x - 0.5, x + 0.5, x + 0.5};
+    double[] bottom = {y - 0.5, y + 0.5, y + 0.5, y - 0.5};
+    XYSeries series = add(new Curve(left, bottom), SeriesMarkers.NONE);
+    series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.PolygonArea);
+    series.setFillColor(Palette.pale(color, 0.05 + 0.55 * share));
+    series.setLineColor(Palette.pale(color, 0));
+    series.setLineStyle(THIN);
+    addAnnotation(new AnnotationText(text, x, y, false));
     return this;
   }
 

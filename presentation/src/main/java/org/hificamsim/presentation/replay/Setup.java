@@ -88,7 +88,7 @@ public record Setup(
         IntStream.range(0, world.targets().count())
             .mapToObj(i -> new Target(world.targets().name(i), world.targets().size(i)))
             .toList();
-    double size = UsualTarget.size(world);
+    double size = UsualTarget.size(world, detection.model());
     List<Obstacle> obstacles = world.scenario().obstacles();
     Poses poses = new Poses(detection, size, obstacles, world.scenario().field());
     List<Camera> cameras =

@@ -19,41 +19,6 @@ import org.apache.commons.math3.util.Pair;
 final class CurveFit {
   private static final int MAX_STEPS = 400;
 
-  /**
-   * A positive parameter between two bounds, mapped to an unbounded number for the optimiser:
-   * {@code value = least (most / least)^(1 / (1 + exp(-t)))}.
-   *
-   * @param least above 0
-   * @param most above {@code least}
-   */
-  record Bounded(double least, double most) {
-    private static final double FARTHEST = 12;
-
-    /** Returns the parameter for a number of the optimiser. */
-    double value(double free) {
-      return least * StrictMath.pow(most / least, share(free));
-    }
-
-    /** Returns the derivative of {@link #value}. */
-    double slope(double free) {
-      double share = share(free);
-      return value(free) * StrictMath.log(most / least) * share * (1 - share);
-    }
-
-    /**
-     * Returns the optimiser's number for a parameter, which is moved slightly inside its bounds.
-     */
-    double free(double value) {
-      double share = StrictMath.log(value / least) / StrictMath.log(most / least);
-      double odds = share / (1 - share);
-      return Math.max(-FARTHEST, Math.min(FARTHEST, StrictMath.log(odds)));
-    }
-
-    private static double share(double free) {
-      return 1 / (1 + StrictMath.exp(-free));
-    }
-  }
-
   /** A curve with parameters. */
   interface Curve {
     /** Returns the value at x and sets {@code gradient} to the derivative by each parameter. */

@@ -12,7 +12,6 @@ import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.detector.HillCurve;
 import org.hificamsim.hifi.detector.LogisticCurve;
 import org.hificamsim.hifi.detector.SaturatingExponential;
-import org.hificamsim.profiling.fit.CurveFit.Bounded;
 
 /**
  * A shape of g and how to fit it. To add a shape, add a line to {@link #ALL}. Curves with

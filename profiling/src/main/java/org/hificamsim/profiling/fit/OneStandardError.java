@@ -14,7 +14,7 @@ import org.apache.commons.math3.util.MathArrays;
  * differ more than fits do, so that with the standard error of the error itself a line would always
  * pass.
  */
-final class OneStandardError {
+public final class OneStandardError {
   private OneStandardError() {}
 
   /**
@@ -22,7 +22,7 @@ final class OneStandardError {
    *
    * @param errors the errors of each fit in each group, the simplest fit first; may be NaN
    */
-  static int simplest(List<double[]> errors) {
+  public static int simplest(List<double[]> errors) {
     int best = best(errors);
     return IntStream.range(0, errors.size())
         .filter(i -> isAsGood(errors.get(i), errors.get(best)))
@@ -31,14 +31,15 @@ final class OneStandardError {
   }
 
   /** Returns the index of the fit with the least mean error. */
-  static int best(List<double[]> errors) {
+  public static int best(List<double[]> errors) {
     return IntStream.range(0, errors.size())
         .boxed()
         .min(Comparator.comparingDouble(i -> StatUtils.mean(errors.get(i))))
         .orElseThrow();
   }
 
-  private static boolean isAsGood(double[] errors, double[] best) {
+  /** Whether a fit is as good as another one, whose errors in the same groups are given. */
+  public static boolean isAsGood(double[] errors, double[] best) {
     double[] differences = MathArrays.ebeSubtract(errors, best);
     return StatUtils.mean(differences)
         <= Math.sqrt(StatUtils.variance(differences) / differences.length);

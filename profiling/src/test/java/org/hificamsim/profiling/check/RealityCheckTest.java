@@ -144,7 +144,19 @@ class RealityCheckTest {
     double left = stand.u() - width / 2;
     MotFile.Row box =
         new MotFile.Row(
-            new Place("made", 1, 1), 1, "1", left, stand.v() - height, width, height, 1, x, y, 0);
+            new Place("made", 1, 1),
+            1,
+            "1",
+            left,
+            stand.v() - height,
+            width,
+            height,
+            1,
+            x,
+            y,
+            0,
+            "",
+            Double.NaN);
     return new Sighting(box, foot);
   }
 

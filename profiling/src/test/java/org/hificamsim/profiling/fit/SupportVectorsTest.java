@@ -61,7 +61,8 @@ class SupportVectorsTest {
             Optional.empty(),
             Provenance.UNKNOWN);
     ModelFiles.write(model, folder.resolve("m.json"));
-    SvrRbfAbstraction read = (SvrRbfAbstraction) ModelFiles.read(folder.resolve("m.json")).f();
+    HiFiDetection written = (HiFiDetection) ModelFiles.read(folder.resolve("m.json"));
+    SvrRbfAbstraction read = (SvrRbfAbstraction) written.f();
     for (int i = 0; i < scaled.length; i++) {
       Measurement o = rows.get(i);
       assertEquals(

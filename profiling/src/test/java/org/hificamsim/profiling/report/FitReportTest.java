@@ -243,7 +243,8 @@ class FitReportTest {
     for (String detector : result.detectors()) {
       for (String f : List.of("lin", "svr-lin", "svr-rbf", "sr", "power", "pinhole")) {
         HiFiDetection model =
-            ModelFiles.read(folder.resolve("models/" + detector + "-" + f + ".json"));
+            (HiFiDetection)
+                ModelFiles.read(folder.resolve("models/" + detector + "-" + f + ".json"));
         double pip = result.feature(f).fit().f().pip(0.3, 4, 0.0425);
         assertEquals("mine:" + detector + "-" + f, model.name());
         assertEquals(

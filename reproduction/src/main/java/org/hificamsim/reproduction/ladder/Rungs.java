@@ -8,7 +8,6 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
-import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
@@ -111,8 +110,8 @@ public final class Rungs {
     }
 
     /**
-     * The detection of this rung. Without a rule in its name it is by threshold, whatever the
-     * scenario says: a rung is the same in all scenarios.
+     * The detection of this rung. Without a rule in its name it is by the model's own rule,
+     * whatever the scenario says: a rung is the same in all scenarios.
      *
      * @throws org.hificamsim.core.InputException when there is no such detection
      */
@@ -120,7 +119,7 @@ public final class Rungs {
         Settings asked, Scenario scenario, Function<String, DetectionModel> models) {
       Settings settings = with(asked);
       DetectionSpec spec = DetectionSpec.parse(settings.value(Setting.DETECTION, scenario), models);
-      return spec.or(new DetectionRule.Threshold()).detection(settings, scenario);
+      return spec.or(spec.model().defaultRule()).detection(settings, scenario);
     }
   }
 }

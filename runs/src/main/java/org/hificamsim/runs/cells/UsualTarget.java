@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Extent;
@@ -25,11 +26,18 @@ public final class UsualTarget {
         .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(Extent.PERSON));
   }
 
-  /** The most frequent size of a world's targets, metres; the first if several are as frequent. */
-  public static double size(World world) {
+  /**
+   * The most frequent size of a world's targets as a detection model takes it, metres; the first if
+   * several are as frequent.
+   */
+  public static double size(World world, DetectionModel model) {
     return among(IntStream.range(0, world.targets().count()).mapToObj(world::targetSpec).toList())
-        .map(TargetSpec::size)
+        .map(target -> size(target, model))
         .orElse(TargetSpec.DEFAULT_SIZE);
+  }
+
+  private static double size(TargetSpec target, DetectionModel model) {
+    return model.byHeight() ? target.height() : target.size();
   }
 
   /** The first target of the most frequent size. */
@@ -45,12 +53,13 @@ public final class UsualTarget {
   static Body body(Scenario scenario, Detection detection) {
     TargetSpec target = of(scenario);
     if (!scenario.hasHeights()) {
-      return Body.flat(target.size());
+      return Body.flat(size(target, detection.model()));
     }
     Seen seen =
         target.seen().or(() -> scenario.find(Scenario.SEEN)).orElse(detection.model().seen());
     boolean foreshortened = scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE;
     double height = target.height();
-    return new Body(target.size(), seen.low(height), seen.high(height), foreshortened);
+    double size = size(target, detection.model());
+    return new Body(size, seen.low(height), seen.high(height), foreshortened);
   }
 }

@@ -29,7 +29,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.world.Movement;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
@@ -135,7 +135,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   /** A fitted model is identified by its parameters, other models by their class. */
   private static String digest(DetectionModel model) {
     return Sha256.of(
-        model instanceof HiFiDetection fitted
+        model instanceof FittedDetection fitted
             ? ModelFiles.bytes(fitted)
             : bytes(model.getClass().getName()));
   }

@@ -53,7 +53,7 @@ public final class HeatRecorder implements StepListener {
   public HeatRecorder(World world, Detection detection, int along) {
     this.cells = FieldCells.of(world.scenario().field(), along);
     this.obstacles = new Obstacles(world.scenario().obstacles());
-    double size = UsualTarget.size(world);
+    double size = UsualTarget.size(world, detection.model());
     this.views = new ViewCells(cells, detection, obstacles, network -> network.body(size));
     chanceOfNone = new double[cells.count()];
     chanceOfOne = new double[cells.count()];

@@ -25,7 +25,7 @@ final class BlindViewHint {
       return Optional.empty();
     }
     World world = new World(scenario, catalogue.movements(), 0);
-    world.sightLines().require(detection.model().seen());
+    world.sightLines().require(detection.model());
     List<Body> bodies =
         IntStream.range(0, world.targets().count())
             .mapToObj(world.targets()::body)

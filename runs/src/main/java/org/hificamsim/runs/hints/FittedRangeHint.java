@@ -12,6 +12,8 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.boxes.BoxDetection;
+import org.hificamsim.hifi.boxes.FittedBoxes;
 import org.hificamsim.runs.ShortNumber;
 
 /**
@@ -25,6 +27,9 @@ final class FittedRangeHint {
   private FittedRangeHint() {}
 
   static Optional<String> of(Scenario scenario, Detection detection) {
+    if (detection.model() instanceof BoxDetection boxes) {
+      return boxes.fitted().flatMap(fitted -> tooLow(scenario, detection.name(), boxes, fitted));
+    }
     return detection.model() instanceof HiFiDetection model
         ? model.fitted().flatMap(fitted -> warning(scenario, detection.name(), model, fitted))
         : Optional.empty();
@@ -49,6 +54,25 @@ final class FittedRangeHint {
         : Optional.of(
             "'%s' was not fitted on what is asked of it: %s; expected photos of these, or a model whose f is the pinhole camera's"
                 .formatted(name, String.join(", ", outside)));
+  }
+
+  /**
+   * Warns if the lowest target at the far end of the widest view is lower than any labelled box.
+   */
+  private static Optional<String> tooLow(
+      Scenario scenario, String name, BoxDetection model, FittedBoxes fitted) {
+    double height = scenario.everyTarget().mapToDouble(TargetSpec::height).min().orElse(Double.NaN);
+    double pixels =
+        World.zoomLevels(scenario).stream()
+            .mapToDouble(zoom -> model.pixels(height, zoom.radius(), zoom))
+            .min()
+            .orElse(Double.NaN);
+    return pixels < fitted.height().least()
+        ? Optional.of(
+            "'%s' was fitted on people of %s pixels and more: at the far end of views targets have %s"
+                .formatted(
+                    name, Math.round(fitted.height().least()), ShortNumber.of(Math.rint(pixels))))
+        : Optional.empty();
   }
 
   private static void addIfOutside(

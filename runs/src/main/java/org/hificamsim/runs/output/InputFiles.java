@@ -14,7 +14,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 
@@ -96,7 +96,7 @@ public final class InputFiles {
   }
 
   private static String name(DetectionModel model, Map<String, byte[]> models) {
-    return model instanceof HiFiDetection fitted
+    return model instanceof FittedDetection fitted
         ? models.entrySet().stream()
             .filter(file -> Arrays.equals(file.getValue(), ModelFiles.bytes(fitted)))
             .findFirst()
@@ -114,7 +114,7 @@ public final class InputFiles {
 
   /** Adds the file of a fitted model. A model that is code has none: its name has to do. */
   private static void add(Map<String, byte[]> files, DetectionModel model) {
-    if (model instanceof HiFiDetection fitted) {
+    if (model instanceof FittedDetection fitted) {
       String name = DETECTION + fitted.name().replaceAll("[^\\w.+-]", "-");
       files.put(freeName(files, name, ".json"), ModelFiles.bytes(fitted));
     }

@@ -14,6 +14,12 @@ public final class MotFile {
   static final int FRAME_COLUMN = 0;
   static final int BOX_COLUMNS = 6;
   static final int COLUMNS_WITH_WORLD = 10;
+  private static final int COLUMNS_WITH_CLASS = 9;
+  private static final int CLASS_COLUMN = 7;
+
+  /** What files have in columns that they do not use. */
+  private static final String NONE = "-1";
+
   private static final int X_COLUMN = 7;
 
   private final Ticks ticks;
@@ -33,6 +39,8 @@ public final class MotFile {
    * @param x in the world, NaN if the file has none
    * @param y in the world, NaN if the file has none
    * @param z in the world, NaN if the file has none
+   * @param type the class of the target; empty if the file has none
+   * @param visibility the visible share, in [0, 1]; NaN if the file has none
    */
   public record Row(
       Place place,
@@ -45,7 +53,9 @@ public final class MotFile {
       double confidence,
       double x,
       double y,
-      double z) {
+      double z,
+      String type,
+      double visibility) {
     /** Whether the row has a position in the world. */
     public boolean isInWorld() {
       return !Double.isNaN(x);
@@ -118,12 +128,22 @@ public final class MotFile {
         columns > BOX_COLUMNS ? fields.number(BOX_COLUMNS, "confidence") : 1,
         inWorld ? fields.coordinate(X_COLUMN, "x") : Double.NaN,
         inWorld ? fields.coordinate(X_COLUMN + 1, "y") : Double.NaN,
-        inWorld ? fields.coordinate(X_COLUMN + 2, "z") : Double.NaN);
+        inWorld ? fields.coordinate(X_COLUMN + 2, "z") : Double.NaN,
+        hasClasses() && !fields.text(CLASS_COLUMN).equals(NONE) ? fields.text(CLASS_COLUMN) : "",
+        hasClasses() ? share(fields.value(CLASS_COLUMN + 1)) : Double.NaN);
   }
 
   /** Whether a row has no position in the world: x and y are both -1. */
   private static boolean isNowhere(Fields fields) {
     return fields.number(X_COLUMN, "x") == -1 && fields.number(X_COLUMN + 1, "y") == -1;
+  }
+
+  private boolean hasClasses() {
+    return columns == COLUMNS_WITH_CLASS;
+  }
+
+  private static double share(double value) {
+    return value >= 0 && value <= 1 ? value : Double.NaN;
   }
 
   private static double length(Fields fields, int field, String name) {

@@ -1,0 +1,192 @@
+package org.hificamsim.core.silhouette;
+
+/**
+ * A target as a camera sees it: an upright rectangle that faces the camera, and what stands in
+ * front of it. Everything is projected through the camera onto the plane of the rectangle, so that
+ * nearer targets are rectangles there, and walls are strips under straight lines. In a flat world
+ * everything has the full height.
+ *
+ * <p>Reuse one for many targets. Not thread-safe.
+ */
+final class Silhouette {
+  /** The share of the distance to the target that is too close to the camera to be projected. */
+  private static final double TOO_CLOSE = 1e-9;
+
+  private final CoveredShare covered = new CoveredShare();
+  private double cameraX;
+  private double cameraY;
+  private double cameraZ;
+  private boolean flat;
+  private double distance;
+  private double aheadX;
+  private double aheadY;
+  private double half;
+  private double feet;
+  private double rise;
+
+  /** Stands at a camera; z is NaN in a flat world. */
+  void from(double x, double y, double z) {
+    cameraX = x;
+    cameraY = y;
+    cameraZ = z;
+    flat = Double.isNaN(z);
+  }
+
+  /** Looks at a target, with nothing in front of it yet; all in metres. */
+  void lookAt(double x, double y, double width, double height) {
+    covered.clear();
+    distance = Math.hypot(x - cameraX, y - cameraY);
+    aheadX = (x - cameraX) / distance;
+    aheadY = (y - cameraY) / distance;
+    half = width / 2 / distance;
+    feet = -cameraZ / distance;
+    rise = height / distance;
+  }
+
+  /** The distance to the target over the ground, metres. */
+  double distance() {
+    return distance;
+  }
+
+  /** Half of the angle that the target fills, radians. */
+  double halfAngle() {
+    return Math.atan(half);
+  }
+
+  /** Puts another target in front, unless it is farther away or contains the camera. */
+  void addTarget(double x, double y, double width, double height) {
+    double dx = x - cameraX;
+    double dy = y - cameraY;
+    double squared = dx * dx + dy * dy;
+    double depth = dx * aheadX + dy * aheadY;
+    if (depth > TOO_CLOSE * distance
+        && squared < distance * distance
+        && squared > width * width / 4) {
+      double aside = dx * aheadY - dy * aheadX;
+      addRectangle(aside, width / 2, depth, 0, height);
+    }
+  }
+
+  private void addRectangle(
+      double aside, double halfWidth, double depth, double base, double height) {
+    double left = across((aside - halfWidth) / depth);
+    double right = across((aside + halfWidth) / depth);
+    if (right > 0 && left < 1) {
+      covered.add(left, flat ? 0 : up(base, depth), right, flat ? 1 : up(height, depth));
+    }
+  }
+
+  /** Puts a piece of an obstacle in front, as far as it is nearer than the target. */
+  void addWall(Walls walls, int piece) {
+    if (walls.radius(piece) > 0) {
+      addPillar(walls, piece);
+    } else {
+      addEdge(walls, piece);
+    }
+  }
+
+  /** A pillar is as wide as its tangents, and as high as its middle. */
+  private void addPillar(Walls walls, int piece) {
+    double dx = walls.x1(piece) - cameraX;
+    double dy = walls.y1(piece) - cameraY;
+    double depth = dx * aheadX + dy * aheadY;
+    double away = Math.hypot(dx, dy);
+    double radius = walls.radius(piece);
+    if (depth > TOO_CLOSE * distance && depth < distance && away > radius) {
+      double direction = Math.atan2(dx * aheadY - dy * aheadX, depth);
+      double angle = Math.asin(radius / away);
+      double left = across(tangent(direction - angle));
+      double right = across(tangent(direction + angle));
+      covered.add(
+          left,
+          flat ? 0 : up(walls.base(piece), depth),
+          right,
+          flat ? 1 : up(walls.height(piece), depth));
+    }
+  }
+
+  private static double tangent(double angle) {
+    return Math.abs(angle) < Math.PI / 2
+        ? Math.tan(angle)
+        : Math.copySign(Double.POSITIVE_INFINITY, angle);
+  }
+
+  private void addEdge(Walls walls, int piece) {
+    double depth1 = depth(walls.x1(piece), walls.y1(piece));
+    double depth2 = depth(walls.x2(piece), walls.y2(piece));
+    double aside1 = aside(walls.x1(piece), walls.y1(piece));
+    double aside2 = aside(walls.x2(piece), walls.y2(piece));
+    double from = entry(depth1, depth2);
+    double to = 1 - entry(depth2, depth1);
+    if (from < to) {
+      double nearDepth = depth1 + from * (depth2 - depth1);
+      double farDepth = depth1 + to * (depth2 - depth1);
+      double first = across((aside1 + from * (aside2 - aside1)) / nearDepth);
+      double second = across((aside1 + to * (aside2 - aside1)) / farDepth);
+      if (first < second) {
+        addStrip(first, nearDepth, second, farDepth, walls.base(piece), walls.height(piece));
+      } else if (second < first) {
+        addStrip(second, farDepth, first, nearDepth, walls.base(piece), walls.height(piece));
+      }
+    }
+  }
+
+  /** The share of the way from one depth to the other at which it is between camera and target. */
+  private double entry(double depth1, double depth2) {
+    double near = TOO_CLOSE * distance;
+    if (depth1 < near) {
+      return depth2 > near ? (near - depth1) / (depth2 - depth1) : 1;
+    }
+    return depth1 <= distance ? 0 : depth2 < distance ? (depth1 - distance) / (depth1 - depth2) : 1;
+  }
+
+  private void addStrip(
+      double left, double leftDepth, double right, double rightDepth, double base, double height) {
+    if (flat) {
+      covered.add(left, 0, right, 1);
+      return;
+    }
+    double lowSlope = slope(left, up(base, leftDepth), right, up(base, rightDepth));
+    double highSlope = slope(left, up(height, leftDepth), right, up(height, rightDepth));
+    covered.add(
+        left,
+        right,
+        up(base, leftDepth) - lowSlope * left,
+        lowSlope,
+        up(height, leftDepth) - highSlope * left,
+        highSlope);
+  }
+
+  private static double slope(double left, double atLeft, double right, double atRight) {
+    double slope = (atRight - atLeft) / (right - left);
+    return Double.isNaN(slope) || atLeft == atRight ? 0 : slope;
+  }
+
+  private double depth(double x, double y) {
+    return (x - cameraX) * aheadX + (y - cameraY) * aheadY;
+  }
+
+  private double aside(double x, double y) {
+    return (x - cameraX) * aheadY - (y - cameraY) * aheadX;
+  }
+
+  /** Maps a tangent off the line to the target to the unit square. */
+  private double across(double tangent) {
+    return (tangent + half) / (2 * half);
+  }
+
+  /** Maps a height at a depth to the unit square. */
+  private double up(double height, double depth) {
+    return ((height - cameraZ) / depth - feet) / rise;
+  }
+
+  /** Whether nothing of the target is left to hide. */
+  boolean hidden() {
+    return covered.full();
+  }
+
+  /** The share of the target that is hidden, in [0, 1]. */
+  double share() {
+    return covered.share();
+  }
+}

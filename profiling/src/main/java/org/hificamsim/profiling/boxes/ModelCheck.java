@@ -1,0 +1,17 @@
+package org.hificamsim.profiling.boxes;
+
+import java.util.List;
+import org.hificamsim.hifi.boxes.FoundCurve;
+import org.hificamsim.profiling.fit.Reliability;
+
+/** What a model expects of measured boxes, compared with what the detector found. */
+public final class ModelCheck {
+  private ModelCheck() {}
+
+  /** Returns the chances and outcomes of all boxes. */
+  public static Reliability of(FoundCurve model, List<PersonBox> boxes) {
+    return new Reliability(
+        boxes.stream().mapToDouble(box -> model.found(box.height(), box.hidden())).toArray(),
+        boxes.stream().mapToDouble(PersonBox::found).toArray());
+  }
+}
