@@ -85,30 +85,37 @@ final class Silhouette {
     }
   }
 
-  /** A pillar is as wide as its tangents, and as high as its middle. */
+  /** A pillar is as wide as its part before the target, and as high as its middle. */
   private void addPillar(Walls walls, int piece) {
-    double dx = walls.x1(piece) - cameraX;
-    double dy = walls.y1(piece) - cameraY;
-    double depth = dx * aheadX + dy * aheadY;
-    double away = Math.hypot(dx, dy);
+    double depth = depth(walls.x1(piece), walls.y1(piece));
+    double aside = aside(walls.x1(piece), walls.y1(piece));
     double radius = walls.radius(piece);
-    if (depth > TOO_CLOSE * distance && depth < distance && away > radius) {
-      double direction = Math.atan2(dx * aheadY - dy * aheadX, depth);
-      double angle = Math.asin(radius / away);
-      double left = across(tangent(direction - angle));
-      double right = across(tangent(direction + angle));
+    double away = Math.hypot(depth, aside);
+    if (away > radius && depth + radius > 0 && depth - radius < distance) {
+      double middle = Math.max(TOO_CLOSE * distance, Math.min(depth, distance));
       covered.add(
-          left,
-          flat ? 0 : up(walls.base(piece), depth),
-          right,
-          flat ? 1 : up(walls.height(piece), depth));
+          across(edge(depth, aside, radius, -1)),
+          flat ? 0 : up(walls.base(piece), middle),
+          across(edge(depth, aside, radius, 1)),
+          flat ? 1 : up(walls.height(piece), middle));
     }
   }
 
-  private static double tangent(double angle) {
-    return Math.abs(angle) < Math.PI / 2
-        ? Math.tan(angle)
-        : Math.copySign(Double.POSITIVE_INFINITY, angle);
+  /**
+   * The tangent of the direction in which a pillar ends on one side: where it is touched, or, if
+   * that is behind the target, where it meets the target's plane.
+   */
+  private double edge(double depth, double aside, double radius, int side) {
+    double away = Math.hypot(depth, aside);
+    double direction = Math.atan2(aside, depth) + side * Math.asin(radius / away);
+    double touched = Math.sqrt(away * away - radius * radius) * Math.cos(direction);
+    if (touched > distance) {
+      double behind = distance - depth;
+      return (aside + side * Math.sqrt(Math.max(0, radius * radius - behind * behind))) / distance;
+    }
+    return Math.abs(direction) < Math.PI / 2
+        ? Math.tan(direction)
+        : Math.copySign(Double.POSITIVE_INFINITY, direction);
   }
 
   private void addEdge(Walls walls, int piece) {
