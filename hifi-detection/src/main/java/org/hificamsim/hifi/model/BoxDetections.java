@@ -15,7 +15,7 @@ public final class BoxDetections {
   public static void register(Registry<DetectionModel> registry) {
     registry.register(
         "boxes:frcnn-2016",
-        "Faster R-CNN (VGG16) on people, by pixel height and hidden share; two recordings",
+        "Faster R-CNN on people, by pixel height and hidden share; two recordings",
         () -> model("boxes/frcnn-2016.json"));
   }
 

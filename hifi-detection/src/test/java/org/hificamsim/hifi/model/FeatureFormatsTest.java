@@ -36,7 +36,8 @@ class FeatureFormatsTest {
 
   @Test
   void writesEachSupportVectorOnItsOwnLine() throws IOException {
-    HiFiDetection model = ModelFiles.read(Files.writeString(folder.resolve("m.json"), MODEL));
+    HiFiDetection model =
+        (HiFiDetection) ModelFiles.read(Files.writeString(folder.resolve("m.json"), MODEL));
     Range q = new Range(0.1, 0.66);
     double[][] support = {{0.1, 1, 0.01, -0.25}, {0.66, 10, 0.085, 1}};
     assertEquals(

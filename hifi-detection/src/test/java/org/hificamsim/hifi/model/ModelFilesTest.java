@@ -42,7 +42,8 @@ class ModelFilesTest {
 
   @Test
   void optionalPropertiesHaveDefaults() throws IOException {
-    HiFiDetection model = ModelFiles.read(Files.writeString(folder.resolve("m.json"), SHORTEST));
+    HiFiDetection model =
+        (HiFiDetection) ModelFiles.read(Files.writeString(folder.resolve("m.json"), SHORTEST));
     assertEquals("mine", model.name());
     assertEquals(new LinearAbstraction(-20, -2, 0.25, 2.5), model.f());
     assertEquals(new DetectorLine(0.5, 0.03), model.g());
@@ -110,7 +111,7 @@ class ModelFilesTest {
     ModelFiles.write(named("m", new LinearAbstraction(1, 2, 3, 4)), file);
     assertEquals(
         List.of("zebra", "ant", "monkey"),
-        List.copyOf(ModelFiles.read(file).provenance().remarks().keySet()));
+        List.copyOf(((HiFiDetection) ModelFiles.read(file)).provenance().remarks().keySet()));
   }
 
   @Test

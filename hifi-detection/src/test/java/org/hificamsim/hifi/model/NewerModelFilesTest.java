@@ -132,7 +132,8 @@ class NewerModelFilesTest {
 
   @Test
   void defaultThresholdIsTheConfidenceAtTheReferencePip() {
-    HiFiDetection model = ModelFiles.parse("m", MODEL.getBytes(StandardCharsets.UTF_8));
+    HiFiDetection model =
+        (HiFiDetection) ModelFiles.parse("m", MODEL.getBytes(StandardCharsets.UTF_8));
     assertEquals(model.g().confidence((0.0441 - 0.026) / 0.571), model.defaultThreshold(), 1e-12);
     assertEquals(0.05, model.fitted().orElseThrow().withinObjects());
   }
@@ -148,7 +149,8 @@ class NewerModelFilesTest {
   @Test
   void spanMayHaveOneLength() {
     String one = MODEL.replace("\"most\": 0.085", "\"most\": 0.01");
-    HiFiDetection model = ModelFiles.parse("m", one.getBytes(StandardCharsets.UTF_8));
+    HiFiDetection model =
+        (HiFiDetection) ModelFiles.parse("m", one.getBytes(StandardCharsets.UTF_8));
     assertEquals(new Span(0.01, 0.01), model.fitted().orElseThrow().focalLength());
   }
 
