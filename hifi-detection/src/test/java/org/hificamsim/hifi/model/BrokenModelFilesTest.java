@@ -45,7 +45,8 @@ class BrokenModelFilesTest {
     return Stream.of(
         arguments("\"hificamsim-model\"", "\"other\"", "2:13", "schema is 'other'"),
         arguments("  \"schema\": \"hificamsim-model\",\n", "", "1:1", "'schema' is missing"),
-        arguments("\"version\": 1", "\"version\": 4", "3:14", "version is 4, expected 1 or 2 or 3"),
+        arguments(
+            "\"version\": 1", "\"version\": 5", "3:14", "version is 5, expected 1 or 2 or 3 or 4"),
         arguments("\"version\": 1", "\"version\": \"1\"", "3:14", "version is '1'"),
         arguments("\"version\": 1", "\"version\": 1.5", "3:14", "version is 1.5"),
         arguments("\"mine\"", "\"two words\"", "4:11", "name is 'two words'"),

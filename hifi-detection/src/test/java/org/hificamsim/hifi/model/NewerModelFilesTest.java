@@ -194,7 +194,8 @@ class NewerModelFilesTest {
 
   static Stream<Arguments> faults() {
     return Stream.of(
-        arguments("\"version\": 2", "\"version\": 4", "3:14: version is 4, expected 1 or 2 or 3"),
+        arguments(
+            "\"version\": 2", "\"version\": 5", "3:14: version is 5, expected 1 or 2 or 3 or 4"),
         arguments("\"version\": 2", "\"version\": 1", "'slope' is missing"),
         arguments("\"hill\"", "\"cubic\"", "6:17: type is 'cubic', expected one of line, satur"),
         arguments("\"half\": 0.04", "\"half\": 0", "half is 0, expected a number from 1.0E-12"),
