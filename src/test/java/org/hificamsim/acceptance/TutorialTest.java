@@ -37,7 +37,15 @@ class TutorialTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"first-result", "detection-model", "floor-plan", "plans", "own-policy", "camsim"})
+      strings = {
+        "first-result",
+        "detection-model",
+        "detector",
+        "floor-plan",
+        "plans",
+        "own-policy",
+        "camsim"
+      })
   void tutorialRunsAsWritten(String name) throws Exception {
     Files.createSymbolicLink(folder.resolve("scenarios"), Cli.ROOT.resolve("scenarios"));
     Files.createSymbolicLink(folder.resolve("examples"), Cli.ROOT.resolve("examples"));

@@ -52,6 +52,8 @@ final class CheckCommand implements Callable<Integer> {
 
   @Mixin private ImageSizeOption image;
 
+  @Mixin private DetectorBoxesOptions detector;
+
   @Option(names = "--out", paramLabel = "DIR")
   private Path out;
 
@@ -66,8 +68,9 @@ final class CheckCommand implements Callable<Integer> {
     Calibration camera = Calibration.read(calibration, calibrationUnit, image.size());
     MotSightings boxes = new MotSightings(file, camera, unit.metres());
     RealityCheck check = RealityCheck.of(boxes.sightings(), camera, new Size(width, height));
-    CheckFolder.write(out, check);
+    CheckFolder.write(out, check, detector.check(file, camera, new Size(width, height)));
     print(boxes, check);
+    detector.print(spec.commandLine().getOut());
     return 0;
   }
 

@@ -229,14 +229,24 @@ public record Calibration(
         : Pixel.NONE;
   }
 
-  /** Returns the position of the camera. */
-  Vector3D position() {
+  /** Returns the position of the camera, metres. */
+  public Vector3D position() {
     return solve(shift.negate());
   }
 
   /** Returns the vertical focal length in pixels, which does not depend on the principal point. */
-  double focalLength() {
+  public double focalLength() {
     return down.crossProduct(along).getNorm();
+  }
+
+  /**
+   * Returns the point of the ground at a pixel, metres; NaN above the horizon.
+   *
+   * @param u pixels to the right of the picture's left edge
+   * @param v pixels down from its upper edge
+   */
+  public Vector3D ground(double u, double v) {
+    return ground(new Pixel(u, v));
   }
 
   /** Returns the point of the ground at a pixel; NaN above the horizon. */

@@ -11,6 +11,7 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
+import org.hificamsim.core.file.FileRecord;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
@@ -76,15 +77,23 @@ public final class CheckFolder {
     return Texts.format("%." + digits + "f", value);
   }
 
-  /** Writes the files, all or none. */
-  public static void write(Path path, RealityCheck check) throws IOException {
+  /** Adds further files to the folder of a check. */
+  @FunctionalInterface
+  public interface More {
+    /** Writes the files, without committing them. */
+    void write(OutputFolder folder) throws IOException;
+  }
+
+  /** Writes the files of a check and further ones, all or none. */
+  public static void write(Path path, RealityCheck check, More more) throws IOException {
     try (OutputFolder folder = new OutputFolder(path)) {
       List<ErrorSummary> summaries = new ArrayList<>(check.overall());
       summaries.addAll(check.byDistance());
       folder.write(REALITY, SUMMARIES.csv(summaries));
       folder.write("boxes.csv", boxes(check).csv(check.comparisons()));
       FigureFile.write(folder, PICTURE, figure(check));
-      folder.commit(List.of());
+      more.write(folder);
+      folder.commit(FileRecord.of(path).names());
     }
   }
 
