@@ -209,4 +209,32 @@ class ProfileCheckTest {
         .findFirst()
         .orElseThrow();
   }
+
+  @Test
+  void comparesDetectionsWithDetector() throws IOException {
+    List<String> found =
+        Files.readAllLines(boxes).stream().filter(row -> !row.contains(",3,")).toList();
+    Path detections = Files.write(folder.resolve("det.txt"), found);
+    Cli cli =
+        check(
+            "--calibration",
+            xml,
+            "--boxes",
+            detections,
+            "--detections",
+            "boxes:frcnn-2016,oodpcvs-2025");
+    assertEquals(0, cli.exit(), cli.err());
+    double share = found.size() / 60.0;
+    assertTrue(
+        cli.out().contains(String.format(Locale.ROOT, "detector: %.3f of 60 boxes found", share)),
+        cli.out());
+    List<String[]> expected = table("expected.csv");
+    assertEquals("boxes:frcnn-2016@probability", expected.get(0)[0]);
+    assertEquals(share, Double.parseDouble(expected.get(0)[1]), 1e-4);
+    double chance = Double.parseDouble(expected.get(0)[2]);
+    assertTrue(chance > 0.5 && chance < 1, "expected: " + chance);
+    assertEquals("1.0000", expected.get(1)[2], "all are in the picture and near enough");
+    assertEquals(12, table("frames.csv").size());
+    assertEquals(5, table("people.csv").size());
+  }
 }

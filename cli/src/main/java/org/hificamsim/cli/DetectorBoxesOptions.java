@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.profiling.boxes.BoxRecording;
 import org.hificamsim.profiling.boxes.ExpectedFolder;
 import org.hificamsim.profiling.boxes.ExpectedPeople;
@@ -52,12 +51,8 @@ final class DetectorBoxesOptions {
     expected =
         NameLists.detections(detections, catalogue).stream()
             .map(spec -> spec.detection(Settings.NONE))
-            .map(detection -> recording.expected(detection, () -> fixed(catalogue)))
+            .map(recording::expected)
             .toList();
-  }
-
-  private static ZoomPolicy fixed(Catalogue catalogue) {
-    return catalogue.policies().create("fixed");
   }
 
   /** Prints what each detection expects of the detector. */

@@ -2,16 +2,17 @@ package org.hificamsim.profiling.boxes;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Supplier;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepPhase;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
@@ -35,6 +36,12 @@ public final class SimulatedRecording {
 
   /** The farthest that a camera is asked to see, metres. */
   private static final double REACH = 1000;
+
+  /**
+   * The size of the simulated picture as a multiple of the real one, at the same scale: whoever is
+   * labelled is in the picture, even if roll and distortion move them across the border.
+   */
+  private static final double WIDER = 1.2;
 
   /** A person in a frame. */
   private record Standing(int target, double x, double y, PersonBox box) {}
@@ -88,9 +95,9 @@ public final class SimulatedRecording {
   }
 
   /** Returns what a detection expects of each person in each frame. */
-  public ExpectedPeople expected(Detection detection, Supplier<ZoomPolicy> fixedView) {
+  public ExpectedPeople expected(Detection detection) {
     World world = new World(scenario(), Movements.registry(), 0);
-    Simulation simulation = new Simulation(world, detection, fixedView.get(), 0, List.of());
+    Simulation simulation = new Simulation(world, detection, new OnlyView(), 0, List.of());
     List<PersonBox> people = new ArrayList<>();
     List<Double> chances = new ArrayList<>();
     for (List<Standing> frame : frames.values()) {
@@ -133,9 +140,12 @@ public final class SimulatedRecording {
   }
 
   private CameraSpec simulatedCamera() {
-    Vector3D axis = camera.along();
+    Vector3D axis = axis();
     Vector3D place = camera.position();
-    Size picture = camera.picture();
+    Size picture =
+        new Size(
+            Math.rint(WIDER * camera.picture().width()),
+            Math.rint(WIDER * camera.picture().height()));
     double focal = camera.focalLength();
     OpticsSpec optics =
         new OpticsSpec("lens")
@@ -152,7 +162,29 @@ public final class SimulatedRecording {
             Math.toDegrees(-Math.atan2(axis.getZ(), Math.hypot(axis.getX(), axis.getY()))));
   }
 
+  /**
+   * The direction of the middle of the picture, which need not be that of the lens: a simulated
+   * picture is centred.
+   */
+  private Vector3D axis() {
+    Vector3D middle = camera.ground(camera.picture().width() / 2, camera.picture().height() / 2);
+    return middle.isNaN() ? camera.along() : middle.subtract(camera.position()).normalize();
+  }
+
   private static double angle(double pixels, double focal) {
     return Math.toDegrees(2 * Math.atan(pixels / 2 / focal));
+  }
+
+  /** Keeps the only view of the camera. */
+  private static final class OnlyView implements ZoomPolicy {
+    @Override
+    public String name() {
+      return "only-view";
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {
+      Arrays.fill(views, 0);
+    }
   }
 }

@@ -12,6 +12,12 @@ import java.util.Optional;
 import java.util.function.LongPredicate;
 import java.util.stream.Collectors;
 import org.hificamsim.core.Reference;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.hifi.boxes.BoxDetection;
+import org.hificamsim.profiling.check.Calibration;
+import org.hificamsim.profiling.check.Calibration.Size;
 import org.hificamsim.profiling.fit.Reliability;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -78,5 +84,27 @@ class DetectorRecordingsTest {
     assertTrue(logLoss < fit.unseenPeople().get(FoundForm.HIDDEN).logLoss());
     List<String> table = new FoundTable(measured).lines();
     assertTrue(table.stream().anyMatch(line -> line.startsWith("5 to 25 % hidden")), "" + table);
+  }
+
+  @Test
+  void simulatedCameraPredictsSecondHalf() throws IOException {
+    BoxDetection model = BoxFit.of(pets(frame -> frame <= HALF)).detection("first");
+    Calibration camera =
+        Calibration.read(
+            detectors.resolve("PETS09-view-001.xml"), Optional.empty(), Optional.empty());
+    SimulatedRecording second =
+        new SimulatedRecording(detectors, pets(frame -> frame > HALF), camera, new Size(0.5, 1.75));
+    assertEquals(0, second.withoutPlace());
+    ExpectedPeople expected = second.expected(byDefault(model));
+    assertEquals(0, expected.reliability().all().error(), 0.05);
+    assertTrue(expected.correlation() > 0.5, "correlation: " + expected.correlation());
+    Detection inView = byDefault(new GeometricDetection());
+    ExpectedPeople inPicture = second.expected(inView);
+    assertEquals(1, inPicture.reliability().all().expected(), "all are in the picture");
+    assertTrue(expected.reliability().logLoss() < inPicture.reliability().logLoss());
+  }
+
+  private static Detection byDefault(DetectionModel model) {
+    return Detection.by(model.defaultRule(), model.name(), model);
   }
 }
