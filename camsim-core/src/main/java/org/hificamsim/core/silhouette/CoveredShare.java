@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * The share of the unit square that shapes cover together: the exact area of their union. A shape
- * is an upright strip whose lower and upper border are straight lines; most are rectangles.
+ * is an upright strip whose lower and upper border are straight lines. Most are rectangles that
+ * begin below the square, such as people who stand nearer; their union is a {@link Skyline}.
  *
  * <p>Reuse one for many squares: it keeps its arrays. Not thread-safe.
  */
@@ -20,23 +21,29 @@ public final class CoveredShare {
   /** By shape: its values, {@value #VALUES} for each; lines by their height at x = 0 and slope. */
   private double[] shapes = new double[16 * VALUES];
 
+  private final Skyline standing = new Skyline();
+
   /** Where a border of a shape begins, ends, or meets another border. */
   private double[] cuts = new double[64];
 
   private int count;
   private boolean sloped;
-  private boolean full;
+
+  /** Creates a share without shapes. */
+  public CoveredShare() {
+    standing.clear();
+  }
 
   /** Removes all shapes. */
   public void clear() {
     count = 0;
     sloped = false;
-    full = false;
+    standing.clear();
   }
 
-  /** Whether one of the shapes covers the whole square. */
+  /** Whether the rectangles that begin below the square cover all of it. */
   public boolean full() {
-    return full;
+    return standing.full();
   }
 
   /** Adds a rectangle; what lies outside the unit square does not count. */
@@ -57,6 +64,17 @@ public final class CoveredShare {
     if (!(from < to) || isOutside(from, to, low, lowSlope, high, highSlope)) {
       return;
     }
+    boolean begins = Math.max(low + lowSlope * from, low + lowSlope * to) <= 0;
+    double least = Math.min(high + highSlope * from, high + highSlope * to);
+    if (begins && (highSlope == 0 || least >= 1)) {
+      standing.add(from, to, Math.min(1, least));
+    } else {
+      keep(from, to, low, lowSlope, high, highSlope);
+    }
+  }
+
+  private void keep(
+      double from, double to, double low, double lowSlope, double high, double highSlope) {
     if (count * VALUES == shapes.length) {
       shapes = Arrays.copyOf(shapes, 2 * shapes.length);
     }
@@ -69,9 +87,7 @@ public final class CoveredShare {
     shapes[at + HIGH] = high;
     shapes[at + HIGH_SLOPE] = highSlope;
     count++;
-    boolean flat = lowSlope == 0 && highSlope == 0;
-    sloped |= !flat;
-    full |= flat && from == 0 && to == 1 && low <= 0 && high >= 1;
+    sloped |= lowSlope != 0 || highSlope != 0;
   }
 
   private static boolean isOutside(
@@ -92,9 +108,18 @@ public final class CoveredShare {
 
   /** Returns the covered share, in [0, 1]. */
   public double share() {
-    if (full || count == 0) {
-      return full ? 1 : 0;
+    if (full() || count == 0) {
+      return Math.min(1, standing.area());
     }
+    for (int piece = 0; piece < standing.count(); piece++) {
+      if (standing.height(piece) > 0) {
+        keep(standing.start(piece), standing.end(piece), 0, 0, standing.height(piece), 0);
+      }
+    }
+    return union();
+  }
+
+  private double union() {
     int ends = cut();
     Arrays.sort(cuts, 0, ends);
     double area = 0;

@@ -35,7 +35,7 @@ final class Silhouette {
   /** Looks at a target, with nothing in front of it yet; all in metres. */
   void lookAt(double x, double y, double width, double height) {
     covered.clear();
-    distance = Math.hypot(x - cameraX, y - cameraY);
+    distance = Math.sqrt((x - cameraX) * (x - cameraX) + (y - cameraY) * (y - cameraY));
     aheadX = (x - cameraX) / distance;
     aheadY = (y - cameraY) / distance;
     half = width / 2 / distance;
@@ -48,31 +48,35 @@ final class Silhouette {
     return distance;
   }
 
-  /** Half of the angle that the target fills, radians. */
+  /** Half of the angle that the target fills, radians; rounded up. */
   double halfAngle() {
-    return Math.atan(half);
+    return half;
   }
 
-  /** Puts another target in front, unless it is farther away or contains the camera. */
-  void addTarget(double x, double y, double width, double height) {
-    double dx = x - cameraX;
-    double dy = y - cameraY;
+  /**
+   * Puts another target in front, unless it is farther away or contains the camera.
+   *
+   * @param dx its distance from the camera along x, metres
+   * @param dy its distance from the camera along y, metres
+   */
+  void addTarget(double dx, double dy, double width, double height) {
     double squared = dx * dx + dy * dy;
     double depth = dx * aheadX + dy * aheadY;
-    if (depth > TOO_CLOSE * distance
-        && squared < distance * distance
+    if (squared < distance * distance
+        && depth > TOO_CLOSE * distance
         && squared > width * width / 4) {
-      double aside = dx * aheadY - dy * aheadX;
-      addRectangle(aside, width / 2, depth, 0, height);
+      addRectangle(dx * aheadY - dy * aheadX, width / 2, depth, height);
     }
   }
 
-  private void addRectangle(
-      double aside, double halfWidth, double depth, double base, double height) {
-    double left = across((aside - halfWidth) / depth);
-    double right = across((aside + halfWidth) / depth);
-    if (right > 0 && left < 1) {
-      covered.add(left, flat ? 0 : up(base, depth), right, flat ? 1 : up(height, depth));
+  private void addRectangle(double aside, double halfWidth, double depth, double height) {
+    double reach = half * depth;
+    if (aside - halfWidth < reach && aside + halfWidth > -reach) {
+      covered.add(
+          across((aside - halfWidth) / depth),
+          flat ? 0 : up(0, depth),
+          across((aside + halfWidth) / depth),
+          flat ? 1 : up(height, depth));
     }
   }
 
