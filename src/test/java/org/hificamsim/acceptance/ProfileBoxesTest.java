@@ -106,6 +106,24 @@ class ProfileBoxesTest {
   }
 
   @Test
+  void placesCamerasAsIfNobodyHidAnybody() throws IOException {
+    Cli placed =
+        assertDone(
+            Cli.run(
+                "place",
+                "scenarios/corridor.xml",
+                "--cameras",
+                2,
+                "--detection",
+                "boxes:frcnn-2016",
+                "--out",
+                folder.resolve("plan")));
+    assertTrue(
+        placed.out().contains("boxes:frcnn-2016: people are seen from a probability of 0.5 on"),
+        placed.out());
+  }
+
+  @Test
   void refusesDetectorOfChanceByName() throws IOException {
     record(true);
     Path out = folder.resolve("out");

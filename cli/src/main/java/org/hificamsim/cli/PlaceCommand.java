@@ -229,7 +229,9 @@ final class PlaceCommand implements Callable<Integer> {
     Settings asked = settings.settings();
     Scenario site = scenarioOptions.readSite(scenario, asked, catalogue, screen.err());
     Detection usual = DetectionSpec.of(asked, site, scenario, catalogue);
-    return demand.of(site, usual, catalogue);
+    Demand demanded = demand.of(site, usual, catalogue);
+    demanded.assumptions().forEach(assumption -> screen.say("%s", assumption));
+    return demanded;
   }
 
   private int review(List<Path> plans) {

@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.NothingHidden;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
@@ -58,7 +61,8 @@ public record Demand(
    */
   public record Detections(Detection usual, Function<String, Detection> byName) {
     private Detection of(Zone zone) {
-      Detection detection = zone.detection() == null ? usual : byName.apply(zone.detection());
+      Detection named = zone.detection() == null ? usual : byName.apply(zone.detection());
+      Detection detection = withoutCrowd(named);
       if (!detection.certain()) {
         throw InputException.of(
             "zone '%s' is seen by chance, %s, expected a detection by a threshold",
@@ -66,6 +70,39 @@ public record Demand(
       }
       return detection;
     }
+
+    /**
+     * Where people will stand is not known: a model that depends on what they hide of each other
+     * sees them whole. If nothing else was asked for, they are seen from its default threshold on.
+     */
+    private static Detection withoutCrowd(Detection detection) {
+      DetectionModel model = detection.model();
+      if (!model.dependsOnHiddenShare()) {
+        return detection;
+      }
+      boolean byDefault = detection.rule().equals(model.defaultRule());
+      return detection.certain() || byDefault
+          ? new Detection(
+              byDefault ? model.name() : detection.name(),
+              new NothingHidden(model),
+              byDefault ? model.defaultThreshold() : detection.threshold())
+          : detection;
+    }
+  }
+
+  /** Returns what the plan takes for granted, in sentences. */
+  public List<String> assumptions() {
+    return zones.stream()
+        .map(ZoneDemand::detection)
+        .filter(detection -> detection.model() instanceof NothingHidden)
+        .map(
+            detection ->
+                Texts.format(
+                    "%s: people are seen from a probability of %s on, and hide nothing of each"
+                        + " other, since nobody knows where they will be",
+                    detection.model().name(), detection.threshold()))
+        .distinct()
+        .toList();
   }
 
   /**

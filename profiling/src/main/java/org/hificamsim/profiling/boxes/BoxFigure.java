@@ -20,8 +20,8 @@ import org.hificamsim.profiling.boxes.BoxBins.Bin;
 
 /** Draws the share found over height, over hidden share, and over both. */
 final class BoxFigure {
-  private static final int WIDTH = 380;
-  private static final int HEIGHT = 280;
+  private static final int WIDTH = 450;
+  private static final int HEIGHT = 320;
   private static final int POINTS = 60;
 
   private final MeasuredBoxes measured;
@@ -127,14 +127,18 @@ final class BoxFigure {
   private XyPanel overBoth() {
     XyPanel panel =
         new XyPanel("found, per cent", "height, pixels", "hidden share")
-            .names(heights.stream().map(bin -> Texts.format("%.0f", bin.to())).toList())
-            .rows(hidden.stream().map(bin -> Texts.format("%.2f", Math.min(1, bin.to()))).toList());
+            .names(heights.stream().map(bin -> Texts.format("to %.0f", bin.to())).toList())
+            .rows(hidden.stream().map(BoxFigure::upTo).toList());
     for (int column = 0; column < heights.size(); column++) {
       for (int row = 0; row < hidden.size(); row++) {
         cell(panel, column, row);
       }
     }
     return panel;
+  }
+
+  private static String upTo(Bin bin) {
+    return Texts.format("to %.2f", Math.min(1, bin.to()));
   }
 
   private void cell(XyPanel panel, int column, int row) {
