@@ -24,11 +24,13 @@ final class Collector implements SampleSink {
   private final Function<Unit, Ground> groundOf;
   private final ReadingNotes notes = new ReadingNotes();
   private final Map<String, RecordedTarget> targets = new LinkedHashMap<>();
+  private final boolean reusesIds;
   private Ground ground;
   private long fractions; // samples whose tick is not a whole number
 
-  private Collector(Path file, Function<Unit, Ground> groundOf) {
-    this.file = file;
+  private Collector(FormatChoice choice, Function<Unit, Ground> groundOf) {
+    this.file = choice.recording().file();
+    this.reusesIds = choice.reader().reusesIds();
     this.groundOf = groundOf;
   }
 
@@ -39,7 +41,7 @@ final class Collector implements SampleSink {
    * @throws InputException if the file is wrong, or has no samples
    */
   static FileTargets read(FormatChoice choice, Function<Unit, Ground> groundOf) {
-    Collector collector = new Collector(choice.recording().file(), groundOf);
+    Collector collector = new Collector(choice, groundOf);
     Clock clock = choice.read(collector);
     List<RecordedTarget> targets = collector.sorted(choice);
     if (targets.isEmpty()) {
@@ -62,7 +64,7 @@ final class Collector implements SampleSink {
 
   /** The targets with their samples in the order of time. */
   private List<RecordedTarget> sorted(FormatChoice choice) {
-    RowOrder order = new RowOrder(choice.reader().reusesIds());
+    RowOrder order = new RowOrder(reusesIds);
     try {
       List<RecordedTarget> sorted = order.sort(targets.values());
       order.lines().forEach(notes::addLine);
@@ -82,7 +84,7 @@ final class Collector implements SampleSink {
   @Override
   public void accept(TrackSample fileSample) {
     TrackSample sample = ground.onGround(fileSample);
-    if (!targets.computeIfAbsent(sample.target(), RecordedTarget::new).add(sample)) {
+    if (!targets.computeIfAbsent(sample.target(), RecordedTarget::new).add(sample, reusesIds)) {
       notes.addDuplicate(sample.place());
     }
     notes.leftOut().addSample();

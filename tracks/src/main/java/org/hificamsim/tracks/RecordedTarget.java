@@ -95,12 +95,17 @@ final class RecordedTarget {
   /**
    * Adds the sample of the next row.
    *
+   * @param mayBeAnother whether a row at another place than the row before, at the same time, may
+   *     be that of another target with the same name
    * @return false if it repeats the row before, and is ignored
    * @throws InputException if it is at another place than the row before at the same time
    */
-  boolean add(TrackSample sample) {
-    if (!samples.isEmpty() && sample.tick() == lastTime()) {
-      requirePlace(samples.get(samples.size() - 1), sample);
+  boolean add(TrackSample sample, boolean mayBeAnother) {
+    boolean isRepeated = !samples.isEmpty() && sample.tick() == lastTime();
+    if (isRepeated && !isAt(samples.get(samples.size() - 1), sample) && !mayBeAnother) {
+      throw atTwoPlaces(sample.place(), sample.target(), sample.tick());
+    }
+    if (isRepeated && isAt(samples.get(samples.size() - 1), sample)) {
       isPaused = false; // the parts meet
       return false;
     }
@@ -125,10 +130,8 @@ final class RecordedTarget {
     samples.add(sample);
   }
 
-  private static void requirePlace(Sample last, TrackSample sample) {
-    if (last.x() != sample.x() || last.y() != sample.y()) {
-      throw atTwoPlaces(sample.place(), sample.target(), sample.tick());
-    }
+  private static boolean isAt(Sample last, TrackSample sample) {
+    return last.x() == sample.x() && last.y() == sample.y();
   }
 
   private static InputException atTwoPlaces(Place place, String target, double time) {

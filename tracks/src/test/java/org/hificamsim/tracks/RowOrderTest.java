@@ -117,6 +117,20 @@ class RowOrderTest {
   }
 
   @Test
+  void takesPedestrianAtTwoPlacesForTwo() {
+    Imported imported = new Imported(folder).rate(10);
+    imported.of(
+        "trajnet",
+        """
+        {"track": {"f": 0, "p": 7, "x": 0, "y": 0}}
+        {"track": {"f": 10, "p": 7, "x": 1, "y": 0}}
+        {"track": {"f": 10, "p": 7, "x": 9, "y": 9}}
+        {"track": {"f": 20, "p": 7, "x": 8, "y": 9}}
+        """);
+    assertEquals("target 1 size 0.66;0 0 0;1 0;target 2 size 0.66;1 9 9;8 9;", imported.tracks());
+  }
+
+  @Test
   void sortsPedestriansWithoutScenes() {
     Imported imported = new Imported(folder).rate(10);
     imported.of(
