@@ -115,10 +115,7 @@ public enum Setting {
       "The zoom policy; see 'list policies'."),
   OBJECTIVE(
       Objective.CHOICES,
-      new ScenarioAttribute<>(
-          Scenario.OBJECTIVE,
-          Objective::parse,
-          scenario -> Optional.of(scenario.objective().text())),
+      new ScenarioAttribute<>(Scenario.OBJECTIVE, Objective::parse),
       "The score of a step, and what optimal, one-hop and best-fixed maximise; overrides the"
           + " scenario's. See docs/objectives.md.") {
     @Override
@@ -129,6 +126,11 @@ public enum Setting {
     @Override
     Optional<String> inFile(Scenario scenario) {
       return scenario.find(Scenario.OBJECTIVE).map(Objective::text);
+    }
+
+    @Override
+    Optional<String> derivedFrom(Scenario scenario, Detection detection) {
+      return Optional.of(scenario.objective().text());
     }
   },
   STEPS(
@@ -180,25 +182,13 @@ public enum Setting {
   },
   CHANNEL(
       "key=value,...",
-      new ScenarioAttribute<>(
-          Scenario.CHANNEL,
-          ChannelModel::parse,
-          scenario ->
-              scenario.channel().isPerfect()
-                  ? Optional.empty()
-                  : Optional.of(scenario.channel().text())),
+      new ScenarioAttribute<>(Scenario.CHANNEL, ChannelModel::parse),
       "How messages between cameras are lost or delayed, such as "
           + ChannelModel.EXAMPLE
           + ", or perfect; overrides the scenario's. See docs/channel.md."),
   ENERGY(
       "PROFILE|FILE|key=value,...",
-      new ScenarioAttribute<>(
-          Scenario.ENERGY,
-          EnergyModel::parseOrRead,
-          scenario ->
-              scenario.energy().isNone()
-                  ? Optional.empty()
-                  : Optional.of(scenario.energy().text())),
+      new ScenarioAttribute<>(Scenario.ENERGY, EnergyModel::parseOrRead),
       "What cameras take and what their batteries hold, such as "
           + EnergyModel.EXAMPLE
           + ", a file with such lines, or none; overrides the scenario's. See docs/energy.md.") {
@@ -210,39 +200,25 @@ public enum Setting {
   },
   PROCESSING(
       "N",
-      new ScenarioAttribute<>(
-          Scenario.PROCESSING,
-          ProcessingBudget::parse,
-          scenario ->
-              scenario.processing().isUnlimited()
-                  ? Optional.empty()
-                  : Optional.of(scenario.processing().text())),
+      new ScenarioAttribute<>(Scenario.PROCESSING, ProcessingBudget::parse),
       "How many detections a camera processes in a step, 1 or more, or none for all; the others"
           + " come a step late. Overrides the scenario's. See docs/following.md."),
   FOLLOWING(
       "none|targets",
       new ScenarioAttribute<>(
           Scenario.FOLLOWING,
-          text -> Spelling.require(Following.class, setting("following"), text),
-          scenario ->
-              scenario.following() == Following.NONE
-                  ? Optional.empty()
-                  : Optional.of(Spelling.of(scenario.following()))),
+          text -> Spelling.require(Following.class, setting("following"), text)),
       "Whether it is measured how cameras follow each target; overrides the scenario's. See"
           + " docs/following.md."),
   ORDER(
       "coverage|camsim",
       new ScenarioAttribute<>(
-          Scenario.ORDER,
-          text -> Spelling.require(StepOrder.class, setting("order"), text),
-          scenario -> Optional.of(Spelling.of(scenario.order()))),
+          Scenario.ORDER, text -> Spelling.require(StepOrder.class, setting("order"), text)),
       "Whether targets move after (coverage) or before (camsim) the observation."),
   HEADINGS(
       "degrees|as-radians",
       new ScenarioAttribute<>(
-          Scenario.HEADINGS,
-          text -> Spelling.require(Headings.class, setting("headings"), text),
-          scenario -> Optional.of(Spelling.of(scenario.headings()))),
+          Scenario.HEADINGS, text -> Spelling.require(Headings.class, setting("headings"), text)),
       "Unit of targets' headings; as-radians as in the coverage study's simulator."),
   NETWORK(
       Kind.TEXT,
@@ -395,7 +371,7 @@ public enum Setting {
     if (attribute == null) {
       throw new IllegalStateException(label() + " is kept by the plan");
     }
-    return attribute.text().apply(scenario);
+    return attribute.text(scenario);
   }
 
   /** Fails unless a text is a whole number from {@code min} to {@code max}. */
