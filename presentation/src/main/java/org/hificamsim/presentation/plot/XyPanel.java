@@ -93,6 +93,18 @@ public class XyPanel extends XYChart {
     return this;
   }
 
+  /** Names x = 0, 1, 2, ... and y = 0, 1, 2, ... as the edges of the cells of a heat map. */
+  public XyPanel edges(List<String> x, List<String> y) {
+    getStyler().setPlotGridLinesVisible(false);
+    x(0, x.size() - 1);
+    y(0, y.size() - 1);
+    getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / 2 / x.size());
+    getStyler().setYAxisTickMarkSpacingHint(ROW_HEIGHT);
+    setCustomXAxisTickLabelsFormatter(value -> PanelStyle.name(x, value + 1));
+    setCustomYAxisTickLabelsFormatter(value -> PanelStyle.name(y, value + 1));
+    return this;
+  }
+
   /** Adds a dot with its horizontal interval, if it has one. */
   public XyPanel dot(Estimate estimate, double y, Color color) {
     if (!Double.isNaN(estimate.low())) {
@@ -154,19 +166,18 @@ public class XyPanel extends XYChart {
   }
 
   /**
-   * Adds a cell of a heat map around whole coordinates, with a text in it.
+   * Adds a cell of a heat map from whole coordinates to the next ones, with a text in it.
    *
    * @param share from 0, pale, to 1, dark
    */
   public XyPanel cell(int x, int y, Color color, double share, String text) {
-    double[] left = {x - 0.5, x - 0.5, x + 0.5, x + 0.5};
-    double[] bottom = {y - 0.5, y + 0.5, y + 0.5, y - 0.5};
-    XYSeries series = add(new Curve(left, bottom), SeriesMarkers.NONE);
+    Curve corners = new Curve(new double[] {x, x, x + 1, x + 1}, new double[] {y, y + 1, y + 1, y});
+    XYSeries series = add(corners, SeriesMarkers.NONE);
     series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.PolygonArea);
     series.setFillColor(Palette.pale(color, 0.05 + 0.55 * share));
     series.setLineColor(Palette.pale(color, 0));
     series.setLineStyle(THIN);
-    addAnnotation(new AnnotationText(text, x, y, false));
+    addAnnotation(new AnnotationText(text, x + 0.5, y + 0.5, false));
     return this;
   }
 

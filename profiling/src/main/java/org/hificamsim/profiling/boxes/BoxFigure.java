@@ -127,8 +127,7 @@ final class BoxFigure {
   private XyPanel overBoth() {
     XyPanel panel =
         new XyPanel("found, per cent", "height, pixels", "hidden share")
-            .names(heights.stream().map(bin -> Texts.format("to %.0f", bin.to())).toList())
-            .rows(hidden.stream().map(BoxFigure::upTo).toList());
+            .edges(edges(heights, "%.0f"), edges(hidden, "%.2f"));
     for (int column = 0; column < heights.size(); column++) {
       for (int row = 0; row < hidden.size(); row++) {
         cell(panel, column, row);
@@ -137,8 +136,16 @@ final class BoxFigure {
     return panel;
   }
 
-  private static String upTo(Bin bin) {
-    return Texts.format("to %.2f", Math.min(1, bin.to()));
+  /** Returns the ends of ranges, the first of which begins at 0 or where its values do. */
+  private static List<String> edges(List<Bin> bins, String form) {
+    double first = Math.max(0, bins.get(0).from());
+    return DoubleStream.concat(DoubleStream.of(first), bins.stream().mapToDouble(BoxFigure::end))
+        .mapToObj(edge -> Texts.format(form, edge))
+        .toList();
+  }
+
+  private static double end(Bin bin) {
+    return bin.label().endsWith("px") ? bin.to() : Math.min(1, bin.to());
   }
 
   private void cell(XyPanel panel, int column, int row) {
@@ -149,8 +156,7 @@ final class BoxFigure {
                 .filter(box -> hidden.get(row).contains(box.hidden()))
                 .toList());
     if (share.boxes() > 0) {
-      panel.cell(
-          column + 1, row + 1, Palette.BLUE, share.found(), Math.round(100 * share.found()) + "");
+      panel.cell(column, row, Palette.BLUE, share.found(), Math.round(100 * share.found()) + "");
     }
   }
 }
