@@ -61,6 +61,6 @@ public record Pose(double x, double y, double heading, double headingX, double h
     double dx = pointX - x;
     double dy = pointY - y;
     double length = Math.sqrt(dx * dx + dy * dy);
-    return StrictMath.acos(headingX * (dx / length) + headingY * (dy / length));
+    return ArcCosine.of(headingX * (dx / length) + headingY * (dy / length));
   }
 }
