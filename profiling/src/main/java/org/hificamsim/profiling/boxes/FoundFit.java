@@ -48,6 +48,11 @@ final class FoundFit {
   private final List<PersonBox> boxes;
   private final double[] weights;
 
+  /** The best of all points that the optimizer has tried, and its sum of squares. */
+  private double[] best;
+
+  private double leastSum = Double.POSITIVE_INFINITY;
+
   private FoundFit(FoundForm form, List<PersonBox> boxes) {
     this.form = form;
     this.boxes = boxes;
@@ -79,12 +84,13 @@ final class FoundFit {
     for (int i = 1; i < PARAMETERS; i++) {
       start[i] = BOUNDS.get(i - 1).free(START[i - 1]);
     }
-    return curve(optimum(start));
+    optimize(start);
+    return curve(best);
   }
 
-  private double[] optimum(double[] start) {
+  private void optimize(double[] start) {
     try {
-      return new LevenbergMarquardtOptimizer()
+      new LevenbergMarquardtOptimizer()
           .optimize(
               new LeastSquaresBuilder()
                   .start(start)
@@ -93,11 +99,9 @@ final class FoundFit {
                   .lazyEvaluation(false)
                   .maxEvaluations(MAX_STEPS)
                   .maxIterations(MAX_STEPS)
-                  .build())
-          .getPoint()
-          .toArray();
+                  .build());
     } catch (MathIllegalStateException e) {
-      return start; // no step improves the fit, or the limit of steps is reached
+      // no step improves the best point any more, or the limit of steps is reached
     }
   }
 
@@ -123,6 +127,11 @@ final class FoundFit {
     }
     residuals[boxes.size()] = PULL_TO_EVEN_ODDS * point[0];
     slopes[boxes.size()][0] = PULL_TO_EVEN_ODDS;
+    double sum = Arrays.stream(residuals).map(residual -> residual * residual).sum();
+    if (sum < leastSum) {
+      leastSum = sum;
+      best = point;
+    }
     return new Pair<>(
         new ArrayRealVector(residuals, false), new Array2DRowRealMatrix(slopes, false));
   }
