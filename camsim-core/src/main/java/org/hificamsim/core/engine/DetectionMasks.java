@@ -95,8 +95,8 @@ final class DetectionMasks {
       Pose pose = cameras.pose(camera, view);
       if (level.isInReach(squared) && level.isInAngle(pose, x, y)) {
         if (transmittance < 0) {
-          transmittance = sight.transmittance(camera, target);
-          hidden = sight.hiddenShare(camera, target);
+          transmittance = sight.obstruction().transmittance(camera, target);
+          hidden = sight.obstruction().hiddenShare(camera, target);
         }
         boolean detected = level.detectsInView(pose, x, y, squared, luck, transmittance, hidden);
         long hit = detected ? 1 : 0;

@@ -2,7 +2,6 @@ package org.hificamsim.core.engine;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
@@ -14,7 +13,7 @@ import org.hificamsim.core.world.Cameras;
 final class LevelTable {
   private final Cameras cameras;
   private final Visibility visibility;
-  private final Body[] bodies;
+  private final TargetBodies bodies;
   private final boolean open;
 
   /** By number, then by body. */
@@ -27,10 +26,9 @@ final class LevelTable {
   private int revision;
 
   /**
-   * @param bodies the different bodies of targets
    * @param open whether nothing hides targets
    */
-  LevelTable(Cameras cameras, Visibility visibility, Body[] bodies, boolean open) {
+  LevelTable(Cameras cameras, Visibility visibility, TargetBodies bodies, boolean open) {
     this.cameras = cameras;
     this.visibility = visibility;
     this.bodies = bodies;
@@ -60,26 +58,26 @@ final class LevelTable {
   private void addLevel(int number, int camera, int view) {
     if (number >= squaredLimit.length) {
       int length = Math.max(number + 1, 2 * squaredLimit.length);
-      levelSights = Arrays.copyOf(levelSights, length * bodies.length);
+      levelSights = Arrays.copyOf(levelSights, length * bodies.count());
       squaredLimit = Arrays.copyOf(squaredLimit, length);
       reach = Arrays.copyOf(reach, length);
       detectsAllInReach = Arrays.copyOf(detectsAllInReach, length);
     }
     double farthest = -1;
-    for (int body = 0; body < bodies.length; body++) {
-      LevelSight level = visibility.at(cameras.zoom(camera, view), bodies[body]);
-      levelSights[number * bodies.length + body] = level;
+    for (int body = 0; body < bodies.count(); body++) {
+      LevelSight level = visibility.at(cameras.zoom(camera, view), bodies.body(body));
+      levelSights[number * bodies.count() + body] = level;
       farthest = Math.max(farthest, level.farthestSquared());
       reach[number] = Math.max(reach[number], level.reach());
       detectsAllInReach[number] =
-          bodies.length == 1 && level.isDisc() && level.byDistance() && open;
+          bodies.count() == 1 && level.isDisc() && level.byDistance() && open;
     }
     squaredLimit[number] = Math.nextUp(farthest);
     allDetectAllInReach &= detectsAllInReach[number];
   }
 
   LevelSight level(int number, int body) {
-    return levelSights[number * bodies.length + body];
+    return levelSights[number * bodies.count() + body];
   }
 
   /** The squared distance from which on nothing is detected, square metres. */

@@ -1,11 +1,9 @@
 package org.hificamsim.core.engine;
 
-import java.util.Arrays;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.spec.Field;
-import org.hificamsim.core.silhouette.HiddenShares;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.visibility.LevelSight;
@@ -37,17 +35,8 @@ final class Sight {
   private final Visibility visibility;
   private final Field field;
   private final SightLines lines;
-  private final boolean open;
-
-  /** Null unless the detection model depends on hidden shares. */
-  private final HiddenShares hiddenShares;
-
-  /** The different bodies of targets, the smallest first. */
-  private final Body[] bodies;
-
-  /** By target: the index of its body in {@link #bodies}. */
-  private final int[] bodyOfTarget;
-
+  private final Obstruction obstruction;
+  private final TargetBodies bodies;
   private final LevelTable levels;
   private final PointGrid grid;
   private final DetectionMasks masksByView;
@@ -68,16 +57,10 @@ final class Sight {
     this.visibility = visibility;
     this.field = world.scenario().field();
     DetectionModel model = visibility.detection().model();
-    this.hiddenShares = model.dependsOnHiddenShare() ? new HiddenShares(world) : null;
-    this.open = hiddenShares == null && lines.open();
+    this.obstruction = new Obstruction(world, model);
     lines.require(model);
-    Body[] all = new Body[targets.count()];
-    Arrays.setAll(
-        all, lines.flat() ? target -> Body.flat(targets.seenSize(target)) : targets::body);
-    this.bodies = Arrays.stream(all).sorted(Body.ORDER).distinct().toArray(Body[]::new);
-    this.bodyOfTarget = new int[all.length];
-    Arrays.setAll(bodyOfTarget, target -> Arrays.binarySearch(bodies, all[target], Body.ORDER));
-    this.levels = new LevelTable(cameras, visibility, bodies, open);
+    this.bodies = new TargetBodies(targets, lines.flat());
+    this.levels = new LevelTable(cameras, visibility, bodies, obstruction.open());
     this.grid = Double.isNaN(side) ? chosenGrid() : over(side);
     this.masksByView = new DetectionMasks(this, world, levels, grid);
   }
@@ -92,7 +75,7 @@ final class Sight {
 
   private PointGrid over(double side) {
     return PointGrid.over(
-        field.minX(), field.minY(), field.width(), field.height(), side, bodyOfTarget.length);
+        field.minX(), field.minY(), field.width(), field.height(), side, targets.count());
   }
 
   /** Begins a step: finds the zoom levels of cameras that changed since the last one. */
@@ -104,10 +87,8 @@ final class Sight {
   /** Reads the positions of the targets. No camera detects a target whose position is NaN. */
   void locate() {
     grid.clear();
-    if (hiddenShares != null) {
-      hiddenShares.begin();
-    }
-    for (int target = 0; target < bodyOfTarget.length; target++) {
+    obstruction.begin();
+    for (int target = 0; target < targets.count(); target++) {
       double x = targets.x(target);
       double y = targets.y(target);
       if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
@@ -142,24 +123,16 @@ final class Sight {
   }
 
   LevelSight level(int camera, int view, int target) {
-    return levels.level(cameras.zoomNumber(camera, view), bodyOfTarget[target]);
+    return levels.level(cameras.zoomNumber(camera, view), bodies.indexOf(target));
   }
 
   double luck(int camera, int target) {
     return visibility.luck(step, camera, target);
   }
 
-  /** Where hidden shares are known, solid things count as these, unless they hide everything. */
-  double transmittance(int camera, int target) {
-    if (hiddenShares == null) {
-      return open ? 1 : lines.transmittance(camera, target);
-    }
-    return hiddenShares.share(camera, target) < 1 ? lines.throughGlass(camera, target) : 0;
-  }
-
-  /** The share of a target that is hidden, 0 unless the detection model depends on it. */
-  double hiddenShare(int camera, int target) {
-    return hiddenShares == null ? 0 : hiddenShares.share(camera, target);
+  /** What hides targets. */
+  Obstruction obstruction() {
+    return obstruction;
   }
 
   boolean certain() {
@@ -189,8 +162,8 @@ final class Sight {
             y,
             squared,
             luck(camera, target),
-            transmittance(camera, target),
-            hiddenShare(camera, target));
+            obstruction.transmittance(camera, target),
+            obstruction.hiddenShare(camera, target));
   }
 
   double chance(int camera, int view, int target) {
@@ -200,15 +173,15 @@ final class Sight {
                 cameras.pose(camera, view),
                 targets.x(target),
                 targets.y(target),
-                transmittance(camera, target),
-                hiddenShare(camera, target))
+                obstruction.transmittance(camera, target),
+                obstruction.hiddenShare(camera, target))
         : 0;
   }
 
   boolean chancesAt(
       int camera, double x, double y, double size, double transmittance, double[] chances) {
     double squared = cameras.pose(camera).squaredDistance(x, y);
-    int nearest = nearestSize(size);
+    int nearest = bodies.nearest(size);
     boolean any = false;
     for (int view = 0; view < cameras.views(camera) && nearest >= 0; view++) {
       int number = cameras.zoomNumber(camera, view);
@@ -222,17 +195,9 @@ final class Sight {
     return any;
   }
 
-  private int nearestSize(double size) {
-    int nearest = bodies.length - 1;
-    while (nearest > 0 && size - bodies[nearest - 1].size() <= bodies[nearest].size() - size) {
-      nearest--;
-    }
-    return nearest;
-  }
-
   Body body(double size) {
-    int nearest = nearestSize(size);
-    return nearest < 0 ? Body.flat(size) : bodies[nearest];
+    int nearest = bodies.nearest(size);
+    return nearest < 0 ? Body.flat(size) : bodies.body(nearest);
   }
 
   double confidence(int camera, int target) {
@@ -246,13 +211,13 @@ final class Sight {
                 cameras.pose(camera, view),
                 targets.x(target),
                 targets.y(target),
-                hiddenShare(camera, target));
-    return DetectionModel.clamp(value * transmittance(camera, target));
+                obstruction.hiddenShare(camera, target));
+    return DetectionModel.clamp(value * obstruction.transmittance(camera, target));
   }
 
   /** A target that is seen is not hidden: only partly transparent obstacles matter. */
   double seenConfidence(int camera, int target, double distance) {
-    if (hiddenShares != null) {
+    if (obstruction.byShares()) {
       return confidence(camera, target);
     }
     int view = cameras.seeing(camera);
@@ -267,7 +232,7 @@ final class Sight {
     if (view == other || lines.partial()) {
       return view == other;
     }
-    for (int body = 0; body < bodies.length; body++) {
+    for (int body = 0; body < bodies.count(); body++) {
       LevelSight dominating = levels.level(cameras.zoomNumber(camera, view), body);
       LevelSight dominated = levels.level(cameras.zoomNumber(camera, other), body);
       if (!dominating.byDistance() || !dominating.includes(dominated)) {
@@ -382,7 +347,7 @@ final class Sight {
     pairs.clear();
     for (int camera = 0; camera < cameras.count(); camera++) {
       if (cameras.online(camera)) {
-        long[] found = pairs.scratch(bodyOfTarget.length + 1);
+        long[] found = pairs.scratch(targets.count() + 1);
         int view = cameras.seeing(camera);
         int count = find(camera, view, found);
         for (int k = 0; k < count; k++) {

@@ -1,0 +1,58 @@
+package org.hificamsim.core.engine;
+
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.silhouette.HiddenShares;
+import org.hificamsim.core.world.SightLines;
+import org.hificamsim.core.world.World;
+
+/**
+ * What hides targets from cameras: whole lines of sight, or shares of targets if the detection
+ * model depends on them.
+ */
+final class Obstruction {
+  private final SightLines lines;
+
+  /** Null unless the detection model depends on hidden shares. */
+  private final HiddenShares shares;
+
+  private final boolean open;
+
+  Obstruction(World world, DetectionModel model) {
+    lines = world.sightLines();
+    shares = model.dependsOnHiddenShare() ? new HiddenShares(world) : null;
+    open = shares == null && lines.open();
+  }
+
+  /** Forgets shares, since targets or cameras may have moved. */
+  void begin() {
+    if (shares != null) {
+      shares.begin();
+    }
+  }
+
+  /** Whether nothing hides targets. */
+  boolean open() {
+    return open;
+  }
+
+  /** Whether targets are hidden by degrees. */
+  boolean byShares() {
+    return shares != null;
+  }
+
+  /**
+   * The part of a target's light that reaches a camera, in [0, 1]. Where targets are hidden by
+   * degrees, solid things count by {@link #hiddenShare} alone, unless they hide all of the target.
+   */
+  double transmittance(int camera, int target) {
+    if (shares == null) {
+      return open ? 1 : lines.transmittance(camera, target);
+    }
+    return shares.share(camera, target) < 1 ? lines.throughGlass(camera, target) : 0;
+  }
+
+  /** The share of a target that is hidden, 0 unless the detection model depends on it. */
+  double hiddenShare(int camera, int target) {
+    return shares == null ? 0 : shares.share(camera, target);
+  }
+}
