@@ -104,40 +104,26 @@ shows, m (ours) | the field's borders
   public static final Property<Scenario, Double> MOUNT_HEIGHT =
       ELEMENT.optional("mount_height", Type.POSITIVE_LENGTH);
   public static final Property<Scenario, Double> STEP_TIME =
-      ELEMENT.attribute("step", Type.number(Range.POSITIVE_TIME), 1.0).omittedAtDefault();
+      ELEMENT.optional("step", Type.number(Range.POSITIVE_TIME), 1.0);
   public static final Property<Scenario, Occlusion> OCCLUSION =
-      ELEMENT
-          .attribute("occlusion", Type.choice(Occlusion.class), Occlusion.NONE)
-          .omittedAtDefault();
+      ELEMENT.optional("occlusion", Type.choice(Occlusion.class), Occlusion.NONE);
   public static final Property<Scenario, Seen> SEEN =
       ELEMENT.optional("seen", Type.choice(Seen.class));
   public static final Property<Scenario, Foreshortening> FORESHORTENING =
-      ELEMENT
-          .attribute("foreshortening", Type.choice(Foreshortening.class), Foreshortening.NONE)
-          .omittedAtDefault();
+      ELEMENT.optional("foreshortening", Type.choice(Foreshortening.class), Foreshortening.NONE);
   public static final Property<Scenario, ChannelModel> CHANNEL =
-      ELEMENT
-          .attribute(
-              "channel",
-              Type.named("", ChannelModel::parse, ChannelModel::text),
-              ChannelModel.PERFECT)
-          .omittedAtDefault();
+      ELEMENT.optional(
+          "channel", Type.named("", ChannelModel::parse, ChannelModel::text), ChannelModel.PERFECT);
   public static final Property<Scenario, EnergyModel> ENERGY =
-      ELEMENT
-          .attribute(
-              "energy", Type.named("", EnergyModel::parse, EnergyModel::text), EnergyModel.NONE)
-          .omittedAtDefault();
+      ELEMENT.optional(
+          "energy", Type.named("", EnergyModel::parse, EnergyModel::text), EnergyModel.NONE);
   public static final Property<Scenario, ProcessingBudget> PROCESSING =
-      ELEMENT
-          .attribute(
-              "processing",
-              Type.named("", ProcessingBudget::parse, ProcessingBudget::text),
-              ProcessingBudget.UNLIMITED)
-          .omittedAtDefault();
+      ELEMENT.optional(
+          "processing",
+          Type.named("", ProcessingBudget::parse, ProcessingBudget::text),
+          ProcessingBudget.UNLIMITED);
   public static final Property<Scenario, Following> FOLLOWING =
-      ELEMENT
-          .attribute("following", Type.choice(Following.class), Following.NONE)
-          .omittedAtDefault();
+      ELEMENT.optional("following", Type.choice(Following.class), Following.NONE);
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
   static final Borders FLOORPLAN_BORDERS =

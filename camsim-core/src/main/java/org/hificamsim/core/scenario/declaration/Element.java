@@ -90,7 +90,15 @@ public final class Element<S> {
     return attribute(attribute, valueType, null);
   }
 
-  /** Declares an attribute with a default. */
+  /**
+   * Declares an attribute with a default, at which files omit it. New attributes are declared so:
+   * then files and run keys of scenarios without them stay the same.
+   */
+  public <T> Property<S, T> optional(String attribute, Type<T> valueType, T defaultValue) {
+    return attribute(attribute, valueType, defaultValue).omittedAtDefault();
+  }
+
+  /** Declares an attribute with a default, which files always have. */
   public <T> Property<S, T> attribute(String attribute, Type<T> valueType, T defaultValue) {
     Property<S, T> property = new Property<>(defaults.size(), attribute, valueType, defaultValue);
     attributes.add(property);

@@ -34,10 +34,7 @@ public final class Property<S, T> {
     return this;
   }
 
-  /**
-   * Omits the attribute from files while it has its default. New attributes need it, so that files
-   * and run keys of scenarios without them stay the same.
-   */
+  /** Omits the attribute from files while it has its default. */
   public Property<S, T> omittedAtDefault() {
     omittedAtDefault = true;
     return this;

@@ -24,7 +24,7 @@ public record Range(String expected, double min, double max) {
       new Range("a number above 0 and at most 1e9 (m)", ABOVE_0, 1e9);
   public static final Range POSITIVE_TIME =
       new Range("a number above 0 and at most 1e9 (s)", ABOVE_0, 1e9);
-  public static final Range PRICE = new Range("a number from 0 to 1e9", 0, 1e9);
+  public static final Range NON_NEGATIVE = new Range("a number from 0 to 1e9", 0, 1e9);
   public static final Range POSITIVE = new Range("a number above 0 and at most 1e9", ABOVE_0, 1e9);
   static final Range OPENING = new Range("degrees above 0 and at most 360", ABOVE_0, 360);
   public static final Range UP_TO_180 = new Range("degrees above 0 and at most 180", ABOVE_0, 180);

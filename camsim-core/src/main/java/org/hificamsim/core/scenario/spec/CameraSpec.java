@@ -54,11 +54,11 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
       ELEMENT.optional("optics", OpticsSpec.BY_NAME);
   public static final Property<CameraSpec, Double> Z = ELEMENT.optional("z", Type.LENGTH);
   public static final Property<CameraSpec, Double> TILT =
-      ELEMENT.attribute("tilt", Type.number(Range.TILT), 0.0).omittedAtDefault();
+      ELEMENT.optional("tilt", Type.number(Range.TILT), 0.0);
   public static final Property<CameraSpec, DutyCycle> DUTY =
       ELEMENT.optional("duty", Type.named(DutyCycle.EXPECTED, DutyCycle::parse, DutyCycle::text));
   public static final Property<CameraSpec, Double> PRICE =
-      ELEMENT.attribute("price", Type.number(Range.PRICE), 0.0).omittedAtDefault();
+      ELEMENT.optional("price", Type.number(Range.NON_NEGATIVE), 0.0);
   public static final Property<CameraSpec, String> ALGORITHM =
       ELEMENT.optional("ai_algorithm", Type.TEXT);
   public static final Property<CameraSpec, Integer> COMM =
@@ -66,7 +66,7 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
   public static final Property<CameraSpec, String> CUSTOM_COMM =
       ELEMENT.optional("customcom", Type.TEXT);
   public static final Property<CameraSpec, Integer> LIMIT =
-      ELEMENT.attribute("limit", Type.whole(0), 0).omittedAtDefault();
+      ELEMENT.optional("limit", Type.whole(0), 0);
   public static final Property<CameraSpec, String> BANDIT =
       ELEMENT.optional(
           "bandit", Type.named("", text -> text.isEmpty() ? null : text, text -> text));

@@ -61,9 +61,9 @@ public final class ObstacleElements {
 
   static {
     for (Element<?> one : ALL) {
-      one.attribute("transmittance", Type.PROPORTION, 0.0).omittedAtDefault();
-      one.attribute("base", Type.LENGTH, 0.0).omittedAtDefault();
-      one.attribute("height", Type.POSITIVE_LENGTH, Double.POSITIVE_INFINITY).omittedAtDefault();
+      one.optional("transmittance", Type.PROPORTION, 0.0);
+      one.optional("base", Type.LENGTH, 0.0);
+      one.optional("height", Type.POSITIVE_LENGTH, Double.POSITIVE_INFINITY);
     }
   }
 

@@ -56,9 +56,7 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   public static final Property<OpticsSpec, Integer> PIXELS =
       ELEMENT.optional("pixels", Type.whole(1, 100_000));
   public static final Property<OpticsSpec, List<Double>> ANGLES_OF_VIEW =
-      ELEMENT
-          .attribute("hfov", Type.numbers(Range.UP_TO_180), List.<Double>of())
-          .omittedAtDefault();
+      ELEMENT.optional("hfov", Type.numbers(Range.UP_TO_180), List.<Double>of());
   public static final Property<OpticsSpec, List<Double>> FOCAL_LENGTHS =
       ELEMENT.optional("focal_length", Type.numbers(Range.POSITIVE));
   public static final Property<OpticsSpec, Double> SENSOR_WIDTH =
@@ -68,11 +66,9 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   public static final Property<OpticsSpec, List<Double>> PANS =
       ELEMENT.attribute("pan", Type.numbers(Range.TURN), List.of(0.0));
   public static final Property<OpticsSpec, List<Double>> TILTS =
-      ELEMENT.attribute("tilt", Type.numbers(Range.TURN), List.of(0.0)).omittedAtDefault();
+      ELEMENT.optional("tilt", Type.numbers(Range.TURN), List.of(0.0));
   public static final Property<OpticsSpec, List<Double>> VERTICAL_ANGLES =
-      ELEMENT
-          .attribute("vfov", Type.numbers(Range.BELOW_180), List.<Double>of())
-          .omittedAtDefault();
+      ELEMENT.optional("vfov", Type.numbers(Range.BELOW_180), List.<Double>of());
   public static final Property<OpticsSpec, Double> ASPECT =
       ELEMENT.optional("aspect", Type.POSITIVE);
   public static final Property<OpticsSpec, Double> PAN_SPEED =

@@ -60,12 +60,10 @@ weight: what seeing a part of it is worth compared with as large a part of other
   static {
     ELEMENT.required("name", Type.text("a name that no other zone has"));
     ELEMENT.attribute("shape", Type.choice(Shape.class), Shape.RECTANGLE);
-    ELEMENT.attribute("points", Type.PLACES, List.<Point>of()).omittedAtDefault();
+    ELEMENT.optional("points", Type.PLACES, List.<Point>of());
     ELEMENT.optional("detection", Type.TEXT);
     ELEMENT.optional("k", Type.whole(1, 100));
-    ELEMENT
-        .attribute("weight", Type.number(new Range("a number from 0 to 1e9", 0, 1e9)), 1.0)
-        .omittedAtDefault();
+    ELEMENT.optional("weight", Type.number(Range.NON_NEGATIVE), 1.0);
   }
 
   /**
