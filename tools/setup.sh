@@ -129,25 +129,26 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Dumps the classes of four short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
+# Dumps the classes of five short commands, for the JVM to map them at the next start (docs/adr/0002-build.md).
 # Whatever goes wrong here, the command line starts without them.
 archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
     printf '0 1 0 0\n1 1 1 0\n2 1 2 0\n' >"$scratch/people.txt"
-    if java=$(run_home) && list_classes run "$root/scenarios/cluster-scripted.xml" --record &&
-        list_classes compare "$root/scenarios/cluster-scripted.xml" --steps 50 --repeat 2 &&
-        list_classes tradeoff "$root/scenarios/studies/yard.xml" --steps 100 --repeat 4 &&
-        list_classes import "$scratch/people.txt" --format ethucy --rate 2 &&
-        sed '/ source: /d; s/ id: [0-9]*$//' "$scratch/run" "$scratch/compare" "$scratch/tradeoff" "$scratch/import" | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
+    if java=$(run_home) && list_classes run "$root/scenarios/cluster-scripted.xml" --record --out "$scratch/run" &&
+        list_classes compare "$root/scenarios/cluster-scripted.xml" --steps 50 --repeat 2 --out "$scratch/compare" &&
+        list_classes tradeoff "$root/scenarios/studies/yard.xml" --steps 100 --repeat 4 --out "$scratch/tradeoff" &&
+        list_classes import "$scratch/people.txt" --format ethucy --rate 2 --out "$scratch/import" &&
+        list_classes camsim "$root/scenarios/tutorial-camsim.xml" -t 50 -o "$scratch/steps.csv" &&
+        cat "$scratch"/*.classes | sed '/ source: /d; s/ id: [0-9]*$//' | awk '!seen[$0]++' >"$scratch/all" && # newer JVMs number classes
         "$java/bin/java" -Xshare:dump -Xlog:disable "-XX:SharedClassListFile=$scratch/all" "-XX:SharedArchiveFile=$archive.new" -cp "$lib/*"; then
         mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
     fi >/dev/null 2>&1
     rm -rf "$scratch" "$archive.new"
 }
 list_classes() {
-    "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:DumpLoadedClassList=$scratch/$1" "-Dhificamsim.root=$root" \
-        -cp "$lib/*" org.hificamsim.cli.Main "$@" --out "$scratch/out-$1"
+    "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:DumpLoadedClassList=$scratch/$1.classes" "-Dhificamsim.root=$root" \
+        -cp "$lib/*" org.hificamsim.cli.Main "$@"
 }
 
 # Builds $1 by the Gradle task $2 if that is needed; of several calls at once one builds and the others wait for it.

@@ -1,6 +1,5 @@
 package org.hificamsim.hifi.model;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
@@ -20,7 +19,6 @@ import org.hificamsim.hifi.optics.Optics;
 
 /** Reads and writes a {@link FittedDetection} as JSON, and checks the range of each number. */
 final class ModelFormat {
-  static final ObjectMapper MAPPER = new ObjectMapper();
   static final List<String> LENGTHS = List.of("q", "d", "z");
   static final double MAX_COEFFICIENT = 1000;
 
@@ -70,7 +68,7 @@ final class ModelFormat {
    * @throws IllegalArgumentException if there is no format for its class
    */
   static ObjectNode json(FittedDetection model) {
-    ObjectNode json = MAPPER.createObjectNode().put("schema", SCHEMA);
+    ObjectNode json = ModelFiles.MAPPER.createObjectNode().put("schema", SCHEMA);
     if (model instanceof HiFiDetection hiFi) {
       write(hiFi, json);
     } else if (model instanceof BoxDetection boxes) {

@@ -38,8 +38,8 @@ record PartFormats<T>(List<Format<T>> formats) {
                             "no file format for %s, expected a line in FeatureFormats or"
                                 + " DetectorFormats",
                             part.getClass().getName())));
-    ObjectNode json = ModelFormat.MAPPER.createObjectNode().put("type", format.type());
-    return json.setAll(ModelFormat.MAPPER.<ObjectNode>valueToTree(part));
+    ObjectNode json = ModelFiles.MAPPER.createObjectNode().put("type", format.type());
+    return json.setAll(ModelFiles.MAPPER.<ObjectNode>valueToTree(part));
   }
 
   private Optional<Format<T>> format(Predicate<Format<T>> wanted) {
