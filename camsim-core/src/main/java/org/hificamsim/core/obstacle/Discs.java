@@ -34,6 +34,9 @@ final class Discs {
       double x, double y, double radius, double ax, double ay, double bx, double by) {
     double dx = bx - ax;
     double dy = by - ay;
+    if (dx == 0 && dy == 0) {
+      return contains(x, y, radius, ax, ay);
+    }
     int pastA = sign((x - ax) * dx, (y - ay) * dy);
     int beforeB = sign((bx - x) * dx, (by - y) * dy);
     if (pastA < 0) {
