@@ -258,19 +258,26 @@ class TradeoffCommandTest {
 
   /** The share of a fine grid of utilities and costs that some network beats. */
   private static double hypervolume(List<String[]> rows, List<String[]> scale) {
-    double utility = scale.stream().mapToDouble(row -> Double.parseDouble(row[4])).max().orElse(0);
-    double cost = scale.stream().mapToDouble(row -> Double.parseDouble(row[7])).max().orElse(0);
+    double[][] networks = utilitiesAndCosts(rows);
+    double[][] all = utilitiesAndCosts(scale);
+    double utility = Arrays.stream(all).mapToDouble(network -> network[0]).max().orElse(0);
+    double cost = Arrays.stream(all).mapToDouble(network -> network[1]).max().orElse(0);
     long beaten = 0;
     for (int i = 0; i < 400 * 400; i++) {
-      int row400 = i / 400;
-      double u = (row400 + 0.5) / 400 * utility;
+      int row = i / 400;
+      double u = (row + 0.5) / 400 * utility;
       double c = (i % 400 + 0.5) / 400 * cost;
-      if (rows.stream()
-          .anyMatch(row -> Double.parseDouble(row[4]) >= u && Double.parseDouble(row[7]) <= c)) {
+      if (Arrays.stream(networks).anyMatch(network -> network[0] >= u && network[1] <= c)) {
         beaten++;
       }
     }
     return beaten / (400.0 * 400);
+  }
+
+  private static double[][] utilitiesAndCosts(List<String[]> rows) {
+    return rows.stream()
+        .map(row -> new double[] {Double.parseDouble(row[4]), Double.parseDouble(row[7])})
+        .toArray(double[][]::new);
   }
 
   @Test
