@@ -49,6 +49,10 @@ public class HiddenSharesBenchmark {
   @Param({"false", "true"})
   private boolean heights;
 
+  /** The height of walls, metres. */
+  @Param("Infinity")
+  private double top;
+
   private final SplittableRandom random = new SplittableRandom(1);
   private World world;
   private HiddenShares shares;
@@ -79,7 +83,8 @@ public class HiddenSharesBenchmark {
     double y = coordinate();
     double angle = random.nextDouble(2 * Math.PI);
     double length = random.nextDouble(2, 20);
-    return new Obstacle.Wall(x, y, x + length * Math.cos(angle), y + length * Math.sin(angle), 0);
+    return new Obstacle.Wall(
+        x, y, x + length * Math.cos(angle), y + length * Math.sin(angle), 0, 0, top);
   }
 
   private double coordinate() {

@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * The share of the unit square that shapes cover together: the exact area of their union. A shape
- * is an upright strip whose lower and upper border are straight lines. Most are rectangles that
- * begin below the square, such as people who stand nearer; their union is a {@link Skyline}.
+ * is an upright strip whose lower and upper border are straight lines. Most begin below the square,
+ * such as people who stand nearer and walls; their union is a {@link Skyline}.
  *
  * <p>Reuse one for many squares: it keeps its arrays. Not thread-safe.
  */
@@ -41,7 +41,7 @@ public final class CoveredShare {
     standing.clear();
   }
 
-  /** Whether the rectangles that begin below the square cover all of it. */
+  /** Whether the shapes that begin below the square cover all of it. */
   public boolean full() {
     return standing.full();
   }
@@ -64,12 +64,24 @@ public final class CoveredShare {
     if (!(from < to) || isOutside(from, to, low, lowSlope, high, highSlope)) {
       return;
     }
-    boolean begins = Math.max(low + lowSlope * from, low + lowSlope * to) <= 0;
-    double least = Math.min(high + highSlope * from, high + highSlope * to);
-    if (begins && (highSlope == 0 || least >= 1)) {
-      standing.add(from, to, Math.min(1, least));
+    if (Math.max(low + lowSlope * from, low + lowSlope * to) <= 0) {
+      stand(from, to, high, highSlope);
     } else {
       keep(from, to, low, lowSlope, high, highSlope);
+    }
+  }
+
+  /** Adds a strip that begins below the square, in parts above, in and below the square. */
+  private void stand(double from, double to, double high, double slope) {
+    if (Math.min(high + slope * from, high + slope * to) >= 1) {
+      standing.add(from, to, 1, 0);
+    } else if (slope == 0) {
+      standing.add(from, to, high, 0);
+    } else {
+      double ground = Math.max(from, Math.min(to, -high / slope));
+      double top = Math.max(from, Math.min(to, (1 - high) / slope));
+      standing.add(Math.min(ground, top), Math.max(ground, top), high, slope);
+      standing.add(slope > 0 ? top : from, slope > 0 ? to : top, 1, 0);
     }
   }
 
@@ -112,8 +124,9 @@ public final class CoveredShare {
       return Math.min(1, standing.area());
     }
     for (int piece = 0; piece < standing.count(); piece++) {
-      if (standing.height(piece) > 0) {
-        keep(standing.start(piece), standing.end(piece), 0, 0, standing.height(piece), 0);
+      if (standing.line(piece) != 0 || standing.slope(piece) != 0) {
+        double end = standing.end(piece);
+        keep(standing.start(piece), end, 0, 0, standing.line(piece), standing.slope(piece));
       }
     }
     return union();

@@ -4,85 +4,145 @@ import java.util.Arrays;
 import org.hificamsim.core.world.Targets;
 
 /**
- * The targets around a camera in the order of their bearings, so that only neighbours are compared.
- * Those that fill a wide angle, since they are close, are kept apart.
+ * The targets around a camera, and for each of them the nearer ones in its direction. A sweep over
+ * the directions in which targets begin finds them, so that no other targets are compared.
  */
 final class Crowd {
-  private static final double WIDE = 0.1;
+  /** Up to this sine the angle exceeds it by less than a hundredth. */
+  private static final double SMALL = 0.1;
+
   private static final int BITS = 30;
   private static final double SCALE = (1 << BITS) / (2 * Math.PI);
 
-  /** More than the rounding of a bearing to a key. */
+  /** More than the rounding of a direction to a key, radians. */
   private static final double MARGIN = 1e-8;
 
   private final Targets targets;
 
-  /** A bearing and the number of its target, ascending. */
+  /** Where a target begins and its number, ascending. */
   private final long[] keys;
 
-  /** By target. */
-  private final int[] ranks;
+  // by target
 
   private final double[] bearings;
+  private final double[] halfAngles;
+  private final double[] distances;
 
-  // by rank, so that neighbours are next to each other in memory
+  // by rank in the order of the keys, so that the sweep reads memory in order
 
-  private final double[] dx;
-  private final double[] dy;
-  private final double[] width;
-  private final double[] height;
-  private final double[] bearing;
+  private final double[] begins;
+  private final double[] ends;
+  private final double[] squared;
+  private final int[] numbers;
 
-  private final int[] wide;
+  /** The targets whose directions the sweep is in, by rank, and where they end. */
+  private final int[] active;
+
+  private final double[] activeEnds;
+  private final NearerTargets nearer;
+  private double fromX;
+  private double fromY;
   private int count;
-  private int wideCount;
-  private double greatestHalf;
+  private int activeCount;
 
   Crowd(Targets targets) {
     this.targets = targets;
     int most = targets.count();
     keys = new long[most];
-    ranks = new int[most];
     bearings = new double[most];
-    dx = new double[most];
-    dy = new double[most];
-    width = new double[most];
-    height = new double[most];
-    bearing = new double[most];
-    wide = new int[most];
+    halfAngles = new double[most];
+    distances = new double[most];
+    begins = new double[most];
+    ends = new double[most];
+    squared = new double[most];
+    numbers = new int[most];
+    active = new int[most];
+    activeEnds = new double[most];
+    nearer = new NearerTargets(most);
   }
 
-  /** Sorts the targets that are present around a point. */
+  /** Finds out which targets are present around a point, and which of them overlap. */
   void around(double x, double y) {
+    fromX = x;
+    fromY = y;
     count = 0;
     for (int target = 0; target < bearings.length; target++) {
-      double direction = Math.atan2(targets.y(target) - y, targets.x(target) - x);
-      bearings[target] = direction;
-      if (targets.present(target) && !Double.isNaN(direction)) {
-        keys[count++] = (long) ((direction + Math.PI) * SCALE) << Integer.SIZE | target;
+      if (targets.present(target)) {
+        place(target, targets.x(target) - x, targets.y(target) - y);
       }
     }
     Arrays.sort(keys, 0, count);
-    wideCount = 0;
-    greatestHalf = 0;
     for (int rank = 0; rank < count; rank++) {
-      read(rank, (int) keys[rank], x, y);
+      read(rank, (int) keys[rank]);
+    }
+    sweep();
+  }
+
+  /** A target that contains the camera hides nothing, and nothing hides it. */
+  private void place(int target, double dx, double dy) {
+    double width = targets.width(target);
+    double distance = dx * dx + dy * dy;
+    if (distance > width * width / 4) {
+      bearings[target] = Math.atan2(dy, dx);
+      halfAngles[target] = halfAngle(width / 2 / Math.sqrt(distance));
+      distances[target] = distance;
+      keys[count++] = (long) ((begin(target) + Math.PI) * SCALE) << Integer.SIZE | target;
     }
   }
 
-  private void read(int rank, int target, double x, double y) {
-    ranks[target] = rank;
-    bearing[rank] = bearings[target];
-    dx[rank] = targets.x(target) - x;
-    dy[rank] = targets.y(target) - y;
-    width[rank] = targets.width(target);
-    height[rank] = targets.height(target);
-    double half = width[rank] / 2 / Math.sqrt(dx[rank] * dx[rank] + dy[rank] * dy[rank]);
-    if (half < WIDE) {
-      greatestHalf = Math.max(greatestHalf, half);
-    } else {
-      wide[wideCount++] = rank;
+  /** An angle within which a target hides others, rounded up. */
+  private static double halfAngle(double sine) {
+    return sine < SMALL ? 1.01 * sine : Math.asin(Math.min(1, sine)) + MARGIN;
+  }
+
+  private double begin(int target) {
+    double begin = bearings[target] - halfAngles[target];
+    return begin < -Math.PI ? begin + 2 * Math.PI : begin;
+  }
+
+  private void read(int rank, int target) {
+    begins[rank] = begin(target);
+    ends[rank] = begins[rank] + 2 * halfAngles[target];
+    squared[rank] = distances[target];
+    numbers[rank] = target;
+  }
+
+  private void sweep() {
+    nearer.clear();
+    activeCount = 0;
+    for (int rank = 0; rank < count; rank++) {
+      if (ends[rank] + MARGIN > Math.PI) {
+        activate(rank, ends[rank] - 2 * Math.PI);
+      }
     }
+    for (int rank = 0; rank < count; rank++) {
+      meetActive(rank, begins[rank] - MARGIN);
+      activate(rank, ends[rank]);
+    }
+  }
+
+  private void activate(int rank, double end) {
+    active[activeCount] = rank;
+    activeEnds[activeCount++] = end;
+  }
+
+  private void meetActive(int rank, double begin) {
+    int kept = 0;
+    for (int i = 0; i < activeCount; i++) {
+      if (activeEnds[i] >= begin) {
+        int other = active[i];
+        active[kept] = other;
+        activeEnds[kept++] = activeEnds[i];
+        link(rank, other, squared[other] - squared[rank]);
+      }
+    }
+    activeCount = kept;
+  }
+
+  /** The sign is unpredictable, so we read its bit instead of branching. */
+  private void link(int rank, int other, double farther) {
+    int rankIfNegative = (int) (Double.doubleToRawLongBits(farther) >> 63) & (rank ^ other);
+    nearer.add(numbers[other ^ rankIfNegative], numbers[rank ^ rankIfNegative]);
   }
 
   double bearing(int target) {
@@ -91,34 +151,15 @@ final class Crowd {
 
   /** Puts the targets in front of the silhouette of one of them that may hide it. */
   void addTo(Silhouette silhouette, int target) {
-    int rank = ranks[target];
-    for (int i = 0; i < wideCount && !silhouette.hidden(); i++) {
-      add(silhouette, wide[i], rank);
-    }
-    // the arc sine of a number below WIDE exceeds it by less than a hundredth
-    double window = silhouette.halfAngle() + 1.01 * greatestHalf + MARGIN;
-    int before = scan(silhouette, rank, window, 1, count - 1);
-    scan(silhouette, rank, window, -1, count - 1 - before);
-  }
-
-  /** Scans neighbours to one side; returns how many there are within the window. */
-  private int scan(Silhouette silhouette, int rank, double window, int way, int most) {
-    int other = rank;
-    for (int i = 0; i < most; i++) {
-      other += way;
-      other = other == count ? 0 : other < 0 ? count - 1 : other;
-      double off = way * (bearing[other] - bearing[rank]);
-      if ((off < -MARGIN ? off + 2 * Math.PI : off) > window || silhouette.hidden()) {
-        return i;
-      }
-      add(silhouette, other, rank);
-    }
-    return most;
-  }
-
-  private void add(Silhouette silhouette, int other, int rank) {
-    if (other != rank) {
-      silhouette.addTarget(dx[other], dy[other], width[other], height[other]);
+    for (int link = nearer.first(target);
+        link >= 0 && !silhouette.hidden();
+        link = nearer.next(link)) {
+      int other = nearer.target(link);
+      silhouette.addTarget(
+          targets.x(other) - fromX,
+          targets.y(other) - fromY,
+          targets.width(other),
+          targets.height(other));
     }
   }
 }

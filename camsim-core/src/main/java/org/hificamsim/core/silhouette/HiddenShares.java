@@ -69,8 +69,9 @@ public final class HiddenShares {
     double y = cameras.y(camera);
     crowds[camera].around(x, y);
     Arrays.fill(shares[camera], Double.NaN);
-    if (walls.count() > 0 && (sectors[camera] == null || !sectors[camera].isFrom(x, y))) {
-      sectors[camera] = new WallSectors(walls, x, y);
+    boolean flat = Double.isNaN(cameras.z(camera));
+    if (walls.count() > 0 && (sectors[camera] == null || !sectors[camera].isFor(x, y, flat))) {
+      sectors[camera] = new WallSectors(walls, x, y, flat);
     }
     sorted[camera] = true;
   }
@@ -83,7 +84,7 @@ public final class HiddenShares {
       return 0;
     }
     if (walls.count() > 0) {
-      sectors[camera].addTo(silhouette, walls, crowds[camera].bearing(target));
+      sectors[camera].addTo(silhouette, crowds[camera].bearing(target));
     }
     crowds[camera].addTo(silhouette, target);
     return silhouette.share();

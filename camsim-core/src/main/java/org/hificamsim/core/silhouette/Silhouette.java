@@ -53,6 +53,11 @@ final class Silhouette {
     return half;
   }
 
+  /** An upper bound of the distance over the ground to its ends, metres. */
+  double farthest() {
+    return distance * (1 + half * half);
+  }
+
   /**
    * Puts another target in front, unless it is farther away or contains the camera.
    *
@@ -74,7 +79,7 @@ final class Silhouette {
     if (aside - halfWidth < reach && aside + halfWidth > -reach) {
       covered.add(
           across((aside - halfWidth) / depth),
-          flat ? 0 : up(0, depth),
+          0, // a nearer target's feet are lower in the picture
           across((aside + halfWidth) / depth),
           flat ? 1 : up(height, depth));
     }

@@ -2,89 +2,144 @@ package org.hificamsim.core.silhouette;
 
 import java.util.Arrays;
 
-/** The upper border of rectangles that stand on the lower side of the unit square. */
+/**
+ * The upper border of shapes that stand on the lower side of the unit square, in pieces of straight
+ * lines.
+ */
 final class Skyline {
-  /** Where the pieces begin, ascending from 0. */
-  private double[] starts = new double[16];
+  private static final int START = 0;
+  private static final int LINE = 1;
+  private static final int SLOPE = 2;
+  private static final int VALUES = 3;
 
-  /** The heights of the pieces, at most 1. */
-  private double[] heights = new double[16];
+  /** By piece, ascending from 0: where it begins, and its line, of at most 1. */
+  private double[] pieces = new double[16 * VALUES];
 
-  private double[] otherStarts = new double[16];
-  private double[] otherHeights = new double[16];
+  private double[] otherPieces = new double[16 * VALUES];
   private int count;
   private int filled;
 
-  /** Removes all rectangles. */
+  /** Removes all shapes. */
   void clear() {
     count = 1;
-    starts[0] = 0;
-    heights[0] = 0;
+    pieces[START] = 0;
+    pieces[LINE] = 0;
+    pieces[SLOPE] = 0;
   }
 
-  /** The number of pieces of one height. */
+  /** The number of pieces. */
   int count() {
     return count;
   }
 
   double start(int piece) {
-    return starts[piece];
+    return pieces[piece * VALUES + START];
   }
 
   double end(int piece) {
-    return piece + 1 < count ? starts[piece + 1] : 1;
+    return piece + 1 < count ? start(piece + 1) : 1;
   }
 
-  double height(int piece) {
-    return heights[piece];
+  /** The height of the piece's line at x = 0. */
+  double line(int piece) {
+    return pieces[piece * VALUES + LINE];
+  }
+
+  double slope(int piece) {
+    return pieces[piece * VALUES + SLOPE];
   }
 
   /** Whether the whole square is covered. */
   boolean full() {
-    return count == 1 && heights[0] == 1;
+    return count == 1 && pieces[LINE] == 1 && pieces[SLOPE] == 0;
   }
 
-  /** Adds a rectangle within the unit square. */
-  void add(double from, double to, double height) {
-    if (otherStarts.length < count + 2) {
-      starts = Arrays.copyOf(starts, 2 * starts.length);
-      heights = Arrays.copyOf(heights, 2 * heights.length);
-      otherStarts = new double[starts.length];
-      otherHeights = new double[starts.length];
+  /**
+   * Adds a shape within the unit square under a straight line.
+   *
+   * @param line the line's height at x = 0
+   */
+  void add(double from, double to, double line, double slope) {
+    int first = firstLower(from, to, line, slope);
+    if (first < count) {
+      raise(first, from, to, line, slope);
     }
-    filled = 0;
-    for (int piece = 0; piece < count; piece++) {
-      double start = starts[piece];
-      double end = end(piece);
-      if (end <= from || start >= to || heights[piece] >= height) {
-        append(start, heights[piece]);
+  }
+
+  /** The first piece that is lower somewhere between two places; the count if there is none. */
+  private int firstLower(double from, double to, double line, double slope) {
+    for (int piece = 0; piece < count && start(piece) < to; piece++) {
+      if (isLower(piece, from, to, line, slope)) {
+        return piece;
+      }
+    }
+    return count;
+  }
+
+  private boolean isLower(int piece, double from, double to, double line, double slope) {
+    double left = Math.max(start(piece), from);
+    double right = Math.min(end(piece), to);
+    return left < right
+        && (above(piece, line, slope, left) > 0 || above(piece, line, slope, right) > 0);
+  }
+
+  private double above(int piece, double line, double slope, double x) {
+    return line - line(piece) + (slope - slope(piece)) * x;
+  }
+
+  private void raise(int first, double from, double to, double line, double slope) {
+    if (otherPieces.length < 3 * (count + 1) * VALUES) {
+      pieces = Arrays.copyOf(pieces, 2 * otherPieces.length);
+      otherPieces = new double[pieces.length];
+    }
+    System.arraycopy(pieces, 0, otherPieces, 0, first * VALUES);
+    filled = first;
+    for (int piece = first; piece < count; piece++) {
+      if (isLower(piece, from, to, line, slope)) {
+        raisePiece(piece, from, to, line, slope);
       } else {
-        if (start < from) {
-          append(start, heights[piece]);
-        }
-        append(Math.max(start, from), height);
-        if (end > to) {
-          append(to, heights[piece]);
-        }
+        append(start(piece), line(piece), slope(piece));
       }
     }
     swap();
   }
 
-  private void append(double start, double height) {
-    if (filled == 0 || otherHeights[filled - 1] != height) {
-      otherStarts[filled] = start;
-      otherHeights[filled++] = height;
+  private void raisePiece(int piece, double from, double to, double line, double slope) {
+    double left = Math.max(start(piece), from);
+    double right = Math.min(end(piece), to);
+    if (start(piece) < from) {
+      append(start(piece), line(piece), slope(piece));
+    }
+    double atLeft = above(piece, line, slope, left);
+    double atRight = above(piece, line, slope, right);
+    double meeting = left + (right - left) * (atLeft / (atLeft - atRight));
+    if (atLeft < 0) {
+      append(left, line(piece), slope(piece));
+      append(meeting, line, slope);
+    } else {
+      append(left, line, slope);
+    }
+    if (atRight < 0) {
+      append(meeting, line(piece), slope(piece));
+    } else if (end(piece) > to) {
+      append(to, line(piece), slope(piece));
+    }
+  }
+
+  private void append(double start, double line, double slope) {
+    int last = (filled - 1) * VALUES;
+    if (filled == 0 || otherPieces[last + LINE] != line || otherPieces[last + SLOPE] != slope) {
+      otherPieces[filled * VALUES + START] = start;
+      otherPieces[filled * VALUES + LINE] = line;
+      otherPieces[filled * VALUES + SLOPE] = slope;
+      filled++;
     }
   }
 
   private void swap() {
-    double[] lastStarts = starts;
-    double[] lastHeights = heights;
-    starts = otherStarts;
-    heights = otherHeights;
-    otherStarts = lastStarts;
-    otherHeights = lastHeights;
+    double[] last = pieces;
+    pieces = otherPieces;
+    otherPieces = last;
     count = filled;
   }
 
@@ -92,7 +147,9 @@ final class Skyline {
   double area() {
     double area = 0;
     for (int piece = 0; piece < count; piece++) {
-      area += (end(piece) - starts[piece]) * heights[piece];
+      double start = start(piece);
+      double end = end(piece);
+      area += (end - start) * (line(piece) + slope(piece) * ((start + end) / 2));
     }
     return area;
   }

@@ -36,6 +36,11 @@ final class Walls {
     }
   }
 
+  /** Whether the piece reaches from the ground to any height. */
+  boolean isFull(int piece) {
+    return pieces[piece].base == 0 && pieces[piece].height == Double.POSITIVE_INFINITY;
+  }
+
   int count() {
     return pieces.length;
   }
