@@ -62,7 +62,7 @@ public enum Metric {
       "number",
       "how often a camera's view (its zoom level or pan angle) differed from that of the step"
           + " before",
-      measured(run -> run.coverage().viewChanges())),
+      measured(run -> run.coverage().moves().viewChanges())),
   MESSAGES(
       "number",
       "sent between cameras; [what counts](channel.md#messages-and-bits)",
@@ -238,7 +238,22 @@ public enum Metric {
       "number",
       "of policies that [tell targets apart](cooperation.md#in-each-step) by tracks of their own"
           + " alone: how often a target was taken for another one",
-      measured(Measured::identitySwitches));
+      measured(Measured::identitySwitches)),
+  ZOOM_CHANGE_RATE(
+      "per camera and step",
+      "`zoom_changes` for each camera and step in which it is online",
+      measured(run -> run.coverage().moves().viewChangeRate()),
+      new Line("zoom changes", "%.4f", "per camera and step")),
+  PAN_TRAVEL(
+      "degrees per camera and step",
+      "how far cameras turned, either way: as far as they came where turning takes time",
+      measured(run -> run.coverage().moves().meanPanTravel()),
+      new Line("pan travel", "%.4g", "degrees per camera and step")),
+  ZOOM_TRAVEL(
+      "levels per camera and step",
+      "how far lenses changed, in zoom levels",
+      measured(run -> run.coverage().moves().meanZoomTravel()),
+      new Line("zoom travel", "%.4g", "levels per camera and step"));
 
   private static final String EXPECTED = "EXPECTED_";
 

@@ -20,6 +20,16 @@ class OracleNetwork extends ObservedNetwork implements OracleView {
   }
 
   @Override
+  public double presentPan(int camera) {
+    return cameras.presentPan(camera);
+  }
+
+  @Override
+  public double presentZoom(int camera) {
+    return cameras.presentZoom(camera);
+  }
+
+  @Override
   public boolean certain() {
     return sight.certain();
   }

@@ -1,13 +1,12 @@
 package org.hificamsim.core.engine;
 
-import java.util.Arrays;
 import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * The coverage of a whole run, summed step by step (thesis 7.1, Eq 7.2; Figure 7.9), with the
- * number of changes of view.
+ * The coverage of a whole run, summed step by step (thesis 7.1, Eq 7.2; Figure 7.9), with the moves
+ * of the cameras.
  */
 public final class RunCoverage implements StepListener {
   private long steps;
@@ -19,8 +18,7 @@ public final class RunCoverage implements StepListener {
   private long coveredMore;
   private double sumOfMeans;
   private long detections;
-  private long viewChanges;
-  private int[] views = {};
+  private final CameraMoves moves = new CameraMoves();
   private boolean byChance;
   private double expectedPerformance;
   private double expectedUncovered;
@@ -41,7 +39,7 @@ public final class RunCoverage implements StepListener {
     coveredMore += coverage.coveredK();
     sumOfMeans += coverage.meanK();
     detections += coverage.detections();
-    countViewChanges(network);
+    moves.add(network);
     if (coverage.byChance()) {
       byChance = true;
       add(coverage.expected());
@@ -56,21 +54,6 @@ public final class RunCoverage implements StepListener {
     sumOfExpectedMeans += expected.meanK();
     sumOfLeastK += expected.leastK();
     sumOfLeastChances += expected.leastChance();
-  }
-
-  /** The first view does not count as a change; cameras may join later. */
-  private void countViewChanges(OracleView network) {
-    int known = views.length;
-    if (network.cameras() > known) {
-      views = Arrays.copyOf(views, network.cameras());
-    }
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      int view = network.view(camera);
-      if (camera < known && view != views[camera]) {
-        viewChanges++;
-      }
-      views[camera] = view;
-    }
   }
 
   /** The number of steps so far. */
@@ -118,9 +101,9 @@ public final class RunCoverage implements StepListener {
     return detections;
   }
 
-  /** The number of times that a camera's view differed from that of the step before. */
-  public long viewChanges() {
-    return viewChanges;
+  /** How the cameras have moved. */
+  public CameraMoves moves() {
+    return moves;
   }
 
   /** The performance expected before luck is drawn; NaN under a threshold. */

@@ -19,6 +19,18 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
   /** Metres. */
   double targetY(int target);
 
+  /**
+   * Where the camera's head is turned, on its way included: radians off its heading, to the right.
+   */
+  default double presentPan(int camera) {
+    return pan(camera, view(camera));
+  }
+
+  /** The zoom level at which the camera's lens is, which is no whole number on its way. */
+  default double presentZoom(int camera) {
+    return zoomOf(camera, view(camera));
+  }
+
   /** Whether the camera would detect the target where both are now, were it at this view. */
   boolean detects(int camera, int view, int target);
 

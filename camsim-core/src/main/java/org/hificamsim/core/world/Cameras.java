@@ -247,6 +247,16 @@ public final class Cameras {
         : mounts[camera].set.pan(atView);
   }
 
+  /** Where the camera's head is turned, radians off its mounted heading. */
+  public double presentPan(int camera) {
+    return moving(camera) ? motion.pan(camera) : pan(camera, view[camera]);
+  }
+
+  /** The zoom level at which the lens is, which is no whole number on its way. */
+  public double presentZoom(int camera) {
+    return moving(camera) ? motion.zoom(camera) : mounts[camera].set.zoomOf(view[camera]);
+  }
+
   /** Radians below the horizon, in one of the views. */
   public double tilt(int camera, int atView) {
     return mounts[camera].set.tilt(atView);

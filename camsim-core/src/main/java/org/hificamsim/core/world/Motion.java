@@ -100,6 +100,16 @@ final class Motion {
     return moving[camera];
   }
 
+  /** Where a camera's head is turned, radians off its mounted heading. */
+  double pan(int camera) {
+    return pan[camera];
+  }
+
+  /** The zoom level at which a camera's lens is. */
+  double zoom(int camera) {
+    return zoom[camera];
+  }
+
   /** The view through which a camera sees on its way to a goal; -1 while it sees nothing. */
   int seeing(int camera, int goal) {
     return moving[camera] ? passing[camera] : goal;
