@@ -20,8 +20,14 @@ final class MountOptions {
   /** The default number of candidate positions along the longer side of the field. */
   private static final double DEFAULT_POSITIONS = 40;
 
+  /** The least distance of a camera from what it is mounted on, metres. */
+  private static final double MIN_CLEARANCE = 0.02;
+
   @Option(names = "--candidates", paramLabel = "every=M|FILE.csv")
   private Optional<String> candidates;
+
+  @Option(names = "--clearance", paramLabel = "M")
+  private double clearance;
 
   @Option(names = "--keep", paramLabel = "all|A,B")
   private Optional<String> keep;
@@ -33,6 +39,7 @@ final class MountOptions {
   List<Point> positions(Scenario site, int parts) {
     List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());
+    Numbers.within("--clearance", clearance, MIN_CLEARANCE, longer);
     String text = candidates.orElse("every=" + longer / DEFAULT_POSITIONS);
     if (!text.startsWith("every=")) {
       return MountPoints.read(Path.of(text), site, forbidden);
@@ -42,7 +49,8 @@ final class MountOptions {
     try {
       double every =
           Numbers.within("--candidates every", Double.parseDouble(number), longer / 1000, longer);
-      return MountPoints.of(site, every / parts, ceiling, forbidden);
+      return MountPoints.of(
+          site, new MountPoints.Rules(every / parts, clearance, ceiling, forbidden));
     } catch (NumberFormatException e) {
       throw new InputException(
           "--candidates is '" + text + "', expected every=M, every=M,ceiling or a table", e);

@@ -29,9 +29,6 @@ public record Candidates(List<Candidate> list, int[][] covered) {
   /** Degrees below the horizon, on sites with heights. */
   private static final List<Double> TILTS = List.of(0.0, 15.0, 30.0);
 
-  /** The height of new cameras on a site with heights that does not give one, metres. */
-  private static final double DEFAULT_HEIGHT = 3;
-
   /** A camera that could be mounted. */
   public record Candidate(CameraKind kind, OpticsSpec optics, Mounting mount) {
     /** Returns the candidate on another mount. */
@@ -100,8 +97,10 @@ public record Candidates(List<Candidate> list, int[][] covered) {
    */
   private static List<Candidate> scouts(
       Point point, List<CameraKind> kinds, CoverageReading reading, Scenario site) {
-    boolean ownHeight = site.hasHeights() && site.mountHeight().isEmpty();
-    Optional<Double> z = ownHeight ? Optional.of(DEFAULT_HEIGHT) : Optional.empty();
+    Optional<Double> z =
+        site.mountHeight().isPresent()
+            ? Optional.empty()
+            : Mounting.heightOn(site).stream().boxed().findFirst();
     List<Candidate> scouts = new ArrayList<>();
     for (CameraKind kind : kinds) {
       OpticsSpec panning = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Field;
@@ -18,54 +17,70 @@ import org.hificamsim.data.CsvRow;
 
 /**
  * The points where cameras can be mounted: along both sides of walls, around polygons and pillars,
- * along the border of the field, on the ceiling, or at listed points.
+ * along the border of the field, on the ceiling, or at listed points. On a site with heights, only
+ * obstacles count that are there at the height of its cameras. No camera hangs in a door or another
+ * narrow gap.
  */
 public final class MountPoints {
-  /** The distance of a camera from what it is mounted on, metres. */
-  private static final double CLEARANCE = 0.2;
+  /** The usual distance of a camera from what it is mounted on, metres. */
+  public static final double CLEARANCE = 0.2;
 
   private static final double MAX_COORDINATE = 1e9;
 
+  /** The width of the widest gap that is a door, metres. */
+  private static final double MAX_DOOR = 2.5;
+
+  /** The thickness of the thickest wall in which doors are, metres. */
+  private static final double MAX_THICKNESS = 0.6;
+
+  /**
+   * How cameras are mounted.
+   *
+   * @param spacing metres from one point to the next, above 0
+   * @param clearance distance of a camera from what it is mounted on, and the least one from
+   *     everything else, metres, above 0
+   * @param ceiling whether to add a grid of points all over the field
+   * @param forbidden zones in which no camera may be
+   */
+  public record Rules(double spacing, double clearance, boolean ceiling, List<Zone> forbidden) {}
+
   private final Field field;
-  private final Obstacles obstacles;
-  private final List<Zone> forbidden;
+  private final MountObstacles obstacles;
+  private final Rules rules;
   private final Set<Point> points = new LinkedHashSet<>();
 
-  private MountPoints(Scenario site, List<Zone> forbidden) {
+  private MountPoints(Scenario site, Rules rules) {
     this.field = site.field();
-    this.obstacles = new Obstacles(site.obstacles());
-    this.forbidden = forbidden;
+    this.obstacles = new MountObstacles(site);
+    this.rules = rules;
   }
 
   /**
    * Returns the points on a site.
    *
-   * @param spacing metres from one point to the next, above 0
-   * @param ceiling whether to add a grid of points all over the field
-   * @param forbidden zones in which no camera may be
    * @throws InputException if there is no such point
    */
-  public static List<Point> of(
-      Scenario site, double spacing, boolean ceiling, List<Zone> forbidden) {
-    MountPoints mounts = new MountPoints(site, forbidden);
+  public static List<Point> of(Scenario site, Rules rules) {
+    MountPoints mounts = new MountPoints(site, rules);
+    double spacing = rules.spacing;
     Field field = mounts.field;
     mounts.addAround(
         List.of(
             new Point(field.minX(), field.minY()),
             new Point(field.maxX(), field.minY()),
             new Point(field.maxX(), field.maxY()),
-            new Point(field.minX(), field.maxY())),
-        spacing);
-    for (Obstacle obstacle : site.obstacles()) {
+            new Point(field.minX(), field.maxY())));
+    for (Obstacle obstacle : mounts.obstacles.list()) {
       if (obstacle instanceof Obstacle.Wall wall) {
-        mounts.addAlong(new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2()), spacing);
+        mounts.addAlong(
+            new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2()), mounts.slot());
       } else if (obstacle instanceof Obstacle.Polygon polygon) {
-        mounts.addAround(polygon.points(), spacing);
+        mounts.addAround(polygon.points());
       } else if (obstacle instanceof Obstacle.Pillar pillar) {
-        mounts.addAround(pillar, spacing);
+        mounts.addAround(pillar);
       }
     }
-    for (double x = field.minX() + spacing / 2; ceiling && x < field.maxX(); x += spacing) {
+    for (double x = field.minX() + spacing / 2; rules.ceiling && x < field.maxX(); x += spacing) {
       for (double y = field.minY() + spacing / 2; y < field.maxY(); y += spacing) {
         mounts.add(x, y);
       }
@@ -74,7 +89,7 @@ public final class MountPoints {
         setting("candidates")
             + " closer together, or fewer zones that "
             + setting("forbid")
-            + " names");
+            + " names, or obstacles as high as the cameras");
   }
 
   /**
@@ -84,7 +99,7 @@ public final class MountPoints {
    *     column
    */
   public static List<Point> read(Path file, Scenario site, List<Zone> forbidden) {
-    MountPoints mounts = new MountPoints(site, forbidden);
+    MountPoints mounts = new MountPoints(site, new Rules(1, 0, false, forbidden));
     for (CsvRow row :
         CsvReader.open(file, "a table of x and y").readAll(List.of("x", "y")).rows()) {
       double x = row.number("x", -MAX_COORDINATE, MAX_COORDINATE, "a number");
@@ -103,37 +118,70 @@ public final class MountPoints {
     return List.copyOf(points);
   }
 
-  private void addAround(List<Point> corners, double spacing) {
+  /** The width of a gap between two obstacles, metres, in which there is no room for a camera. */
+  private double slot() {
+    return 3 * rules.clearance;
+  }
+
+  private void addAround(List<Point> corners) {
     for (int i = 0; i < corners.size(); i++) {
-      addAlong(corners.get(i), corners.get((i + 1) % corners.size()), spacing);
+      Point from = corners.get(i);
+      Point to = corners.get((i + 1) % corners.size());
+      addAlong(from, to, isEndOfWall(corners, i) ? MAX_DOOR : slot());
     }
   }
 
-  private void addAround(Obstacle.Pillar pillar, double spacing) {
-    double radius = pillar.radius() + CLEARANCE;
-    int count = Math.max(4, (int) Math.round(2 * Math.PI * radius / spacing));
+  /** Whether an edge is the end of a thick wall, as at a door. */
+  private static boolean isEndOfWall(List<Point> corners, int edge) {
+    double length = length(corners, edge);
+    double before = length(corners, edge + corners.size() - 1);
+    double after = length(corners, edge + 1);
+    return length <= MAX_THICKNESS && Math.min(before, after) >= 2 * length;
+  }
+
+  private static double length(List<Point> corners, int edge) {
+    Point from = corners.get(edge % corners.size());
+    Point to = corners.get((edge + 1) % corners.size());
+    return Math.hypot(to.x() - from.x(), to.y() - from.y());
+  }
+
+  private void addAround(Obstacle.Pillar pillar) {
+    double radius = pillar.radius() + rules.clearance;
+    int count = Math.max(4, (int) Math.round(2 * Math.PI * radius / rules.spacing));
     for (int i = 0; i < count; i++) {
       double angle = 2 * Math.PI * i / count;
       add(pillar.x() + radius * Math.cos(angle), pillar.y() + radius * Math.sin(angle));
     }
   }
 
-  /** Adds points on both sides of a line, from one end to the other. */
-  private void addAlong(Point from, Point to, double spacing) {
+  /**
+   * Adds points on both sides of a line, from one end to the other.
+   *
+   * @param room the distance in front of a camera in which no obstacle may be, metres
+   */
+  private void addAlong(Point from, Point to, double room) {
+    double clearance = rules.clearance;
     double dx = to.x() - from.x();
     double dy = to.y() - from.y();
     double length = Math.hypot(dx, dy);
-    int parts = Math.max(1, (int) Math.round(length / spacing));
+    int parts = Math.max(1, (int) Math.round(length / rules.spacing));
     for (int i = 0; i <= parts && length > 0; i++) {
-      double endDistance = Math.min(CLEARANCE, length / 2); // the ends may be in corners
+      double endDistance = Math.min(clearance, length / 2); // the ends may be in corners
       double distance = Math.max(endDistance, Math.min(length - endDistance, i * length / parts));
       double along = distance / length;
+      Point base = new Point(from.x() + along * dx, from.y() + along * dy);
       for (int side = -1; side <= 1; side += 2) {
-        add(
-            from.x() + along * dx - side * CLEARANCE * dy / length,
-            from.y() + along * dy + side * CLEARANCE * dx / length);
+        Point normal = new Point(-side * dy / length, side * dx / length);
+        Point position = ahead(base, normal, clearance);
+        if (!obstacles.isBetween(ahead(base, normal, clearance / 2), ahead(base, normal, room))) {
+          add(position.x(), position.y());
+        }
       }
     }
+  }
+
+  private static Point ahead(Point from, Point direction, double distance) {
+    return new Point(from.x() + distance * direction.x(), from.y() + distance * direction.y());
   }
 
   /** Adds a point, rounded to centimetres, if it is new and a camera can be there. */
@@ -143,8 +191,8 @@ public final class MountPoints {
     Point point = new Point(x, y);
     boolean allowed =
         field.contains(x, y)
-            && obstacles.containing(x, y).isEmpty()
-            && forbidden.stream().noneMatch(zone -> zone.contains(x, y));
+            && obstacles.isFree(point, rules.clearance)
+            && rules.forbidden.stream().noneMatch(zone -> zone.contains(x, y));
     return allowed && points.add(point);
   }
 }

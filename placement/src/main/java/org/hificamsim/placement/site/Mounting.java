@@ -1,7 +1,9 @@
 package org.hificamsim.placement.site;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.Scenario;
 
 /**
  * Where a camera is mounted, and where it looks.
@@ -11,6 +13,16 @@ import org.hificamsim.core.obstacle.Point;
  * @param heading degrees, from -180
  */
 public record Mounting(Point position, Optional<Double> z, double tilt, double heading) {
+  /** The height of new cameras on a site with heights that does not give one, metres. */
+  private static final double DEFAULT_HEIGHT = 3;
+
+  /** Returns the height of new cameras on a site, metres; empty in a flat world. */
+  static OptionalDouble heightOn(Scenario site) {
+    return site.hasHeights()
+        ? OptionalDouble.of(site.mountHeight().orElse(DEFAULT_HEIGHT))
+        : OptionalDouble.empty();
+  }
+
   /** Returns the mount with a heading that is turned by an angle, degrees. */
   Mounting turnedBy(double degrees) {
     return new Mounting(position, z, tilt, sum(heading, degrees));

@@ -103,8 +103,9 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
   /** In random order, so that points all over the site are tried if the time is short. */
   private static List<Point> shuffledMountPoints(Scenario site) {
     double longerSide = Math.max(site.field().width(), site.field().height());
-    List<Point> points =
-        new ArrayList<>(MountPoints.of(site, longerSide / PARTS, false, List.of()));
+    MountPoints.Rules rules =
+        new MountPoints.Rules(longerSide / PARTS, MountPoints.CLEARANCE, false, List.of());
+    List<Point> points = new ArrayList<>(MountPoints.of(site, rules));
     Collections.shuffle(points, new Random(0));
     return points;
   }

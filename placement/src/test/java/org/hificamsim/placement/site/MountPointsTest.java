@@ -1,0 +1,153 @@
+package org.hificamsim.placement.site;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class MountPointsTest {
+  private static final double SIZE = 20;
+  private static final double CLEARANCE = 0.25;
+
+  /** More than the rounding of a point to centimetres, metres. */
+  private static final double ROUNDING = 0.01;
+
+  @TempDir private Path folder;
+
+  private Scenario site(String attributes, String obstacles) throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("site.xml"),
+            """
+<root>
+  <simulation min_x="0" max_x="20" min_y="0" max_y="20" order="coverage" %s>
+    <obstacles>%s</obstacles>
+    <cameras><camera name="A" x="19.9" y="19.9" heading="0" viewing_angle="60" range="9"/></cameras>
+    <objects><object x="19.7" y="19.7" heading="0" speed="1" features="1"/></objects>
+  </simulation>
+</root>
+"""
+                .formatted(attributes, obstacles));
+    return ScenarioReader.read(file, movement -> true, warning -> {});
+  }
+
+  private static List<Point> points(Scenario site, boolean ceiling) {
+    return MountPoints.of(site, new MountPoints.Rules(0.5, CLEARANCE, ceiling, List.of()));
+  }
+
+  private static boolean anyIn(
+      List<Point> points, double minX, double minY, double maxX, double maxY) {
+    Predicate<Point> inside =
+        point -> point.x() > minX && point.x() < maxX && point.y() > minY && point.y() < maxY;
+    return points.stream().anyMatch(inside);
+  }
+
+  @Test
+  void hangsOnHighRacksOnly() throws IOException {
+    String racks =
+        "<polygon points=\"4,4 8,4 8,6 4,6\" height=\"1.8\"/>"
+            + "<polygon points=\"12,4 16,4 16,6 12,6\" height=\"6\"/>";
+    List<Point> points = points(site("mount_height=\"3\" seen=\"whole\"", racks), false);
+    assertFalse(anyIn(points, 3, 3, 9, 7));
+    assertTrue(anyIn(points, 11, 3, 17, 7));
+  }
+
+  @Test
+  void ceilingHasPlacesAboveLowShelves() throws IOException {
+    String shelf = "<polygon points=\"4,4 8,4 8,6 4,6\" height=\"1.8\"/>";
+    assertTrue(anyIn(points(site("mount_height=\"3\" seen=\"whole\"", shelf), true), 4, 4, 8, 6));
+    assertFalse(anyIn(points(site("", shelf.replace(" height=\"1.8\"", "")), true), 4, 4, 8, 6));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.9, 2.4})
+  void leavesDoorsFree(double width) throws IOException {
+    String walls =
+        Texts.format(
+            "<polygon points=\"0,9.8 8,9.8 8,10.2 0,10.2\"/>"
+                + "<polygon points=\"%1$s,9.8 20,9.8 20,10.2 %1$s,10.2\"/>",
+            8 + width);
+    List<Point> points = points(site("", walls), false);
+    assertFalse(anyIn(points, 8, 9.8, 8 + width, 10.2));
+    assertTrue(anyIn(points, 4, 9, 7, 9.8));
+  }
+
+  @Test
+  void hangsInNarrowCorridorsAndOnColumns() throws IOException {
+    String walls =
+        "<wall x1=\"0\" y1=\"9\" x2=\"20\" y2=\"9\"/><wall x1=\"0\" y1=\"11\" x2=\"20\" y2=\"11\"/>"
+            + "<polygon points=\"4,4 4.4,4 4.4,4.4 4,4.4\"/>";
+    List<Point> points = points(site("", walls), false);
+    assertTrue(anyIn(points, 5, 9, 15, 10) && anyIn(points, 5, 10, 15, 11));
+    assertTrue(anyIn(points, 3.5, 3.5, 5, 5));
+  }
+
+  @Test
+  void leavesSlotsBetweenTwoLinesOfWallFree() throws IOException {
+    String lines =
+        "<wall x1=\"0\" y1=\"9\" x2=\"20\" y2=\"9\"/>"
+            + "<wall x1=\"0\" y1=\"9.6\" x2=\"20\" y2=\"9.6\"/>";
+    assertFalse(anyIn(points(site("", lines), false), 1, 9, 19, 9.6));
+  }
+
+  @Test
+  void everyPlaceHangsOnSomethingAsHigh() throws IOException {
+    Random random = new Random(55);
+    for (int trial = 0; trial < 30; trial++) {
+      String obstacles =
+          IntStream.range(0, 8).mapToObj(i -> box(random)).collect(Collectors.joining());
+      Scenario site = site("mount_height=\"3\" seen=\"whole\"", obstacles);
+      for (Point point : points(site, false)) {
+        double nearest =
+            site.obstacles().stream()
+                .filter(obstacle -> obstacle.height() >= 3)
+                .mapToDouble(obstacle -> distance((Obstacle.Polygon) obstacle, point))
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+        double border =
+            DoubleStream.of(point.x(), point.y(), SIZE - point.x(), SIZE - point.y())
+                .min()
+                .orElseThrow();
+        assertEquals(CLEARANCE, Math.min(nearest, border), ROUNDING, () -> point + obstacles);
+      }
+    }
+  }
+
+  private static String box(Random random) {
+    double x = 15 * random.nextDouble();
+    double y = 15 * random.nextDouble();
+    double right = x + 0.5 + 4 * random.nextDouble();
+    double top = y + 0.5 + 4 * random.nextDouble();
+    return Texts.format(
+        "<polygon points=\"%1$.3f,%2$.3f %3$.3f,%2$.3f %3$.3f,%4$.3f %1$.3f,%4$.3f\""
+            + " height=\"%5$.1f\"/>",
+        x, y, right, top, 1 + 4 * random.nextDouble());
+  }
+
+  /** The distance of a point from an upright rectangle; negative inside. */
+  private static double distance(Obstacle.Polygon box, Point point) {
+    Point least = box.points().get(0);
+    Point greatest = box.points().get(2);
+    double dx = Math.max(least.x() - point.x(), point.x() - greatest.x());
+    double dy = Math.max(least.y() - point.y(), point.y() - greatest.y());
+    return Math.min(dx, dy) > 0 ? Math.hypot(dx, dy) : Math.max(dx, dy);
+  }
+}
