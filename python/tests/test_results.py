@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pathlib
 import sys
 
@@ -36,6 +37,24 @@ def test_comparison_returns_tables_and_keeps_its_folder(tmp_path: pathlib.Path) 
     assert {"results", "metrics", "summary", "steps"} <= set(made.frames)
     again = hificamsim.read_results(folder)
     assert again["results"].equals(made["results"])
+
+
+def test_run_reads_model_file_of_boxes(tmp_path: pathlib.Path) -> None:
+    model = {
+        "schema": "hificamsim-model",
+        "version": 4,
+        "name": "mine",
+        "found": {"intercept": 2, "height": 3, "hidden": 7, "width": {"slope": 1.5, "usualShape": 0.34}},
+        "falseAlarms": 0.5,
+    }
+    file = tmp_path / "mine.json"
+    file.write_text(json.dumps(model), encoding="utf-8")
+    run = hificamsim.run("hall", policy="zoom-out", detection=str(file), steps=20)
+    assert run.settings["detect"] == "probability"
+    model["found"]["hidden"] = 0
+    file.write_text(json.dumps(model), encoding="utf-8")
+    unhidden = hificamsim.run("hall", policy="zoom-out", detection=str(file), steps=20)
+    assert run["steps"]["expected_mean_k"].mean() < unhidden["steps"]["expected_mean_k"].mean()
 
 
 def test_columns_equal_csv_with_types(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:

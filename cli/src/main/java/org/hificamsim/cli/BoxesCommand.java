@@ -161,9 +161,15 @@ final class BoxesCommand implements Callable<Integer> {
   }
 
   private void printFit(BoxFit fit, BoxDetection detection) {
-    terminal().println(detection.equation() + "; px: height in pixels, h: hidden share");
+    terminal()
+        .println(detection.equation() + "; px: height in pixels, h: hidden share" + widthNote(fit));
+    terminal().println(fit.width());
     fit.losses().forEach(terminal()::println);
     printFifths(fit.ofModel());
+  }
+
+  private static String widthNote(BoxFit fit) {
+    return fit.curve().width().counts() ? ", w: width in pixels" : "";
   }
 
   private void printCheck(BoxDetection given, MeasuredBoxes measured) {

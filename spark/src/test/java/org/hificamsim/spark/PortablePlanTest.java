@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -15,11 +17,19 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 class PortablePlanTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
   private static final Path FILE =
       Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-scripted.xml");
+
+  private static final String BOXES =
+      """
+      {"schema": "hificamsim-model", "version": 4, "name": "mine", "falseAlarms": 0.5,
+       "found": {"intercept": 2, "height": 3, "hidden": 7, "floor": 0, "ceiling": 0.95,
+                 "width": {"slope": 1.5, "usualShape": 0.34}}}
+      """;
 
   /** A model that is not in the catalogue. */
   private record Unknown(String name) implements DetectionModel {
@@ -50,6 +60,20 @@ class PortablePlanTest {
     Detection back = PortablePlan.of(byChance, CATALOGUE).plan(CATALOGUE).detection();
     assertEquals(rule, back.rule());
     assertEquals(detection.threshold(), back.threshold());
+  }
+
+  @Test
+  void restoresModelFileOfBoxes(@TempDir Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("mine.json"), BOXES);
+    DetectionModel model = CATALOGUE.detection(file.toString());
+    RunPlan plan = plan(model);
+    Detection detection = Detection.by(model.defaultRule(), "mine", model);
+    RunPlan byProbability =
+        new RunPlan(plan.scenario(), detection, plan.policy(), plan.steps(), plan.seed(), 1);
+    Detection back = PortablePlan.of(byProbability, CATALOGUE).plan(CATALOGUE).detection();
+    assertEquals(model, back.model());
+    assertTrue(back.model().dependsOnHiddenShare());
+    assertEquals("probability", back.rule().text());
   }
 
   @Test

@@ -104,6 +104,16 @@ class BoxDetectionTest {
   }
 
   @Test
+  void targetsHaveTheUsualShape() {
+    FoundCurve curve = new FoundCurve(1, 3, 5, 0, 1, new WidthEffect(2, 0.4));
+    assertEquals(curve.found(80, 0.2), curve.found(80, 0.4 * 80, 0.2), 1e-12);
+    double wider = Math.log(curve.found(80, 40, 0) / (1 - curve.found(80, 40, 0)));
+    double usual = Math.log(curve.found(80, 0) / (1 - curve.found(80, 0)));
+    assertEquals(2 * Math.log(40 / 32.0), wider - usual, 1e-9);
+    assertTrue(curve.equation().contains("+ 2.00 ln(w / (0.400 px))"), curve.equation());
+  }
+
+  @Test
   void namesBrokenNumbersOfFiles() {
     assertRefused("height", "{\"intercept\": 1, \"height\": -2, \"hidden\": 1}");
     assertRefused("hidden", "{\"intercept\": 1, \"height\": 2}");
@@ -112,5 +122,8 @@ class BoxDetectionTest {
         "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"floor\": 0.5, \"ceiling\": 0.2}");
     assertRefused("floor", "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"floor\": 1}");
     assertRefused("unknown", "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"slope\": 1}");
+    String start = "{\"intercept\": 1, \"height\": 2, \"hidden\": 1, \"width\": ";
+    assertRefused("slope", start + "{\"slope\": 2.5, \"usualShape\": 0.3}}");
+    assertRefused("usualShape", start + "{\"slope\": 1, \"usualShape\": 0}}");
   }
 }

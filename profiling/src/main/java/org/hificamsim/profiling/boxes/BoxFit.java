@@ -1,6 +1,5 @@
 package org.hificamsim.profiling.boxes;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -22,6 +21,8 @@ import org.hificamsim.profiling.fit.Reliability;
  * @param curve of that form, fitted to all boxes
  * @param unseenPeople by form, how well boxes of unseen people are predicted
  * @param unseenRecordings the same for unseen recordings; empty if there is one recording
+ * @param unseenTenths by form of a model, the same where a tenth of the people is left out at a
+ *     time
  * @param rejected whether the model is not surely better than a constant on unseen people
  */
 public record BoxFit(
@@ -30,13 +31,15 @@ public record BoxFit(
     FoundCurve curve,
     Map<FoundForm, Reliability> unseenPeople,
     Map<FoundForm, Reliability> unseenRecordings,
+    Map<FoundForm, Reliability> unseenTenths,
     boolean rejected) {
   /** Fits measured boxes. */
   public static BoxFit of(MeasuredBoxes measured) {
     UnseenChances unseen = UnseenChances.ofPeople(measured);
-    List<FoundForm> models = Arrays.stream(FoundForm.values()).filter(FoundForm::isModel).toList();
+    UnseenChances tenths = UnseenChances.ofTenths(measured);
+    List<FoundForm> models = FoundForm.models();
     FoundForm form =
-        models.get(OneStandardError.simplest(models.stream().map(unseen::lossesByPerson).toList()));
+        models.get(OneStandardError.simplest(models.stream().map(tenths::lossesByPerson).toList()));
     Map<FoundForm, Reliability> people = unseen.reliabilities();
     boolean rejected =
         OneStandardError.isAsGood(
@@ -50,12 +53,22 @@ public record BoxFit(
         measured.recordings().size() > 1
             ? UnseenChances.ofRecordings(measured).reliabilities()
             : Map.of(),
+        tenths.reliabilities(),
         rejected);
   }
 
   /** Returns how well the model predicts boxes of people that it has not seen. */
   public Reliability ofModel() {
     return unseenPeople.get(form);
+  }
+
+  /** Says what became of the width, for readers. */
+  public String width() {
+    double with = unseenTenths.get(form.withWidth(true)).logLoss();
+    double without = unseenTenths.get(form.withWidth(false)).logLoss();
+    return Texts.format(
+        "width of the boxes: %s; log loss on unseen people %.3f with it, %.3f without",
+        form.hasWidth() ? "counts" : "left out, since it does not surely help", with, without);
   }
 
   /** Returns the log losses of the model and of simpler ones on unseen boxes, for readers. */
@@ -112,6 +125,7 @@ public record BoxFit(
             Texts.format(
                 "profile boxes, %s boxes of %s people", measured.boxes().size(), measured.people()))
         .with("recordings", recordings)
-        .with("unseen", String.join("; ", losses()));
+        .with("unseen", String.join("; ", losses()))
+        .with("width", width());
   }
 }

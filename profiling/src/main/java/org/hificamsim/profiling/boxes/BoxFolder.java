@@ -68,9 +68,7 @@ public final class BoxFolder {
             .with("hidden", box -> rounded(4, box.hidden()))
             .with("found", PersonBox::found);
     model.ifPresent(
-        detection ->
-            layout.with(
-                "chance", box -> rounded(6, detection.curve().found(box.height(), box.hidden()))));
+        detection -> layout.with("chance", box -> rounded(6, box.chance(detection.curve()))));
     return layout;
   }
 

@@ -1,32 +1,46 @@
 package org.hificamsim.profiling.boxes;
 
+import java.util.Arrays;
+import java.util.List;
+
 /** What the probability that a person is found depends on, the simplest first. */
 enum FoundForm {
-  /** Nothing. */
-  CONSTANT(false, false, false, false),
-  /** The height alone. */
-  HEIGHT(true, false, false, false),
-  /** The hidden share alone. */
-  HIDDEN(false, true, false, false),
-  /** Both. */
-  BOTH(true, true, false, false),
-  /** Both, and the largest boxes are not always found. */
-  BOTH_WITH_CEILING(true, true, false, true),
-  /** Both, and the smallest boxes are sometimes found. */
-  BOTH_WITH_FLOOR(true, true, true, false),
-  /** Both, between a floor and a ceiling. */
-  BOTH_WITH_LIMITS(true, true, true, true);
+  CONSTANT,
+  HEIGHT(Part.HEIGHT),
+  HIDDEN(Part.HIDDEN),
+  BOTH(Part.HEIGHT, Part.HIDDEN),
+  /** The largest boxes are not always found. */
+  BOTH_WITH_CEILING(Part.HEIGHT, Part.HIDDEN, Part.CEILING),
+  /** The smallest boxes are sometimes found. */
+  BOTH_WITH_FLOOR(Part.HEIGHT, Part.HIDDEN, Part.FLOOR),
+  BOTH_WITH_LIMITS(Part.HEIGHT, Part.HIDDEN, Part.FLOOR, Part.CEILING),
+  /** Wider boxes of the same height are found more surely. */
+  WIDTH(Part.HEIGHT, Part.HIDDEN, Part.WIDTH),
+  WIDTH_WITH_CEILING(Part.HEIGHT, Part.HIDDEN, Part.WIDTH, Part.CEILING),
+  WIDTH_WITH_FLOOR(Part.HEIGHT, Part.HIDDEN, Part.WIDTH, Part.FLOOR),
+  WIDTH_WITH_LIMITS(Part.HEIGHT, Part.HIDDEN, Part.WIDTH, Part.FLOOR, Part.CEILING);
+
+  private enum Part {
+    HEIGHT,
+    HIDDEN,
+    WIDTH,
+    FLOOR,
+    CEILING
+  }
 
   private final boolean height;
   private final boolean hidden;
+  private final boolean width;
   private final boolean floor;
   private final boolean ceiling;
 
-  FoundForm(boolean height, boolean hidden, boolean floor, boolean ceiling) {
-    this.height = height;
-    this.hidden = hidden;
-    this.floor = floor;
-    this.ceiling = ceiling;
+  FoundForm(Part... parts) {
+    List<Part> given = List.of(parts);
+    height = given.contains(Part.HEIGHT);
+    hidden = given.contains(Part.HIDDEN);
+    width = given.contains(Part.WIDTH);
+    floor = given.contains(Part.FLOOR);
+    ceiling = given.contains(Part.CEILING);
   }
 
   boolean hasHeight() {
@@ -37,6 +51,10 @@ enum FoundForm {
     return hidden;
   }
 
+  boolean hasWidth() {
+    return width;
+  }
+
   boolean hasFloor() {
     return floor;
   }
@@ -45,8 +63,17 @@ enum FoundForm {
     return ceiling;
   }
 
-  /** Whether a model may have this form. */
-  boolean isModel() {
-    return height && hidden;
+  /** The forms that a model may have, the simplest first. */
+  static List<FoundForm> models() {
+    return Arrays.stream(values()).filter(form -> form.height && form.hidden).toList();
+  }
+
+  /** The same form with or without the width. */
+  FoundForm withWidth(boolean counts) {
+    return models().stream()
+        .filter(form -> form.width == counts)
+        .filter(form -> form.floor == floor && form.ceiling == ceiling)
+        .findFirst()
+        .orElseThrow();
   }
 }

@@ -11,7 +11,7 @@ public final class ModelCheck {
   /** Returns the chances and outcomes of all boxes. */
   public static Reliability of(FoundCurve model, List<PersonBox> boxes) {
     return new Reliability(
-        boxes.stream().mapToDouble(box -> model.found(box.height(), box.hidden())).toArray(),
+        boxes.stream().mapToDouble(box -> box.chance(model)).toArray(),
         boxes.stream().mapToDouble(PersonBox::found).toArray());
   }
 }

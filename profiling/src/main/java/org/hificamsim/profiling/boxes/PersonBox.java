@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.boxes;
 
+import org.hificamsim.hifi.boxes.FoundCurve;
+
 /**
  * A person in a frame, and whether the detector found this person.
  *
@@ -11,6 +13,15 @@ public record PersonBox(
     String recording, long frame, String person, Box box, HiddenParts parts, int found) {
   double height() {
     return box.height();
+  }
+
+  double width() {
+    return box.width();
+  }
+
+  /** The probability by a curve that this person is found. */
+  double chance(FoundCurve curve) {
+    return curve.found(height(), width(), hidden());
   }
 
   double hidden() {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.boxes.FoundCurve;
 import org.hificamsim.profiling.fit.Reliability;
@@ -20,9 +21,31 @@ import org.hificamsim.profiling.fit.Reliability;
  * @param chances by form, the chance of each box
  */
 record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[]> chances) {
+  private static final int TENTHS = 10;
+  private static final List<FoundForm> ALL = List.of(FoundForm.values());
+
   /** Leaves out whole recordings, of which there must be two. */
   static UnseenChances ofRecordings(MeasuredBoxes measured) {
-    return of("recordings", List.copyOf(byRecording(measured).values()));
+    return of("recordings", ALL, List.copyOf(byRecording(measured).values()));
+  }
+
+  /**
+   * Leaves out tenths of the people, each from the whole time, to compare forms of the model: what
+   * is left is nearly as much as the model is fitted on.
+   */
+  static UnseenChances ofTenths(MeasuredBoxes measured) {
+    List<List<PersonBox>> people =
+        byRecording(measured).values().stream()
+            .flatMap(recording -> byPerson(recording).stream())
+            .toList();
+    List<List<PersonBox>> tenths =
+        Stream.<List<PersonBox>>generate(ArrayList::new)
+            .limit(Math.min(TENTHS, people.size()))
+            .toList();
+    for (int i = 0; i < people.size(); i++) {
+      tenths.get(i % tenths.size()).addAll(people.get(i));
+    }
+    return of("people", FoundForm.models(), tenths);
   }
 
   /**
@@ -42,12 +65,13 @@ record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[
           "%s has one person, expected two, to judge the fit by people that it has not seen",
           measured.boxes().get(0).recording());
     }
-    return of("people", halves);
+    return of("people", ALL, halves);
   }
 
-  private static UnseenChances of(String parts, List<List<PersonBox>> groups) {
+  private static UnseenChances of(
+      String parts, List<FoundForm> forms, List<List<PersonBox>> groups) {
     Map<FoundForm, double[]> chances = new EnumMap<>(FoundForm.class);
-    for (FoundForm form : FoundForm.values()) {
+    for (FoundForm form : forms) {
       chances.put(form, chances(form, groups));
     }
     return new UnseenChances(parts, groups.stream().flatMap(List::stream).toList(), chances);
@@ -75,7 +99,7 @@ record UnseenChances(String parts, List<PersonBox> boxes, Map<FoundForm, double[
       List<PersonBox> others =
           parts.stream().filter(other -> other != part).flatMap(List::stream).toList();
       FoundCurve curve = FoundFit.fit(form, others);
-      part.forEach(box -> chances.add(curve.found(box.height(), box.hidden())));
+      part.forEach(box -> chances.add(box.chance(curve)));
     }
     return chances.stream().mapToDouble(Double::doubleValue).toArray();
   }

@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.boxes.BoxDetection;
 import org.hificamsim.hifi.boxes.FoundCurve;
+import org.hificamsim.hifi.boxes.WidthEffect;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.junit.jupiter.api.Test;
 
@@ -20,21 +22,37 @@ class BoxFitTest {
   private static final FoundCurve LIMITED = new FoundCurve(2, 4, 8, 0.1, 0.85);
   private static final FoundCurve NOISE = new FoundCurve(0.5, 0, 0, 0, 1);
 
+  private static final double SHAPE = 1 / 3.0;
+  private static final FoundCurve BY_WIDTH =
+      new FoundCurve(1.5, 3, 5, 0, 1, new WidthEffect(2, SHAPE));
+
   /** Draws people, each with a height, who are hidden by chance. */
   private static MeasuredBoxes drawn(FoundCurve curve, int people, int frames, long seed) {
+    return drawn(curve, people, frames, seed, 0);
+  }
+
+  /**
+   * Draws people, each with a height, who are hidden by chance.
+   *
+   * @param spread of the logarithm of the shape
+   */
+  private static MeasuredBoxes drawn(
+      FoundCurve curve, int people, int frames, long seed, double spread) {
     Random random = new Random(seed);
     List<PersonBox> boxes = new ArrayList<>();
     for (int person = 0; person < people; person++) {
       double height = 30 * Math.exp(2 * random.nextDouble());
       for (int frame = 0; frame < frames; frame++) {
         double hidden = random.nextBoolean() ? 0 : random.nextDouble();
-        double chance = curve.found(height, hidden);
+        double shape = spread == 0 ? 1 : Math.exp(spread * random.nextGaussian());
+        double width = height * SHAPE * shape;
+        double chance = curve.found(height, width, hidden);
         boxes.add(
             new PersonBox(
                 "made",
                 10L * person + frame,
                 "made:" + person,
-                new Box(0, 0, height / 3, height),
+                new Box(0, 0, width, height),
                 new HiddenParts(hidden, 0, hidden),
                 random.nextDouble() < chance ? 1 : 0));
       }
@@ -51,6 +69,37 @@ class BoxFitTest {
     assertEquals(TRUE.hidden(), curve.hidden(), 0.4);
     assertEquals(0, curve.floor(), "data without a floor get none");
     assertEquals(1, curve.ceiling(), "data without a ceiling get none");
+  }
+
+  @Test
+  void widthCountsWhereItHelps() {
+    BoxFit fit = BoxFit.of(drawn(BY_WIDTH, 200, 20, 8, 0.3));
+    WidthEffect width = fit.curve().width();
+    assertEquals(BY_WIDTH.width().slope(), width.slope(), 0.25);
+    assertEquals(SHAPE, width.usualShape(), 0.01);
+    assertEquals(BY_WIDTH.height(), fit.curve().height(), 0.3);
+    assertTrue(fit.width().contains("width of the boxes: counts"), fit.width());
+    BoxDetection detection = fit.detection("mine");
+    assertEquals(detection, ModelFiles.parse("mine.json", ModelFiles.bytes(detection)));
+  }
+
+  @Test
+  void widthIsLeftOutWhereItDoesNotHelp() {
+    BoxFit fit = BoxFit.of(drawn(TRUE, 60, 20, 9, 0.3));
+    assertEquals(WidthEffect.NONE, fit.curve().width());
+    assertTrue(fit.width().contains("left out"), fit.width());
+    String file = new String(ModelFiles.bytes(fit.detection("mine")), StandardCharsets.UTF_8);
+    assertFalse(file.contains("\"width\": {"), file);
+  }
+
+  @Test
+  void neverFallsWithWidth() {
+    FoundCurve reversed = new FoundCurve(1.5, 2, 5, 0, 1, new WidthEffect(-3, SHAPE));
+    FoundCurve curve = BoxFit.of(drawn(reversed, 30, 20, 10, 0.3)).curve();
+    for (double width = 10; width < 100; width += 10) {
+      assertTrue(curve.found(100, width + 10, 0.3) >= curve.found(100, width, 0.3));
+      assertTrue(curve.found(110, width, 0.3) >= curve.found(100, width, 0.3));
+    }
   }
 
   @Test

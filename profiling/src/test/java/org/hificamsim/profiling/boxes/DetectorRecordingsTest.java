@@ -82,6 +82,10 @@ class DetectorRecordingsTest {
     double logLoss = fit.ofModel().logLoss();
     assertTrue(logLoss < fit.unseenPeople().get(FoundForm.HEIGHT).logLoss());
     assertTrue(logLoss < fit.unseenPeople().get(FoundForm.HIDDEN).logLoss());
+    assertTrue(fit.curve().width().counts(), fit.width());
+    assertTrue(
+        fit.unseenRecordings().get(fit.form()).logLoss()
+            < fit.unseenRecordings().get(FoundForm.CONSTANT).logLoss());
     List<String> table = new FoundTable(measured).lines();
     assertTrue(table.stream().anyMatch(line -> line.startsWith("5 to 25 % hidden")), "" + table);
   }
