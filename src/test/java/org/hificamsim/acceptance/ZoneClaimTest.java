@@ -14,12 +14,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.world.World;
@@ -30,6 +33,8 @@ import org.hificamsim.runs.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that what a plan claims of zones holds of their area, and is the same in all commands. */
 class ZoneClaimTest {
@@ -56,7 +61,8 @@ class ZoneClaimTest {
     </obstacles>
     <zones>
       <zone name="door" points="16.5,0.3 19.6,2.4"
-          detection="oodpcvs-2025:level=characterise"/>
+          detection="oodpcvs-2025:level=characterise"
+          facing="0" facing_tolerance="7" max_depression="15"/>
       <zone name="aisle" points="5.9,3.5 7.9,9.5" k="2"/>
     </zones>
     <cameras><camera name="A" x="1" y="1" heading="45" viewing_angle="70" range="9"/></cameras>
@@ -117,9 +123,30 @@ class ZoneClaimTest {
     simulation.step();
     double met = 0;
     for (int target = 0; target < people.size(); target++) {
-      met += Math.min(1, simulation.network().coverage(target) / (double) asked.k());
+      int number = target;
+      TargetSpec face = people.get(target);
+      long cameras =
+          IntStream.range(0, planned.cameras().size())
+              .filter(camera -> simulation.network().sees(camera, number))
+              .filter(camera -> isFaced(face, planned.cameras().get(camera), zone))
+              .count();
+      met += Math.min(1, cameras / (double) asked.k());
     }
     return met / people.size();
+  }
+
+  /** Compares angles by scalar products of directions, not by headings. */
+  private static boolean isFaced(TargetSpec face, CameraSpec camera, Zone zone) {
+    if (zone.facing() == null) {
+      return true;
+    }
+    Vector3D toCamera =
+        new Vector3D(camera.x() - face.x(), camera.y() - face.y(), 3 - face.height());
+    Vector3D level = new Vector3D(toCamera.getX(), toCamera.getY(), 0);
+    double heading = Math.toRadians(zone.facing());
+    Vector3D look = new Vector3D(Math.sin(heading), Math.cos(heading), 0);
+    return Math.toDegrees(Vector3D.angle(look, level)) <= zone.facingTolerance()
+        && Math.toDegrees(Vector3D.angle(level, toCamera)) <= zone.maxDepression();
   }
 
   @Test
@@ -161,6 +188,52 @@ class ZoneClaimTest {
     assertEquals(0, run.exit(), run.err());
     String camera = Files.readAllLines(drawn.resolve("cameras.csv")).get(1);
     assertEquals("3.0", camera.split(",")[4], camera);
+  }
+
+  @Test
+  void findsFacesThatPlanWithoutFacingMisses() throws IOException {
+    Path unasked = folder.resolve("unasked.xml");
+    String shop = Files.readString(folder.resolve("shop.xml"));
+    Files.writeString(
+        unasked, shop.replaceAll("facing=\"0\" facing_tolerance=\"7\" max_depression=\"15\"", ""));
+    Path other = folder.resolve("other");
+    Cli placed =
+        Cli.run("place", unasked, "--cameras", 3, "--candidates", "every=3", "--out", other);
+    assertEquals(0, placed.exit(), placed.err());
+    Path asked = other.resolve("asked.xml");
+    Files.writeString(
+        asked,
+        Files.readString(other.resolve("plan.xml"))
+            .replace("name=\"door\"", "name=\"door\" facing=\"0\" max_depression=\"20\""));
+    double faces = zones(Cli.run("place", "--evaluate", asked).out()).get("door");
+    assertTrue(faces < 50 && zones(placed.out()).get("door") > 90, faces + placed.out());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "facing=\"400\", expected degrees from -360 to 360",
+    "facing=\"0\" facing_tolerance=\"0\", expected degrees above 0 and at most 180",
+    "facing_tolerance=\"9\", 'has a facing_tolerance, expected facing, too'",
+    "max_depression=\"91\", expected degrees above 0 and at most 90"
+  })
+  void rejectsSenselessFaces(String attributes, String message) throws IOException {
+    Path shop = folder.resolve("shop.xml");
+    Files.writeString(
+        shop,
+        Files.readString(shop)
+            .replace("facing=\"0\" facing_tolerance=\"7\" max_depression=\"15\"", attributes));
+    Cli validated = Cli.run("validate", shop);
+    assertEquals(2, validated.exit());
+    assertTrue(validated.err().contains(message), validated.err());
+  }
+
+  @Test
+  void rejectsDepressionInFlatWorld() throws IOException {
+    Path shop = folder.resolve("shop.xml");
+    Files.writeString(shop, Files.readString(shop).replace(" height=\"1.8\"", ""));
+    Cli validated = Cli.run("validate", shop);
+    assertEquals(2, validated.exit());
+    assertTrue(validated.err().contains("max_depression is '15', expected none in a flat world"));
   }
 
   @Test

@@ -34,7 +34,7 @@ public final class DrawnSite {
     this.field = field(drawn, settings.margin().orElse(0));
     for (List<Point> border : walkable) {
       String name = "inside" + (walkable.size() == 1 ? "" : "-" + (zones.size() + 1));
-      zones.add(new Zone(name, Zone.Shape.POLYGON, border, null, null, 1.0));
+      zones.add(Zone.of(name, Zone.Shape.POLYGON, border));
     }
     this.draft =
         new DraftCameras(

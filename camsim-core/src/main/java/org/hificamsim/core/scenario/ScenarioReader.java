@@ -162,8 +162,20 @@ public final class ScenarioReader {
                 faults.each(all(Zone.ELEMENT), new ZoneReader(scenario.field())::zone));
     scenario = withStory(withZooms(scenario, attributes));
     scenario = scenario.with(Scenario.VISION_GRAPH, VisionGraphReader.read(root));
+    if (!scenario.hasHeights()) {
+      faults.check(this::refuseDepression);
+    }
     attributes.warnOfUnknown();
     return scenario;
+  }
+
+  private void refuseDepression() {
+    for (XmlElement zone : all(Zone.ELEMENT)) {
+      if (zone.attributes().containsKey(Zone.MAX_DEPRESSION)) {
+        throw zone.invalid(
+            Zone.MAX_DEPRESSION, "none in a flat world: give cameras a z, or obstacles heights");
+      }
+    }
   }
 
   private void warnOfUnknown() {

@@ -265,7 +265,9 @@ public final class PlanCheck {
         pairs.clear();
         run.network().findSeen(pairs);
         for (int i = 0; i < pairs.count(); i++) {
-          seen[pairs.camera(i)][zone.first() + pairs.target(i)] = true;
+          int point = zone.first() + pairs.target(i);
+          seen[pairs.camera(i)][point] |=
+              sight.showsFace(run.network(), pairs.camera(i), zone, point);
         }
       } while (policy.goToNextView());
     }

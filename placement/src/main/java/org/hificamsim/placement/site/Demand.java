@@ -206,12 +206,15 @@ public record Demand(
 
   /** The area of a zone, which {@code run} measures in the same way. */
   public ZoneArea area(ZoneDemand zone) {
-    Zone place =
-        site.zones().stream()
-            .filter(named -> named.name().equals(zone.name()))
-            .findFirst()
-            .orElseGet(Zone::ofField);
-    return new ZoneArea(site, place.demanding(zone.k()), zone.detection());
+    return new ZoneArea(site, place(zone).demanding(zone.k()), zone.detection());
+  }
+
+  /** The zone of the site. */
+  Zone place(ZoneDemand zone) {
+    return site.zones().stream()
+        .filter(named -> named.name().equals(zone.name()))
+        .findFirst()
+        .orElseGet(Zone::ofField);
   }
 
   /** The sum of the weights of a zone's points. */

@@ -118,6 +118,9 @@ public record PlacementProblem(
   }
 
   private String reasonUnseen(ZoneDemand zone, Catalogue catalogue, int threads) {
+    if (demand().place(zone).asksForFaces()) {
+      return "it is too far, behind walls, or no face is seen as it asks";
+    }
     Scenario withoutWalls = demand().site().with(Scenario.OBSTACLES, List.of());
     if (isSeen(zone, withoutWalls, catalogue, threads)) {
       return "walls are in between";

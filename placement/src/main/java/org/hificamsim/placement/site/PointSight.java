@@ -18,6 +18,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Occlusion;
 import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.cells.UsualTarget;
 
@@ -29,6 +30,7 @@ import org.hificamsim.runs.cells.UsualTarget;
 public final class PointSight {
   private final Demand demand;
   private final Catalogue catalogue;
+  private final TargetSpec usual;
 
   /** By zone: the site with a target at each point. */
   private final List<Scenario> scenarios = new ArrayList<>();
@@ -39,7 +41,7 @@ public final class PointSight {
   public PointSight(Demand demand, Catalogue catalogue) {
     this.demand = demand;
     this.catalogue = catalogue;
-    TargetSpec usual = UsualTarget.of(demand.site());
+    this.usual = UsualTarget.of(demand.site());
     for (Demand.ZoneDemand zone : demand.zones()) {
       List<TargetSpec> targets = new ArrayList<>();
       for (Demand.DemandPoint point : demand.pointsOf(zone)) {
@@ -112,22 +114,37 @@ public final class PointSight {
     return seen;
   }
 
-  private static void addSeen(
-      OracleView oracle, int camera, Demand.ZoneDemand zone, int[][][] seen) {
+  private void addSeen(OracleView oracle, int camera, Demand.ZoneDemand zone, int[][][] seen) {
     int words = (zone.count() + Long.SIZE - 1) / Long.SIZE;
     long[] masks = new long[oracle.views(camera) * words];
     oracle.detections(camera, masks, words);
+    Zone place = demand.place(zone);
     if (seen[camera] == null) {
       seen[camera] = new int[oracle.views(camera)][0];
     }
     for (int view = 0; view < seen[camera].length; view++) {
+      double z = oracle.zoom(camera, view).vertical().z();
       int[] points =
           BitSet.valueOf(Arrays.copyOfRange(masks, view * words, (view + 1) * words)).stream()
               .map(point -> zone.first() + point)
+              .filter(point -> !place.asksForFaces() || shows(place, oracle, camera, z, point))
               .toArray();
       seen[camera][view] =
           IntStream.concat(Arrays.stream(seen[camera][view]), Arrays.stream(points)).toArray();
     }
+  }
+
+  /** Whether a camera in its present view sees a face at a point as the point's zone asks. */
+  public boolean showsFace(NetworkView network, int camera, Demand.ZoneDemand zone, int point) {
+    double z = network.zoom(camera, network.seeing(camera)).vertical().z();
+    return shows(demand.place(zone), network, camera, z, point);
+  }
+
+  private boolean shows(Zone place, NetworkView network, int camera, double z, int point) {
+    Demand.DemandPoint face = demand.points().get(point);
+    double east = network.cameraX(camera) - face.x();
+    double north = network.cameraY(camera) - face.y();
+    return place.showsFace(east, north, z - usual.height());
   }
 
   /** Returns, by camera, the points that the camera covers according to a reading, rising. */

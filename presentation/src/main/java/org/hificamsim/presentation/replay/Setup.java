@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Following;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
@@ -35,7 +36,8 @@ import org.hificamsim.runs.cells.UsualTarget;
  * @param slow the numbers of cameras that need time to turn
  * @param obstacles in the order of the scenario
  * @param floor pictures under the field, at most one
- * @param zones each with the detection and number of cameras that it demands
+ * @param zones each with the detection and number of cameras that it demands; without those that
+ *     ask for faces
  * @param following whether frames say which camera has each target
  */
 public record Setup(
@@ -54,9 +56,18 @@ public record Setup(
     @IfAny List<Integer> slow,
     @IfAny List<Obstacle> obstacles,
     @IfAny List<Floor> floor,
-    @IfAny List<Zone> zones,
+    @IfAny List<DemandingZone> zones,
     @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY)
         boolean following) {
+  /** A zone that demands something: what the page shows of {@link Zone}. */
+  public record DemandingZone(
+      String name, Zone.Shape shape, List<Point> points, String detection, int k, double weight) {
+    private static DemandingZone of(Zone zone) {
+      return new DemandingZone(
+          zone.name(), zone.shape(), zone.points(), zone.detection(), zone.k(), zone.weight());
+    }
+  }
+
   /** A camera at the start, or where an event will add it. */
   public record Camera(String name, CameraPose pose) {}
 
@@ -110,7 +121,9 @@ public record Setup(
         obstacles,
         floor,
         world.scenario().zones().stream()
+            .filter(zone -> !zone.asksForFaces()) // a heat map does not know where cameras are
             .map(zone -> zone.withDefaults(detection.name(), world.scenario().objective()))
+            .map(DemandingZone::of)
             .toList(),
         world.scenario().following() == Following.TARGETS);
   }

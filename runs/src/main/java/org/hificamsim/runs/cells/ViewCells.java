@@ -28,6 +28,22 @@ public final class ViewCells {
     private static final Seen NOTHING = new Seen(new int[0], new double[0]);
   }
 
+  /** Decides whether what a camera sees of a target in a cell counts. */
+  @FunctionalInterface
+  public interface Condition {
+    /** The condition under which everything counts. */
+    Condition NONE = (east, north, z) -> true;
+
+    /**
+     * Whether it counts.
+     *
+     * @param east metres from the target to the camera
+     * @param north metres from the target to the camera
+     * @param z the camera's height, metres; NaN in a flat world
+     */
+    boolean holds(double east, double north, double z);
+  }
+
   /** The most cells that are kept for all views together: 50 MB. */
   private static final int MAX_KEPT = 1 << 22;
 
@@ -35,6 +51,7 @@ public final class ViewCells {
   private final Visibility visibility;
   private final Obstacles obstacles;
   private final Function<NetworkView, Body> bodies;
+  private final Condition condition;
   private int revision;
   private VisibleRegion[] regions = {};
   private Seen[][] seen = {};
@@ -50,11 +67,13 @@ public final class ViewCells {
       FieldCells cells,
       Detection detection,
       Obstacles obstacles,
-      Function<NetworkView, Body> bodies) {
+      Function<NetworkView, Body> bodies,
+      Condition condition) {
     this.cells = cells;
     this.visibility = Visibility.of(detection);
     this.obstacles = obstacles;
     this.bodies = bodies;
+    this.condition = condition;
   }
 
   /** The cells of the field. */
@@ -156,9 +175,11 @@ public final class ViewCells {
         double x = cells.x(cell);
         double y = cells.y(cell);
         double transmittance =
-            region == null
-                ? 1
-                : region.transmittance(x, y, zoom.vertical().z(), body.low(), body.high());
+            !condition.holds(cameraX - x, cameraY - y, zoom.vertical().z())
+                ? 0
+                : region == null
+                    ? 1
+                    : region.transmittance(x, y, zoom.vertical().z(), body.low(), body.high());
         double chance = transmittance == 0 ? 0 : sight.chance(pose, x, y, transmittance);
         numbers[count] = cell;
         chances[count] = chance;

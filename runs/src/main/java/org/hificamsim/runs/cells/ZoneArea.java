@@ -47,7 +47,14 @@ public final class ZoneArea {
             .filter(cell -> obstacles.containing(raster.x(cell), raster.y(cell)).isEmpty())
             .toArray();
     Body body = UsualTarget.body(site, detection);
-    views = new ViewCells(raster, detection, obstacles, network -> body);
+    double head = UsualTarget.of(site).height();
+    views =
+        new ViewCells(
+            raster,
+            detection,
+            obstacles,
+            network -> body,
+            (east, north, z) -> zone.showsFace(east, north, z - head));
     camerasByCell = new double[raster.count()];
   }
 

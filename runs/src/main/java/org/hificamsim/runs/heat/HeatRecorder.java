@@ -54,7 +54,9 @@ public final class HeatRecorder implements StepListener {
     this.cells = FieldCells.of(world.scenario().field(), along);
     this.obstacles = new Obstacles(world.scenario().obstacles());
     double size = UsualTarget.size(world, detection.model());
-    this.views = new ViewCells(cells, detection, obstacles, network -> network.body(size));
+    this.views =
+        new ViewCells(
+            cells, detection, obstacles, network -> network.body(size), ViewCells.Condition.NONE);
     chanceOfNone = new double[cells.count()];
     chanceOfOne = new double[cells.count()];
     covered0 = new double[cells.count()];

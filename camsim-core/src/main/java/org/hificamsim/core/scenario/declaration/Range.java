@@ -28,6 +28,7 @@ public record Range(String expected, double min, double max) {
   public static final Range POSITIVE = new Range("a number above 0 and at most 1e9", ABOVE_0, 1e9);
   static final Range OPENING = new Range("degrees above 0 and at most 360", ABOVE_0, 360);
   public static final Range UP_TO_180 = new Range("degrees above 0 and at most 180", ABOVE_0, 180);
+  public static final Range UP_TO_90 = new Range("degrees above 0 and at most 90", ABOVE_0, 90);
   public static final Range BELOW_180 =
       new Range("degrees above 0 and below 180", ABOVE_0, Math.nextDown(180.0));
 

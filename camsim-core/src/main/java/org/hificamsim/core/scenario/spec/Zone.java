@@ -19,9 +19,22 @@ import org.hificamsim.core.scenario.declaration.Type;
  * @param detection the detection that must see there; null for the scenario's
  * @param k the number of cameras that must see there; null for that of the scenario's objective
  * @param weight the worth of seeing the zone; 0 for a zone that demands nothing
+ * @param facing the heading in which faces look that have to be seen, degrees; null for any
+ * @param facingTolerance the most degrees from there to the camera; null for {@value
+ *     #USUAL_TOLERANCE}
+ * @param maxDepression the steepest angle at which cameras may look down at a face, degrees; null
+ *     for any
  */
 public record Zone(
-    String name, Shape shape, List<Point> points, String detection, Integer k, Double weight) {
+    String name,
+    Shape shape,
+    List<Point> points,
+    String detection,
+    Integer k,
+    Double weight,
+    Double facing,
+    Double facingTolerance,
+    Double maxDepression) {
   /** The shape of a zone. */
   public enum Shape {
     RECTANGLE(2, 2),
@@ -38,8 +51,14 @@ public record Zone(
     }
   }
 
+  /** Up to about here, recognition of faces works as from the front, degrees. */
+  private static final double USUAL_TOLERANCE = 30;
+
   /** Half the width of the strip along a polyline, metres. */
   private static final double HALF_STRIP = 0.5;
+
+  /** The attribute that needs a world with heights. */
+  public static final String MAX_DEPRESSION = "max_depression";
 
   public static final Element<Zone> ELEMENT =
       Element.ofRecord(
@@ -55,6 +74,11 @@ points: m, as in `0,0 4,0 4,3` | none, of the whole field
 detection: what has to see there, as `oodpcvs-2025:level=validate` | the scenario's
 k: how many cameras have to see it at once | those of the objective `covered:k`, else 1
 weight: what seeing a part of it is worth compared with as large a part of others, 0 or more
+facing: degrees, as a heading: where faces look that have to be seen; a camera counts only if it \
+is on that side | none: cameras on all sides count
+facing_tolerance: degrees from `facing` to the camera at most | 30
+max_depression: degrees below the horizon at which a camera may look down at the top of a head, \
+in a world with heights | any
 """);
 
   static {
@@ -64,6 +88,9 @@ weight: what seeing a part of it is worth compared with as large a part of other
     ELEMENT.optional("detection", Type.TEXT);
     ELEMENT.optional("k", Type.whole(1, 100));
     ELEMENT.optional("weight", Type.number(Range.NON_NEGATIVE), 1.0);
+    ELEMENT.optional("facing", Type.number(Range.TURN));
+    ELEMENT.optional("facing_tolerance", Type.number(Range.UP_TO_180));
+    ELEMENT.optional(MAX_DEPRESSION, Type.number(Range.UP_TO_90));
   }
 
   /**
@@ -79,26 +106,67 @@ weight: what seeing a part of it is worth compared with as large a part of other
           "has %s points, expected %s of a %s"
               .formatted(points.size(), number, Spelling.of(shape)));
     }
+    if (facing == null && facingTolerance != null) {
+      throw new IllegalArgumentException("has a facing_tolerance, expected facing, too");
+    }
     if (shape == Shape.POLYGON) {
       new Obstacle.Polygon(points, 1); // checks the points
     }
   }
 
+  /** Returns a zone that demands what the scenario does. */
+  public static Zone of(String name, Shape shape, List<Point> points) {
+    return new Zone(name, shape, points, null, null, 1.0, null, null, null);
+  }
+
   /** The whole field, for scenarios that have no zones. */
   public static Zone ofField() {
-    return new Zone("field", Shape.FIELD, List.of(), null, null, 1.0);
+    return of("field", Shape.FIELD, List.of());
   }
 
   /** Fills in the detection and the number of cameras that the zone does not give. */
   public Zone withDefaults(String defaultDetection, Objective objective) {
     int cameras = objective instanceof Objective.Covered covered ? covered.k() : 1;
     String required = detection == null ? defaultDetection : detection;
-    return new Zone(name, shape, points, required, k == null ? cameras : k, weight);
+    return with(required, k == null ? cameras : k);
   }
 
   /** Returns the zone with another number of cameras that have to see it. */
   public Zone demanding(int cameras) {
-    return new Zone(name, shape, points, detection, cameras, weight);
+    return with(detection, cameras);
+  }
+
+  private Zone with(String required, int cameras) {
+    return new Zone(
+        name, shape, points, required, cameras, weight, facing, facingTolerance, maxDepression);
+  }
+
+  /** Whether it matters from where cameras see a target. */
+  public boolean asksForFaces() {
+    return facing != null || maxDepression != null;
+  }
+
+  /**
+   * Whether a camera sees a face as the zone asks: from where it looks, and not too steeply from
+   * above.
+   *
+   * @param east metres from the face to the camera
+   * @param north metres from the face to the camera
+   * @param above metres from the top of the head up to the camera; NaN in a flat world
+   */
+  public boolean showsFace(double east, double north, double above) {
+    return isInFront(east, north)
+        && (maxDepression == null
+            || !(Math.toDegrees(Math.atan2(above, Math.hypot(east, north))) > maxDepression));
+  }
+
+  private boolean isInFront(double east, double north) {
+    if (facing == null) {
+      return true;
+    }
+    double tolerance = facingTolerance == null ? USUAL_TOLERANCE : facingTolerance;
+    double heading = Math.toDegrees(Math.atan2(east, north));
+    return Math.abs(Math.IEEEremainder(heading - facing, 360)) <= tolerance;
   }
 
   /** Whether a point of the field is in the zone or on its border. */
