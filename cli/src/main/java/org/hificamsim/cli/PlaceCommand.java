@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -115,9 +116,10 @@ final class PlaceCommand implements Callable<Integer> {
   private final SettingOptions settings =
       SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.SEED);
 
+  private final Instant started = Instant.now();
+
   @Override
   public Integer call() throws IOException {
-    Instant started = Instant.now();
     if (verify.isPresent()) {
       return verify(verify.get());
     }
@@ -145,6 +147,7 @@ final class PlaceCommand implements Callable<Integer> {
     Optional<Refinement> refinement =
         refine ? Optional.of(refinement(problem.demand().site(), interrupt)) : Optional.empty();
     SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
+    note("measuring the area, drawing and writing");
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
       copyFloorplan(plan, output);
@@ -214,10 +217,12 @@ final class PlaceCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Demand demanded = demand(file, catalogue);
     Scenario site = demanded.site();
+    List<Point> positions = mounts.positions(site, 1);
+    note("what cameras see from " + positions.size() + " places");
     return PlacementProblem.of(
         new PlacementProblem.Request(
             demanded,
-            new Candidates.Options(mounts.positions(site, 1), CameraKind.catalogue(kinds, site)),
+            new Candidates.Options(positions, CameraKind.catalogue(kinds, site)),
             demand.reading(),
             mounts.kept(site),
             new PlacementProblem.SiteGoal(goal, cameras.isPresent())),
@@ -259,7 +264,6 @@ final class PlaceCommand implements Callable<Integer> {
 
   /** Prints the score of the plan and the bound when they change, as shares or as numbers. */
   private CoverSearch.Watcher watcher(boolean asShares) {
-    long started = System.nanoTime();
     String unit = asShares ? " %%" : "";
     String form = "plan %.2f" + unit + ", bound %.2f" + unit + ", gap %.2f %%";
     String[] last = {""};
@@ -269,10 +273,19 @@ final class PlaceCommand implements Callable<Integer> {
       int factor = asShares ? 100 : 1;
       String line = Texts.format(form, factor * score, factor * bound, 100 * gap);
       if (!line.equals(last[0])) {
-        screen.note("%6.1f s: %s", (System.nanoTime() - started) / 1e9, line);
+        note(line);
       }
       last[0] = line;
     };
+  }
+
+  /** Says what happens, after the seconds since the start. */
+  private void note(String event) {
+    screen.note("%6.1f s: %s", seconds(), event);
+  }
+
+  private double seconds() {
+    return Duration.between(started, Instant.now()).toMillis() / 1e3;
   }
 
   private void print(SitePlan plan, Path folder) {
@@ -285,7 +298,7 @@ final class PlaceCommand implements Callable<Integer> {
         plan.problem().candidates().list().size(),
         demanded.points().size(),
         demanded.cells().width(),
-        plan.coverPlan().seconds());
+        seconds());
     PlanReview.printZones(screen, plan.cover());
     screen.say(
         "%s/index.html, plan.pdf; under policies: ./hificamsim compare %s",
