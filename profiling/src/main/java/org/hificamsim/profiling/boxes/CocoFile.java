@@ -24,6 +24,7 @@ import org.hificamsim.profiling.check.Calibration.Size;
  */
 final class CocoFile implements BoxFile {
   private static final Set<String> PEOPLE = Set.of("person", "pedestrian", "people");
+  private static final String PERSON_ID = "1";
   private static final String EXPECTED =
       "an object with images, annotations and categories, or a list of results, as COCO has them";
 
@@ -63,7 +64,7 @@ final class CocoFile implements BoxFile {
   public void detections(BoxFile labels, DetectedFrames detected) {
     read();
     CocoFile names = categories.isEmpty() && labels instanceof CocoFile named ? named : this;
-    long type = names.type();
+    long type = names.categories.isEmpty() ? unnamedType() : names.type();
     for (CocoBox box : boxes) {
       names.requireImage(box);
       if (box.category() == type && box.score() >= reading.leastScore()) {
@@ -88,6 +89,17 @@ final class CocoFile implements BoxFile {
         .map(Map.Entry::getValue)
         .findFirst()
         .orElseThrow(this::noType);
+  }
+
+  /** The id of the category that counts, where no file names categories. */
+  private long unnamedType() {
+    String id = reading.type().orElse(PERSON_ID);
+    if (boxes.stream().noneMatch(box -> String.valueOf(box.category()).equals(id))) {
+      throw InputException.of(
+          "%s: no box has category_id %s, expected %s, since no file names the categories",
+          file, id, setting("class", "ID"));
+    }
+    return Long.parseLong(id);
   }
 
   private InputException noType() {

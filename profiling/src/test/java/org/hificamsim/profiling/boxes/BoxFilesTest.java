@@ -157,6 +157,20 @@ class BoxFilesTest {
   }
 
   @Test
+  void readsResultsWhoseCategoriesNoFileNames() throws IOException {
+    Path labels = file("a.gt.txt", MOT);
+    Path people = file("people.json", RESULTS.replace("\"category_id\": 7", "\"category_id\": 1"));
+    assertOneOfTwoFound(measured(labels, people, Optional.empty()));
+    Path sevens = file("sevens.json", RESULTS);
+    InputException refused =
+        assertThrows(InputException.class, () -> measured(labels, sevens, Optional.empty()));
+    assertTrue(refused.getMessage().contains("no box has category_id 1"), refused.getMessage());
+    BoxRecording.Reading asSeven = new BoxRecording.Reading(Optional.empty(), Optional.of("7"), 0);
+    BoxRecording recording = BoxRecording.read(labels, sevens, asSeven);
+    assertOneOfTwoFound(MeasuredBoxes.of(List.of(recording), 0.5));
+  }
+
+  @Test
   void refusesJsonThatIsNoCoco() throws IOException {
     for (String content : new String[] {"{}", "[1, 2]", "7", "{\"images\": 3}", "[]", ""}) {
       Path labels = file("coco.json", content);

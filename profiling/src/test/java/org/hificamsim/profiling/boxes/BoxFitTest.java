@@ -104,7 +104,7 @@ class BoxFitTest {
 
   @Test
   void findsFloorAndCeilingThatDataHave() {
-    FoundCurve curve = BoxFit.of(drawn(LIMITED, 300, 40, 2)).curve();
+    FoundCurve curve = BoxFit.of(drawn(LIMITED, 200, 30, 2)).curve();
     assertEquals(LIMITED.floor(), curve.floor(), 0.03);
     assertEquals(LIMITED.ceiling(), curve.ceiling(), 0.03);
   }
