@@ -218,16 +218,16 @@ final class PlaceCommand implements Callable<Integer> {
     Demand demanded = demand(file, catalogue);
     Scenario site = demanded.site();
     List<Point> positions = mounts.positions(site, 1);
-    note("what cameras see from " + positions.size() + " places");
-    return PlacementProblem.of(
+    PlacementProblem.Request request =
         new PlacementProblem.Request(
             demanded,
             new Candidates.Options(positions, CameraKind.catalogue(kinds, site)),
             demand.reading(),
             mounts.kept(site),
-            new PlacementProblem.SiteGoal(goal, cameras.isPresent())),
-        catalogue,
-        threads.count());
+            new PlacementProblem.SiteGoal(goal, cameras.isPresent()));
+    try (Progress looking = screen.progress("looks", " places", positions.size())) {
+      return PlacementProblem.of(request, catalogue, threads.count(), looking::advance);
+    }
   }
 
   private Demand demand(Path scenario, Catalogue catalogue) {

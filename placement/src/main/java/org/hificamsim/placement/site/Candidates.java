@@ -58,11 +58,22 @@ public record Candidates(List<Candidate> list, int[][] covered) {
 
   private record CoveringCandidate(Candidate candidate, int[] covered) {}
 
-  /** Returns all candidates of a site. */
+  /**
+   * Returns all candidates of a site.
+   *
+   * @param finished is told of each point whose candidates are known
+   */
   public static Candidates of(
-      Options options, CoverageReading reading, PointSight sight, int threads) {
+      Options options, CoverageReading reading, PointSight sight, int threads, Runnable finished) {
     List<CoveringCandidate> candidates =
-        Parallel.map(options.points, threads, point -> at(point, options.kinds, reading, sight))
+        Parallel.map(
+                options.points,
+                threads,
+                point -> {
+                  List<CoveringCandidate> there = at(point, options.kinds, reading, sight);
+                  finished.run();
+                  return there;
+                })
             .stream()
             .flatMap(List::stream)
             .toList();

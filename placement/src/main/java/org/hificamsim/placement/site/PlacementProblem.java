@@ -60,12 +60,15 @@ public record PlacementProblem(
   /**
    * Returns the problem of a site.
    *
+   * @param finished is told of each point whose candidates are known
    * @throws InputException if a zone is seen from no point, or the budget pays no camera
    */
-  public static PlacementProblem of(Request request, Catalogue catalogue, int threads) {
+  public static PlacementProblem of(
+      Request request, Catalogue catalogue, int threads, Runnable finished) {
     requireAffordable(request);
     PointSight sight = new PointSight(request.demand, catalogue);
-    Candidates candidates = Candidates.of(request.options, request.reading, sight, threads);
+    Candidates candidates =
+        Candidates.of(request.options, request.reading, sight, threads, finished);
     double[] prices = candidates.prices();
     if (request.goal.byNumber) {
       Arrays.fill(prices, 1);
@@ -136,7 +139,7 @@ public record PlacementProblem(
     Demand changed = new Demand(site, demand().cells(), demand().zones(), demand().points());
     PointSight changedSight = new PointSight(changed, catalogue);
     Candidates changedCandidates =
-        Candidates.of(request.options, request.reading, changedSight, threads);
+        Candidates.of(request.options, request.reading, changedSight, threads, () -> {});
     return Arrays.stream(changedCandidates.covered())
         .flatMapToInt(Arrays::stream)
         .anyMatch(point -> point >= zone.first() && point < zone.end());

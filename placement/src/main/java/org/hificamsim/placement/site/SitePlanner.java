@@ -85,7 +85,7 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
         break;
       }
       Candidates.Options options = new Candidates.Options(List.of(point), kinds);
-      Candidates candidates = Candidates.of(options, CoverageReading.ANY, sight, 1);
+      Candidates candidates = Candidates.of(options, CoverageReading.ANY, sight, 1, () -> {});
       for (int i = 0; i < candidates.list().size(); i++) {
         double gain = instance.gain(counts, candidates.covered()[i]);
         if (gain > greatestGain + 1e-9) {
