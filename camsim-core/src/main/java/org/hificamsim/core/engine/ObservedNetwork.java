@@ -199,6 +199,11 @@ class ObservedNetwork implements NetworkView {
   }
 
   @Override
+  public double hidingWidth() {
+    return sight.hidingWidth();
+  }
+
+  @Override
   public Body body(double size) {
     return sight.body(size);
   }

@@ -107,6 +107,11 @@ final class Sight {
     return lines.map();
   }
 
+  /** The mean width of targets if they hide each other; else 0. */
+  double hidingWidth() {
+    return lines.hidingWidth();
+  }
+
   boolean hasPhantoms() {
     return visibility.detection().rule().phantoms() > 0;
   }

@@ -136,6 +136,14 @@ public interface NetworkView extends CoveredTargets, Stations {
   }
 
   /**
+   * How wide targets are that hide each other, metres, on average; 0 where targets hide nothing.
+   * Whoever installs the cameras knows it, as the sizes of targets.
+   */
+  default double hidingWidth() {
+    return 0;
+  }
+
+  /**
    * What cameras have to see of a target where they have heights.
    *
    * @param size of the target, metres; the nearest of those that the scenario has counts

@@ -75,6 +75,11 @@ public final class SightLines {
     return map;
   }
 
+  /** The mean width of targets, metres, if they hide each other; else 0. */
+  public double hidingWidth() {
+    return byTargets ? targets.meanWidth() : 0;
+  }
+
   /** Whether no camera has a height. */
   public boolean flat() {
     return flat;

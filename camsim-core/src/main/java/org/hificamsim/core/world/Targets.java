@@ -169,6 +169,17 @@ public final class Targets {
     return new Body(seenSize(target), low(target), high(target), foreshortened);
   }
 
+  /** The mean width of all targets so far, metres; 0 if there are none. */
+  double meanWidth() {
+    double sum = 0;
+    int known = 0;
+    for (double targetWidth : width) {
+      sum += targetWidth;
+      known += targetWidth > 0 ? 1 : 0;
+    }
+    return sum / Math.max(1, known);
+  }
+
   /** Whether another target hides this one from a point, metres; fromZ is NaN in a flat world. */
   boolean isHidden(int target, double fromX, double fromY, double fromZ) {
     return TargetOcclusion.hidden(

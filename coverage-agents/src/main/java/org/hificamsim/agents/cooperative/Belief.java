@@ -27,6 +27,7 @@ final class Belief {
 
   private final IdentitySwitches identitySwitches;
   private final double[] viewChances;
+  private final Hiding hiding = new Hiding();
   private final List<SightingReport> reports = new ArrayList<>();
 
   Belief(Parameters parameters, Worth worth, Site site, NetworkView network) {
@@ -97,12 +98,15 @@ final class Belief {
   private void compareWithTracks(NetworkView network, SightingReport report) {
     int camera = report.camera();
     long stepsAgo = network.step() - report.step();
+    placeAsOf(network, stepsAgo);
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.track(i);
       double x = tracks.x(track, stepsAgo);
       double y = tracks.y(track, stepsAgo);
       if (site.chances(network, camera, x, y, tracks.size(track), viewChances)) {
-        double chance = viewChances[report.view()];
+        double chance =
+            viewChances[report.view()]
+                * hiding.visibleShare(network, camera, i, tracks.size(track));
         miss(track, chance * learnedSight.share(camera, x, y), report.step());
         boolean seen = report.has(track);
         learnedSight.learn(camera, x, y, chance * tracks.weight(track), seen);
@@ -113,6 +117,14 @@ final class Belief {
       }
     }
     learnedValues.learn(camera, report.view());
+  }
+
+  private void placeAsOf(NetworkView network, long stepsAgo) {
+    hiding.clear(network.hidingWidth(), stepsAgo * tracks.meanStepLength());
+    for (int i = 0; i < tracks.count(); i++) {
+      int track = tracks.track(i);
+      hiding.add(tracks.x(track, stepsAgo), tracks.y(track, stepsAgo), tracks.weight(track));
+    }
   }
 
   private int camerasThatSee(int track) {

@@ -1,5 +1,8 @@
 package org.hificamsim.agents.cooperative;
 
+import java.util.Arrays;
+import org.hificamsim.core.policy.NetworkView;
+
 /**
  * Where known targets are going to be, step by step up to the horizon. Each pair of a target and a
  * step has a slot: {@code i * horizon + step} for the i-th known target, which is not the number of
@@ -14,6 +17,9 @@ final class Forecast {
   private double[] sizes = {};
   private double[] weights = {};
 
+  /** By step. */
+  private final Hiding[] hidings;
+
   Forecast(Parameters parameters) {
     horizon = parameters.horizon();
     discounts = new double[horizon];
@@ -21,10 +27,19 @@ final class Forecast {
     for (int step = 1; step < horizon; step++) {
       discounts[step] = discounts[step - 1] * parameters.discount();
     }
+    hidings = new Hiding[horizon];
+    Arrays.setAll(hidings, step -> new Hiding());
   }
 
-  /** Predicts all slots from where targets are believed to be now. */
-  void update(TargetTracks tracks) {
+  /**
+   * Predicts all slots from where targets are believed to be now.
+   *
+   * @param hidingWidth of targets that hide each other, metres; 0 if they hide nothing
+   */
+  void update(TargetTracks tracks, double hidingWidth) {
+    for (int step = 0; step < horizon; step++) {
+      hidings[step].clear(hidingWidth, step * tracks.meanStepLength());
+    }
     slots = tracks.count() * horizon;
     if (xs.length < slots) {
       xs = new double[2 * slots];
@@ -38,7 +53,7 @@ final class Forecast {
   }
 
   /**
-   * Sets where the target of a slot is going to be in its step.
+   * Sets where the target of a slot is going to be in its step; to be called slot after slot.
    *
    * @param weight of the target, before the discount of the step
    */
@@ -47,6 +62,12 @@ final class Forecast {
     ys[slot] = y;
     sizes[slot] = size;
     weights[slot] = weight * discounts[step(slot)];
+    hidings[step(slot)].add(x, y, weight);
+  }
+
+  /** The chance that no other target is going to hide the target of a slot from a camera. */
+  double visibleShare(NetworkView network, int camera, int slot) {
+    return hidings[step(slot)].visibleShare(network, camera, slot / horizon, sizes[slot]);
   }
 
   /** The number of slots. */
@@ -62,6 +83,11 @@ final class Forecast {
   /** The number of steps from now to the step of a slot; 0 for the present one. */
   int step(int slot) {
     return slot % horizon;
+  }
+
+  /** The weight of a step, compared with the present one. */
+  double discount(int step) {
+    return discounts[step];
   }
 
   /** The sum of the discounts of a step and all later ones. */

@@ -11,21 +11,25 @@ import org.hificamsim.core.policy.NetworkView;
  * a perfect channel all cameras share one mind.
  */
 final class Mind {
+  private static final long NEVER = -1;
+
   private static final Comparator<SightingReport> IN_ORDER_SENT =
       Comparator.comparingLong(SightingReport::step).thenComparingInt(SightingReport::camera);
 
   private final Belief belief;
   private final Plan plan;
   private final List<SightingReport> inbox = new ArrayList<>();
-  private final int[] lastChoices;
+  private final int[][] lastWays;
+  private final int[] rest;
   private final long[] lastChoiceSteps;
 
   Mind(Parameters parameters, Worth worth, Site site, NetworkView network) {
     belief = new Belief(parameters, worth, site, network);
     plan = new Plan(parameters, worth, network.cameras());
-    lastChoices = new int[network.cameras()];
+    lastWays = new int[network.cameras()][parameters.horizon()];
+    rest = new int[parameters.horizon()];
     lastChoiceSteps = new long[network.cameras()];
-    Arrays.fill(lastChoices, Plan.NONE);
+    Arrays.fill(lastChoiceSteps, NEVER);
   }
 
   /** Receives a report. */
@@ -34,19 +38,19 @@ final class Mind {
   }
 
   /**
-   * Takes the choice of a camera, its own or a received one, into the plan. A choice of an earlier
-   * step is kept for the next plan.
+   * Takes the way that a camera chose, its own or a received one, into the plan. A way that was
+   * chosen in an earlier step is kept for the next plan.
    *
    * @param sentAt the step in which the camera chose
    * @param now the present step
    */
-  void learnChoice(int camera, int view, long sentAt, long now) {
+  void learnChoice(int camera, int[] way, long sentAt, long now) {
     if (sentAt >= lastChoiceSteps[camera]) {
-      lastChoices[camera] = view;
+      System.arraycopy(way, 0, lastWays[camera], 0, way.length);
       lastChoiceSteps[camera] = sentAt;
     }
     if (sentAt == now) {
-      plan.choose(camera, view);
+      plan.choose(camera, way);
     }
   }
 
@@ -65,12 +69,14 @@ final class Mind {
     inbox.clear();
   }
 
-  /** Begins a plan in which every camera keeps to its last known choice. */
+  /** Begins a plan in which every camera goes on with its last known way. */
   void beginPlan(NetworkView network) {
     plan.begin(network, belief);
-    for (int camera = 0; camera < lastChoices.length; camera++) {
-      if (network.online(camera) && lastChoices[camera] != Plan.NONE) {
-        plan.choose(camera, Math.min(lastChoices[camera], network.views(camera) - 1));
+    for (int camera = 0; camera < lastWays.length; camera++) {
+      if (network.online(camera) && lastChoiceSteps[camera] != NEVER) {
+        long age = network.step() - lastChoiceSteps[camera];
+        Ways.after(lastWays[camera], age, network.views(camera), rest);
+        plan.choose(camera, rest);
       }
     }
   }
@@ -79,7 +85,7 @@ final class Mind {
   boolean replan(NetworkView network, int camera) {
     int before = plan.view(camera);
     int view = plan.best(network, camera);
-    learnChoice(camera, view, network.step(), network.step());
+    learnChoice(camera, plan.wayTo(network, camera, view), network.step(), network.step());
     return view != before;
   }
 

@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The view that each camera is going to choose, and what every view of a camera adds to this plan:
- * the worth of what it would detect, from the step of its arrival up to the horizon, beyond what
- * the other cameras cover as planned.
+ * The way of each camera through its views up to the horizon, and what every view of a camera adds
+ * to this plan if the camera sets out for it now: the worth of what it would detect on the best way
+ * that begins there, beyond what the other cameras cover on their ways.
  *
  * <p>Unseen targets count as well: those expected in the cells that a view looks at, as far as no
  * other camera is going to look there.
@@ -21,7 +21,19 @@ final class Plan {
   private final Forecast forecast;
   private final PlannedCoverage coverage;
   private final ViewForecast[] viewForecasts;
-  private final int[] plannedViews;
+
+  /** By camera; as in {@link Ways}. */
+  private final int[][] plannedWays;
+
+  /** By camera, whether a way is planned. */
+  private final boolean[] planned;
+
+  private final WaySearch waySearch;
+
+  /** The camera whose ways were searched for last, if nothing has changed since; or NONE. */
+  private int searchedCamera = NONE;
+
+  private MoveTimes moveTimes;
   private double[] unseenTargets = {};
   private double[] gains = {};
   private CellSight cellSight;
@@ -35,14 +47,15 @@ final class Plan {
     coverage = new PlannedCoverage(worth);
     viewForecasts = new ViewForecast[cameras];
     Arrays.setAll(viewForecasts, camera -> new ViewForecast());
-    plannedViews = new int[cameras];
-    Arrays.fill(plannedViews, NONE);
+    plannedWays = new int[cameras][parameters.horizon()];
+    planned = new boolean[cameras];
+    waySearch = new WaySearch(parameters.horizon());
   }
 
   /** Begins a plan in which no camera has a view yet, from what is believed now. */
   void begin(NetworkView network, Belief belief) {
     tracks = belief.tracks();
-    forecast.update(tracks);
+    forecast.update(tracks, network.hidingWidth());
     coverage.clear(forecast.slots());
     cellSight = belief.site().cellSight();
     learnedSight = belief.learnedSight();
@@ -51,8 +64,10 @@ final class Plan {
     boolean fits = unseenTargets.length == expected.length;
     unseenTargets = fits ? unseenTargets : new double[expected.length];
     System.arraycopy(expected, 0, unseenTargets, 0, unseenTargets.length);
-    Arrays.fill(plannedViews, NONE);
-    for (int camera = 0; camera < plannedViews.length; camera++) {
+    moveTimes = belief.site().moveTimes();
+    Arrays.fill(planned, false);
+    searchedCamera = NONE;
+    for (int camera = 0; camera < plannedWays.length; camera++) {
       if (network.online(camera)) {
         viewForecasts[camera].update(network, camera, belief, forecast);
       }
@@ -61,45 +76,62 @@ final class Plan {
 
   /** The view that is planned for a camera, or {@link #NONE}. */
   int view(int camera) {
-    return plannedViews[camera];
+    return planned[camera] ? Ways.goal(plannedWays[camera]) : NONE;
   }
 
-  /** Plans a view for a camera, in place of the one planned before. */
-  void choose(int camera, int view) {
+  /**
+   * The best way of a camera that sets out for a view now. The next search overwrites the array.
+   */
+  int[] wayTo(NetworkView network, int camera, int view) {
+    if (searchedCamera != camera) {
+      gains(network, camera);
+    }
+    return waySearch.way(viewForecasts[camera].delay(view), view);
+  }
+
+  /** Plans a way for a camera, in place of the one planned before. */
+  void choose(int camera, int[] way) {
     withdraw(camera);
-    cover(camera, view);
-    plannedViews[camera] = view;
+    cover(camera, way);
+    System.arraycopy(way, 0, plannedWays[camera], 0, way.length);
+    planned[camera] = true;
+    searchedCamera = NONE;
   }
 
   /**
    * Plans no view for a camera. A camera that is going to choose again withdraws first, which saves
-   * {@link #gains} the time to restore its old view.
+   * {@link #gains} the time to restore its old way.
    */
   void withdraw(int camera) {
-    if (plannedViews[camera] != NONE) {
-      uncover(camera, plannedViews[camera]);
-      plannedViews[camera] = NONE;
+    if (planned[camera]) {
+      uncover(camera, plannedWays[camera]);
+      planned[camera] = false;
+      searchedCamera = NONE;
     }
   }
 
-  private void cover(int camera, int view) {
-    viewForecasts[camera].addTo(coverage, view);
-    if (arrivesInTime(camera, view)) {
-      int[] cells = cellSight.cells(camera, view);
-      float[] chances = cellSight.chances(camera, view);
-      for (int i = 0; i < cells.length; i++) {
-        unseenTargets[cells[i]] *= remainingShare(camera, cells[i], chances[i]);
+  private void cover(int camera, int[] way) {
+    viewForecasts[camera].addTo(coverage, way);
+    for (int step = 0; step < way.length; step++) {
+      if (Ways.isFirstLook(way, step)) {
+        int[] cells = cellSight.cells(camera, way[step]);
+        float[] chances = cellSight.chances(camera, way[step]);
+        for (int i = 0; i < cells.length; i++) {
+          unseenTargets[cells[i]] *= remainingShare(camera, cells[i], chances[i]);
+        }
       }
     }
   }
 
-  private void uncover(int camera, int view) {
-    viewForecasts[camera].removeFrom(coverage, view);
-    if (arrivesInTime(camera, view)) {
-      int[] cells = cellSight.cells(camera, view);
-      float[] chances = cellSight.chances(camera, view);
-      for (int i = 0; i < cells.length; i++) {
-        unseenTargets[cells[i]] /= remainingShare(camera, cells[i], chances[i]);
+  private void uncover(int camera, int[] way) {
+    viewForecasts[camera].removeFrom(coverage, way);
+    for (int step = 0; step < way.length; step++) {
+      if (Ways.isFirstLook(way, step)) {
+        int[] cells = cellSight.cells(camera, way[step]);
+        float[] chances = cellSight.chances(camera, way[step]);
+        for (int i = 0; i < cells.length; i++) {
+          unseenTargets[cells[i]] /= remainingShare(camera, cells[i], chances[i]);
+        }
       }
     }
   }
@@ -113,36 +145,53 @@ final class Plan {
   }
 
   /**
-   * Returns what each view of a camera adds to the views of the others, 0 or more. The next call
-   * overwrites the array.
+   * Returns, for each view of a camera, what the best way that sets out for it now adds to the ways
+   * of the others, 0 or more. The next call overwrites the array.
    */
   double[] gains(NetworkView network, int camera) {
-    int plannedView = plannedViews[camera];
+    boolean wasPlanned = planned[camera];
     withdraw(camera);
     int views = network.views(camera);
     gains = gains.length < views ? new double[views] : gains;
-    viewForecasts[camera].gains(forecast, coverage, gains);
+    double[] rewards = waySearch.begin(views, moveTimes.of(camera));
+    viewForecasts[camera].addRewards(forecast, coverage, rewards);
     for (int view = 0; view < views; view++) {
-      gains[view] = Math.max(0, gains[view] + gainBeyondTracks(camera, view));
+      addRewardsBeyondTracks(camera, view, views, rewards);
     }
-    restore(camera, plannedView);
+    waySearch.solve();
+    for (int view = 0; view < views; view++) {
+      gains[view] = Math.max(0, waySearch.value(viewForecasts[camera].delay(view), view));
+    }
+    restore(camera, wasPlanned);
+    searchedCamera = camera;
     return gains;
   }
 
-  private void restore(int camera, int plannedView) {
-    if (plannedView != NONE) {
-      choose(camera, plannedView);
+  private void addRewardsBeyondTracks(int camera, int view, int views, double[] rewards) {
+    int delay = viewForecasts[camera].delay(view);
+    double unseen = delay < forecast.horizon() ? unseenTargetsIn(camera, view) : 0;
+    for (int step = delay; step < forecast.horizon(); step++) {
+      double discount = forecast.discount(step);
+      rewards[step * views + view] +=
+          parameters.search() * discount * unseen
+              + learnedValues.correction(camera, view, discount);
+    }
+  }
+
+  private void restore(int camera, boolean wasPlanned) {
+    if (wasPlanned) {
+      choose(camera, plannedWays[camera]);
     }
   }
 
   /** Fills in what each view of a camera adds beyond the targets that are tracked. */
   void gainsBeyondTracks(NetworkView network, int camera, double[] viewGains) {
-    int plannedView = plannedViews[camera];
+    boolean wasPlanned = planned[camera];
     withdraw(camera);
     for (int view = 0; view < network.views(camera); view++) {
       viewGains[view] = gainBeyondTracks(camera, view);
     }
-    restore(camera, plannedView);
+    restore(camera, wasPlanned);
   }
 
   /** What a view adds by targets that nobody sees, and by what was learned of the view. */
@@ -187,11 +236,17 @@ final class Plan {
   }
 
   /**
-   * Returns the view of a camera with the greatest gain. Of views with equal gains it is the
-   * present one, unless others are reached sooner: then the first of those that are reached
-   * soonest.
+   * Returns the present view of a camera unless another one gains more by a share of {@code hold};
+   * else the view with the greatest gain. Of views with equal gains it is the first of those that
+   * are reached soonest.
    */
   int best(NetworkView network, int camera, double[] viewGains) {
+    int present = network.view(camera);
+    int best = greatest(network, camera, viewGains);
+    return viewGains[best] > (1 + parameters.hold()) * viewGains[present] ? best : present;
+  }
+
+  private int greatest(NetworkView network, int camera, double[] viewGains) {
     ViewForecast viewForecast = viewForecasts[camera];
     int best = network.view(camera);
     for (int view = 0; view < network.views(camera); view++) {

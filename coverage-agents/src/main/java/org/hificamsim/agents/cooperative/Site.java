@@ -18,6 +18,7 @@ final class Site {
   private final Grid grid;
   private final boolean[] free;
   private final CellSight cellSight;
+  private final MoveTimes moveTimes;
   private int revision = -1;
 
   Site(NetworkView network, Obstacles map, int cells) {
@@ -29,6 +30,7 @@ final class Site {
       free[cell] = map.containing(grid.x(cell, 0.5), grid.y(cell, 0.5)).isEmpty();
     }
     cellSight = new CellSight(grid, network.cameras());
+    moveTimes = new MoveTimes(network.cameras());
   }
 
   /**
@@ -40,6 +42,7 @@ final class Site {
       return;
     }
     revision = network.revision();
+    moveTimes.update(network);
     boolean anyMoved = false;
     for (int camera = 0; camera < visibleRegions.length; camera++) {
       double x = network.cameraX(camera);
@@ -78,6 +81,11 @@ final class Site {
   /** By cell, whether a target can be in it. */
   boolean[] free() {
     return free;
+  }
+
+  /** How long moves between views take. */
+  MoveTimes moveTimes() {
+    return moveTimes;
   }
 
   /** What cameras see of the cells. */

@@ -19,7 +19,7 @@ final class Team {
   private final Site site;
   private final Channel channel;
   private final Post<SightingReport> reportPost;
-  private final Post<Integer> choicePost;
+  private final Post<int[]> choicePost;
   private final int cameras;
 
   /** The view that each camera chose in this step. */
@@ -126,9 +126,9 @@ final class Team {
 
   private void deliverChoices(NetworkView network) {
     choicePost.deliver(
-        (sender, receiver, sentAt, view) -> {
+        (sender, receiver, sentAt, way) -> {
           noteArrival(sender, receiver);
-          minds[receiver].learnChoice(sender, view, sentAt, network.step());
+          minds[receiver].learnChoice(sender, way, sentAt, network.step());
         });
   }
 
@@ -144,18 +144,20 @@ final class Team {
   boolean choose(NetworkView network, int camera, int view) {
     boolean changed = chosenViews[camera] != view;
     chosenViews[camera] = view;
-    mind(camera).learnChoice(camera, view, network.step(), network.step());
+    int[] way = plan(camera).wayTo(network, camera, view);
+    mind(camera).learnChoice(camera, way, network.step(), network.step());
     if (changed) {
-      sendChoice(network, camera, view);
+      sendChoice(network, camera, way);
     }
     return changed;
   }
 
-  private void sendChoice(NetworkView network, int camera, int view) {
-    int length = MessageBits.address(cameras) + MessageBits.of(network.views(camera));
+  private void sendChoice(NetworkView network, int camera, int[] way) {
+    int length =
+        MessageBits.address(cameras) + way.length * (1 + MessageBits.of(network.views(camera)));
     count(camera, length);
     if (!shared) {
-      choicePost.broadcast(camera, length, view);
+      choicePost.broadcast(camera, length, way.clone());
       deliverChoices(network);
     }
   }

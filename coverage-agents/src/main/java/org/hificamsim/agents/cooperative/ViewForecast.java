@@ -31,7 +31,7 @@ final class ViewForecast {
       double x = forecast.x(slot);
       double y = forecast.y(slot);
       if (belief.chances(network, camera, x, y, forecast.size(slot), viewChances)) {
-        add(slot, forecast.step(slot));
+        add(slot, forecast.step(slot), forecast.visibleShare(network, camera, slot));
       }
     }
   }
@@ -48,7 +48,7 @@ final class ViewForecast {
   }
 
   /** Adds a row, unless its chances are 0 in all views that the camera reaches in time. */
-  private void add(int slot, int step) {
+  private void add(int slot, int step, double visibleShare) {
     if (rows == slots.length) {
       slots = Arrays.copyOf(slots, Math.max(FIRST_ROWS, 2 * rows));
     }
@@ -57,7 +57,7 @@ final class ViewForecast {
     }
     double greatest = 0;
     for (int view = 0; view < views; view++) {
-      double chance = delays[view] <= step ? viewChances[view] : 0;
+      double chance = delays[view] <= step ? visibleShare * viewChances[view] : 0;
       chances[rows * views + view] = chance;
       greatest = Math.max(greatest, chance);
     }
@@ -85,33 +85,43 @@ final class ViewForecast {
     return delays[view];
   }
 
-  /** Adds what the camera covers in a view to the planned coverage. */
-  void addTo(PlannedCoverage coverage, int view) {
+  /** Adds what the camera covers on its way to the planned coverage. */
+  void addTo(PlannedCoverage coverage, int[] way) {
     for (int row = 0; row < rows; row++) {
-      double chance = chances[row * views + view];
+      double chance = chance(row, way);
       if (chance > 0) {
         coverage.add(slots[row], chance);
       }
     }
   }
 
-  /** Removes what the camera covers in a view from the planned coverage. */
-  void removeFrom(PlannedCoverage coverage, int view) {
+  /** Removes what the camera covers on its way from the planned coverage. */
+  void removeFrom(PlannedCoverage coverage, int[] way) {
     for (int row = 0; row < rows; row++) {
-      double chance = chances[row * views + view];
+      double chance = chance(row, way);
       if (chance > 0) {
         coverage.remove(slots[row], chance);
       }
     }
   }
 
-  /** Computes what each view adds to the planned coverage, which must not include the camera. */
-  void gains(Forecast forecast, PlannedCoverage coverage, double[] gains) {
-    Arrays.fill(gains, 0, views, 0);
+  private double chance(int row, int[] way) {
+    int view = way[slots[row] % way.length];
+    return view >= 0 ? chances[row * views + view] : 0;
+  }
+
+  /**
+   * Adds what each view gains in each step beyond the planned coverage, which must not include the
+   * camera.
+   *
+   * @param rewards by step and view
+   */
+  void addRewards(Forecast forecast, PlannedCoverage coverage, double[] rewards) {
     for (int row = 0; row < rows; row++) {
       double worth = forecast.weight(slots[row]) * coverage.added(slots[row]);
+      int first = forecast.step(slots[row]) * views;
       for (int view = 0; view < views && worth > 0; view++) {
-        gains[view] += worth * chances[row * views + view];
+        rewards[first + view] += worth * chances[row * views + view];
       }
     }
   }

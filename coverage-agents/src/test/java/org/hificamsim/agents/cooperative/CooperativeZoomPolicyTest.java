@@ -66,7 +66,7 @@ class CooperativeZoomPolicyTest {
   void individualMindsChooseTheSameOverAPerfectChannel(String rule) {
     List<Integer> sharedMind = views(policy("agree=" + rule, false), SITE);
     assertEquals(sharedMind, views(policy("agree=" + rule, true), SITE));
-    assertTrue(sharedMind.stream().distinct().count() > 5, "hardly ever moved");
+    assertTrue(sharedMind.stream().distinct().count() > 3, "hardly ever moved: " + sharedMind);
   }
 
   /** Only one camera sees the target; the other one learns of it and covers it, too. */

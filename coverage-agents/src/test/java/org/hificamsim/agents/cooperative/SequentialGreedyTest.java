@@ -102,7 +102,7 @@ class SequentialGreedyTest {
     double worth = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       worth += plan.gains(network, camera)[team.chosenView(camera)];
-      plan.choose(camera, team.chosenView(camera));
+      plan.choose(camera, plan.wayTo(network, camera, team.chosenView(camera)));
     }
     return worth;
   }
@@ -112,7 +112,7 @@ class SequentialGreedyTest {
     double greatest = before;
     for (int view = 0; camera < network.cameras() && view < network.views(camera); view++) {
       double added = plan.gains(network, camera)[view];
-      plan.choose(camera, view);
+      plan.choose(camera, plan.wayTo(network, camera, view));
       greatest = Math.max(greatest, best(network, plan, camera + 1, before + added));
       plan.withdraw(camera);
     }

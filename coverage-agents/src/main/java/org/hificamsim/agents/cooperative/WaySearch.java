@@ -1,0 +1,131 @@
+package org.hificamsim.agents.cooperative;
+
+import java.util.Arrays;
+
+/**
+ * The best ways of a camera through its views up to the horizon, by dynamic programming over steps
+ * and views (Bellman 1957): what a view is worth from a step on is its reward in that step and what
+ * the best way on is worth, where a move costs the steps in which the camera is blind.
+ */
+final class WaySearch {
+  private static final double TIE = 1e-9;
+
+  private final int horizon;
+  private int views;
+  private int[] moveTimes = {};
+
+  /** By step and view. */
+  private double[] rewards = {};
+
+  /** By step and view: the worth of the best way that sees through the view in the step. */
+  private double[] values = {};
+
+  /** By step and view: the view that this way chooses next. */
+  private int[] nextViews = {};
+
+  /** The views, the best of a step first. */
+  private int[] order = {};
+
+  private final int[] way;
+
+  WaySearch(int horizon) {
+    this.horizon = horizon;
+    way = new int[horizon];
+  }
+
+  /**
+   * Begins a search.
+   *
+   * @param cameraMoveTimes as in {@link MoveTimes#of}
+   * @return the rewards, all 0, to be filled in by step and view
+   */
+  double[] begin(int cameraViews, int[] cameraMoveTimes) {
+    if (views != cameraViews) {
+      order = order.length < cameraViews ? new int[cameraViews] : order;
+      Arrays.setAll(order, view -> view);
+    }
+    views = cameraViews;
+    moveTimes = cameraMoveTimes;
+    if (rewards.length < horizon * views) {
+      rewards = new double[horizon * views];
+      values = new double[horizon * views];
+      nextViews = new int[horizon * views];
+    }
+    Arrays.fill(rewards, 0, horizon * views, 0);
+    return rewards;
+  }
+
+  /** Finds the best way from each view and step on. */
+  void solve() {
+    int last = (horizon - 1) * views;
+    for (int view = 0; view < views; view++) {
+      values[last + view] = rewards[last + view];
+      nextViews[last + view] = view;
+    }
+    for (int step = horizon - 2; step >= 0; step--) {
+      sort(step + 1);
+      for (int view = 0; view < views; view++) {
+        solve(step, view);
+      }
+    }
+  }
+
+  /** Sorts the views by what they are worth from a step on, the best first. */
+  private void sort(int step) {
+    int first = step * views;
+    for (int i = 1; i < views; i++) {
+      int view = order[i];
+      double value = values[first + view];
+      int place = i;
+      while (place > 0 && values[first + order[place - 1]] < value) {
+        order[place] = order[place - 1];
+        place--;
+      }
+      order[place] = view;
+    }
+  }
+
+  /**
+   * Chooses the view after this one. A view is never worth more if it is reached later, so that the
+   * search ends at the first view that is not worth enough if it is reached at once.
+   */
+  private void solve(int step, int view) {
+    int state = step * views + view;
+    int following = (step + 1) * views;
+    int best = view;
+    double bestValue = values[following + view];
+    for (int i = 0; i < views && values[following + order[i]] > bestValue + TIE; i++) {
+      int next = order[i];
+      int arrival = step + 1 + moveTimes[view * views + next];
+      if (arrival < horizon && values[arrival * views + next] > bestValue + TIE) {
+        best = next;
+        bestValue = values[arrival * views + next];
+      }
+    }
+    nextViews[state] = best;
+    values[state] = rewards[state] + bestValue;
+  }
+
+  /** What the best way is worth that sees through a view after some steps; 0 past the horizon. */
+  double value(int delay, int view) {
+    return delay < horizon ? values[delay * views + view] : 0;
+  }
+
+  /**
+   * Returns the best way that sees through a view after some steps, as in {@link Ways}. The next
+   * call overwrites the array.
+   */
+  int[] way(int delay, int view) {
+    int goal = view;
+    int arrival = delay;
+    for (int step = 0; step < horizon; step++) {
+      way[step] = step < arrival ? ~goal : goal;
+      if (step == arrival) {
+        int next = nextViews[step * views + goal];
+        arrival = step + 1 + moveTimes[goal * views + next];
+        goal = next;
+      }
+    }
+    return way;
+  }
+}
