@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.agents.ZoomPolicyContract;
 import org.hificamsim.agents.toy.RealWorld;
@@ -102,6 +103,21 @@ class CooperativeZoomPolicyTest {
       }
     }
     return covered;
+  }
+
+  @Test
+  void movesLessWhenItHoldsViews() {
+    long free = changes("hold=0");
+    long held = changes("hold=0.2");
+    assertTrue(held < free / 2, held + " changes of view instead of " + free);
+    assertTrue(held > 0, "never moved");
+  }
+
+  private static long changes(String options) {
+    List<Integer> views = views(policy(options, false), SITE);
+    return IntStream.range(3, views.size())
+        .filter(i -> !views.get(i).equals(views.get(i - 3)))
+        .count();
   }
 
   @Test
