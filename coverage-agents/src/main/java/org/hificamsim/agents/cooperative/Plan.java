@@ -167,14 +167,12 @@ final class Plan {
     return gains;
   }
 
+  /** Spreads the gain of a view over the steps in which the camera can see through it. */
   private void addRewardsBeyondTracks(int camera, int view, int views, double[] rewards) {
     int delay = viewForecasts[camera].delay(view);
-    double unseen = delay < forecast.horizon() ? unseenTargetsIn(camera, view) : 0;
+    double gain = gainBeyondTracks(camera, view) / forecast.sumOfDiscountsFrom(delay);
     for (int step = delay; step < forecast.horizon(); step++) {
-      double discount = forecast.discount(step);
-      rewards[step * views + view] +=
-          parameters.search() * discount * unseen
-              + learnedValues.correction(camera, view, discount);
+      rewards[step * views + view] += gain * forecast.discount(step);
     }
   }
 
