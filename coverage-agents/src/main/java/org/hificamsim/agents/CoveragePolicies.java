@@ -14,6 +14,7 @@ import org.hificamsim.agents.optimal.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalExpectedZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;
+import org.hificamsim.agents.optimal.ReachableZoomPolicy;
 import org.hificamsim.agents.temporal.TemporalDifferenceZoomPolicy;
 import org.hificamsim.agents.voting.QbSarsaZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -66,6 +67,11 @@ public final class CoveragePolicies {
             "best-fixed",
             "the best constant configuration of the very run, in hindsight",
             BestFixedZoomPolicy::new)
+        .register(
+            "reachable",
+            "the best that is known of what cameras could reach in time, in hindsight, with a"
+                + " bound",
+            ReachableZoomPolicy::new)
         .register(
             "epsilon-greedy",
             "bandit: the view with the best average count, sometimes another",

@@ -7,6 +7,7 @@ import org.hificamsim.core.engine.NetworkSums;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.BoundedZoomPolicy;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -22,6 +23,8 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param zones the shares of the zones that are seen as they demand
  * @param following how the cameras followed targets
  * @param identitySwitches of the policy; NaN if it makes none or they are not measured
+ * @param reachableGap how far the score is at most from what cameras could reach in time; NaN if
+ *     the policy does not bound that
  */
 public record Measured(
     RunCoverage coverage,
@@ -33,7 +36,8 @@ public record Measured(
     double expectedGap,
     Zones zones,
     FollowingSums following,
-    double identitySwitches) {
+    double identitySwitches,
+    double reachableGap) {
   /** The share that is seen of all zones, and of the zone with the least; NaN without zones. */
   public record Zones(double met, double least) {
     static final Zones NONE = new Zones(Double.NaN, Double.NaN);
@@ -57,7 +61,8 @@ public record Measured(
         gap,
         meters.zoneShares(),
         meters.followingSums(),
-        meters.identitySwitches(policy));
+        meters.identitySwitches(policy),
+        policy instanceof BoundedZoomPolicy bounded ? bounded.reachableGap() : Double.NaN);
   }
 
   /** The sums of a repeat that another program ran. */
@@ -77,6 +82,7 @@ public record Measured(
         Double.NaN,
         Zones.NONE,
         following,
+        Double.NaN,
         Double.NaN);
   }
 
@@ -94,6 +100,11 @@ public record Measured(
   /** The most that the score could have been; NaN if the policy claims nothing. */
   double bound() {
     return proof.isPresent() ? coverage.score() + proof.get().gap() : Double.NaN;
+  }
+
+  /** The most that cameras could have scored in time; NaN if the policy does not bound it. */
+  double reachableBound() {
+    return coverage.score() + reachableGap;
   }
 
   /**

@@ -253,7 +253,17 @@ public enum Metric {
       "levels per camera and step",
       "how far lenses changed, in zoom levels",
       measured(run -> run.coverage().moves().meanZoomTravel()),
-      new Line("zoom travel", "%.4g", "levels per camera and step"));
+      new Line("zoom travel", "%.4g", "levels per camera and step")),
+  REACHABLE_BOUND(
+      "that of `score`",
+      "`reachable` alone: the score that no policy exceeds, with the time that moves take",
+      measured(Measured::reachableBound)),
+  PROPORTION_OF_REACHABLE(
+      "share",
+      "with the yardstick `reachable` alone: score over [the bound](policies.md#reachable) on what"
+          + " cameras could have scored in time, of the same scenario, detection model and seed;"
+          + " empty where the bound is 0",
+      compared(ScoreComparison::reachableBound, ScoreComparison::proportionOfReachable));
 
   private static final String EXPECTED = "EXPECTED_";
 

@@ -8,10 +8,16 @@ package org.hificamsim.runs;
  * @param optimum the score of the exact optimum of each step; NaN if it was not run
  * @param bound which no score exceeds; NaN if it was not asked for
  * @param bestFixed the score of the best configuration that never changes; NaN if it was not run
+ * @param reachableBound which no policy exceeds that takes its time; NaN if it was not asked for
  * @param settling steps until the run is within 90% of its final level; NaN if that is 0
  */
 record ScoreComparison(
-    double score, double optimum, double bound, double bestFixed, double settling) {
+    double score,
+    double optimum,
+    double bound,
+    double bestFixed,
+    double reachableBound,
+    double settling) {
   /** Score over that of the optimum; NaN if the optimum is 0. */
   double proportionOfOptimal() {
     return optimum == 0 ? Double.NaN : score / optimum;
@@ -20,6 +26,11 @@ record ScoreComparison(
   /** Score over the bound: at least this share of the optimum's; NaN if the bound is 0. */
   double proportionOfBound() {
     return bound == 0 ? Double.NaN : score / bound;
+  }
+
+  /** Score over what cameras could have scored in time at most; NaN if that is 0. */
+  double proportionOfReachable() {
+    return reachableBound == 0 ? Double.NaN : score / reachableBound;
   }
 
   /** The optimum's score minus the run's. */

@@ -6,13 +6,31 @@ package org.hificamsim.runs;
  * @param optimum the score of the exact optimum of each step; NaN if it was not run
  * @param bound which no score exceeds; NaN if it was not asked for
  * @param bestFixed the score of the best configuration that never changes; NaN if it was not run
+ * @param reachable what cameras could have scored in time; {@link Interval#UNKNOWN} if it was not
+ *     asked for
  * @param settling steps until the run is within 90% of its final level; NaN if that is 0
  */
 public record ScoredRun(
-    RunResult result, double optimum, double bound, double bestFixed, double settling) {
+    RunResult result,
+    double optimum,
+    double bound,
+    double bestFixed,
+    Interval reachable,
+    double settling) {
+  /**
+   * Where a greatest score is.
+   *
+   * @param reached by a run
+   * @param atMost a bound that none exceeds
+   */
+  public record Interval(double reached, double atMost) {
+    /** Where nothing is known. */
+    public static final Interval UNKNOWN = new Interval(Double.NaN, Double.NaN);
+  }
+
   /** A run with an optimum and without a bound. */
   public ScoredRun(RunResult result, double optimum, double bestFixed, double settling) {
-    this(result, optimum, Double.NaN, bestFixed, settling);
+    this(result, optimum, Double.NaN, bestFixed, Interval.UNKNOWN, settling);
   }
 
   /**
@@ -30,6 +48,7 @@ public record ScoredRun(
   }
 
   private ScoreComparison comparison() {
-    return new ScoreComparison(result.score(), optimum, bound, bestFixed, settling);
+    return new ScoreComparison(
+        result.score(), optimum, bound, bestFixed, reachable.atMost(), settling);
   }
 }

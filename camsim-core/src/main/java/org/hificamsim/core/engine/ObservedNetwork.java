@@ -144,6 +144,16 @@ class ObservedNetwork implements NetworkView {
   }
 
   @Override
+  public int stepsBetween(int camera, int from, int view) {
+    return cameras.stepsBetween(camera, from, view);
+  }
+
+  @Override
+  public boolean movesBlindly(int camera) {
+    return cameras.movesBlindly(camera);
+  }
+
+  @Override
   public double turnInStep(int camera) {
     return cameras.turnInStep(camera);
   }

@@ -104,6 +104,16 @@ public interface NetworkView extends CoveredTargets, Stations {
     return 0;
   }
 
+  /** The same for a camera that would be at rest in one of its views, {@code from}. */
+  default int stepsBetween(int camera, int from, int view) {
+    return 0;
+  }
+
+  /** Whether the camera sees nothing while it is on its way. */
+  default boolean movesBlindly(int camera) {
+    return true;
+  }
+
   /** How far the camera turns within a step, radians; infinite where it turns at once. */
   default double turnInStep(int camera) {
     return Double.POSITIVE_INFINITY;

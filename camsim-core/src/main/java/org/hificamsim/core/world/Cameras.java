@@ -2,6 +2,7 @@ package org.hificamsim.core.world;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.spec.Moving;
 import org.hificamsim.core.visibility.Pose;
 
 /**
@@ -207,6 +208,16 @@ public final class Cameras {
   /** The number of steps that a camera moves towards a view before the step in which it arrives. */
   public int stepsTo(int camera, int otherView) {
     return motion == null ? 0 : motion.stepsTo(camera, otherView);
+  }
+
+  /** The same for a camera that would be at rest in one of its views. */
+  public int stepsBetween(int camera, int from, int otherView) {
+    return motion == null ? 0 : motion.stepsBetween(camera, from, otherView);
+  }
+
+  /** Whether the camera sees nothing while it is on its way. */
+  public boolean movesBlindly(int camera) {
+    return mounts[camera].set.moving() == Moving.BLIND;
   }
 
   /** How far the camera turns within a step, radians; infinite where it turns at once. */

@@ -83,10 +83,19 @@ final class Motion {
 
   /** The number of steps that a camera moves towards a view before the step in which it arrives. */
   int stepsTo(int camera, int view) {
+    return steps(views[camera], view, pan[camera], tilt[camera], zoom[camera]);
+  }
+
+  /** The same for a camera that would be at rest in a view. */
+  int stepsBetween(int camera, int from, int view) {
     ViewSet set = views[camera];
-    double panning = Math.abs(set.pan(view) - pan[camera]);
-    double turning = Math.max(panning, Math.abs(set.tilt(view) - tilt[camera])) / set.panSpeed();
-    double zooming = Math.abs(set.zoomOf(view) - zoom[camera]) / set.zoomSpeed();
+    return steps(set, view, set.pan(from), set.tilt(from), set.zoomOf(from));
+  }
+
+  private int steps(ViewSet set, int view, double fromPan, double fromTilt, double fromZoom) {
+    double panning = Math.abs(set.pan(view) - fromPan);
+    double turning = Math.max(panning, Math.abs(set.tilt(view) - fromTilt)) / set.panSpeed();
+    double zooming = Math.abs(set.zoomOf(view) - fromZoom) / set.zoomSpeed();
     return (int) Math.max(0, Math.ceil(Math.max(turning, zooming) / stepTime / (1 + 1e-6)) - 1);
   }
 

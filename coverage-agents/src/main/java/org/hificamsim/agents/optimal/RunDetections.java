@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.agents.ways.TravelTimes;
+import org.hificamsim.agents.ways.WayProblem;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 
@@ -17,6 +19,9 @@ import org.hificamsim.core.policy.OracleView;
 final class RunDetections {
   /** By camera and view, the moments that are detected. */
   private final List<BitSet[]> detectedMoments = new ArrayList<>();
+
+  /** By camera, the steps in which it is online. */
+  private final List<BitSet> online = new ArrayList<>();
 
   /** By target, its moment in the step that is added. */
   private int[] momentOf = {};
@@ -38,10 +43,12 @@ final class RunDetections {
       BitSet[] views = new BitSet[network.views(camera)];
       Arrays.setAll(views, view -> new BitSet());
       detectedMoments.add(views);
+      online.add(new BitSet());
     }
     numberMoments(network);
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
+        online.get(camera).set(steps);
         addDetections(network, camera);
       }
     }
@@ -91,6 +98,16 @@ final class RunDetections {
       }
     }
     return problem;
+  }
+
+  /** Returns the problem of planning each camera's way between its views. */
+  WayProblem ways(List<TravelTimes> times) {
+    return new WayProblem(objective, ends(), times, online, detectedMoments);
+  }
+
+  /** By camera, the steps in which it is online; not to be changed. */
+  List<BitSet> online() {
+    return online;
   }
 
   /** By step, the number after that of its last moment. */

@@ -3,4 +3,4 @@
 export const OPTIMAL = 'optimal';
 
 /** The names in place of a policy's that no network of cameras can run. */
-export const YARDSTICKS = [OPTIMAL, 'best-fixed', 'bound'];
+export const YARDSTICKS = [OPTIMAL, 'best-fixed', 'bound', 'reachable'];

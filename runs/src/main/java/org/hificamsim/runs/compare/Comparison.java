@@ -1,5 +1,7 @@
 package org.hificamsim.runs.compare;
 
+import static org.hificamsim.runs.Metric.REACHABLE_BOUND;
+
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -118,6 +120,10 @@ public final class Comparison {
                 yardstickScore(group, Yardstick.OPTIMAL, repeat, RunResult::score),
                 yardstickScore(group, Yardstick.BOUND, repeat, RunResult::bound),
                 yardstickScore(group, Yardstick.BEST_FIXED, repeat, RunResult::score),
+                new ScoredRun.Interval(
+                    yardstickScore(group, Yardstick.REACHABLE, repeat, RunResult::score),
+                    yardstickScore(
+                        group, Yardstick.REACHABLE, repeat, run -> run.value(REACHABLE_BOUND))),
                 settling[repeat]));
       }
       double[] meanKMin = means(kMinSums, runs.size());
@@ -135,7 +141,7 @@ public final class Comparison {
         int repeat,
         ToDoubleFunction<RunResult> score) {
       return group.stream()
-          .filter(other -> other.plan.policy().equals(yardstick.policy()))
+          .filter(other -> yardstick.isRunBy(other.plan.policy()))
           .mapToDouble(other -> score.applyAsDouble(other.results[repeat]))
           .findFirst()
           .orElse(Double.NaN);

@@ -74,8 +74,21 @@ public final class ComparisonFiles {
     }
   }
 
-  /** The score of a yardstick with the seed of a run. */
-  record YardstickScore(Run run, Yardstick yardstick) {}
+  /**
+   * The score of a yardstick with the seed of a run.
+   *
+   * @param isBound whether it is a bound, and not the score of a configuration
+   */
+  record YardstickScore(Run run, Yardstick yardstick, double score, boolean isBound) {
+    static Stream<YardstickScore> of(Run run, Yardstick yardstick) {
+      double score = yardstick.score(run.scored);
+      YardstickScore main = new YardstickScore(run, yardstick, score, yardstick.isBound());
+      double reached = run.scored.reachable().reached();
+      return yardstick == Yardstick.REACHABLE
+          ? Stream.of(new YardstickScore(run, yardstick, reached, false), main)
+          : Stream.of(main);
+    }
+  }
 
   /** A step of a case. */
   record CaseStep(CaseResult result, int step) {}
@@ -105,7 +118,8 @@ public final class ComparisonFiles {
               "objective",
               "what a step is scored by ([objectives](objectives.md))",
               run -> run.plan().objective().text())
-          .plain(Metric.SCORE, Run::value);
+          .plain(Metric.SCORE, Run::value)
+          .doubles(Metric.PROPORTION_OF_REACHABLE, Run::value);
 
   /** A row per scenario, detection, yardstick and seed. */
   public static final Table<YardstickScore> YARDSTICKS =
@@ -113,20 +127,16 @@ public final class ComparisonFiles {
           .with(CASE.subList(0, 2), row -> row.run.plan())
           .texts(
               "yardstick",
-              "`optimal`, `bound` or `best-fixed`: what scores are compared with (the setting"
-                  + " `yardsticks`)",
+              "`optimal`, `bound`, `best-fixed` or `reachable`: what scores are compared with (the"
+                  + " setting `yardsticks`)",
               row -> row.yardstick.policy())
           .longs("seed", "", SEED, row -> row.run.scored.result().seed())
-          .plain(
-              "score",
-              "that of `score`",
-              "what it came to",
-              row -> row.yardstick.score(row.run.scored))
+          .plain("score", "that of `score`", "what it came to", row -> row.score)
           .texts(
               "is",
               "`reached`: a configuration of each step has it; `at most`: none has more, and"
                   + " perhaps none as much",
-              row -> row.yardstick.isBound() ? "at most" : "reached");
+              row -> row.isBound ? "at most" : "reached");
 
   /** A row per run and metric, including the runs of the optima. */
   public static final Table<RunMetric> METRICS =
@@ -250,8 +260,8 @@ public final class ComparisonFiles {
             first ->
                 Stream.of(Yardstick.values())
                     .flatMap(
-                        yardstick -> runs(first).map(run -> new YardstickScore(run, yardstick))))
-        .filter(row -> !Double.isNaN(row.yardstick.score(row.run.scored)));
+                        yardstick -> runs(first).flatMap(run -> YardstickScore.of(run, yardstick))))
+        .filter(row -> !Double.isNaN(row.score));
   }
 
   /**

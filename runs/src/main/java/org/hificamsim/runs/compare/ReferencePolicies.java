@@ -17,15 +17,18 @@ import org.hificamsim.runs.RunPlan;
 /**
  * The yardsticks that a comparison runs in addition to its plans. The best fixed configuration is
  * left out of plans for which its search would take too much memory.
+ *
+ * @param reachable the policy of {@link Yardstick#REACHABLE} with its options
  */
-public record ReferencePolicies(Set<Yardstick> yardsticks) {
+public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
   /** The exact optimum of every scenario and detection. */
   public static final ReferencePolicies OPTIMUM =
-      new ReferencePolicies(EnumSet.of(Yardstick.OPTIMAL));
+      new ReferencePolicies(EnumSet.of(Yardstick.OPTIMAL), Yardstick.REACHABLE.policy());
 
   /** The exact optimum, and the best configuration that never changes. */
   public static final ReferencePolicies OPTIMUM_AND_BEST_FIXED =
-      new ReferencePolicies(EnumSet.of(Yardstick.OPTIMAL, Yardstick.BEST_FIXED));
+      new ReferencePolicies(
+          EnumSet.of(Yardstick.OPTIMAL, Yardstick.BEST_FIXED), Yardstick.REACHABLE.policy());
 
   private static final String NONE = "none";
 
@@ -52,19 +55,35 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
    */
   public static ReferencePolicies parse(String option, String text) {
     Set<Yardstick> asked = EnumSet.noneOf(Yardstick.class);
-    for (String name : text.equals(NONE) ? new String[0] : text.split(",", -1)) {
+    String reachable = Yardstick.REACHABLE.policy();
+    for (String name : text.equals(NONE) ? List.<String>of() : names(text)) {
       boolean added =
           Arrays.stream(Yardstick.values())
-              .filter(yardstick -> yardstick.policy().equals(name.strip()))
+              .filter(yardstick -> yardstick.isRunBy(name))
               .anyMatch(asked::add);
       if (!added) {
         throw new InputException(
-            "%s is '%s', expected optimal, bound or best-fixed, each once with commas between, or"
+            "%s is '%s', expected optimal, bound, best-fixed or reachable, each once with commas"
                     .formatted(option, text)
-                + " none");
+                + " between, or none");
+      }
+      reachable = Yardstick.REACHABLE.isRunBy(name) ? name : reachable;
+    }
+    return new ReferencePolicies(asked, reachable);
+  }
+
+  /** Splits at commas; a part such as {@code time=5} is an option of the name before it. */
+  private static List<String> names(String text) {
+    List<String> names = new ArrayList<>();
+    for (String part : text.split(",", -1)) {
+      int last = names.size() - 1;
+      if (part.contains("=") && !part.contains(":") && last >= 0) {
+        names.set(last, names.get(last) + "," + part.strip());
+      } else {
+        names.add(part.strip());
       }
     }
-    return new ReferencePolicies(asked);
+    return names;
   }
 
   /** The plans, then the optima that they lack, then the other yardsticks. */
@@ -76,6 +95,9 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
     }
     if (yardsticks.contains(Yardstick.BOUND)) {
       all.addAll(missing(plans, Yardstick.BOUND));
+    }
+    if (yardsticks.contains(Yardstick.REACHABLE)) {
+      all.addAll(missing(plans, Yardstick.REACHABLE));
     }
     return all;
   }
@@ -89,12 +111,12 @@ public record ReferencePolicies(Set<Yardstick> yardsticks) {
     return all;
   }
 
-  private static List<RunPlan> missing(List<RunPlan> plans, Yardstick yardstick) {
-    String policy = yardstick.policy();
+  private List<RunPlan> missing(List<RunPlan> plans, Yardstick yardstick) {
+    String policy = yardstick == Yardstick.REACHABLE ? reachable : yardstick.policy();
     Map<Group, RunPlan> missing = new LinkedHashMap<>();
     plans.forEach(plan -> missing.putIfAbsent(Group.of(plan), plan.withPolicy(policy)));
     plans.stream()
-        .filter(plan -> plan.policy().equals(policy))
+        .filter(plan -> yardstick.isRunBy(plan.policy()))
         .forEach(plan -> missing.remove(Group.of(plan)));
     return List.copyOf(missing.values());
   }

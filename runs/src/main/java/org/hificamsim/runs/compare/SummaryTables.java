@@ -35,6 +35,8 @@ public final class SummaryTables {
   private static final Figure PROPORTION = share(Yardstick.OPTIMAL);
   private static final Figure OF_BOUND = share(Yardstick.BOUND);
 
+  private static final Figure OF_REACHABLE = share(Yardstick.REACHABLE);
+
   /** In the row of the optimum, this is the value of adapting. */
   private static final Figure OVER_FIXED = share(Yardstick.BEST_FIXED);
 
@@ -149,7 +151,12 @@ public final class SummaryTables {
   private static List<Figure> shown(List<CaseResult> cases) {
     List<Figure> shown =
         new ArrayList<>(
-            List.of(isOfKMin(cases) ? PERFORMANCE : SCORE, PROPORTION, OF_BOUND, OVER_FIXED));
+            List.of(
+                isOfKMin(cases) ? PERFORMANCE : SCORE,
+                PROPORTION,
+                OF_BOUND,
+                OF_REACHABLE,
+                OVER_FIXED));
     for (Yardstick yardstick : Yardstick.values()) {
       shown.removeIf(figure -> figure.metric == yardstick.share() && !yardstick.isIn(cases));
     }

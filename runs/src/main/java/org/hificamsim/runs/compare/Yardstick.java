@@ -27,7 +27,13 @@ public enum Yardstick {
       "the best fixed configuration",
       "over best-fixed",
       ScoredRun::bestFixed,
-      Metric.VALUE_OF_LEARNING);
+      Metric.VALUE_OF_LEARNING),
+  /** What cameras could have scored in time: a plan that does, and a bound, which is compared. */
+  REACHABLE(
+      "what cameras could reach in time",
+      "of what was reachable, at least",
+      run -> run.reachable().atMost(),
+      Metric.PROPORTION_OF_REACHABLE);
 
   private final String noun;
   private final String title;
@@ -48,7 +54,7 @@ public enum Yardstick {
 
   /** Whether a policy is a yardstick, and not one that a network could use. */
   static boolean isYardstick(String policy) {
-    return Arrays.stream(values()).anyMatch(yardstick -> yardstick.policy().equals(policy));
+    return Arrays.stream(values()).anyMatch(yardstick -> yardstick.isRunBy(policy));
   }
 
   /** The metric by which the policies of some cases are compared. */
@@ -66,6 +72,12 @@ public enum Yardstick {
     return Spelling.of(this);
   }
 
+  /** Whether a policy, with its options, is the one that is run. */
+  boolean isRunBy(String policyText) {
+    return policyText.equals(policy())
+        || (this == REACHABLE && policyText.startsWith(policy() + ":"));
+  }
+
   /** The name within a sentence. */
   public String noun() {
     return noun;
@@ -78,7 +90,7 @@ public enum Yardstick {
 
   /** Whether the score is a bound, and not that of a configuration. */
   public boolean isBound() {
-    return this == BOUND;
+    return this == BOUND || this == REACHABLE;
   }
 
   /** The score of the yardstick next to a run; NaN if it was not run. */

@@ -1,0 +1,135 @@
+package org.hificamsim.agents.optimal;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.hificamsim.agents.ways.TravelTimes;
+import org.hificamsim.agents.ways.WaySolver;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.policy.BoundedZoomPolicy;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * What these cameras could have scored, with the time that their moves take, if everything had been
+ * known in advance: it plays a plan of all ways ({@link WaySolver}), and bounds what any policy
+ * could have scored. Where no move takes time it is {@link OptimalZoomPolicy}.
+ */
+public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZoomPolicy {
+  private static final int DEFAULT_ITERATIONS = 400;
+  private static final int MAX_SECONDS = 1_000_000;
+  private static final double NANOS = 1e9;
+
+  private final int iterations;
+  private final int seconds;
+  private final RunDetections run = new RunDetections();
+  private final OptimalZoomPolicy optimal =
+      new OptimalZoomPolicy(AbstractExactZoomPolicy.DEFAULT_NODES);
+  private List<BitSet> online;
+  private boolean takesTime;
+  private WaySolver solver;
+  private boolean endedByTime;
+  private int step;
+
+  /** Reads the options {@code iterations} and {@code time}. */
+  public ReachableZoomPolicy(Options options) {
+    iterations =
+        options.integer(
+            "iterations", DEFAULT_ITERATIONS, 0, Integer.MAX_VALUE, "of the search for a bound");
+    seconds =
+        options.integer(
+            "time", 0, 0, MAX_SECONDS, "seconds after which the search for a bound ends; 0 never");
+  }
+
+  @Override
+  public String name() {
+    return "reachable";
+  }
+
+  @Override
+  public void rehearse(OracleView network) {
+    run.add(network);
+  }
+
+  @Override
+  public void begin(OracleView network, SplittableRandom random) {
+    optimal.begin(network, random);
+    online = run.online();
+  }
+
+  @Override
+  public void decide(OracleView network, int[] views) {
+    if (step == 0) {
+      prepare(network);
+    }
+    if (!takesTime) {
+      optimal.decide(network, views);
+    } else {
+      for (int camera = 0; camera < network.cameras(); camera++) {
+        checkOnline(network, camera);
+        views[camera] = network.online(camera) ? solver.goals(camera)[step] : views[camera];
+      }
+    }
+    step++;
+  }
+
+  private void prepare(OracleView network) {
+    List<TravelTimes> times = new ArrayList<>();
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      times.add(times(network, camera));
+      takesTime |= times.get(camera).takesTime();
+    }
+    if (takesTime) {
+      solver = new WaySolver(run.ways(times));
+      long start = System.nanoTime();
+      endedByTime =
+          !solver.solve(
+              iterations, () -> seconds > 0 && (System.nanoTime() - start) / NANOS >= seconds);
+    }
+  }
+
+  private static TravelTimes times(OracleView network, int camera) {
+    int views = network.views(camera);
+    int[] blindSteps = new int[views * views];
+    for (int from = 0; from < views; from++) {
+      for (int to = 0; to < views; to++) {
+        blindSteps[from * views + to] = network.stepsBetween(camera, from, to);
+      }
+    }
+    TravelTimes times = new TravelTimes(network.view(camera), views, blindSteps);
+    if (times.takesTime() && !network.movesBlindly(camera)) {
+      throw InputException.of(
+          "camera %s sees while it moves, expected moving=\"blind\" with policy reachable, whose"
+              + " bound does not count what is seen on the way",
+          network.cameraName(camera));
+    }
+    return times;
+  }
+
+  /** A battery that is empty sooner or later than in the rehearsal would make the bound wrong. */
+  private void checkOnline(OracleView network, int camera) {
+    if (online.get(camera).get(step) != network.online(camera)) {
+      throw InputException.of(
+          "camera %s is on or off in step %s as its moves decide, expected cameras without"
+              + " batteries with policy reachable",
+          network.cameraName(camera), step);
+    }
+  }
+
+  @Override
+  public double reachableGap() {
+    return takesTime ? solver.bound() - solver.score() : optimal.gap();
+  }
+
+  @Override
+  public boolean endedByTime() {
+    return endedByTime;
+  }
+
+  /** The score of the plan, which the run reaches; NaN where it is the optimum of each step. */
+  double planScore() {
+    return takesTime ? solver.score() : Double.NaN;
+  }
+}

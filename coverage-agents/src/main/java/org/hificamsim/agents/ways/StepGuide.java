@@ -1,0 +1,99 @@
+package org.hificamsim.agents.ways;
+
+import org.hificamsim.core.metrics.Objective;
+
+/**
+ * What a further camera's set is worth in a step: the change of the score, and a share of the way
+ * to the next change, so that cameras meet where only several of them gain anything.
+ */
+final class StepGuide {
+  private static final double FALL = 0.25;
+  private static final int LEVELS = 16;
+
+  private final WayProblem problem;
+  private final boolean byLeast;
+  private final boolean isShare;
+  private final Worth score;
+  private final Worth progress;
+  private final int[] added;
+
+  StepGuide(WayProblem problem) {
+    this.problem = problem;
+    Objective objective = problem.objective();
+    byLeast = isByLeast(objective);
+    isShare = objective.isShare();
+    score = byLeast ? null : worth(objective, problem.cameras());
+    progress = byLeast ? falling() : progress(score);
+    added = new int[problem.momentCount()];
+  }
+
+  /** Whether the score is the least k of a target. */
+  static boolean isByLeast(Objective objective) {
+    return objective.byLeast() || objective.countsCoverableOnly();
+  }
+
+  /** What a target adds to the sum of a step's score, before it is divided for a share. */
+  static Worth worth(Objective objective, int cameras) {
+    long[] table = objective.worths(cameras, 1).get(0);
+    int last = table.length - 1;
+    while (last > 0 && table[last] == table[last - 1]) {
+      last--;
+    }
+    double[] values = new double[last + 1];
+    for (int k = 0; k <= last; k++) {
+      values[k] = table[k];
+    }
+    return new Worth(values);
+  }
+
+  private static Worth falling() {
+    double[] values = new double[LEVELS];
+    double gain = 1;
+    for (int k = 1; k < LEVELS; k++) {
+      values[k] = values[k - 1] + gain;
+      gain *= FALL;
+    }
+    return new Worth(values);
+  }
+
+  private static Worth progress(Worth score) {
+    double[] values = new double[score.values().length];
+    for (int k = 1; k < values.length; k++) {
+      values[k] = score.of(values.length) * k / (values.length - 1);
+    }
+    return new Worth(values);
+  }
+
+  /** What a set adds to a step with this coverage, progress weighed by a share. */
+  double gain(int step, int set, int[] coverage, double share) {
+    int count = problem.end(step) - problem.start(step);
+    double scoreGain = byLeast ? leastGain(step, set, coverage) : sum(score, set, coverage);
+    double scale = isShare || byLeast ? count : 1;
+    double progressGain = share == 0 ? 0 : share * sum(progress, set, coverage) / scale;
+    return (byLeast ? scoreGain : scoreGain / scale) + progressGain;
+  }
+
+  private double sum(Worth worth, int set, int[] coverage) {
+    double sum = 0;
+    for (int moment : problem.moments(set)) {
+      sum += worth.gain(coverage[moment]);
+    }
+    return sum;
+  }
+
+  private double leastGain(int step, int set, int[] coverage) {
+    for (int moment : problem.moments(set)) {
+      added[moment] = 1;
+    }
+    int before = Integer.MAX_VALUE;
+    int after = Integer.MAX_VALUE;
+    for (int moment = problem.start(step); moment < problem.end(step); moment++) {
+      before = Math.min(before, coverage[moment]);
+      after = Math.min(after, coverage[moment] + added[moment]);
+    }
+    for (int moment : problem.moments(set)) {
+      added[moment] = 0;
+    }
+    return after - before;
+  }
+}
