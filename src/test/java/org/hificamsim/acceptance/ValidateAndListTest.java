@@ -199,7 +199,13 @@ class ValidateAndListTest {
             .toList();
     assertEquals(
         List.of(
-            "independent-greedy", "optimal", "bound", "optimal-expected", "one-hop", "best-fixed"),
+            "independent-greedy",
+            "optimal",
+            "bound",
+            "optimal-expected",
+            "one-hop",
+            "best-fixed",
+            "reachable"),
         bounds);
   }
 

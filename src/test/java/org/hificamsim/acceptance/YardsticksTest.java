@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -110,6 +111,27 @@ class YardsticksTest {
     assertTrue(metric(byBound, "regret").isEmpty());
     assertEquals("proportion_of_bound", rows(byBound, "pairs.csv").get(0).get("metric"));
     assertEquals("proportion_of_bound", rows(byBound, "aggregate.csv").get(0).get("metric"));
+  }
+
+  @Test
+  void reachableIsAnIntervalBelowTheOptimum() throws IOException {
+    Path reachable = folder.resolve("reachable");
+    Cli compare = compare(reachable, "--yardsticks", "reachable:iterations=20");
+    assertEquals(0, compare.exit(), compare.err());
+    assertEquals(
+        String.join(", ", Collections.nCopies(3, "reachable reached, reachable at most")),
+        yardsticks(reachable));
+    double[] scores = column(reachable, "yardsticks.csv", "score");
+    double[] optima = column(byDefault, "yardsticks.csv", "score");
+    for (int seed = 0; seed < 3; seed++) {
+      assertTrue(scores[2 * seed] <= scores[2 * seed + 1]);
+      assertTrue(scores[2 * seed] <= optima[seed] + 1e-9);
+    }
+    for (Map<String, String> row : rows(reachable, "results.csv")) {
+      double share = Double.parseDouble(row.get("proportion_of_reachable"));
+      assertTrue(share >= 0 && share <= 1, row.toString());
+    }
+    assertTrue(compare.out().contains("of what was reachable, at least"), compare.out());
   }
 
   @Test

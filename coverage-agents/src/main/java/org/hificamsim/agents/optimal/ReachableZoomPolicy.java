@@ -18,7 +18,7 @@ import org.hificamsim.core.registry.Options;
  * could have scored. Where no move takes time it is {@link OptimalZoomPolicy}.
  */
 public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZoomPolicy {
-  private static final int DEFAULT_ITERATIONS = 400;
+  private static final int DEFAULT_ITERATIONS = 150;
   private static final int MAX_SECONDS = 1_000_000;
   private static final double NANOS = 1e9;
 
@@ -129,7 +129,7 @@ public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZo
   }
 
   /** The score of the plan, which the run reaches; NaN where it is the optimum of each step. */
-  double planScore() {
+  public double planScore() {
     return takesTime ? solver.score() : Double.NaN;
   }
 }

@@ -13,7 +13,7 @@ import java.util.function.BooleanSupplier;
  * 0 give the sum of the steps' optima, so that the bound never exceeds that.
  */
 public final class WaySolver {
-  private static final long STEP_NODES = 400;
+  private static final long STEP_NODES = 6_000;
   private static final double MEMORY = 0.7;
   private static final int PATIENCE = 4;
   private static final double FIRST_PACE = 0.15;

@@ -9,6 +9,7 @@ import {distinct, rowsOf, sortable} from './table.js';
 const FAVOURITES = [
   'proportion_of_optimal',
   'proportion_of_bound',
+  'proportion_of_reachable',
   'performance',
   'covered_k',
   'mean_k',

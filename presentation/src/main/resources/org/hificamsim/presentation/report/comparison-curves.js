@@ -159,17 +159,20 @@ function yardstickLines(yardsticks, settings, scenario, detections) {
   const steps = settings.find(entry => entry.scenario === scenario)?.steps;
   return distinct(rows, 'yardstick').flatMap(name =>
     distinct(rows, 'detection').map(detection => {
-      const scores = rows
-        .filter(row => row.yardstick === name && row.detection === detection)
-        .map(row => Number(row.score) / steps);
+      const own = rows.filter(row => row.yardstick === name && row.detection === detection);
+      const bounds = meanScore(own.filter(row => row.is === 'at most')) / steps;
+      const reached = meanScore(own.filter(row => row.is !== 'at most')) / steps;
       return {
         name,
-        score: scores.reduce((sum, score) => sum + score, 0) / scores.length,
+        score: Number.isNaN(bounds) ? reached : bounds,
+        reached,
         dash: DASHES[detections.indexOf(detection) % DASHES.length].line,
       };
     }),
   );
 }
+
+const meanScore = rows => rows.reduce((sum, row) => sum + Number(row.score), 0) / rows.length;
 
 /** Writes the names of yardsticks at the ends of their lines, lower where they would overlap. */
 function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, lines) {
@@ -184,11 +187,16 @@ function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, lines) {
       : [],
   );
   let last = -Infinity;
-  for (const {name, score, dash} of [...curves, ...lines].sort((a, b) => b.score - a.score)) {
+  for (const {name, score, reached, dash} of [...curves, ...lines].sort((a, b) => b.score - a.score)) {
     const y = valToPos(score, 'y', true);
     if (dash) {
       ctx.setLineDash(dash.length ? dash : [1, 0]);
       ctx.strokeRect(bbox.left, y, bbox.width, 0);
+      if (reached < score) {
+        ctx.globalAlpha = 0.15; // the interval between a plan and a bound
+        ctx.fillRect(bbox.left, y, bbox.width, valToPos(reached, 'y', true) - y);
+        ctx.globalAlpha = 1;
+      }
     }
     last = Math.max(y, last + rem() * devicePixelRatio);
     ctx.fillText(name, bbox.left + bbox.width + 5, last);

@@ -26,7 +26,8 @@ public final class AggregateFiles {
 
   private static final String MEASURE =
       "what is compared: `proportion_of_optimal`; without the optimum as a yardstick"
-          + " `proportion_of_bound`, else `value_of_learning`, else `score`";
+          + " `proportion_of_bound`, else `value_of_learning`, else `proportion_of_reachable`,"
+          + " else `score`";
 
   /** Two policies under the same detection and in the same scenarios. */
   record PolicyPair(PolicyScores first, PolicyScores second) {
