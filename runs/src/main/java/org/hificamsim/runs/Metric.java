@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.BiPredicate;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -270,54 +269,40 @@ public enum Metric {
   /** How a run prints a metric: its title, the format of the number, and a note. */
   private record Line(String title, String format, String note) {}
 
-  /** How a metric is computed. */
-  private sealed interface Source {
-    /** From a run alone; NaN if the run does not have the metric. */
-    record OfRun(ToDoubleFunction<Measured> value) implements Source {}
-
-    /**
-     * From a run and the yardsticks of its comparison.
-     *
-     * @param applies whether a run has the metric; the flag tells whether its policy is the optimum
-     */
-    record OfComparison(
-        ToDoubleFunction<ScoreComparison> value, BiPredicate<ScoreComparison, Boolean> applies)
-        implements Source {}
-  }
-
   private final String unit;
   private final String meaning;
-  private final Source source;
+  private final MetricSource source;
   private final Line line;
 
-  Metric(String unit, String meaning, Source source) {
+  Metric(String unit, String meaning, MetricSource source) {
     this(unit, meaning, source, null);
   }
 
-  Metric(String unit, String meaning, Source source, Line line) {
+  Metric(String unit, String meaning, MetricSource source, Line line) {
     this.unit = unit;
     this.meaning = meaning;
     this.source = source;
     this.line = line;
   }
 
-  private static Source measured(ToDoubleFunction<Measured> value) {
-    return new Source.OfRun(value);
+  private static MetricSource measured(ToDoubleFunction<Measured> value) {
+    return new MetricSource.OfRun(value);
   }
 
-  private static Source compared(ToDoubleFunction<ScoreComparison> value) {
-    return new Source.OfComparison(value, (scores, isOptimum) -> true);
+  private static MetricSource compared(ToDoubleFunction<ScoreComparison> value) {
+    return new MetricSource.OfComparison(value, (scores, isOptimum) -> true);
   }
 
   /** A metric of runs whose comparison has a yardstick: its score is not NaN. */
-  private static Source compared(
+  private static MetricSource compared(
       ToDoubleFunction<ScoreComparison> yardstick, ToDoubleFunction<ScoreComparison> value) {
-    return new Source.OfComparison(
+    return new MetricSource.OfComparison(
         value, (scores, isOptimum) -> !Double.isNaN(yardstick.applyAsDouble(scores)));
   }
 
-  private static Source overBestFixed(boolean ofOptimum, ToDoubleFunction<ScoreComparison> value) {
-    return new Source.OfComparison(
+  private static MetricSource overBestFixed(
+      boolean ofOptimum, ToDoubleFunction<ScoreComparison> value) {
+    return new MetricSource.OfComparison(
         value, (scores, isOptimum) -> !Double.isNaN(scores.bestFixed()) && isOptimum == ofOptimum);
   }
 
@@ -325,7 +310,7 @@ public enum Metric {
   static EnumMap<Metric, Double> measure(Measured run) {
     EnumMap<Metric, Double> values = new EnumMap<>(Metric.class);
     for (Metric metric : values()) {
-      if (metric.source instanceof Source.OfRun source) {
+      if (metric.source instanceof MetricSource.OfRun source) {
         double value = source.value.applyAsDouble(run);
         if (!Double.isNaN(value)) {
           values.put(metric, value);
@@ -342,17 +327,17 @@ public enum Metric {
 
   /** Whether a run has the metric on its own; else it needs the yardsticks of a comparison. */
   boolean isOfRun() {
-    return source instanceof Source.OfRun;
+    return source instanceof MetricSource.OfRun;
   }
 
   /** Whether a run of a comparison has the metric, perhaps without a value. */
   boolean appliesTo(ScoreComparison scores, boolean isOptimum) {
-    return ((Source.OfComparison) source).applies.test(scores, isOptimum);
+    return ((MetricSource.OfComparison) source).applies.test(scores, isOptimum);
   }
 
   /** The value from a comparison; NaN if there is none. */
   double of(ScoreComparison scores) {
-    return ((Source.OfComparison) source).value.applyAsDouble(scores);
+    return ((MetricSource.OfComparison) source).value.applyAsDouble(scores);
   }
 
   /** Whether the metric says how far the policy's claim to be the best is proven. */

@@ -4,7 +4,4 @@ package org.hificamsim.core.policy;
 public interface BoundedZoomPolicy extends ZoomPolicy {
   /** How far the bound exceeds the score that the policy reaches; known once the run has begun. */
   double reachableGap();
-
-  /** Whether a clock ended the search for the bound, so that another run may find another one. */
-  boolean endedByTime();
 }

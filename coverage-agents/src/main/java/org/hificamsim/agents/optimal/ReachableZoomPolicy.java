@@ -19,28 +19,21 @@ import org.hificamsim.core.registry.Options;
  */
 public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZoomPolicy {
   private static final int DEFAULT_ITERATIONS = 150;
-  private static final int MAX_SECONDS = 1_000_000;
-  private static final double NANOS = 1e9;
 
   private final int iterations;
-  private final int seconds;
   private final RunDetections run = new RunDetections();
   private final OptimalZoomPolicy optimal =
       new OptimalZoomPolicy(AbstractExactZoomPolicy.DEFAULT_NODES);
   private List<BitSet> online;
   private boolean takesTime;
   private WaySolver solver;
-  private boolean endedByTime;
   private int step;
 
-  /** Reads the options {@code iterations} and {@code time}. */
+  /** Reads the option {@code iterations}. */
   public ReachableZoomPolicy(Options options) {
     iterations =
         options.integer(
             "iterations", DEFAULT_ITERATIONS, 0, Integer.MAX_VALUE, "of the search for a bound");
-    seconds =
-        options.integer(
-            "time", 0, 0, MAX_SECONDS, "seconds after which the search for a bound ends; 0 never");
   }
 
   @Override
@@ -83,10 +76,7 @@ public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZo
     }
     if (takesTime) {
       solver = new WaySolver(run.ways(times));
-      long start = System.nanoTime();
-      endedByTime =
-          !solver.solve(
-              iterations, () -> seconds > 0 && (System.nanoTime() - start) / NANOS >= seconds);
+      solver.solve(iterations);
     }
   }
 
@@ -121,11 +111,6 @@ public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZo
   @Override
   public double reachableGap() {
     return takesTime ? solver.bound() - solver.score() : optimal.gap();
-  }
-
-  @Override
-  public boolean endedByTime() {
-    return endedByTime;
   }
 
   /** The score of the plan, which the run reaches; NaN where it is the optimum of each step. */

@@ -41,7 +41,7 @@ final class PricedCameras {
   }
 
   /** Selects the sets of a step, and groups its cameras. */
-  void fill(int step, double[] prices, Worth worth) {
+  void fill(int step, double[] prices, StepWorth worth) {
     Arrays.fill(cameraOf, -1);
     Arrays.fill(lastCamera, -1);
     int start = problem.start(step);

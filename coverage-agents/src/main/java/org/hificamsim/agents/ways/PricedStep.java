@@ -11,7 +11,7 @@ final class PricedStep {
   private final WayProblem problem;
   private final PricedCameras priced;
   private final GroupTree[] trees;
-  private final Worth scoreWorth;
+  private final StepWorth scoreWorth;
   private final boolean byLeast;
   private final boolean isShare;
   private final int[] trial;
@@ -70,18 +70,18 @@ final class PricedStep {
     return best;
   }
 
-  private Worth scaled(double scale) {
-    return new Worth(Arrays.stream(scoreWorth.values()).map(value -> value * scale).toArray());
+  private StepWorth scaled(double scale) {
+    return new StepWorth(Arrays.stream(scoreWorth.values()).map(value -> value * scale).toArray());
   }
 
   /** Worths at which a camera that is missing for a least k costs as much as this k is worth. */
-  private static Worth covering(int least) {
+  private static StepWorth covering(int least) {
     double[] values = new double[least + 1];
     Arrays.setAll(values, k -> (double) least * k);
-    return new Worth(values);
+    return new StepWorth(values);
   }
 
-  private double solve(int step, double[] prices, Worth worth, GroupTree tree, int[] result) {
+  private double solve(int step, double[] prices, StepWorth worth, GroupTree tree, int[] result) {
     priced.fill(step, prices, worth);
     double sum = 0;
     for (int camera = 0; camera < problem.cameras(); camera++) {

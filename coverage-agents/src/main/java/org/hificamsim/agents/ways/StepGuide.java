@@ -13,8 +13,8 @@ final class StepGuide {
   private final WayProblem problem;
   private final boolean byLeast;
   private final boolean isShare;
-  private final Worth score;
-  private final Worth progress;
+  private final StepWorth score;
+  private final StepWorth progress;
   private final int[] added;
 
   StepGuide(WayProblem problem) {
@@ -33,7 +33,7 @@ final class StepGuide {
   }
 
   /** What a target adds to the sum of a step's score, before it is divided for a share. */
-  static Worth worth(Objective objective, int cameras) {
+  static StepWorth worth(Objective objective, int cameras) {
     long[] table = objective.worths(cameras, 1).get(0);
     int last = table.length - 1;
     while (last > 0 && table[last] == table[last - 1]) {
@@ -43,25 +43,25 @@ final class StepGuide {
     for (int k = 0; k <= last; k++) {
       values[k] = table[k];
     }
-    return new Worth(values);
+    return new StepWorth(values);
   }
 
-  private static Worth falling() {
+  private static StepWorth falling() {
     double[] values = new double[LEVELS];
     double gain = 1;
     for (int k = 1; k < LEVELS; k++) {
       values[k] = values[k - 1] + gain;
       gain *= FALL;
     }
-    return new Worth(values);
+    return new StepWorth(values);
   }
 
-  private static Worth progress(Worth score) {
+  private static StepWorth progress(StepWorth score) {
     double[] values = new double[score.values().length];
     for (int k = 1; k < values.length; k++) {
       values[k] = score.of(values.length) * k / (values.length - 1);
     }
-    return new Worth(values);
+    return new StepWorth(values);
   }
 
   /** What a set adds to a step with this coverage, progress weighed by a share. */
@@ -73,7 +73,7 @@ final class StepGuide {
     return (byLeast ? scoreGain : scoreGain / scale) + progressGain;
   }
 
-  private double sum(Worth worth, int set, int[] coverage) {
+  private double sum(StepWorth worth, int set, int[] coverage) {
     double sum = 0;
     for (int moment : problem.moments(set)) {
       sum += worth.gain(coverage[moment]);

@@ -1,7 +1,6 @@
 package org.hificamsim.agents.ways;
 
 import java.util.Arrays;
-import java.util.function.BooleanSupplier;
 
 /**
  * The most that cameras can score in a run if their moves take time: a plan, and a bound that no
@@ -49,22 +48,17 @@ public final class WaySolver {
   }
 
   /**
-   * Searches.
+   * Searches until the plan is proven to be the best, or for so many iterations.
    *
    * @param maxIterations of the bound, 0 or more
-   * @param timeIsUp asked before each iteration
-   * @return whether all iterations were made, or the plan is proven to be the best
    */
-  public boolean solve(int maxIterations, BooleanSupplier timeIsUp) {
+  public void solve(int maxIterations) {
     for (int seed = 0; seed < ORDERS; seed++) {
       planner.planFromNothing(seed);
     }
     double pace = FIRST_PACE;
     int waited = 0;
     while (iterations < maxIterations && !isProven()) {
-      if (timeIsUp.getAsBoolean()) {
-        return false;
-      }
       double value = bound(prices, direction);
       waited++;
       if (value < bound) {
@@ -85,7 +79,6 @@ public final class WaySolver {
       changePrices(pace * (value - score()));
       iterations++;
     }
-    return true;
   }
 
   /** Goes on from the best prices, more slowly. */
@@ -153,11 +146,6 @@ public final class WaySolver {
   /** The prices of the bound, by set. */
   public double[] prices() {
     return Arrays.copyOf(bestPrices, bestPrices.length);
-  }
-
-  /** The iterations that were made. */
-  public int iterations() {
-    return iterations;
   }
 
   /** By step, the view that the plan sends a camera to. */

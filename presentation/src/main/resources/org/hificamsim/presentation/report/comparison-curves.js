@@ -187,7 +187,9 @@ function nameYardsticks({ctx, data, bbox, series, valToPos}, shown, lines) {
       : [],
   );
   let last = -Infinity;
-  for (const {name, score, reached, dash} of [...curves, ...lines].sort((a, b) => b.score - a.score)) {
+  for (const {name, score, reached, dash} of [...curves, ...lines].sort(
+    (a, b) => b.score - a.score,
+  )) {
     const y = valToPos(score, 'y', true);
     if (dash) {
       ctx.setLineDash(dash.length ? dash : [1, 0]);

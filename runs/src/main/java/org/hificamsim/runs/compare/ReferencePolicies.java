@@ -72,7 +72,7 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
     return new ReferencePolicies(asked, reachable);
   }
 
-  /** Splits at commas; a part such as {@code time=5} is an option of the name before it. */
+  /** Splits at commas; a part such as {@code b=2} is an option of the name before it. */
   private static List<String> names(String text) {
     List<String> names = new ArrayList<>();
     for (String part : text.split(",", -1)) {

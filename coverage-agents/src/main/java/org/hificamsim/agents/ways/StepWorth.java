@@ -4,7 +4,7 @@ package org.hificamsim.agents.ways;
  * What a target adds to the sum of a step, by the number of cameras that detect it: a table that
  * never falls.
  */
-record Worth(double[] values) {
+record StepWorth(double[] values) {
   double of(int k) {
     return values[Math.min(k, values.length - 1)];
   }

@@ -1,0 +1,249 @@
+package org.hificamsim.agents.ways;
+
+import java.util.Arrays;
+
+/**
+ * A group of cameras in a step and the prices of its targets (Lagrangian relaxation): each camera
+ * offers its most profitable set, and each target buys as many cameras as are worth its price. Any
+ * prices bound the worth of the targets less the prices of the sets.
+ */
+abstract class GroupPrices {
+  private static final int ROUNDS = 12;
+  static final double TOLERANCE = 1e-9;
+
+  final WayProblem problem;
+  final PricedCameras priced;
+
+  /** By moment: its price, kept from call to call, and the best one of a call. */
+  final double[] targetPrices;
+
+  private final double[] bestTargetPrices;
+  final int[] coverage;
+
+  final int[] cameras;
+  final int[] chosen;
+  private final int[] best;
+  final double[] cameraProfit;
+  final int[] moments;
+  final double[] mark;
+  final boolean[] seen;
+
+  StepWorth worth;
+  double[] prices;
+  int cameraCount;
+  int momentCount;
+  double bestValue;
+
+  GroupPrices(WayProblem problem, PricedCameras priced) {
+    this.problem = problem;
+    this.priced = priced;
+    targetPrices = new double[problem.momentCount()];
+    Arrays.fill(targetPrices, Double.NaN);
+    bestTargetPrices = new double[problem.momentCount()];
+    coverage = new int[problem.momentCount()];
+    mark = new double[problem.momentCount()];
+    seen = new boolean[problem.momentCount()];
+    cameras = new int[problem.cameras()];
+    chosen = new int[problem.cameras()];
+    best = new int[problem.cameras()];
+    cameraProfit = new double[problem.cameras()];
+    moments = new int[problem.maxMoments()];
+  }
+
+  /**
+   * Solves the problem of a group.
+   *
+   * @param group its number
+   * @param used receives the set that each camera of the group detects best
+   * @return an upper bound of the value; the value itself if the search ends within the nodes
+   */
+  double solve(int group, StepWorth newWorth, double[] newPrices, long nodes, int[] used) {
+    worth = newWorth;
+    prices = newPrices;
+    collect(group);
+    bestValue = 0;
+    Arrays.fill(best, 0, cameraCount, WayProblem.NOTHING);
+    double bound = tune();
+    if (bound > bestValue + TOLERANCE) {
+      bound = Math.min(bound, close(bound, nodes));
+    }
+    for (int i = 0; i < cameraCount; i++) {
+      used[cameras[i]] = best[i];
+    }
+    return Math.max(bound, bestValue);
+  }
+
+  private void collect(int group) {
+    cameraCount = 0;
+    momentCount = 0;
+    for (int camera = 0; camera < problem.cameras(); camera++) {
+      if (priced.setCount(camera) > 0 && priced.group(camera) == group) {
+        cameras[cameraCount++] = camera;
+        for (int i = 0; i < priced.setCount(camera); i++) {
+          collectMoments(priced.set(camera, i));
+        }
+      }
+    }
+    for (int i = 0; i < momentCount; i++) {
+      seen[moments[i]] = false;
+    }
+  }
+
+  private void collectMoments(int set) {
+    for (int moment : problem.moments(set)) {
+      if (!seen[moment]) {
+        seen[moment] = true;
+        moments[momentCount++] = moment;
+        coverage[moment] = 0;
+        double most = worth.slope(0, priced.maxCoverage(moment));
+        double price = targetPrices[moment];
+        targetPrices[moment] = Double.isNaN(price) ? most / 2 : Math.min(price, most);
+      }
+    }
+  }
+
+  /** Changes the prices of targets against the bound; returns the least one. */
+  private double tune() {
+    double least = Double.POSITIVE_INFINITY;
+    double pace = 1;
+    for (int round = 0; round < ROUNDS && least > bestValue + TOLERANCE; round++) {
+      double bound = offer();
+      if (bound < least) {
+        least = bound;
+        copyPrices(targetPrices, bestTargetPrices);
+      } else {
+        pace /= 2;
+      }
+      improve();
+      changePrices(pace * (bound - bestValue));
+    }
+    copyPrices(bestTargetPrices, targetPrices);
+    return least;
+  }
+
+  private void copyPrices(double[] from, double[] to) {
+    for (int i = 0; i < momentCount; i++) {
+      to[moments[i]] = from[moments[i]];
+    }
+  }
+
+  /** Every camera offers its most profitable set; returns the bound by the present prices. */
+  final double offer() {
+    clearCoverage();
+    double bound = 0;
+    for (int i = 0; i < cameraCount; i++) {
+      chosen[i] = WayProblem.NOTHING;
+      double greatest = 0;
+      for (int index = 0; index < priced.setCount(cameras[i]); index++) {
+        int set = priced.set(cameras[i], index);
+        double profit = profit(set);
+        if (profit > greatest) {
+          greatest = profit;
+          chosen[i] = set;
+        }
+      }
+      cameraProfit[i] = greatest;
+      bound += greatest;
+      count(chosen[i], 1);
+    }
+    for (int i = 0; i < momentCount; i++) {
+      int moment = moments[i];
+      bound += worth.profit(0, priced.maxCoverage(moment), targetPrices[moment]);
+      mark[moment] =
+          worth.demand(0, priced.maxCoverage(moment), targetPrices[moment]) - coverage[moment];
+    }
+    return bound;
+  }
+
+  final double profit(int set) {
+    double profit = -prices[set];
+    for (int moment : problem.moments(set)) {
+      profit += targetPrices[moment];
+    }
+    return profit;
+  }
+
+  private void changePrices(double surplus) {
+    double norm = 0;
+    for (int i = 0; i < momentCount; i++) {
+      norm += mark[moments[i]] * mark[moments[i]];
+    }
+    for (int i = 0; i < momentCount; i++) {
+      int moment = moments[i];
+      double change = norm == 0 ? 0 : surplus * mark[moment] / norm;
+      double most = worth.slope(0, priced.maxCoverage(moment));
+      targetPrices[moment] = Math.min(most, Math.max(0, targetPrices[moment] + change));
+    }
+  }
+
+  final void clearCoverage() {
+    for (int i = 0; i < momentCount; i++) {
+      coverage[moments[i]] = 0;
+    }
+  }
+
+  final void count(int set, int change) {
+    for (int moment : problem.moments(set)) {
+      coverage[moment] += change;
+    }
+  }
+
+  /** Exchanges sets from those that are offered as long as the value rises. */
+  private void improve() {
+    boolean better = true;
+    for (int pass = 0; better && pass < 4; pass++) {
+      better = false;
+      for (int i = 0; i < cameraCount; i++) {
+        int before = chosen[i];
+        count(before, -1);
+        chosen[i] = mostGaining(cameras[i], before);
+        count(chosen[i], 1);
+        better |= chosen[i] != before;
+      }
+    }
+    keep();
+  }
+
+  private int mostGaining(int camera, int before) {
+    double greatest = before == WayProblem.NOTHING ? 0 : gain(before);
+    int most = greatest > 0 ? before : WayProblem.NOTHING;
+    greatest = Math.max(0, greatest);
+    for (int index = 0; index < priced.setCount(camera); index++) {
+      double gain = gain(priced.set(camera, index));
+      if (gain > greatest + TOLERANCE) {
+        greatest = gain;
+        most = priced.set(camera, index);
+      }
+    }
+    return most;
+  }
+
+  private double gain(int set) {
+    double gain = -prices[set];
+    for (int moment : problem.moments(set)) {
+      gain += worth.gain(coverage[moment]);
+    }
+    return gain;
+  }
+
+  final void keep() {
+    double value = 0;
+    for (int i = 0; i < momentCount; i++) {
+      value += worth.of(coverage[moments[i]]);
+    }
+    for (int i = 0; i < cameraCount; i++) {
+      value -= prices[chosen[i]];
+    }
+    if (value > bestValue) {
+      bestValue = value;
+      System.arraycopy(chosen, 0, best, 0, cameraCount);
+    }
+  }
+
+  /**
+   * Looks for the value within the bound.
+   *
+   * @return a bound of the value; the value itself if the search ends within the nodes
+   */
+  abstract double close(double bound, long nodes);
+}
