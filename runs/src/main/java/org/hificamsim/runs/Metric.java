@@ -311,7 +311,7 @@ public enum Metric {
     EnumMap<Metric, Double> values = new EnumMap<>(Metric.class);
     for (Metric metric : values()) {
       if (metric.source instanceof MetricSource.OfRun source) {
-        double value = source.value.applyAsDouble(run);
+        double value = source.value().applyAsDouble(run);
         if (!Double.isNaN(value)) {
           values.put(metric, value);
         }
@@ -332,12 +332,12 @@ public enum Metric {
 
   /** Whether a run of a comparison has the metric, perhaps without a value. */
   boolean appliesTo(ScoreComparison scores, boolean isOptimum) {
-    return ((MetricSource.OfComparison) source).applies.test(scores, isOptimum);
+    return ((MetricSource.OfComparison) source).applies().test(scores, isOptimum);
   }
 
   /** The value from a comparison; NaN if there is none. */
   double of(ScoreComparison scores) {
-    return ((MetricSource.OfComparison) source).value.applyAsDouble(scores);
+    return ((MetricSource.OfComparison) source).value().applyAsDouble(scores);
   }
 
   /** Whether the metric says how far the policy's claim to be the best is proven. */
