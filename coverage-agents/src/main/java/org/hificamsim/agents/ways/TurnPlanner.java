@@ -12,21 +12,21 @@ final class TurnPlanner {
   private static final int MAX_PASSES = 6;
 
   private final WayProblem problem;
-  private final WaySearch search;
+  private final DearestWay search;
   private final StepGuide guide;
   private final double[] rewards;
-  private final Ways trial;
-  private final Ways best;
+  private final CameraWays trial;
+  private final CameraWays best;
   private int[] coverage;
   private double bestScore = -1;
 
   TurnPlanner(WayProblem problem) {
     this.problem = problem;
-    search = new WaySearch(problem);
+    search = new DearestWay(problem);
     guide = new StepGuide(problem);
     rewards = new double[problem.sets()];
-    trial = new Ways(problem);
-    best = new Ways(problem);
+    trial = new CameraWays(problem);
+    best = new CameraWays(problem);
   }
 
   /** Plans from cameras without a way, in the order of a seed; 0 keeps their numbers. */
@@ -38,7 +38,7 @@ final class TurnPlanner {
   }
 
   /** Plans from given ways; progress counts from the first or a later share on. */
-  void planFrom(Ways ways, long seed, int firstShare) {
+  void planFrom(CameraWays ways, long seed, int firstShare) {
     trial.copy(ways);
     plan(order(seed), firstShare);
   }
@@ -91,7 +91,7 @@ final class TurnPlanner {
     }
   }
 
-  Ways best() {
+  CameraWays best() {
     return best;
   }
 

@@ -25,8 +25,8 @@ public final class WaySolver {
   private final WayProblem problem;
   private final TurnPlanner planner;
   private final PricedStep pricedStep;
-  private final WaySearch search;
-  private final Ways dearest;
+  private final DearestWay search;
+  private final CameraWays dearest;
   private final double[] prices;
   private final double[] bestPrices;
   private final double[] direction;
@@ -39,8 +39,8 @@ public final class WaySolver {
     this.problem = problem;
     planner = new TurnPlanner(problem);
     pricedStep = new PricedStep(problem, STEP_NODES);
-    search = new WaySearch(problem);
-    dearest = new Ways(problem);
+    search = new DearestWay(problem);
+    dearest = new CameraWays(problem);
     prices = new double[problem.sets()];
     bestPrices = new double[problem.sets()];
     direction = new double[problem.sets()];

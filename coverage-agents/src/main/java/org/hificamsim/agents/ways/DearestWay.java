@@ -7,7 +7,7 @@ import java.util.Arrays;
  * programming over the steps in which it is online and the views in which it has arrived. Of equal
  * ways it takes one that stays where it is.
  */
-final class WaySearch {
+final class DearestWay {
   private static final int START = -1;
 
   private final WayProblem problem;
@@ -22,7 +22,7 @@ final class WaySearch {
   private TravelTimes times;
   private int[] steps;
 
-  WaySearch(WayProblem problem) {
+  DearestWay(WayProblem problem) {
     this.problem = problem;
   }
 
@@ -32,7 +32,7 @@ final class WaySearch {
    * @param rewards by set, 0 or more
    * @return the sum of its rewards
    */
-  double search(int newCamera, double[] rewards, Ways ways) {
+  double search(int newCamera, double[] rewards, CameraWays ways) {
     camera = newCamera;
     times = problem.times(camera);
     steps = problem.onlineSteps(camera);
@@ -73,7 +73,7 @@ final class WaySearch {
     return step == START && view == times.home() ? 0 : Double.NEGATIVE_INFINITY;
   }
 
-  private double trace(Ways ways) {
+  private double trace(CameraWays ways) {
     int step = steps.length - 1;
     int view = 0;
     for (int other = 1; other < times.views(); other++) {

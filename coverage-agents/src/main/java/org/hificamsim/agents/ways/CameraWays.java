@@ -3,7 +3,7 @@ package org.hificamsim.agents.ways;
 import java.util.Arrays;
 
 /** The way of each camera: where it is sent, and what it detects, in each step. */
-final class Ways {
+final class CameraWays {
   private final WayProblem problem;
 
   /** By camera and step: the view that the camera is sent to. */
@@ -12,7 +12,7 @@ final class Ways {
   /** By camera and step: the set that it detects. */
   private final int[][] seen;
 
-  Ways(WayProblem problem) {
+  CameraWays(WayProblem problem) {
     this.problem = problem;
     goals = new int[problem.cameras()][problem.steps()];
     seen = new int[problem.cameras()][problem.steps()];
@@ -29,7 +29,7 @@ final class Ways {
     return seen[camera];
   }
 
-  void copy(Ways other) {
+  void copy(CameraWays other) {
     for (int camera = 0; camera < goals.length; camera++) {
       System.arraycopy(other.goals[camera], 0, goals[camera], 0, goals[camera].length);
       System.arraycopy(other.seen[camera], 0, seen[camera], 0, seen[camera].length);
