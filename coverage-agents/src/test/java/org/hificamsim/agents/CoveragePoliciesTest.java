@@ -18,7 +18,14 @@ import org.junit.jupiter.api.TestFactory;
 
 class CoveragePoliciesTest {
   private static final Set<String> ORACLES =
-      Set.of("optimal", "bound", "optimal-expected", "one-hop", "best-fixed", "independent-greedy");
+      Set.of(
+          "optimal",
+          "bound",
+          "optimal-expected",
+          "one-hop",
+          "best-fixed",
+          "reachable",
+          "independent-greedy");
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
