@@ -33,7 +33,7 @@ final class Plan {
   /** The camera whose ways were searched for last, if nothing has changed since; or NONE. */
   private int searchedCamera = NONE;
 
-  private MoveTimes moveTimes;
+  private Site site;
   private double[] unseenTargets = {};
   private double[] gains = {};
   private CellSight cellSight;
@@ -57,14 +57,14 @@ final class Plan {
     tracks = belief.tracks();
     forecast.update(tracks, network.hidingWidth());
     coverage.clear(forecast.slots());
-    cellSight = belief.site().cellSight();
+    site = belief.site();
+    cellSight = site.cellSight();
     learnedSight = belief.learnedSight();
     learnedValues = belief.learnedValues();
     double[] expected = belief.searchMap().unseenTargets();
     boolean fits = unseenTargets.length == expected.length;
     unseenTargets = fits ? unseenTargets : new double[expected.length];
     System.arraycopy(expected, 0, unseenTargets, 0, unseenTargets.length);
-    moveTimes = belief.site().moveTimes();
     Arrays.fill(planned, false);
     searchedCamera = NONE;
     for (int camera = 0; camera < plannedWays.length; camera++) {
@@ -92,7 +92,8 @@ final class Plan {
   /** Plans a way for a camera, in place of the one planned before. */
   void choose(int camera, int[] way) {
     withdraw(camera);
-    cover(camera, way);
+    viewForecasts[camera].addTo(coverage, way);
+    look(camera, way, false);
     System.arraycopy(way, 0, plannedWays[camera], 0, way.length);
     planned[camera] = true;
     searchedCamera = NONE;
@@ -104,33 +105,25 @@ final class Plan {
    */
   void withdraw(int camera) {
     if (planned[camera]) {
-      uncover(camera, plannedWays[camera]);
+      viewForecasts[camera].removeFrom(coverage, plannedWays[camera]);
+      look(camera, plannedWays[camera], true);
       planned[camera] = false;
       searchedCamera = NONE;
     }
   }
 
-  private void cover(int camera, int[] way) {
-    viewForecasts[camera].addTo(coverage, way);
+  /**
+   * Changes what is left of the unseen targets in the cells that a way looks at, or restores it.
+   */
+  private void look(int camera, int[] way, boolean restores) {
     for (int step = 0; step < way.length; step++) {
       if (Ways.isFirstLook(way, step)) {
         int[] cells = cellSight.cells(camera, way[step]);
         float[] chances = cellSight.chances(camera, way[step]);
         for (int i = 0; i < cells.length; i++) {
-          unseenTargets[cells[i]] *= remainingShare(camera, cells[i], chances[i]);
-        }
-      }
-    }
-  }
-
-  private void uncover(int camera, int[] way) {
-    viewForecasts[camera].removeFrom(coverage, way);
-    for (int step = 0; step < way.length; step++) {
-      if (Ways.isFirstLook(way, step)) {
-        int[] cells = cellSight.cells(camera, way[step]);
-        float[] chances = cellSight.chances(camera, way[step]);
-        for (int i = 0; i < cells.length; i++) {
-          unseenTargets[cells[i]] /= remainingShare(camera, cells[i], chances[i]);
+          double left = remainingShare(camera, cells[i], chances[i]);
+          double targets = unseenTargets[cells[i]];
+          unseenTargets[cells[i]] = restores ? targets / left : targets * left;
         }
       }
     }
@@ -153,7 +146,7 @@ final class Plan {
     withdraw(camera);
     int views = network.views(camera);
     gains = gains.length < views ? new double[views] : gains;
-    double[] rewards = waySearch.begin(views, moveTimes.of(camera));
+    double[] rewards = waySearch.begin(site.travelTimes(camera));
     viewForecasts[camera].addRewards(forecast, coverage, rewards);
     for (int view = 0; view < views; view++) {
       addRewardsBeyondTracks(camera, view, views, rewards);

@@ -1,5 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
+import java.util.Arrays;
+import org.hificamsim.agents.ways.TravelTimes;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.policy.NetworkView;
@@ -18,7 +20,7 @@ final class Site {
   private final Grid grid;
   private final boolean[] free;
   private final CellSight cellSight;
-  private final MoveTimes moveTimes;
+  private final TravelTimes[] travelTimes;
   private int revision = -1;
 
   Site(NetworkView network, Obstacles map, int cells) {
@@ -30,7 +32,8 @@ final class Site {
       free[cell] = map.containing(grid.x(cell, 0.5), grid.y(cell, 0.5)).isEmpty();
     }
     cellSight = new CellSight(grid, network.cameras());
-    moveTimes = new MoveTimes(network.cameras());
+    travelTimes = new TravelTimes[network.cameras()];
+    Arrays.setAll(travelTimes, camera -> TravelTimes.of(network, camera));
   }
 
   /**
@@ -42,9 +45,11 @@ final class Site {
       return;
     }
     revision = network.revision();
-    moveTimes.update(network);
     boolean anyMoved = false;
     for (int camera = 0; camera < visibleRegions.length; camera++) {
+      if (!travelTimes[camera].areOf(network, camera)) {
+        travelTimes[camera] = TravelTimes.of(network, camera);
+      }
       double x = network.cameraX(camera);
       double y = network.cameraY(camera);
       if (visibleRegions[camera] == null || !visibleRegions[camera].isFrom(x, y)) {
@@ -83,9 +88,9 @@ final class Site {
     return free;
   }
 
-  /** How long moves between views take. */
-  MoveTimes moveTimes() {
-    return moveTimes;
+  /** How long a camera's moves between its views take. */
+  TravelTimes travelTimes(int camera) {
+    return travelTimes[camera];
   }
 
   /** What cameras see of the cells. */

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
+import org.hificamsim.agents.ways.TravelTimes;
 
 /**
  * The best ways of a camera through its views up to the horizon, by dynamic programming over steps
@@ -12,7 +13,7 @@ final class WaySearch {
 
   private final int horizon;
   private int views;
-  private int[] moveTimes = {};
+  private TravelTimes times;
 
   /** By step and view. */
   private double[] rewards = {};
@@ -36,16 +37,16 @@ final class WaySearch {
   /**
    * Begins a search.
    *
-   * @param cameraMoveTimes as in {@link MoveTimes#of}
+   * @param cameraTimes between the camera's views
    * @return the rewards, all 0, to be filled in by step and view
    */
-  double[] begin(int cameraViews, int[] cameraMoveTimes) {
-    if (views != cameraViews) {
-      order = order.length < cameraViews ? new int[cameraViews] : order;
+  double[] begin(TravelTimes cameraTimes) {
+    times = cameraTimes;
+    if (views != times.views()) {
+      views = times.views();
+      order = order.length < views ? new int[views] : order;
       Arrays.setAll(order, view -> view);
     }
-    views = cameraViews;
-    moveTimes = cameraMoveTimes;
     if (rewards.length < horizon * views) {
       rewards = new double[horizon * views];
       values = new double[horizon * views];
@@ -96,7 +97,7 @@ final class WaySearch {
     double bestValue = values[following + view];
     for (int i = 0; i < views && values[following + order[i]] > bestValue + TIE; i++) {
       int next = order[i];
-      int arrival = step + 1 + moveTimes[view * views + next];
+      int arrival = step + 1 + times.blindSteps(view, next);
       if (arrival < horizon && values[arrival * views + next] > bestValue + TIE) {
         best = next;
         bestValue = values[arrival * views + next];
@@ -122,7 +123,7 @@ final class WaySearch {
       way[step] = step < arrival ? ~goal : goal;
       if (step == arrival) {
         int next = nextViews[step * views + goal];
-        arrival = step + 1 + moveTimes[goal * views + next];
+        arrival = step + 1 + times.blindSteps(goal, next);
         goal = next;
       }
     }

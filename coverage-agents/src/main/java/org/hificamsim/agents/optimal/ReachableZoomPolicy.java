@@ -81,14 +81,7 @@ public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZo
   }
 
   private static TravelTimes times(OracleView network, int camera) {
-    int views = network.views(camera);
-    int[] blindSteps = new int[views * views];
-    for (int from = 0; from < views; from++) {
-      for (int to = 0; to < views; to++) {
-        blindSteps[from * views + to] = network.stepsBetween(camera, from, to);
-      }
-    }
-    TravelTimes times = new TravelTimes(network.view(camera), views, blindSteps);
+    TravelTimes times = TravelTimes.of(network, camera);
     if (times.takesTime() && !network.movesBlindly(camera)) {
       throw InputException.of(
           "camera %s sees while it moves, expected moving=\"blind\" with policy reachable, whose"

@@ -1,5 +1,8 @@
 package org.hificamsim.agents.ways;
 
+import java.util.Arrays;
+import org.hificamsim.core.policy.NetworkView;
+
 /**
  * How long a camera is on its way between any two of its views.
  *
@@ -8,7 +11,25 @@ package org.hificamsim.agents.ways;
  * @param blindSteps by {@code from * views + to}: the steps in which it sees nothing
  */
 public record TravelTimes(int home, int views, int[] blindSteps) {
-  int blindSteps(int from, int to) {
+  /** Returns the times of a camera, which starts in the view that it has now. */
+  public static TravelTimes of(NetworkView network, int camera) {
+    int views = network.views(camera);
+    int[] blindSteps = new int[views * views];
+    Arrays.setAll(blindSteps, pair -> network.stepsBetween(camera, pair / views, pair % views));
+    return new TravelTimes(network.view(camera), views, blindSteps);
+  }
+
+  /** Whether these are still the times of a camera. */
+  public boolean areOf(NetworkView network, int camera) {
+    boolean same = network.views(camera) == views;
+    for (int pair = 0; same && pair < blindSteps.length; pair++) {
+      same = network.stepsBetween(camera, pair / views, pair % views) == blindSteps[pair];
+    }
+    return same;
+  }
+
+  /** The number of steps in which the camera sees nothing between two views. */
+  public int blindSteps(int from, int to) {
     return blindSteps[from * views + to];
   }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.hificamsim.agents.ways.TravelTimes;
 import org.junit.jupiter.api.Test;
 
 class WaySearchTest {
@@ -18,7 +19,7 @@ class WaySearchTest {
   void findsTheBestOfAllWays() {
     for (int trial = 0; trial < 500; trial++) {
       int[] moveTimes = moveTimes();
-      double[] rewards = search.begin(VIEWS, moveTimes);
+      double[] rewards = search.begin(new TravelTimes(0, VIEWS, moveTimes));
       for (int i = 0; i < HORIZON * VIEWS; i++) {
         rewards[i] = random.nextInt(4) == 0 ? random.nextDouble() : 0;
       }
@@ -61,7 +62,7 @@ class WaySearchTest {
 
   @Test
   void staysWhereNothingElseIsWorthMore() {
-    search.begin(VIEWS, new int[VIEWS * VIEWS]);
+    search.begin(new TravelTimes(0, VIEWS, new int[VIEWS * VIEWS]));
     search.solve();
     assertArrayEquals(new int[] {~2, 2, 2, 2}, search.way(1, 2));
   }

@@ -4,12 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.agents.ways.TravelTimes;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
-class MoveTimesTest {
+class TravelTimesTest {
   private static final String SITE =
       "<cameras><optics name='dome' law='pinhole' pixels='1920' hfov='60 30 15' reach='25'"
           + " pan='-90:90:30' pan_speed='25' zoom_time='5'/><camera name='a' x='-19' y='-19'"
@@ -21,13 +22,12 @@ class MoveTimesTest {
         RealWorld.run(SITE, new CooperativeZoomPolicy(Options.none("cooperative"), false), 1);
     simulation.run(3);
     NetworkView network = simulation.network();
-    MoveTimes times = new MoveTimes(network.cameras());
-    times.update(network);
+    TravelTimes times = TravelTimes.of(network, 0);
     int views = network.views(0);
     int longest = 0;
     assertTrue(!network.moving(0), "still on its way");
     for (int view = 0; view < views; view++) {
-      int steps = times.of(0)[network.view(0) * views + view];
+      int steps = times.blindSteps(network.view(0), view);
       assertEquals(network.stepsTo(0, view), steps, "view " + view);
       longest = Math.max(longest, steps);
     }
