@@ -37,6 +37,9 @@ final class Hiding {
 
   /** Adds the next target: where it is believed to be, and with which probability. */
   void add(double x, double y, double weight) {
+    if (radius == 0) {
+      return;
+    }
     if (xs.length == count) {
       xs = Arrays.copyOf(xs, 2 * count + 1);
       ys = Arrays.copyOf(ys, 2 * count + 1);
