@@ -132,18 +132,8 @@ abstract class GroupPrices {
     clearCoverage();
     double bound = 0;
     for (int i = 0; i < cameraCount; i++) {
-      chosen[i] = WayProblem.NOTHING;
-      double greatest = 0;
-      for (int index = 0; index < priced.setCount(cameras[i]); index++) {
-        int set = priced.set(cameras[i], index);
-        double profit = profit(set);
-        if (profit > greatest) {
-          greatest = profit;
-          chosen[i] = set;
-        }
-      }
-      cameraProfit[i] = greatest;
-      bound += greatest;
+      chosen[i] = mostProfitable(i, targetPrices);
+      bound += cameraProfit[i];
       count(chosen[i], 1);
     }
     for (int i = 0; i < momentCount; i++) {
@@ -155,19 +145,45 @@ abstract class GroupPrices {
     return bound;
   }
 
-  final double profit(int set) {
+  /**
+   * Returns the set with which a camera of the group makes the greatest profit, and notes this;
+   * nothing if there is no profit.
+   */
+  final int mostProfitable(int camera, double[] pricesByMoment) {
+    double greatest = 0;
+    int most = WayProblem.NOTHING;
+    for (int index = 0; index < priced.setCount(cameras[camera]); index++) {
+      int set = priced.set(cameras[camera], index);
+      double profit = profit(set, pricesByMoment);
+      if (profit > greatest) {
+        greatest = profit;
+        most = set;
+      }
+    }
+    cameraProfit[camera] = greatest;
+    return most;
+  }
+
+  /** What a set brings at prices of its targets, less its own price. */
+  final double profit(int set, double[] pricesByMoment) {
     double profit = -prices[set];
     for (int moment : problem.moments(set)) {
-      profit += targetPrices[moment];
+      profit += pricesByMoment[moment];
     }
     return profit;
   }
 
-  private void changePrices(double surplus) {
+  /** The sum of the squares of what the targets lack. */
+  final double squaredNorm() {
     double norm = 0;
     for (int i = 0; i < momentCount; i++) {
       norm += mark[moments[i]] * mark[moments[i]];
     }
+    return norm;
+  }
+
+  private void changePrices(double surplus) {
+    double norm = squaredNorm();
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
       double change = norm == 0 ? 0 : surplus * mark[moment] / norm;

@@ -70,7 +70,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   private void removeCheapSets(double bound) {
     for (int i = 0; i < cameraCount; i++) {
       for (int index = priced.setCount(cameras[i]) - 1; index >= 0; index--) {
-        double profit = profit(priced.set(cameras[i], index));
+        double profit = profit(priced.set(cameras[i], index), targetPrices);
         if (bound - cameraProfit[i] + profit < bestValue - TOLERANCE) {
           priced.remove(cameras[i], index);
         }
@@ -140,36 +140,14 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   }
 
   private double offer(int camera) {
-    double greatest = 0;
-    int offered = WayProblem.NOTHING;
-    for (int index = 0; index < priced.setCount(cameras[camera]); index++) {
-      int set = priced.set(cameras[camera], index);
-      double value = restGain(set);
-      if (value > greatest) {
-        greatest = value;
-        offered = set;
-      }
-    }
-    for (int moment : problem.moments(offered)) {
+    for (int moment : problem.moments(mostProfitable(camera, gain))) {
       mark[moment]--;
     }
-    cameraProfit[camera] = greatest;
-    return greatest;
-  }
-
-  private double restGain(int set) {
-    double sum = -prices[set];
-    for (int moment : problem.moments(set)) {
-      sum += gain[moment];
-    }
-    return sum;
+    return cameraProfit[camera];
   }
 
   private void changeNodePrices(double surplus) {
-    double norm = 0;
-    for (int i = 0; i < momentCount; i++) {
-      norm += mark[moments[i]] * mark[moments[i]];
-    }
+    double norm = squaredNorm();
     for (int i = 0; i < momentCount && norm > 0; i++) {
       int moment = moments[i];
       double price = Math.max(0, gain[moment] + surplus * mark[moment] / norm);
@@ -210,10 +188,10 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
     int count = 0;
     for (int index = 0; index < priced.setCount(cameras[camera]); index++) {
       int set = priced.set(cameras[camera], index);
-      double value = restGain(set);
+      double value = profit(set, gain);
       if (value > 0 && value > enough) {
         int at = count++;
-        for (; at > 0 && restGain(list[at - 1]) < value; at--) {
+        for (; at > 0 && profit(list[at - 1], gain) < value; at--) {
           list[at] = list[at - 1];
         }
         list[at] = set;
