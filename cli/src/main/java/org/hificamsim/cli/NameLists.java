@@ -1,12 +1,12 @@
 package org.hificamsim.cli;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.FittedDetection;
 import org.hificamsim.runs.DetectionSpec;
@@ -18,24 +18,13 @@ final class NameLists {
   private NameLists() {}
 
   /**
-   * Reads a list of policies such as {@code P,Q:key=value,key=value,R}, and checks each with its
-   * options. A part between commas starts a new policy, unless it is a {@code key=value} or a
-   * number, which belongs to the policy before it.
+   * Reads a list of policies, and checks each with its options.
    *
    * @throws org.hificamsim.core.InputException when a policy is unknown or occurs twice, or an
    *     option is wrong
    */
   static List<String> policies(String list, Registry<ZoomPolicy> policies) {
-    List<String> specs = new ArrayList<>();
-    for (String part : list.split(",", -1)) {
-      String text = part.strip();
-      boolean isOption = !specs.isEmpty() && !policies.knows(text) && text.matches("[^:]*=.*|\\d+");
-      if (isOption) {
-        specs.set(specs.size() - 1, specs.get(specs.size() - 1) + "," + text);
-      } else {
-        specs.add(text);
-      }
-    }
+    List<String> specs = Options.splitNames(list, policies::knows);
     specs.forEach(policies::create);
     requireDistinct("--policies", specs);
     return specs;

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -38,6 +39,27 @@ public final class Options {
   /** Creates empty options for {@code owner}: every getter returns its default. */
   public static Options none(String owner) {
     return new Options(owner);
+  }
+
+  /**
+   * Splits a list such as {@code P,Q:key=value,key=value,R} into names with their options. A part
+   * between commas begins a new name, unless it is a {@code key=value} or a number, which belongs
+   * to the name before it.
+   *
+   * @param isName whether a part that looks like an option is a name
+   */
+  public static List<String> splitNames(String list, Predicate<String> isName) {
+    List<String> names = new ArrayList<>();
+    for (String part : list.split(",", -1)) {
+      String text = part.strip();
+      int last = names.size() - 1;
+      if (last >= 0 && text.matches("[^:]*=.*|\\d+") && !isName.test(text)) {
+        names.set(last, names.get(last) + "," + text);
+      } else {
+        names.add(text);
+      }
+    }
+    return names;
   }
 
   /**

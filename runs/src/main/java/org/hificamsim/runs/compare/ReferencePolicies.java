@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.world.World;
@@ -56,7 +57,8 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
   public static ReferencePolicies parse(String option, String text) {
     Set<Yardstick> asked = EnumSet.noneOf(Yardstick.class);
     String reachable = Yardstick.REACHABLE.policy();
-    for (String name : text.equals(NONE) ? List.<String>of() : names(text)) {
+    for (String name :
+        text.equals(NONE) ? List.<String>of() : Options.splitNames(text, part -> false)) {
       boolean added =
           Arrays.stream(Yardstick.values())
               .filter(yardstick -> yardstick.isRunBy(name))
@@ -70,20 +72,6 @@ public record ReferencePolicies(Set<Yardstick> yardsticks, String reachable) {
       reachable = Yardstick.REACHABLE.isRunBy(name) ? name : reachable;
     }
     return new ReferencePolicies(asked, reachable);
-  }
-
-  /** Splits at commas; a part such as {@code b=2} is an option of the name before it. */
-  private static List<String> names(String text) {
-    List<String> names = new ArrayList<>();
-    for (String part : text.split(",", -1)) {
-      int last = names.size() - 1;
-      if (part.contains("=") && !part.contains(":") && last >= 0) {
-        names.set(last, names.get(last) + "," + part.strip());
-      } else {
-        names.add(part.strip());
-      }
-    }
-    return names;
   }
 
   /** The plans, then the optima that they lack, then the other yardsticks. */
