@@ -174,12 +174,8 @@ public final class ViewCells {
         int cell = row * cells.columns() + column;
         double x = cells.x(cell);
         double y = cells.y(cell);
-        double transmittance =
-            !condition.holds(cameraX - x, cameraY - y, zoom.vertical().z())
-                ? 0
-                : region == null
-                    ? 1
-                    : region.transmittance(x, y, zoom.vertical().z(), body.low(), body.high());
+        boolean counts = condition.holds(cameraX - x, cameraY - y, zoom.vertical().z());
+        double transmittance = counts ? transmittance(region, x, y, zoom, body) : 0;
         double chance = transmittance == 0 ? 0 : sight.chance(pose, x, y, transmittance);
         numbers[count] = cell;
         chances[count] = chance;
@@ -187,5 +183,13 @@ public final class ViewCells {
       }
     }
     return new Seen(Arrays.copyOf(numbers, count), Arrays.copyOf(chances, count));
+  }
+
+  /** The part of the light that comes from a body; all of it where there are no obstacles. */
+  private static double transmittance(
+      VisibleRegion region, double x, double y, ZoomLevel zoom, Body body) {
+    return region == null
+        ? 1
+        : region.transmittance(x, y, zoom.vertical().z(), body.low(), body.high());
   }
 }
