@@ -217,34 +217,28 @@ class ZoneClaimTest {
     "max_depression=\"91\", expected degrees above 0 and at most 90"
   })
   void rejectsSenselessFaces(String attributes, String message) throws IOException {
-    Path shop = folder.resolve("shop.xml");
-    Files.writeString(
-        shop,
-        Files.readString(shop)
-            .replace("facing=\"0\" facing_tolerance=\"7\" max_depression=\"15\"", attributes));
-    Cli validated = Cli.run("validate", shop);
-    assertEquals(2, validated.exit());
-    assertTrue(validated.err().contains(message), validated.err());
+    assertRejected(
+        "facing=\"0\" facing_tolerance=\"7\" max_depression=\"15\"", attributes, message);
   }
 
   @Test
   void rejectsDepressionInFlatWorld() throws IOException {
-    Path shop = folder.resolve("shop.xml");
-    Files.writeString(shop, Files.readString(shop).replace(" height=\"1.8\"", ""));
-    Cli validated = Cli.run("validate", shop);
-    assertEquals(2, validated.exit());
-    assertTrue(validated.err().contains("max_depression is '15', expected none in a flat world"));
+    assertRejected(" height=\"1.8\"", "", "max_depression is '15', expected none in a flat world");
   }
 
   @Test
   void validateRejectsUnknownLevelOfZone() throws IOException {
+    assertRejected(
+        "=characterise", "=recognize", "zone 'door': detection oodpcvs-2025: level is 'recognize'");
+  }
+
+  /** Validates the shop with a text in place of another one. */
+  private void assertRejected(String text, String changed, String message) throws IOException {
     Path shop = folder.resolve("shop.xml");
-    Files.writeString(shop, Files.readString(shop).replace("=characterise", "=recognize"));
+    Files.writeString(shop, Files.readString(shop).replace(text, changed));
     Cli validated = Cli.run("validate", shop);
     assertEquals(2, validated.exit());
-    assertTrue(
-        validated.err().contains("zone 'door': detection oodpcvs-2025: level is 'recognize'"),
-        validated.err());
+    assertTrue(validated.err().contains(message), validated.err());
   }
 
   private Scenario read() {

@@ -60,6 +60,11 @@ class MountPointsTest {
     return points.stream().anyMatch(inside);
   }
 
+  /** A wall from west to east. */
+  private static String wall(double y) {
+    return Texts.format("<wall x1=\"0\" y1=\"%1$s\" x2=\"20\" y2=\"%1$s\"/>", y);
+  }
+
   @Test
   void hangsOnHighRacksOnly() throws IOException {
     String racks =
@@ -92,9 +97,7 @@ class MountPointsTest {
 
   @Test
   void hangsInNarrowCorridorsAndOnColumns() throws IOException {
-    String walls =
-        "<wall x1=\"0\" y1=\"9\" x2=\"20\" y2=\"9\"/><wall x1=\"0\" y1=\"11\" x2=\"20\" y2=\"11\"/>"
-            + "<polygon points=\"4,4 4.4,4 4.4,4.4 4,4.4\"/>";
+    String walls = wall(9) + wall(11) + "<polygon points=\"4,4 4.4,4 4.4,4.4 4,4.4\"/>";
     List<Point> points = points(site("", walls), false);
     assertTrue(anyIn(points, 5, 9, 15, 10) && anyIn(points, 5, 10, 15, 11));
     assertTrue(anyIn(points, 3.5, 3.5, 5, 5));
@@ -102,10 +105,7 @@ class MountPointsTest {
 
   @Test
   void leavesSlotsBetweenTwoLinesOfWallFree() throws IOException {
-    String lines =
-        "<wall x1=\"0\" y1=\"9\" x2=\"20\" y2=\"9\"/>"
-            + "<wall x1=\"0\" y1=\"9.6\" x2=\"20\" y2=\"9.6\"/>";
-    assertFalse(anyIn(points(site("", lines), false), 1, 9, 19, 9.6));
+    assertFalse(anyIn(points(site("", wall(9) + wall(9.6)), false), 1, 9, 19, 9.6));
   }
 
   @Test
