@@ -94,7 +94,7 @@ public record ViewSet(
 
   /** The pan angle of a view, by its number. */
   public int panOf(int view) {
-    return view / zooms.size() / tilts.size();
+    return hasOneDirection() ? 0 : view / zooms.size() / tilts.size();
   }
 
   /** The tilt of a view, by its number. */
@@ -104,7 +104,12 @@ public record ViewSet(
 
   /** The zoom level of a view, by its number. */
   public int zoomOf(int view) {
-    return view % zooms.size();
+    return hasOneDirection() ? view : view % zooms.size();
+  }
+
+  /** Whether a view is a zoom level and nothing else: most are, and need no divisions. */
+  private boolean hasOneDirection() {
+    return pans.size() == 1 && tilts.size() == 1;
   }
 
   /** Radians off the mounted heading. */
@@ -133,8 +138,8 @@ public record ViewSet(
 
   /** Whether a view is at most one zoom level and one pan angle away from another. */
   public boolean isNextTo(int view, int other) {
-    if (pans.size() == 1 && tilts.size() == 1) {
-      return Math.abs(view - other) <= 1; // without divisions
+    if (hasOneDirection()) {
+      return Math.abs(view - other) <= 1;
     }
     return Math.abs(zoomOf(view) - zoomOf(other)) <= 1
         && Math.abs(panOf(view) - panOf(other)) <= 1
