@@ -38,10 +38,10 @@ public record Catalogue(
     detections.register(
         "geometric", "certain inside the field of view: upper bound", GeometricDetection::new);
     DensityDetections.register(detections);
-    HiFiDetections.register(detections);
-    LabDetections.register(detections);
-    BoxDetections.register(detections);
-    detections.registerServices(DetectionModel.class, DetectionModel::name, (model, options) -> {});
+    detections.registerWhenNeeded(HiFiDetections::register);
+    detections.registerWhenNeeded(LabDetections::register);
+    detections.registerWhenNeeded(BoxDetections::register);
+    detections.registerWhenNeeded(Catalogue::registerServices);
     Registry<ZoomPolicy> policies = CoveragePolicies.register(new Registry<>("policy"));
     policies.registerServices(ZoomPolicy.class, ZoomPolicy::name, ZoomPolicy::configure);
     Registry<StepListener> listeners = new Registry<>("listener");
@@ -49,6 +49,10 @@ public record Catalogue(
     Registry<NetworkModel> networks = new Registry<>("network");
     networks.registerServices(NetworkModel.class, NetworkModel::name, NetworkModel::configure);
     return new Catalogue(detections, policies, Movements.registry(), listeners, networks);
+  }
+
+  private static void registerServices(Registry<DetectionModel> detections) {
+    detections.registerServices(DetectionModel.class, DetectionModel::name, (model, options) -> {});
   }
 
   /**

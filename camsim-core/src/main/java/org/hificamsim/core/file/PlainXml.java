@@ -18,6 +18,7 @@ import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
+import org.xml.sax.XMLReader;
 import org.xml.sax.ext.Locator2;
 import org.xml.sax.helpers.DefaultHandler;
 import org.xml.sax.helpers.LocatorImpl;
@@ -92,14 +93,15 @@ public abstract class PlainXml extends DefaultHandler {
 
   private SAXParser parser() throws SAXException {
     try {
-      SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-      factory.setFeature(
+      SAXParser parser = SAXParserFactory.newDefaultInstance().newSAXParser();
+      XMLReader reader =
+          parser.getXMLReader(); // the factory would try each feature on a new parser
+      reader.setFeature(
           "http://apache.org/xml/features/disallow-doctype-decl", !allowsDocumentType());
       for (String external : EXTERNAL) {
-        factory.setFeature(external, false);
+        reader.setFeature(external, false);
       }
-      SAXParser parser = factory.newSAXParser();
-      parser.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
+      reader.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
       return parser;
     } catch (ParserConfigurationException e) {
       throw new IllegalStateException("the JDK's own XML parser knows these settings", e);

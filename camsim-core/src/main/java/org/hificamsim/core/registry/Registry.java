@@ -1,12 +1,15 @@
 package org.hificamsim.core.registry;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Nearest;
@@ -15,7 +18,8 @@ import org.hificamsim.core.Nearest;
  * The implementations of one extension point by name, in the order of registration.
  *
  * <p>A name may hold colons ({@code hifi:orb-lin}); what follows a registered name and a further
- * colon are its {@link Options}. Lookup makes a new instance each time.
+ * colon are its {@link Options}. Lookup makes a new instance each time. Safe for use by several
+ * threads.
  *
  * @param <T> the extension point
  */
@@ -26,6 +30,7 @@ public final class Registry<T> {
   private final String kind;
   private final Map<String, Entry<T>> entries = new LinkedHashMap<>();
   private final Map<String, String> aliases = new HashMap<>();
+  private final Deque<Consumer<Registry<T>>> unread = new ArrayDeque<>();
 
   /**
    * @param kind the extension point as messages name it, such as "policy"
@@ -39,7 +44,8 @@ public final class Registry<T> {
    *
    * @throws InputException if the name is taken: a user's jar cannot replace a built-in one
    */
-  public Registry<T> register(String name, String summary, Function<Options, T> factory) {
+  public synchronized Registry<T> register(
+      String name, String summary, Function<Options, T> factory) {
     if (aliases.containsKey(name)
         || entries.putIfAbsent(name, new Entry<>(name, summary, factory)) != null) {
       throw InputException.of("%s '%s' is registered twice, expected each name once", kind, name);
@@ -53,12 +59,23 @@ public final class Registry<T> {
    * @param name a registered name
    * @throws InputException if the name is not registered or the alias is taken
    */
-  public Registry<T> alias(String alias, String name) {
-    if (!entries.containsKey(name) || knows(alias)) {
+  public synchronized Registry<T> alias(String alias, String name) {
+    if (!entries.containsKey(name) || entry(alias) != null) {
       throw InputException.of(
           "%s '%s' for '%s': expected a new name for a registered one", kind, alias, name);
     }
     aliases.put(alias, name);
+    return this;
+  }
+
+  /**
+   * Adds implementations that take time to read. They are registered when a name is not known
+   * without them, or all names are asked for.
+   *
+   * @param members registers them
+   */
+  public synchronized Registry<T> registerWhenNeeded(Consumer<Registry<T>> members) {
+    unread.add(members);
     return this;
   }
 
@@ -103,12 +120,12 @@ public final class Registry<T> {
         "unknown %s '%s', expected %s",
         kind,
         spec,
-        entries.isEmpty()
+        names().isEmpty()
             ? "none: no jar on the class path brings one"
             : "one of " + Nearest.to(spec.replaceFirst(":[^:]*=.*", ""), names()));
   }
 
-  private Entry<T> entry(String name) {
+  private synchronized Entry<T> entry(String name) {
     return entries.get(aliases.getOrDefault(name, name));
   }
 
@@ -118,29 +135,37 @@ public final class Registry<T> {
   }
 
   /** The end of the registered name with which {@code spec} starts; 0 or less without one. */
-  private int nameEnd(String spec) {
+  private synchronized int nameEnd(String spec) {
     int end = spec.length();
     while (end > 0 && entry(spec.substring(0, end)) == null) {
       end = spec.lastIndexOf(':', end - 1);
     }
-    return end;
+    return end > 0 || unread.isEmpty() ? end : all().nameEnd(spec);
+  }
+
+  /** This registry with all implementations. */
+  private synchronized Registry<T> all() {
+    while (!unread.isEmpty()) {
+      unread.remove().accept(this);
+    }
+    return this;
   }
 
   /** The options that an implementation declares, with their defaults. */
   public List<Options.Declared> options(String name) {
     Options options = Options.none(kind + " " + name);
-    Object made = entries.get(name).factory().apply(options);
+    Object made = all().entry(name).factory().apply(options);
     return made == null ? List.of() : options.declared();
   }
 
   /** All entries, in the order of registration. */
-  public List<Entry<T>> entries() {
-    return List.copyOf(entries.values());
+  public synchronized List<Entry<T>> entries() {
+    return List.copyOf(all().entries.values());
   }
 
   /** All names, in the order of registration. */
-  public List<String> names() {
-    return new ArrayList<>(entries.keySet());
+  public synchronized List<String> names() {
+    return new ArrayList<>(all().entries.keySet());
   }
 
   private T create(Entry<T> entry, String optionText) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
@@ -94,6 +95,28 @@ class RegistryTest {
   void namesKeepOrderOfRegistration() {
     assertEquals(List.of("plain", "hifi:orb", "hifi:orb:fast"), registry.names());
     assertEquals("a colon", registry.entries().get(1).summary());
+  }
+
+  @Test
+  void readsLateMembersOnceAndOnlyForUnknownNames() {
+    List<String> read = new ArrayList<>();
+    registry.registerWhenNeeded(
+        members -> {
+          read.add("late");
+          members.register("late", "a late one", () -> "late").alias("later", "late");
+        });
+    registry.create("plain");
+    assertTrue(registry.knows("hifi:orb:n=2"));
+    assertEquals(List.of(), read);
+    assertEquals("late", registry.create("later"));
+    assertEquals(List.of("plain", "hifi:orb", "hifi:orb:fast", "late"), registry.names());
+    assertEquals(List.of("late"), read);
+  }
+
+  @Test
+  void rejectsLateMemberWithTakenName() {
+    registry.registerWhenNeeded(members -> members.register("plain", "again", () -> "other"));
+    assertThrows(InputException.class, registry::names);
   }
 
   @Test
