@@ -219,7 +219,7 @@ public final class Network implements Cooperation, WorldObserver {
             .toList();
   }
 
-  /** What each camera saw in the last step. */
+  /** The sightings of each camera in the last step. */
   public Sightings sightings() {
     return sightings;
   }

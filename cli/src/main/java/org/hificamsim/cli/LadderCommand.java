@@ -37,7 +37,7 @@ import picocli.CommandLine.Parameters;
       "For each rung of realism: predicted scores, order of policies, loss by its choice, time."
     })
 final class LadderCommand implements Callable<Integer> {
-  /** What becomes more realistic from rung to rung. */
+  /** The part that becomes more realistic from rung to rung. */
   private enum LadderKind {
     DETECTION,
     WORLD

@@ -1,2 +1,4 @@
-/** What the Python package talks to: worlds opened by a text, stepped by calls or over a pipe. */
+/**
+ * The Java side of the Python package: worlds opened by a text, stepped by calls or over a pipe.
+ */
 package org.hificamsim.python;

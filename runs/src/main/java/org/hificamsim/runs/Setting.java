@@ -310,7 +310,7 @@ public enum Setting {
     return kind;
   }
 
-  /** What a value looks like, for help texts. */
+  /** The form of a value, for help texts. */
   public String form() {
     return form;
   }

@@ -15,7 +15,7 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.RecordedTarget.Sample;
 import org.hificamsim.tracks.place.Way;
 
-/** What an import found: the extent in time and space, speeds, gaps, and oddities. */
+/** The findings of an import: the extent in time and space, speeds, gaps, and oddities. */
 public final class ImportSummary {
   private static final MathContext FOUR_DIGITS = new MathContext(4);
   private static final String JUMP = "target %s jumps %s m before %s s, %s m/s";
@@ -225,7 +225,7 @@ public final class ImportSummary {
     return new MotionSigns(MotionMeasures.of(recorded, interval), recorded.notes().unit());
   }
 
-  /** What is odd about the files. */
+  /** The oddities of the files. */
   ReadingNotes notes() {
     return recorded.notes();
   }

@@ -6,7 +6,7 @@ import org.hificamsim.core.Place;
 import org.hificamsim.tracks.format.Doubt;
 import org.hificamsim.tracks.format.Unit;
 
-/** What is odd about the files of a recording. */
+/** The oddities of the files of a recording. */
 final class ReadingNotes {
   private final LeftOut leftOut = new LeftOut();
   private final List<String> lines = new ArrayList<>();

@@ -7,11 +7,11 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.StepOrder;
 
-/** What scenarios that are made of files ask: their objective and detection. */
+/** The objective and detection of scenarios that are made of files. */
 final class SiteQuestion {
   private static final String DETECTION = "oodpcvs-2025:level=discern";
 
-  /** What this detection needs. */
+  /** The density that this detection needs. */
   static final double PIXELS_PER_METRE = 80;
 
   private static final String OBJECTIVE = "covered:k=1";

@@ -5,7 +5,7 @@ public interface Stations {
   /** The step that is under way, from 0. */
   long step();
 
-  /** What counts the bits that cameras send and receive; {@link Post} counts its own messages. */
+  /** The log of the bits that cameras send and receive; {@link Post} counts its own messages. */
   default RadioLog radio() {
     return RadioLog.NONE;
   }

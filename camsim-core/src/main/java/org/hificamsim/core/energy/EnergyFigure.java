@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** What a camera takes energy for, in the order of profiles. */
+/** A use of energy in a camera, in the order of profiles. */
 public enum EnergyFigure {
   /** Watts while the camera is awake. */
   IDLE("W"),

@@ -159,7 +159,7 @@ public final class EnergyModel {
     return Double.isFinite(battery);
   }
 
-  /** What a camera's battery holds at the start, joules; infinite without batteries. */
+  /** The charge of a camera's battery at the start, in joules; infinite without batteries. */
   public double battery() {
     return battery;
   }

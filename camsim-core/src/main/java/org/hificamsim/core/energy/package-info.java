@@ -1,4 +1,4 @@
-/** What cameras take for the parts of a step, and what their batteries hold. */
+/** The energy that cameras use in the parts of a step, and their batteries. */
 @StableApi(since = "0.2")
 package org.hificamsim.core.energy;
 

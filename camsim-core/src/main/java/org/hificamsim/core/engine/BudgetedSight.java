@@ -6,7 +6,7 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
-/** What cameras know of what they see, where they cannot process all of it within a step. */
+/** The part of the sight that cameras can process within a step. */
 final class BudgetedSight {
   private final Cameras cameras;
   private final Targets targets;

@@ -8,7 +8,7 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
-/** What a camera would detect at all of its views, as bits. */
+/** The targets that a camera would detect in each of its views, as bits. */
 final class DetectionMasks {
   private static final double UNKNOWN = -1;
 

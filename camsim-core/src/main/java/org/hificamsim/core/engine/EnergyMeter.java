@@ -154,12 +154,12 @@ public final class EnergyMeter {
     }
   }
 
-  /** What a camera has taken for a figure so far, joules. */
+  /** The energy that a camera has used for a figure so far, in joules. */
   public double joules(int camera, EnergyFigure figure) {
     return joules.get(figure)[camera];
   }
 
-  /** What is left in the battery of a camera, joules; 0 or less once it is empty. */
+  /** The charge left in the battery of a camera, in joules; 0 or less once it is empty. */
   public double left(int camera) {
     return left[camera];
   }

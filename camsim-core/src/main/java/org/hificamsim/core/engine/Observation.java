@@ -48,12 +48,12 @@ public final class Observation {
     }
   }
 
-  /** What cameras know a step late; cameras that look by themselves give it what they detect. */
+  /** The detections that come a step late; cameras that look by themselves add theirs. */
   public LateDetections late() {
     return late;
   }
 
-  /** What cameras know of what they see; null if they know all of it. */
+  /** The part of the sight that cameras can process; null if they process all of it. */
   BudgetedSight budgeted() {
     return budgeted;
   }

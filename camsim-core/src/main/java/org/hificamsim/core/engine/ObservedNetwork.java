@@ -13,7 +13,7 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
-/** What cameras know of a simulated world: their own state, and what they detected. */
+/** A simulated world as its cameras know it: their own state, and their detections. */
 class ObservedNetwork implements NetworkView {
   final Cameras cameras;
   final Targets targets;

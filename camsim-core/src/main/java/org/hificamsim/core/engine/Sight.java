@@ -135,7 +135,7 @@ final class Sight {
     return visibility.luck(step, camera, target);
   }
 
-  /** What hides targets. */
+  /** The obstacles and targets that hide targets. */
   Obstruction obstruction() {
     return obstruction;
   }

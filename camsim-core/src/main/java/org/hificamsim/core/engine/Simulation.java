@@ -292,12 +292,12 @@ public final class Simulation {
     return energy == null ? EnergySums.NONE : energy.sums();
   }
 
-  /** What each camera has taken, part by part; empty if nothing takes energy. */
+  /** The energy that each camera has used, part by part; empty if nothing uses energy. */
   public Optional<EnergyMeter> energyMeter() {
     return Optional.ofNullable(energy);
   }
 
-  /** What the cameras do together. */
+  /** The cooperation of the cameras. */
   public Cooperation cooperation() {
     return cooperation;
   }

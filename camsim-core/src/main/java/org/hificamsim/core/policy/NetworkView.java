@@ -33,7 +33,7 @@ import org.hificamsim.core.visibility.Body;
  * the view's {@linkplain ZoomLevel#vertical zoom level}.
  */
 public interface NetworkView extends CoveredTargets, Stations {
-  /** What each step of the run is scored by. */
+  /** The objective that scores each step of the run. */
   default Objective objective() {
     return Objective.kMin();
   }

@@ -1,2 +1,2 @@
-/** What share of a target's silhouette obstacles and nearer targets hide from a camera. */
+/** The share of a target's silhouette that obstacles and nearer targets hide from a camera. */
 package org.hificamsim.core.silhouette;

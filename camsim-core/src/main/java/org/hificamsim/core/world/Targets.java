@@ -164,7 +164,7 @@ public final class Targets {
     return seen(target).high(height[target]);
   }
 
-  /** What a camera with a height must see of the target. */
+  /** The part of the target that a camera with a height must see. */
   public Body body(int target) {
     return new Body(seenSize(target), low(target), high(target), foreshortened);
   }

@@ -114,7 +114,7 @@ public final class World {
     return targets;
   }
 
-  /** What stands between cameras and targets, live. */
+  /** The obstacles between cameras and targets, as they are now. */
   public SightLines sightLines() {
     return sightLines;
   }

@@ -43,7 +43,7 @@ public final class Sightings {
 
   private int viewRevision;
 
-  /** What cameras know a step late, since the last look. */
+  /** The detections that come a step late, since the last look. */
   private LateDetections late;
 
   private final int[] foundTargets;

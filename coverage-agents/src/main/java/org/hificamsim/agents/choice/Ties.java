@@ -2,7 +2,7 @@ package org.hificamsim.agents.choice;
 
 import org.hificamsim.core.registry.Options;
 
-/** Which of several equally good views a camera takes, for all learners and votes. */
+/** The choice among equally good views, for all learners and votes. */
 public enum Ties {
   WIDEST,
   NARROWEST;

@@ -100,7 +100,7 @@ public final class CooperativeZoomPolicy implements TrackingZoomPolicy {
     }
   }
 
-  /** What each view would have added to the views that all others chose. */
+  /** The worth that each view would have added to the views of all other cameras. */
   @Override
   public String estimates(int camera, double[] estimates, double[] counts) {
     Arrays.fill(counts, Double.NaN);

@@ -13,7 +13,7 @@ final class Hiding {
   /** The blur of a disc's edge, as a part of its radius. */
   private static final double BLUR = 0.2;
 
-  /** What each step adds to the blur, as a part of what targets move in a step. */
+  /** The blur that each step adds, as a part of the distance that targets move in a step. */
   private static final double BLUR_OF_STEP = 0.3;
 
   private double radius;

@@ -88,7 +88,7 @@ final class MaxSum implements Agreement {
     }
   }
 
-  /** What it is worth that a camera detects the target of a slot in its step. */
+  /** The worth of a camera's detection of the target of a slot in its step. */
   private double worthOfDetection(Team team, Plan plan, int camera, int slot) {
     int others = 0;
     for (int sender = 0; sender < messages.length; sender++) {

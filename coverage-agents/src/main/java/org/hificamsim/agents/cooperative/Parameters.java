@@ -60,7 +60,7 @@ record Parameters(
             == Identity.KNOWN);
   }
 
-  /** What cameras learn, apart from where targets are. */
+  /** The values that cameras learn, apart from where targets are. */
   enum Learn {
     NONE,
     SIGHT,

@@ -185,7 +185,7 @@ final class Plan {
     restore(camera, wasPlanned);
   }
 
-  /** What a view adds by targets that nobody sees, and by what was learned of the view. */
+  /** The gain of a view by unseen targets, and by the learned value of the view. */
   private double gainBeyondTracks(int camera, int view) {
     if (!arrivesInTime(camera, view)) {
       return 0;
@@ -205,7 +205,7 @@ final class Plan {
     return sum;
   }
 
-  /** What a camera would detect in each of its views. */
+  /** The expected detections of a camera in each of its views. */
   ViewForecast viewForecast(int camera) {
     return viewForecasts[camera];
   }

@@ -58,7 +58,7 @@ final class PlannedCoverage {
     }
   }
 
-  /** What a further camera adds that is certain to detect the target of a slot. */
+  /** The worth of one more camera that is certain to detect the target of a slot. */
   double added(int slot) {
     double sum = 0;
     for (int k = certainCameras[slot]; k < maxCounted; k++) {

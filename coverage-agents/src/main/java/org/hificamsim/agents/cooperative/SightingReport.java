@@ -5,7 +5,7 @@ import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
-/** What a camera sends to the others in each step: its view, and the targets that it sees. */
+/** The message that a camera sends to the others in each step: its view, and its detections. */
 final class SightingReport {
   /** In place of the number of a target that is not identified. */
   static final int UNIDENTIFIED = -1;

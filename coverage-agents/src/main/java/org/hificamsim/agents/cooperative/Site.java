@@ -93,7 +93,7 @@ final class Site {
     return travelTimes[camera];
   }
 
-  /** What cameras see of the cells. */
+  /** The cells that cameras see. */
   CellSight cellSight() {
     return cellSight;
   }

@@ -25,7 +25,7 @@ final class TargetTracks {
 
     private double y;
 
-    /** What it moves in a step, by its last two sightings. */
+    /** Its movement in a step, by its last two sightings, in metres. */
     private double stepX;
 
     private double stepY;

@@ -3,7 +3,7 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
-/** What a camera would detect of a forecast in each of its views, and when it reaches the view. */
+/** The expected detections of a camera in each of its views, and when it reaches the view. */
 final class ViewForecast {
   private static final int FIRST_ROWS = 16;
 

@@ -107,7 +107,7 @@ final class WaySearch {
     values[state] = rewards[state] + bestValue;
   }
 
-  /** What the best way is worth that sees through a view after some steps; 0 past the horizon. */
+  /** The worth of the best way that sees through a view after some steps; 0 past the horizon. */
   double value(int delay, int view) {
     return delay < horizon ? values[delay * views + view] : 0;
   }

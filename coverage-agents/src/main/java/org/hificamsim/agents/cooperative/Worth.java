@@ -12,7 +12,7 @@ final class Worth {
   /** No more cameras than these count, unless a target needs more. */
   private static final int MAX_COUNTED = 4;
 
-  /** What a further camera adds, by the number of cameras that detect the target without it. */
+  /** The worth of one more camera, by the number of cameras that detect the target without it. */
   private final double[] added;
 
   /**
@@ -41,7 +41,7 @@ final class Worth {
     return added.length;
   }
 
-  /** What a camera adds for a target that k others detect, with k below {@link #saturation}. */
+  /** The worth of a camera for a target that k others detect, with k below {@link #saturation}. */
   double added(int k) {
     return added[k];
   }

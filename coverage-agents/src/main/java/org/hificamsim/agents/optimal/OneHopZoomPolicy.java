@@ -15,7 +15,7 @@ import org.hificamsim.core.registry.Options;
  * widest, then camera 1, and so on.
  */
 public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
-  /** What decides between configurations with equal scores, camera by camera. */
+  /** The preference among configurations with equal scores, camera by camera. */
   enum Preference {
     MOST_TARGETS_THEN_NARROWEST,
     MOST_TARGETS_THEN_WIDEST,

@@ -131,7 +131,7 @@ final class Stage {
     return range.max() - requirement.sum();
   }
 
-  /** What a set gains at most, as of the last {@link #narrowByGains}. */
+  /** The most that a set can gain, as of the last {@link #narrowByGains}. */
   long gain(int set) {
     return gains.gain(set);
   }

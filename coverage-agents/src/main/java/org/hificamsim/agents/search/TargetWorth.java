@@ -42,7 +42,7 @@ final class TargetWorth {
     }
   }
 
-  /** What the objective counts as 1; all sums are multiples of it. */
+  /** The amount that the objective counts as 1; all sums are multiples of it. */
   long unit() {
     return unit;
   }
@@ -57,7 +57,7 @@ final class TargetWorth {
     return values[Math.min(k, saturation)];
   }
 
-  /** What a further camera adds when k cameras cover the target. */
+  /** The worth that a further camera adds when k cameras cover the target. */
   long gain(int k) {
     return k < saturation ? values[k + 1] - values[k] : 0;
   }

@@ -42,7 +42,7 @@ final class PicturePercept {
     return 1 << (far ? THIRDS + third : third);
   }
 
-  /** What a camera saw at the last {@link #update}. */
+  /** The percept of a camera at the last {@link #update}. */
   int lastPercept(int camera) {
     return percepts[camera];
   }

@@ -5,7 +5,7 @@ import org.hificamsim.agents.choice.Ties;
 
 /** Counts votes for views, and determines the winner (majority voting of thesis 7.4.5). */
 final class MajorityVote {
-  /** Which view wins if several have most votes; thesis 7.4.5 leaves this open. */
+  /** The choice among views with equally many votes; thesis 7.4.5 leaves this open. */
   enum DrawRule {
     /** The camera's own best view if it is one of them, else the widest. */
     OWN,

@@ -164,7 +164,7 @@ abstract class GroupPrices {
     return most;
   }
 
-  /** What a set brings at prices of its targets, less its own price. */
+  /** The sum of the prices of a set's targets, less its own price. */
   final double profit(int set, double[] pricesByMoment) {
     double profit = -prices[set];
     for (int moment : problem.moments(set)) {

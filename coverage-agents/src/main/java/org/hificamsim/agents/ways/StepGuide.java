@@ -32,7 +32,7 @@ final class StepGuide {
     return objective.byLeast() || objective.countsCoverableOnly();
   }
 
-  /** What a target adds to the sum of a step's score, before it is divided for a share. */
+  /** The worth of a target in the sum of a step's score, before the division for a share. */
   static StepWorth worth(Objective objective, int cameras) {
     long[] table = objective.worths(cameras, 1).get(0);
     int last = table.length - 1;
@@ -64,7 +64,7 @@ final class StepGuide {
     return new StepWorth(values);
   }
 
-  /** What a set adds to a step with this coverage, progress weighed by a share. */
+  /** The gain of a set in a step with this coverage; a share weighs progress towards a gain. */
   double gain(int step, int set, int[] coverage, double share) {
     int count = problem.end(step) - problem.start(step);
     double scoreGain = byLeast ? leastGain(step, set, coverage) : sum(score, set, coverage);

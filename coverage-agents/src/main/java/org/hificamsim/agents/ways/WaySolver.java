@@ -136,7 +136,7 @@ public final class WaySolver {
     return planner.bestScore();
   }
 
-  /** What no policy exceeds that takes its time. */
+  /** The bound on the score of any policy whose moves take time. */
   public double bound() {
     boolean whole = !problem.objective().isShare();
     double floor = whole ? Math.floor(bound) : bound;

@@ -306,7 +306,7 @@ public final class LagrangianBound {
     return scale < MIN_SCALE;
   }
 
-  /** What a candidate costs beyond what it is worth, for the present multipliers. */
+  /** The price of a candidate less its worth, for the present multipliers. */
   double reducedPrice(int candidate) {
     return instance.prices()[candidate]
         - multiplierSums[candidate] / Math.max(worthOfPrice, EPSILON);

@@ -41,7 +41,7 @@ final class PlanDxf {
   private static final double TEXT_HEIGHT = 0.3; // metres
   private static final double SYMBOL = 0.2; // metres, the radius of a camera's symbol
 
-  /** What a camera's block says, by tag; only the name is shown. */
+  /** The attributes of a camera's block, by tag; only the name is shown. */
   private static final Map<String, BiFunction<SitePlan, CameraSpec, String>> ATTRIBUTES =
       new LinkedHashMap<>();
 

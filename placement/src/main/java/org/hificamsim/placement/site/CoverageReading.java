@@ -1,6 +1,6 @@
 package org.hificamsim.placement.site;
 
-/** What it means that a camera covers a point. */
+/** The meaning of a camera's covering a point. */
 public enum CoverageReading {
   /** The point is in the fixed view that the camera got when it was mounted. */
   FIXED("by the fixed view of each camera"),

@@ -158,12 +158,14 @@ public record PlacementProblem(
     return request.goal.goal;
   }
 
-  /** What a price counts for in the goal: 1 if the goal is a number of cameras. */
+  /** The price as the goal counts it: 1 if the goal is a number of cameras. */
   double countedPrice(double price) {
     return request.goal.byNumber ? 1 : price;
   }
 
-  /** What remains for the new cameras; for full cover, as far as the candidates can cover it. */
+  /**
+   * The cover that remains for new cameras; for full cover, as far as the candidates can give it.
+   */
   public CoverInstance remaining() {
     CoverInstance remaining = instance.remaining(keptCounts);
     return goal().isFullCover() ? remaining.coverable() : remaining;
@@ -230,7 +232,7 @@ public record PlacementProblem(
     return found.replacedBy(chosen, remaining.worth(remaining.counts(chosen)));
   }
 
-  /** What the cameras of the site meet as it is: of the area, or of where targets are. */
+  /** The share that the cameras of the site meet as it is: of the area, or of where targets are. */
   private double shareOfSite() {
     List<CameraSpec> cameras = demand().site().cameras();
     return demand().isForArea()

@@ -57,12 +57,12 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
         .toArray();
   }
 
-  /** What is claimed to be met: a share of the area, or of where targets are. */
+  /** The share that is claimed to be met: of the area, or of where targets are. */
   public double claimedShare() {
     return demand.isForArea() ? area.of(demand) : share();
   }
 
-  /** What is claimed to be met of a zone. */
+  /** The share of a zone that is claimed to be met. */
   public double claimedShare(ZoneDemand zone) {
     return demand.isForArea()
         ? area.shares().get(demand.zones().indexOf(zone))

@@ -142,7 +142,7 @@ final class FieldScript {
     place.dispose();
   }
 
-  /** What {@code picture.js} has to know of a picture. */
+  /** The data of a picture for {@code picture.js}. */
   private Map<String, Object> picture(Rectangle2D area, RunFrames run, int index) {
     return Map.of(
         "colours", colors,

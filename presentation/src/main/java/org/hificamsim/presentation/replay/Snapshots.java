@@ -31,7 +31,7 @@ public final class Snapshots {
     this.poses = setup.cameras().stream().map(Setup.Camera::pose).toArray(CameraPose[]::new);
   }
 
-  /** What the agents estimate, such as "mean reward" or "Q"; empty if they estimate nothing. */
+  /** The name of the agents' estimate, such as "mean reward" or "Q"; empty without one. */
   public String estimated(NetworkView network) {
     if (estimated == null) {
       int maxViews = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);

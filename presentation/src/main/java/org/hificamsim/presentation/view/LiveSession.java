@@ -70,7 +70,7 @@ public final class LiveSession implements AutoCloseable {
     thread.start();
   }
 
-  /** What pages read. */
+  /** The feed that pages read. */
   LiveFeed feed() {
     return feed;
   }

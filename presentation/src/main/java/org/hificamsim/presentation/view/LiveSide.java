@@ -121,7 +121,7 @@ final class LiveSide {
     return ObjectiveWords.of(world.scenario().objective());
   }
 
-  /** What the agents estimate; empty if they estimate nothing. */
+  /** The name of the agents' estimate; empty without one. */
   String estimated() {
     return snapshots.estimated(simulation.network());
   }

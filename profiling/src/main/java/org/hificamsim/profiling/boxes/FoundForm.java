@@ -3,7 +3,7 @@ package org.hificamsim.profiling.boxes;
 import java.util.Arrays;
 import java.util.List;
 
-/** What the probability that a person is found depends on, the simplest first. */
+/** The forms of the probability that a person is found, the simplest first. */
 enum FoundForm {
   CONSTANT,
   HEIGHT(Part.HEIGHT),

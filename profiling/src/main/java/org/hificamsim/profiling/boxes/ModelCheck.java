@@ -4,7 +4,7 @@ import java.util.List;
 import org.hificamsim.hifi.boxes.FoundCurve;
 import org.hificamsim.profiling.fit.Reliability;
 
-/** What a model expects of measured boxes, compared with what the detector found. */
+/** A comparison of the model's expectation for measured boxes with the detector's finds. */
 public final class ModelCheck {
   private ModelCheck() {}
 

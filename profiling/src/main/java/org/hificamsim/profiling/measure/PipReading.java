@@ -12,7 +12,7 @@ import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.detector.Photograph;
 import org.opencv.core.Core;
 
-/** Which pixels count as the object's in PIP. */
+/** The pixels that count as the object's in PIP. */
 public enum PipReading {
   /** The pixels of the mask, or of the patch if there is no mask. */
   SILHOUETTE("pip"),

@@ -1,2 +1,2 @@
-/** What the detectors make of every photo: ground-truth PIP and confidences. */
+/** Measures every photo: ground-truth PIP, and the detectors' confidences. */
 package org.hificamsim.profiling.measure;

@@ -33,7 +33,7 @@ record Gap(
   /** All layouts together. */
   static final String ALL = "all";
 
-  /** What a gap means for the conclusion. */
+  /** The meaning of a gap for the conclusion. */
   enum Finding {
     UNDERESTIMATES,
     OVERESTIMATES,

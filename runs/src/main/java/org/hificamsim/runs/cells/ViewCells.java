@@ -90,7 +90,7 @@ public final class ViewCells {
     keptCells = 0;
   }
 
-  /** What each camera sees now; the same array until a camera sees something else. */
+  /** The cells that each camera sees now; the same array until a camera sees others. */
   public Seen[] now(NetworkView network) {
     if (revision != network.revision() || seen.length != network.cameras()) {
       forget(network);
@@ -107,7 +107,7 @@ public final class ViewCells {
     return now;
   }
 
-  /** What each camera sees in any of its views, with the greatest chance. */
+  /** The cells that each camera sees in any of its views, with the greatest chance. */
   Seen[] inAnyView(NetworkView network) {
     forget(network);
     Seen[] union = new Seen[network.cameras()];

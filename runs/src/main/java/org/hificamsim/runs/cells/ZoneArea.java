@@ -28,7 +28,7 @@ public final class ZoneArea {
   private final ViewCells views;
   private final double[] camerasByCell;
 
-  /** What each camera saw when the share was computed last. */
+  /** The cells that each camera saw when the share was computed last. */
   private ViewCells.Seen[] measured = {};
 
   private double share;

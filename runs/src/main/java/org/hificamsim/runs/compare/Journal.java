@@ -49,7 +49,7 @@ public final class Journal implements Closeable {
   /** The name of the file in the folder of a shard. */
   private static final String SHARD_FILE = "runs.jsonl";
 
-  /** What each line begins with, by which a journal is told from other files. */
+  /** The start of each line, which tells a journal from other files. */
   private static final byte[] BEGIN = "{\"sum\":\"".getBytes(StandardCharsets.UTF_8);
 
   private static final int MAX_LINE = 1 << 28; // bytes

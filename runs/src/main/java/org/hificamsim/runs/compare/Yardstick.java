@@ -28,7 +28,7 @@ public enum Yardstick {
       "over best-fixed",
       ScoredRun::bestFixed,
       Metric.VALUE_OF_LEARNING),
-  /** What cameras could have scored in time: a plan that does, and a bound, which is compared. */
+  /** The most that cameras could have scored in time: a plan and a bound, which is compared. */
   REACHABLE(
       "what cameras could reach in time",
       "of what was reachable, at least",

@@ -36,7 +36,7 @@ public enum HeatFigure {
       Unit.SHARE,
       place -> 1 - place.visitsCovered0());
 
-  /** What a figure counts, which decides its scale. */
+  /** The unit of a figure, which decides its scale. */
   private enum Unit {
     CAMERAS,
     SHARE,

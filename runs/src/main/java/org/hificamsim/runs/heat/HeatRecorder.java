@@ -40,7 +40,7 @@ public final class HeatRecorder implements StepListener {
   private final long[] detectionsOfVisits;
   private final long[] uncoveredVisits;
 
-  /** What each camera saw in the last steps, which are not added yet. */
+  /** The cells that each camera saw in the last steps, which are not added yet. */
   private ViewCells.Seen[] seen = {};
 
   private long equalSteps;

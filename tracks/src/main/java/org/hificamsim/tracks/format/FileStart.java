@@ -71,7 +71,7 @@ public final class FileStart {
     return rows;
   }
 
-  /** What separates the columns of the first row. */
+  /** The separator of the first row's columns. */
   Separator separator() {
     return separator;
   }
@@ -115,7 +115,7 @@ public final class FileStart {
     return rows.isEmpty() ? new Place(file.toString(), 1, 1) : rows.get(0).place(0);
   }
 
-  /** What the file looks like, in words that follow "the file". */
+  /** A description of the file, in words that follow "the file". */
   String look() {
     if (isSqlite()) {
       return "is an SQLite file";

@@ -17,7 +17,7 @@ public final class MotFile {
   private static final int COLUMNS_WITH_CLASS = 9;
   private static final int CLASS_COLUMN = 7;
 
-  /** What files have in columns that they do not use. */
+  /** The value in columns that a file does not use. */
   private static final String NONE = "-1";
 
   private static final int X_COLUMN = 7;

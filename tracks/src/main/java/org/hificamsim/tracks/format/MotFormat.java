@@ -30,7 +30,7 @@ final class MotFormat implements TrackFormat {
   private static final RowShape BLANK_SHAPE =
       RowShape.blanks("MOTChallenge", MotFile.COLUMNS_WITH_WORLD, MotFile.COLUMNS_WITH_WORLD);
 
-  /** What files of detections have in place of an id. */
+  /** The id in files of detections. */
   private static final String NO_TARGET = "-1";
 
   @Override

@@ -3,7 +3,7 @@ package org.hificamsim.tracks.format;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** What stands between the columns of a table. */
+/** The separator of the columns of a table. */
 enum Separator {
   COMMAS(','),
   SEMICOLONS(';'),

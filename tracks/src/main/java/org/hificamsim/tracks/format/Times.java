@@ -14,7 +14,7 @@ import org.hificamsim.core.file.Fields;
  * has numbers, dates or times of day, not several of them.
  */
 final class Times {
-  /** What a time may be, for error lines. */
+  /** The allowed times, for messages. */
   static final String EXPECTED =
       "a time: seconds, a Unix time, as 2024-05-31T12:00:00Z, or as 12:00:00";
 

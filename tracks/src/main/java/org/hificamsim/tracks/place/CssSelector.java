@@ -97,7 +97,9 @@ final class CssSelector {
     return conditions;
   }
 
-  /** What an element needs to have, as a name with a point or # in front, a type or "*". */
+  /**
+   * The name, type or "*" that an element needs, a class with a point and an id with # in front.
+   */
   String key() {
     Compound last = compounds.get(compounds.size() - 1);
     return last.conditions().stream()

@@ -23,7 +23,7 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.tracks.place.DrawnPart.Traits;
 
-/** What a file draws: the shapes that were chosen as walls, and counts of what else there is. */
+/** The content of a drawing: the shapes that were chosen as walls, and counts of all others. */
 public final class Drawing {
   private static final int MAX_PARTS = 200_000;
   private static final int MAX_POINTS = 4_000_000;

@@ -9,7 +9,7 @@ import org.hificamsim.core.Place;
  * @param height metres; infinite if the drawing has none
  */
 record DrawnPart(DrawnShape shape, double height) {
-  /** What a drawing says of a shape: its height and labels. */
+  /** The height and the labels that a drawing gives to a shape. */
   record Traits(double height, List<Label> labels) {
     static final Traits NONE = new Traits(Double.POSITIVE_INFINITY, List.of());
 

@@ -15,7 +15,7 @@ record DxfEntity(Place place, String layer, int colour, String handle, Content c
   static final int COLOUR_OF_BLOCK = 0;
   static final int COLOUR_OF_LAYER = 256;
 
-  /** What an entity draws. */
+  /** The content of an entity. */
   sealed interface Content {}
 
   /** An outline, in units of the file. */

@@ -21,7 +21,7 @@ record OutlineMaker(Drawing drawing, Place place, AffineTransform toMetres, Trai
   /** The largest distance of a chord from its curve, metres. */
   private static final double FLATNESS = 0.02;
 
-  /** What an outline is. */
+  /** The kind of an outline. */
   enum Kind {
     /** Lines, each of which is an area without an inside if it is closed. */
     LINES,

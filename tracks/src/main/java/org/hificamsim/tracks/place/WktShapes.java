@@ -25,7 +25,7 @@ import org.locationtech.jts.io.WKTReader;
  * @param areWalkable whether polygons are where people walk, so that their borders are walls
  */
 record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
-  /** What PostGIS writes before a geometry, such as {@code SRID=25832;}. */
+  /** The prefix of PostGIS before a geometry, such as {@code SRID=25832;}. */
   private static final Pattern REFERENCE_SYSTEM = Pattern.compile("^\\s*(?i:SRID)=[0-9]+;");
 
   private static final Pattern OTHER =

@@ -57,7 +57,7 @@ public final class Faults {
         });
   }
 
-  /** What is made of the elements that have no fault. */
+  /** Reads each element, and keeps the results of those without a fault. */
   public <T> List<T> each(List<XmlElement> elements, Function<XmlElement, T> reader) {
     List<T> read = new ArrayList<>();
     elements.forEach(element -> check(() -> read.add(reader.apply(element))));

@@ -9,7 +9,7 @@ import org.hificamsim.core.scenario.spec.Extent;
  * that went and came again is begun again.
  */
 public final class TrackWriter {
-  /** What the file begins with. */
+  /** The first line of the file. */
   static final String HEADER = "tracks 1";
 
   /** Java writes an exponent from this number on. */

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
  * @param shift the step, below the period, in which it first wakes up
  */
 public record DutyCycle(int awake, int period, int shift) {
-  /** What is expected, for messages. */
+  /** The expected form, for messages. */
   public static final String EXPECTED =
       "AWAKE/PERIOD or AWAKE/PERIOD@SHIFT in steps, such as 2/6@4: 1 to PERIOD steps awake, SHIFT"
           + " below PERIOD";

@@ -1,6 +1,6 @@
 package org.hificamsim.core.scenario.spec;
 
-/** What is measured of how cameras follow targets: the attribute {@code following}. */
+/** Whether a run measures how cameras follow targets: the attribute {@code following}. */
 public enum Following {
   NONE,
   /** When each target is found, lost and handed over ({@code docs/following.md}). */

@@ -1,9 +1,9 @@
 package org.hificamsim.core.scenario.spec;
 
-/** What a camera sees on its way from one view to another. */
+/** Whether a camera sees on its way from one view to another. */
 public enum Moving {
   /** Nothing, until it has arrived. */
   BLIND,
-  /** What the view sees that it passes: the nearest one in pan and zoom. */
+  /** It sees as through the view that it passes: the nearest one in pan and zoom. */
   SEES
 }

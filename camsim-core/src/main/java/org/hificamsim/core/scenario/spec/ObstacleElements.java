@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.declaration.Type;
 
 /** Obstacles, as scenario files have them. */
 public final class ObstacleElements {
-  /** What is said of all of them, after what is said of each. */
+  /** The sentence about all kinds of obstacles, for the docs of each. */
   private static final String LIGHT =
       """
       transmittance: the part of the light that passes, 0 to 1; 0 is *solid*

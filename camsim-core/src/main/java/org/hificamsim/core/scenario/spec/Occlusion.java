@@ -1,6 +1,6 @@
 package org.hificamsim.core.scenario.spec;
 
-/** What hides a target in addition to obstacles. */
+/** Whether targets hide each other, in addition to obstacles. */
 public enum Occlusion {
   /** Nothing. */
   NONE,

@@ -15,7 +15,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
   /** The largest object of the thesis's lab (Table 4.1). */
   public static final double DEFAULT_SIZE = 0.66;
 
-  /** What no file names: a target with a track comes by {@code tracks}. */
+  /** The movement of a target with a track, which a file gives by {@code tracks}, never by name. */
   public static final String TRACKS = "Tracks";
 
   private static final String CAMSIM_PACKAGE = "epics.movement.";
@@ -189,7 +189,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
     return find(HEIGHT).orElseGet(this::size);
   }
 
-  /** What of it has to be seen, where the file says it of this target. */
+  /** The part of it that has to be seen, if the file says so for this target. */
   public Optional<Seen> seen() {
     return find(SEEN);
   }
@@ -246,7 +246,7 @@ public final class TargetSpec extends Spec<TargetSpec> {
     return get(WAYPOINTS);
   }
 
-  /** What it follows; Tracks only. */
+  /** The track that it follows; with the movement Tracks only. */
   public Optional<Track> track() {
     return get(TRACK);
   }

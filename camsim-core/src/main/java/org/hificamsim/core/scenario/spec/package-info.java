@@ -1,4 +1,4 @@
-/** What the elements of a scenario file say: cameras, lenses, targets, zones, events. */
+/** The elements of a scenario file as records: cameras, lenses, targets, zones, events. */
 @StableApi(since = "0.2")
 package org.hificamsim.core.scenario.spec;
 
