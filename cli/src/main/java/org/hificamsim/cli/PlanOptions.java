@@ -90,7 +90,7 @@ final class PlanOptions {
     drawing.leftOut().ifPresent(line -> terminal.println("  " + Place.printable(line)));
   }
 
-  /** How degrees became metres, in a line; empty if none did. */
+  /** A line on the projection of degrees to metres; empty if there was none. */
   static Optional<String> projected(LocalProjection projection) {
     return Double.isNaN(projection.longitude())
         ? Optional.empty()

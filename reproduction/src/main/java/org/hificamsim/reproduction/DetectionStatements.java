@@ -48,7 +48,7 @@ final class DetectionStatements {
     return cells;
   }
 
-  /** For each pair of policies, both models have to put them in the same order. */
+  /** The margins of pairs of policies, which both models have to put in the same order. */
   private List<Margin> sameOrder() {
     List<Margin> pairs = new ArrayList<>();
     for (String scenario : Layout.SCENARIOS) {

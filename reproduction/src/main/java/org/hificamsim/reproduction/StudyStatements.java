@@ -55,7 +55,7 @@ public final class StudyStatements {
         .toList();
   }
 
-  /** For each scenario, the lead of its best other strategy over the one that is best overall. */
+  /** The lead of each scenario's best other strategy over the one that is best overall. */
   private static List<Margin> leads(List<StudyGroup> groups) {
     int best = best(groups, -1);
     return groups.stream()

@@ -5,7 +5,7 @@ import java.util.function.ToDoubleFunction;
 
 /** How a metric is computed. */
 sealed interface MetricSource {
-  /** From a run alone; NaN if the run does not have the metric. */
+  /** A value of the run alone; NaN if the run does not have the metric. */
   record OfRun(ToDoubleFunction<Measured> value) implements MetricSource {}
 
   /**

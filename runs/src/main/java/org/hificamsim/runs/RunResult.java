@@ -81,7 +81,7 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
         : Optional.empty();
   }
 
-  /** How much higher the least expected k could be, in words; empty if it is proven to be best. */
+  /** The amount by which the least expected k could be higher, in words; empty if it is proven. */
   public static Optional<String> unprovenExpectation(List<RunResult> results) {
     double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
     return gap > 0

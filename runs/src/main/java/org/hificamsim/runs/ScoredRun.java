@@ -24,7 +24,7 @@ public record ScoredRun(
    * @param atMost a bound that none exceeds
    */
   public record Interval(double reached, double atMost) {
-    /** Where nothing is known. */
+    /** The interval of a value of which nothing is known. */
     public static final Interval UNKNOWN = new Interval(Double.NaN, Double.NaN);
   }
 

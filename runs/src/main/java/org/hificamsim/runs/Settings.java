@@ -86,7 +86,7 @@ public final class Settings {
     return values;
   }
 
-  /** Where each setting comes from that a scenario file may have. */
+  /** The source of each setting that a scenario file may have. */
   public Map<Setting, SettingSource> sources(Scenario scenario) {
     Map<Setting, SettingSource> sources = new EnumMap<>(Setting.class);
     for (Setting setting : Setting.values()) {
@@ -97,7 +97,7 @@ public final class Settings {
     return sources;
   }
 
-  /** Where a setting comes from that a scenario file may have. */
+  /** The source of a setting that a scenario file may have. */
   public SettingSource source(Setting setting, Scenario scenario) {
     if (setting == Setting.DETECT && Scenario.hasOwnRule(value(Setting.DETECTION, scenario))) {
       return source(Setting.DETECTION, scenario);

@@ -30,7 +30,7 @@ record MotionMeasures(
     Set<Long> flags) {
   private static final int MAX_FLAGS = 2;
 
-  /** Of a recording with more moves, this many evenly spread ones are measured. */
+  /** The most moves that are measured; of more, this many are chosen, evenly spread. */
   private static final long MAX_SPEEDS = 50_000;
 
   /** Measures the targets of a recording. */

@@ -60,7 +60,7 @@ final class ReadingNotes {
     lines.add(line);
   }
 
-  /** How the files were read, in lines. */
+  /** The lines on how the files were read. */
   List<String> lines() {
     return lines;
   }

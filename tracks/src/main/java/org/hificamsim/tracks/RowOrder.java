@@ -63,7 +63,7 @@ final class RowOrder {
     }
   }
 
-  /** How rows were sorted, in lines. */
+  /** The lines on how rows were sorted. */
   List<String> lines() {
     List<String> lines = new ArrayList<>();
     if (rows > 0) {

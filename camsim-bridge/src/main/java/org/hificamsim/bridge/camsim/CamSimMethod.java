@@ -99,7 +99,9 @@ enum CamSimMethod {
             : typeName.equals(returned.getName()));
   }
 
-  /** Of a handle to it, the owner first; what is no number is known as an object. */
+  /**
+   * The type of a handle to the method: its owner first, and every type but numbers as an object.
+   */
   MethodType handleType() {
     List<Class<?>> types =
         parameters.stream()
@@ -108,7 +110,7 @@ enum CamSimMethod {
     return MethodType.methodType(returned, types).insertParameterTypes(0, Object.class);
   }
 
-  /** As an error line names it. */
+  /** The method as error lines name it. */
   String signature() {
     return type.name
         + "."

@@ -76,7 +76,7 @@ final class BudgetedSight {
     return index(target) >= 0;
   }
 
-  /** Where a camera believes a target to be that it {@link #sees}: where it was detected. */
+  /** The x coordinate at which a camera detected a target that it {@link #sees}, in metres. */
   double x(int camera, int target) {
     int fresh = preview(camera);
     return index(target) < fresh ? targets.x(target) : late.x(camera, target);

@@ -10,7 +10,7 @@ import org.hificamsim.core.policy.SeenPairs;
  * number.
  */
 public final class Holders {
-  /** In place of a camera: no camera has the target. */
+  /** The camera of a target that no camera has. */
   public static final int NONE = -1;
 
   private final SeenPairs pairs = new SeenPairs();

@@ -170,7 +170,7 @@ public final class LateDetections {
     return has;
   }
 
-  /** Where a target was when a camera detected it, which is known only now; metres. */
+  /** The x coordinate of a target when a camera detected it, a step before it is known; metres. */
   double x(int camera, int target) {
     return due[camera].x[due[camera].index(target)];
   }

@@ -277,7 +277,7 @@ class ObservedNetwork implements NetworkView {
     }
   }
 
-  /** Where a target was, metres, that the camera sees. */
+  /** The x coordinate of a target that the camera sees, as of its detection, in metres. */
   private double seenX(int camera, int target) {
     return budgeted == null ? targets.x(target) : budgeted.x(camera, target);
   }

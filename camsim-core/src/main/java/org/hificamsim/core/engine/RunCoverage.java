@@ -101,7 +101,7 @@ public final class RunCoverage implements StepListener {
     return detections;
   }
 
-  /** How the cameras have moved. */
+  /** The moves of the cameras so far. */
   public CameraMoves moves() {
     return moves;
   }

@@ -27,7 +27,7 @@ final class Sight {
   /** Pairs of cameras and targets below which looking at all takes no longer. */
   private static final long MIN_PAIRS = 4_000;
 
-  /** With fewer cells most cameras would look at most targets anyway. */
+  /** The least number of cells that pays: with fewer, most cameras would look at most targets. */
   private static final int MIN_CELLS = 40;
 
   private final Cameras cameras;

@@ -26,7 +26,7 @@ final class Pieces {
   /** By piece: the number of its obstacle. */
   final int[] obstacle;
 
-  /** By obstacle. */
+  /** By obstacle: the share of the light that passes, 0 to 1. */
   final double[] transmittance;
 
   /** By obstacle: whether it reaches from the ground to any height. */

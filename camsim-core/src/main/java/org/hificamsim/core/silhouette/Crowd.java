@@ -19,7 +19,7 @@ final class Crowd {
 
   private final Targets targets;
 
-  /** Where a target begins and its number, ascending. */
+  /** The direction at which each target begins, and its number, in one value; ascending. */
   private final long[] keys;
 
   // by target

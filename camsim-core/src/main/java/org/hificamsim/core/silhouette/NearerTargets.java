@@ -2,7 +2,7 @@ package org.hificamsim.core.silhouette;
 
 import java.util.Arrays;
 
-/** For each target a linked list of nearer ones. Reuse one: it keeps its arrays. */
+/** A linked list of nearer targets for each target. Reuse an instance: it keeps its arrays. */
 final class NearerTargets {
   private static final int NONE = -1;
 

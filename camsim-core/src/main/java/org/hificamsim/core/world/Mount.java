@@ -12,7 +12,7 @@ final class Mount {
 
   final ViewSet set;
 
-  /** By view. */
+  /** By view: its zoom level. */
   final ZoomLevel[] zooms;
 
   /** By view: the number that equal zoom levels share. */

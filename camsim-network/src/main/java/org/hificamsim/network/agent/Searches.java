@@ -24,7 +24,7 @@ public final class Searches {
   /** The camera on whose behalf a camera searches, by target, then by searching camera. */
   private final int[][] searcher;
 
-  /** When each search began, as a number of {@link #begunSearches}. */
+  /** The start of each search, as a number of {@link #begunSearches}. */
   private final long[][] since;
 
   private long begunSearches;

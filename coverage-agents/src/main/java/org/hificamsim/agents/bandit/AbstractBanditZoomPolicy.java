@@ -19,10 +19,10 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private Utility.Reading reading;
   private Utility utility;
 
-  /** By camera and view. */
+  /** By camera and view: the mean reward. */
   private double[][] means;
 
-  /** By camera and view. */
+  /** By camera and view: the number of rewards in that mean. */
   private long[][] pulls;
 
   /** Reads the option {@code utility}, which is the last option of each bandit. */

@@ -14,7 +14,7 @@ final class CellSight {
 
   private final Grid grid;
 
-  /** By camera and view. */
+  /** By camera and view: the numbers of the cells that are seen. */
   private final int[][][] cells;
 
   /** By camera and view, and in the order of the cells. */
@@ -68,7 +68,7 @@ final class CellSight {
     return cells[camera][view];
   }
 
-  /** For each of these cells, the chance to detect a target that is somewhere in the cell. */
+  /** The chance to detect a target that is somewhere in the cell, for each of these cells. */
   float[] chances(int camera, int view) {
     return chances[camera][view];
   }

@@ -17,7 +17,7 @@ final class Forecast {
   private double[] sizes = {};
   private double[] weights = {};
 
-  /** By step. */
+  /** By step: the targets that hide others. */
   private final Hiding[] hidings;
 
   Forecast(Parameters parameters) {
@@ -99,7 +99,7 @@ final class Forecast {
     return sum;
   }
 
-  /** Where the target of a slot is going to be, metres. */
+  /** The expected x coordinate of the target of a slot, in metres. */
   double x(int slot) {
     return xs[slot];
   }

@@ -20,10 +20,10 @@ final class MaxSum implements Agreement {
   private static final double DAMPING = 0.5;
   private static final double DETECTING = 0.5;
 
-  /** In place of infinity. */
+  /** The greatest loss, in place of infinity. */
   private static final double MAX_LOSS = 1e6;
 
-  /** In place of a message: the camera does not take part, or cannot detect the target. */
+  /** The message of a camera that does not take part, or cannot detect the target. */
   private static final double NO_MESSAGE = -MAX_LOSS;
 
   private final int rounds;

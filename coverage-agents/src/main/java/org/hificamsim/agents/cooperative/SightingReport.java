@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.SeenPairs;
 
 /** The message that a camera sends to the others in each step: its view, and its detections. */
 final class SightingReport {
-  /** In place of the number of a target that is not identified. */
+  /** The number of a target that is not identified. */
   static final int UNIDENTIFIED = -1;
 
   private final boolean identifies;

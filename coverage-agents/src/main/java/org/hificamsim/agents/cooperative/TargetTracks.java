@@ -17,10 +17,10 @@ final class TargetTracks {
   private static final class Track {
     private boolean known;
 
-    /** How many tracks began before this one. */
+    /** The number of tracks that began before this one. */
     private long birth;
 
-    /** Where the target is believed to be now. */
+    /** The estimated position of the target, in metres. */
     private double x;
 
     private double y;
@@ -30,7 +30,7 @@ final class TargetTracks {
 
     private double stepY;
 
-    /** Where, and in which step, it was last seen. */
+    /** The position and the step of the last sighting. */
     private double seenX;
 
     private double seenY;
@@ -197,7 +197,7 @@ final class TargetTracks {
     return knownTracks[i];
   }
 
-  /** Where the target is believed to be, metres. */
+  /** The estimated x coordinate of the target, in metres. */
   double x(int number) {
     return tracks[number].x;
   }
@@ -206,7 +206,7 @@ final class TargetTracks {
     return tracks[number].y;
   }
 
-  /** Where the target is believed to have been some steps ago, metres. */
+  /** The estimated x coordinate of the target some steps ago, in metres. */
   double x(int number, long stepsAgo) {
     return tracks[number].x - stepsAgo * tracks[number].stepX;
   }

@@ -9,7 +9,7 @@ final class ViewForecast {
 
   private int views;
 
-  /** By view. */
+  /** By view: the number of steps until the camera sees through it. */
   private int[] delays = {};
 
   /** Scratch memory, by view. */
@@ -17,10 +17,10 @@ final class ViewForecast {
 
   private int rows;
 
-  /** By row. */
+  /** By row: the slot of its target in the forecast. */
   private int[] slots = {};
 
-  /** By row and view. */
+  /** By row and view: the chance that the camera detects the target. */
   private double[] chances = {};
 
   /** Computes the chances for all slots of a forecast, from the camera's present view on. */

@@ -15,7 +15,7 @@ final class WaySearch {
   private int views;
   private TravelTimes times;
 
-  /** By step and view. */
+  /** By step and view: the reward of seeing through the view in the step. */
   private double[] rewards = {};
 
   /** By step and view: the worth of the best way that sees through the view in the step. */

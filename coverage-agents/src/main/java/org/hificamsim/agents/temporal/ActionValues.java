@@ -42,7 +42,7 @@ public final class ActionValues {
    */
   private final double[][] values;
 
-  /** By camera and state. */
+  /** By camera and state: the action of the greatest value. */
   private final int[][] bestActions;
 
   /**

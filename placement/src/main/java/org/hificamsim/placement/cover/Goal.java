@@ -9,7 +9,7 @@ package org.hificamsim.placement.cover;
 public record Goal(double budget) {
   private static final double ROUNDING = 1e-9;
 
-  /** To cover every point as often as needed, at the lowest price. */
+  /** The goal of covering every point as often as needed, at the lowest price. */
   public static final Goal FULL_COVER = new Goal(Double.POSITIVE_INFINITY);
 
   /** Whether everything has to be covered. */

@@ -43,7 +43,7 @@ public record SitePlan(
     return cover.cameras();
   }
 
-  /** How good the plan is, in lines for people; what is met comes first. */
+  /** The quality of the plan in lines for people, the shares that are met first. */
   public List<String> facts() {
     List<String> facts = new ArrayList<>();
     facts.add(

@@ -100,7 +100,7 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
     return moved.isPresent() ? onMount(moved.get(), best) : best.camera("suggested");
   }
 
-  /** In random order, so that points all over the site are tried if the time is short. */
+  /** The mount points in random order: if the time is short, those tried lie all over the site. */
   private static List<Point> shuffledMountPoints(Scenario site) {
     double longerSide = Math.max(site.field().width(), site.field().height());
     MountPoints.Rules rules =

@@ -20,7 +20,7 @@ public final class A4Pages {
   private final List<List<Block>> pages = new ArrayList<>();
   private final String footer;
 
-  /** Where the next block starts; at the end there is no space, so it starts a new page. */
+  /** The start of the next block; at the bottom of a page, so that the first block begins one. */
   private int top = HEIGHT;
 
   /**

@@ -21,7 +21,7 @@ public record PrintWidth(int millimetres) {
   /** The size in print by that on screens, which turns 11 points of text into 8. */
   private static final double SCALE = 0.72;
 
-  /** In points on screens. */
+  /** The least width of a panel, in points on screens. */
   private static final int MIN_PANEL_WIDTH = 300;
 
   private static final int PIXELS_PER_INCH = 300;

@@ -12,7 +12,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** A panel of lines, bands and points, drawn in the order in which they are added. */
 public class XyPanel extends XYChart {
-  /** With butt caps, because pale pieces that overlap would be darker there. */
+  /** A stroke with butt caps: pale pieces would be darker where they overlap. */
   private static final BasicStroke THIN =
       new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
 
@@ -34,7 +34,7 @@ public class XyPanel extends XYChart {
 
   private static final int ROW_HEIGHT = 26;
 
-  /** How far axes extend beyond their ends, because XChart omits a tick at the very end. */
+  /** The share by which axes extend beyond their ends, where XChart would omit a tick. */
   private static final double AXIS_MARGIN = 0.003;
 
   /** Creates an empty panel. */

@@ -29,7 +29,7 @@ public final class ReplayRecorder {
    *     first and the last frame always stay
    */
   record Limits(int frames, long numbers, int bytes) {
-    /** For a page of less than 5 MB and the memory of a small machine. */
+    /** Limits for a page of less than 5 MB and the memory of a small machine. */
     static final Limits DEFAULT = new Limits(20_000, 1 << 23, 4_400_000);
 
     /** The limit of frames for a setup, 2 or more. */

@@ -93,7 +93,7 @@ public final class Ladder {
         .toList();
   }
 
-  /** For each scenario by name, its variants under the rungs. */
+  /** The variants of each scenario under the rungs, by its name. */
   Map<String, List<RungScenario>> scenarios() {
     return scenarios;
   }

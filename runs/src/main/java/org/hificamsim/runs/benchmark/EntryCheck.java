@@ -14,7 +14,7 @@ import org.hificamsim.runs.output.ManifestFile;
 
 /** Checks entries: plays their actions again and compares the scores. */
 public final class EntryCheck {
-  /** By how much a sum of rounded numbers may exceed the best score. */
+  /** The most by which a sum of rounded numbers may exceed the best score. */
   private static final double ROUNDING = 1e-9;
 
   private final Benchmark benchmark;

@@ -55,7 +55,7 @@ public final class Journal implements Closeable {
   private static final int MAX_LINE = 1 << 28; // bytes
   private static final int CHUNK = 1 << 16; // bytes
 
-  /** Where a line is in the file, in bytes. */
+  /** The place of a line in the file, in bytes. */
   private record Line(long start, int length) {}
 
   private final Path file;

@@ -18,7 +18,7 @@ final class Times {
   static final String EXPECTED =
       "a time: seconds, a Unix time, as 2024-05-31T12:00:00Z, or as 12:00:00";
 
-  /** From this number on, which is a day in 1973, seconds are a Unix time. */
+  /** The least number of seconds that is a Unix time: a day in 1973. */
   static final double FIRST_UNIX_TIME = 1e8;
 
   /** Greater numbers count milliseconds; from a thousandfold on microseconds, and so on. */

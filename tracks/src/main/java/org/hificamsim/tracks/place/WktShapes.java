@@ -63,7 +63,7 @@ record WktShapes(Drawing drawing, PlanPoints planPoints, boolean areWalkable) {
         .error(LINE.matcher(problem).replaceFirst("").strip() + ", expected well-known text");
   }
 
-  /** Where a geometry begins, and what the file says of it. */
+  /** The start of a geometry, and its height and labels. */
   private record At(Place place, Traits traits) {}
 
   private void add(At at, Geometry geometry) {

@@ -145,7 +145,7 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     return get(TILT);
   }
 
-  /** In the currency of its plan, 0 or more; 0 if it is not known. */
+  /** The price in the currency of the plan, 0 or more; 0 if it is not known. */
   public double price() {
     return get(PRICE);
   }
