@@ -32,17 +32,47 @@ def write(
         if i + 1 < layers:
             nodes.append(helper.make_node("Relu", [out], [f"hidden{i}"]))
             name = f"hidden{i}"
-    kept = [numpy_helper.from_array(np.asarray(w, np.float32), _name(i)) for i, w in enumerate(weights)]
     inputs = helper.make_tensor_value_info("observations", TensorProto.FLOAT, ["cameras", len(weights[0])])
     outputs = helper.make_tensor_value_info("values", TensorProto.FLOAT, ["cameras", len(weights[-1])])
-    graph = helper.make_graph(nodes, "policy", [inputs], [outputs], kept)
+    save(file, nodes, [inputs], [outputs], _kept(weights), targets=targets, neighbours=neighbours, actions=actions)
+
+
+def write_views(file: str | os.PathLike[str], weights: list[Any]) -> None:
+    """Writes a multilayer perceptron that values a view by what the belief says of it, on any site.
+
+    :param weights: of each layer a matrix and a vector; the first has 10 inputs, the last one output
+    """
+    layers = len(weights) // 2
+    nodes = []
+    name = "views"
+    for i in range(layers):
+        nodes.append(helper.make_node("MatMul", [name, f"weights{i}"], [f"products{i}"]))
+        nodes.append(helper.make_node("Add", [f"products{i}", f"offsets{i}"], [f"sums{i}"]))
+        if i + 1 < layers:
+            nodes.append(helper.make_node("Relu", [f"sums{i}"], [f"hidden{i}"]))
+            name = f"hidden{i}"
+    nodes.append(helper.make_node("Squeeze", [f"sums{layers - 1}", "last"], ["values"]))
+    kept = [*_kept(weights), numpy_helper.from_array(np.array([-1]), "last")]
+    inputs = helper.make_tensor_value_info("views", TensorProto.FLOAT, ["cameras", "views", len(weights[0])])
+    outputs = helper.make_tensor_value_info("values", TensorProto.FLOAT, ["cameras", "views"])
+    save(file, nodes, [inputs], [outputs], kept)
+
+
+def save(
+    file: str | os.PathLike[str], nodes: list[Any], inputs: list[Any], outputs: list[Any], kept: list[Any], **told: Any
+) -> None:
+    """Writes a graph; ``told`` are the metadata."""
+    graph = helper.make_graph(nodes, "policy", inputs, outputs, kept)
     model = helper.make_model(
         graph, opset_imports=[helper.make_opsetid("", OPSET)], producer_name="hificamsim", ir_version=IR_VERSION
     )
-    told = {"targets": str(targets), "neighbours": str(neighbours), "actions": actions}
-    helper.set_model_props(model, told)
+    helper.set_model_props(model, {name: str(value) for name, value in told.items()})
     onnx.checker.check_model(model)
     onnx.save(model, os.fspath(file))
+
+
+def _kept(weights: list[Any]) -> list[Any]:
+    return [numpy_helper.from_array(np.asarray(w, np.float32), _name(i)) for i, w in enumerate(weights)]
 
 
 def _name(i: int) -> str:

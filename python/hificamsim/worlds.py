@@ -84,6 +84,8 @@ class Worlds(Remade):
     - actions: view (the number of a view), steps (pan and zoom, each down, stay or up) or rates (how fast it turns and
       zooms; in ``actions`` from 0, to the left or narrower, over 1000, not at all, to 2000)
     - targets, neighbours: how many of the nearest seen targets and of the nearest cameras are observed
+    - belief: whether observations end with what each view of a camera promises by the belief that the cameras share;
+      see ``of_views``
     - auto_reset: True or ``same-step``: the next episode begins within the call that ends one; ``next-step``: in the
       call that follows, whose actions do not count; False or ``disabled``: after a ``reset``
     - expert: a policy, as ``cooperative``, that is asked in each step what it would do: ``advice``; an action of -1
@@ -162,6 +164,19 @@ class Worlds(Remade):
         """The least and the most that each number of an observation can be, (F,) each."""
         low = np.array([feature["low"] for feature in self.features], np.float32)
         return low, np.array([feature["high"] for feature in self.features], np.float32)
+
+    def of_views(self, observations: Array) -> Array:
+        """The belief in observations (..., F): float32 (..., V, 10), a row for each view, the numbers as in ``features``.
+
+        V is the number of views of the camera that has most; the rows of views that a camera has not are 0.
+        """
+        names = [feature["name"] for feature in self.features]
+        first = names.index("view0_exists") if "view0_exists" in names else len(names)
+        size = sum(name.startswith("view0_") for name in names)
+        if not size:
+            raise InputError("observations have no belief, expected belief=True")
+        belief: Array = observations[..., first:].reshape(*observations.shape[:-1], -1, size)
+        return belief
 
     def reset(self, seed: int | None = None) -> None:
         """Begins an episode in every world: of new seeds from this one on, or each its next one."""

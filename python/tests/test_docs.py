@@ -48,9 +48,9 @@ def test_reference_names_everything_public() -> None:
 
 def test_page_lists_every_observation_feature_and_reward() -> None:
     page = PAGE.read_text(encoding="utf-8")
-    with hificamsim.Worlds("campus") as worlds:
+    with hificamsim.Worlds("campus", belief=True) as worlds:
         for feature in worlds.features:
-            name = re.sub(r"^(target|neighbour)\d+_", "", feature["name"])
+            name = re.sub(r"^(target|neighbour|view)\d+_", "", feature["name"])
             assert f"`{name}`" in page, feature
     with pytest.raises(hificamsim.InputError) as said:
         hificamsim.Worlds("campus", reward="none")

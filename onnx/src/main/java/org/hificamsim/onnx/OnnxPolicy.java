@@ -4,7 +4,9 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.hificamsim.agents.cooperative.SharedBelief;
 import org.hificamsim.agents.observation.CameraObserver;
+import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -15,7 +17,8 @@ import org.hificamsim.worlds.PlayedPolicy;
 /**
  * A policy that was trained elsewhere, {@code onnx:FILE}. Each camera takes the allowed action to
  * which the network in the file gives the highest value. One call values the actions of all
- * cameras.
+ * cameras. A network that reads the shared belief has the cameras send the messages of {@link
+ * SharedBelief}.
  */
 public final class OnnxPolicy implements ZoomPolicy {
   private static final String EXPECTED = "expected a trained network: onnx:FILE";
@@ -26,7 +29,13 @@ public final class OnnxPolicy implements ZoomPolicy {
   private Masks masks;
   private PlayedPolicy played;
   private int[] choices;
+  private ObservationLayout layout;
   private float[] observations;
+
+  /** What the network reads: the observations, or the belief in them. */
+  private float[] read;
+
+  private float[] state;
   private float[] values;
   private int[] actions;
 
@@ -56,13 +65,18 @@ public final class OnnxPolicy implements ZoomPolicy {
       throw new InputException("policy onnx: no file, " + EXPECTED);
     }
     trained = TrainedNetwork.of(files().get(0));
-    TrainedNetwork.Conventions conventions = trained.conventions();
+    Conventions conventions = trained.conventions();
     int width = Masks.width(network, conventions.actions());
-    trained.requireShapes(network.cameras(), width);
+    layout = trained.layout(network);
+    trained.requireShapes(network.cameras(), layout, width);
     choices = conventions.actions().choices(network);
     masks = new Masks(network, conventions.actions());
     played = new PlayedPolicy(conventions.actions());
-    observations = new float[network.cameras() * conventions.layout().size()];
+    observations = new float[network.cameras() * layout.size()];
+    boolean viewsAlone = conventions.seesViewsAlone();
+    int viewNumbers = network.cameras() * layout.views() * ObservationLayout.viewSize();
+    read = viewsAlone ? new float[viewNumbers] : observations;
+    state = new float[network.cameras() * trained.stateSize()];
     values = new float[network.cameras() * width];
     actions = new int[network.cameras() * choices.length];
     observer = null;
@@ -72,7 +86,7 @@ public final class OnnxPolicy implements ZoomPolicy {
   public void decide(NetworkView network, int[] views) {
     if (views.length > 0) {
       observe(network);
-      trained.value(views.length, observations, values);
+      trained.value(views.length, read, state, values);
       choose(masks.of(network));
       played.play(actions);
       played.decide(network, views);
@@ -81,9 +95,35 @@ public final class OnnxPolicy implements ZoomPolicy {
 
   private void observe(NetworkView network) {
     if (observer == null) {
-      observer = new CameraObserver(network, trained.conventions().layout());
+      observer = new CameraObserver(network, layout);
+      played.observeWith(observer);
     }
     observer.observe(network, observations);
+    if (read != observations) {
+      copyBelief(network.cameras());
+    }
+  }
+
+  private void copyBelief(int cameras) {
+    int size = layout.size() - layout.firstView();
+    for (int camera = 0; camera < cameras; camera++) {
+      int from = camera * layout.size() + layout.firstView();
+      System.arraycopy(observations, from, read, camera * size, size);
+    }
+  }
+
+  @Override
+  public long messages() {
+    return belief() == null ? 0 : belief().messages();
+  }
+
+  @Override
+  public long bits() {
+    return belief() == null ? 0 : belief().bits();
+  }
+
+  private SharedBelief belief() {
+    return observer == null ? null : observer.belief();
   }
 
   /**

@@ -15,55 +15,23 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
-import org.hificamsim.worlds.ActionKind;
+import org.hificamsim.core.policy.NetworkView;
 
 /**
- * A network in an ONNX file, which maps the observation of each camera (one row each) to a value
- * for each choice. All runs of a process share it; thread-safe.
+ * A network in an ONNX file, which maps what each camera observes (one row each) to a value for
+ * each choice. It may also map a state of each camera to the next one. All runs of a process share
+ * it; thread-safe.
  */
 final class TrainedNetwork {
   private static final Map<Path, TrainedNetwork> OPENED = new HashMap<>();
-
-  /**
-   * The observations and actions that a network was trained with. They are in the metadata of the
-   * file as {@code targets}, {@code neighbours} and {@code actions}; missing entries have the
-   * defaults of the environments. The width of the input tells whether observations contain
-   * heights.
-   */
-  record Conventions(ObservationLayout layout, ActionKind actions) {
-    static Conventions of(Map<String, String> metadata, NodeInfo input) {
-      ObservationLayout defaults = ObservationLayout.DEFAULT;
-      int targets = number(metadata, "targets", defaults.targets());
-      int neighbours = number(metadata, "neighbours", defaults.neighbours());
-      ObservationLayout withHeights = new ObservationLayout(targets, neighbours, true);
-      boolean heights =
-          input.getInfo() instanceof TensorInfo tensor
-              && tensor.getShape().length == 2
-              && tensor.getShape()[1] == withHeights.size();
-      return new Conventions(
-          heights ? withHeights : new ObservationLayout(targets, neighbours, false),
-          Spelling.require(
-              ActionKind.class,
-              "its metadata actions",
-              metadata.getOrDefault("actions", Spelling.of(ActionKind.VIEW))));
-    }
-
-    private static int number(Map<String, String> metadata, String key, int defaultValue) {
-      String text = metadata.get(key);
-      try {
-        return text == null ? defaultValue : Integer.parseInt(text);
-      } catch (NumberFormatException e) {
-        throw new InputException(
-            "its metadata " + key + " is '" + text + "', expected a whole number", e);
-      }
-    }
-  }
 
   private final Path file;
   private final byte[] content;
@@ -71,6 +39,9 @@ final class TrainedNetwork {
   private final Conventions conventions;
   private final NodeInfo input;
   private final NodeInfo output;
+
+  /** The names of state and next state; null in a network without memory. */
+  private final Memory memory;
 
   /**
    * Returns the network of a file, which is opened again if its content has changed.
@@ -110,9 +81,10 @@ final class TrainedNetwork {
     this.content = content;
     try {
       session = environment().createSession(content, oneThread());
-      input = only("input", session.getInputInfo().values());
+      memory = Memory.of(session.getInputInfo(), session.getOutputInfo());
+      input = only("input", session.getInputInfo().values(), Memory.STATE);
       conventions = Conventions.of(session.getMetadata().getCustomMetadata(), input);
-      output = only("output", session.getOutputInfo().values());
+      output = only("output", session.getOutputInfo().values(), Memory.NEXT_STATE);
     } catch (OrtException e) {
       throw InputException.of(
               "%s is no network that ONNX Runtime knows, expected a trained one: %s",
@@ -146,60 +118,75 @@ final class TrainedNetwork {
     return line.replaceFirst(".*(message|initialization|\\.cc:\\d+):? ", "");
   }
 
-  private static NodeInfo only(String what, Collection<NodeInfo> nodes) {
-    if (nodes.size() != 1) {
-      throw new InputException("it has " + nodes.size() + " " + what + "s, expected one");
+  private static NodeInfo only(String what, Collection<NodeInfo> nodes, String besides) {
+    List<NodeInfo> others = nodes.stream().filter(node -> !node.getName().equals(besides)).toList();
+    if (others.size() != 1) {
+      throw InputException.of(
+          "it has %s %ss, expected one (and perhaps '%s')", others.size(), what, besides);
     }
-    return nodes.iterator().next();
+    return others.get(0);
+  }
+
+  /** The layout of the observations that it reads of a network of cameras. */
+  ObservationLayout layout(NetworkView network) {
+    boolean flat = input.getInfo() instanceof TensorInfo tensor && tensor.getShape().length == 2;
+    return conventions.layout(network, flat ? ((TensorInfo) input.getInfo()).getShape()[1] : -1);
   }
 
   Conventions conventions() {
     return conventions;
   }
 
+  /** The length of the state of a camera; 0 for a network without memory. */
+  int stateSize() {
+    return memory == null ? 0 : memory.size();
+  }
+
   /**
    * Checks that the network fits these cameras.
    *
+   * @param layout of their observations
    * @param width the number of values needed for each camera
    * @throws InputException when the network has other shapes
    */
-  void requireShapes(int cameras, int width) {
-    int numbers = conventions.layout().size();
-    require("input", input, cameras, numbers, "the numbers of an observation of " + layoutText());
-    String what = "values for the choices of a camera (actions=" + actions() + ")";
-    require("output", output, cameras, width, what);
+  void requireShapes(int cameras, ObservationLayout layout, int width) {
+    if (conventions.seesViewsAlone()) {
+      long[] shape = {cameras, layout.views(), ObservationLayout.viewSize()};
+      require("input", input, shape, "cameras x views x what each promises");
+    } else {
+      String numbers =
+          Texts.format(
+              "cameras x the numbers of an observation of %s targets and %s neighbours",
+              layout.targets(), layout.neighbours());
+      require("input", input, new long[] {cameras, layout.size()}, numbers);
+    }
+    String values =
+        "cameras x values for the choices of a camera (actions="
+            + Spelling.of(conventions.actions())
+            + ")";
+    require("output", output, new long[] {cameras, width}, values);
   }
 
-  private String layoutText() {
-    return Texts.format(
-        "%s targets and %s neighbours",
-        conventions.layout().targets(), conventions.layout().neighbours());
-  }
-
-  private String actions() {
-    return Spelling.of(conventions.actions());
-  }
-
-  private void require(String what, NodeInfo node, int cameras, int width, String meaning) {
+  private void require(String what, NodeInfo node, long[] wanted, String meaning) {
     boolean fits =
         node.getInfo() instanceof TensorInfo tensor
             && tensor.type == OnnxJavaType.FLOAT
-            && tensor.getShape().length == 2
-            && fits(tensor.getShape()[0], cameras)
-            && fits(tensor.getShape()[1], width);
+            && tensor.getShape().length == wanted.length
+            && IntStream.range(0, wanted.length)
+                .allMatch(i -> fits(tensor.getShape()[i], wanted[i]));
     if (!fits) {
       throw new InputException(
           file
               + ": %s '%s' is %s".formatted(what, node.getName(), text(node))
               + ", expected float32 of "
-              + shape(new long[] {cameras, width})
-              + ": cameras x "
+              + shape(wanted)
+              + ": "
               + meaning);
     }
   }
 
   /** Whether a dimension has the wanted length or, if negative, any. */
-  private static boolean fits(long length, int wanted) {
+  private static boolean fits(long length, long wanted) {
     return length == wanted || length < 0;
   }
 
@@ -219,18 +206,44 @@ final class TrainedNetwork {
    * Computes the value of each choice of each camera.
    *
    * @param observations one row for each camera
+   * @param state of each camera, one row each; replaced by the next one
    * @param values receives one row for each camera
    * @throws InputException when the network fails or a value is NaN
    */
-  void value(int cameras, float[] observations, float[] values) {
-    long[] shape = {cameras, observations.length / cameras};
-    try (OnnxTensor input =
-            OnnxTensor.createTensor(environment(), FloatBuffer.wrap(observations), shape);
-        OrtSession.Result result = session.run(Map.of(this.input.getName(), input))) {
-      copy(((OnnxTensor) result.get(0)).getFloatBuffer(), values);
+  void value(int cameras, float[] observations, float[] state, float[] values) {
+    Map<String, OnnxTensor> inputs = new HashMap<>();
+    try {
+      inputs.put(input.getName(), tensor(observations, inputShape(cameras, observations.length)));
+      if (memory != null) {
+        inputs.put(Memory.STATE, tensor(state, new long[] {cameras, memory.size()}));
+      }
+      try (OrtSession.Result result = session.run(inputs)) {
+        copy(result, output.getName(), values);
+        if (memory != null) {
+          copy(result, Memory.NEXT_STATE, state);
+        }
+      }
     } catch (OrtException e) {
       throw new InputException(file + " fails: " + reason(e), e);
+    } finally {
+      inputs.values().forEach(OnnxTensor::close);
     }
+  }
+
+  private static OnnxTensor tensor(float[] numbers, long[] shape) throws OrtException {
+    return OnnxTensor.createTensor(environment(), FloatBuffer.wrap(numbers), shape);
+  }
+
+  private long[] inputShape(int cameras, int numbers) {
+    int perCamera = numbers / cameras;
+    int perView = ObservationLayout.viewSize();
+    return conventions.seesViewsAlone()
+        ? new long[] {cameras, perCamera / perView, perView}
+        : new long[] {cameras, perCamera};
+  }
+
+  private void copy(OrtSession.Result result, String name, float[] numbers) {
+    copy(((OnnxTensor) result.get(name).orElseThrow()).getFloatBuffer(), numbers);
   }
 
   private void copy(FloatBuffer output, float[] values) {

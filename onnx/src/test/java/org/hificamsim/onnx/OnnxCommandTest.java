@@ -123,6 +123,8 @@ class OnnxCommandTest {
         "short.onnx | input 'observations' is FLOAT of any x 10, expected float32 of 4 x 44",
         "odd.onnx | its metadata actions is 'jump', expected one of view, steps",
         "two.onnx | it has 2 outputs, expected one",
+        "forgetful.onnx | it has an input 'state' alone, expected input 'state' and output"
+            + " 'next_state'",
         "nan.onnx | gives NaN, expected numbers",
         "make_linear.py | is no network that ONNX Runtime knows",
         "missing.onnx | missing.onnx cannot be read, expected a trained network",

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
@@ -18,6 +19,8 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Compares the choices of a linear layer with those computed by hand. */
 class OnnxPolicyTest {
@@ -59,9 +62,64 @@ class OnnxPolicyTest {
     assertTrue(steps.moves > 0, "no camera moved");
   }
 
+  /** The belief of each view is valued by the same numbers, whatever the site. */
+  @ParameterizedTest
+  @ValueSource(strings = {"corridor", "junction", "campus-heights"})
+  void valuesViewsByTheSharedBeliefOnAnySite(String site) {
+    ExpectedChoices greedy =
+        new ExpectedChoices("views.onnx", new ObservationLayout(0, 0, false), 0) {
+          @Override
+          int expected(NetworkView network, int camera, float[] observation) {
+            int first = observation.length - layout.views() * ObservationLayout.viewSize();
+            int best = 0;
+            for (int view = 0; view < network.views(camera); view++) {
+              best =
+                  value(observation, first, view) > value(observation, first, best) ? view : best;
+            }
+            return best;
+          }
+
+          private float value(float[] observation, int first, int view) {
+            int at = first + view * ObservationLayout.viewSize();
+            return observation[at + 9] + observation[at + 1] / 64;
+          }
+        };
+    greedy.readsBelief();
+    run(greedy, site);
+    assertTrue(greedy.decisions > STEPS, greedy.decisions + " decisions");
+    assertTrue(greedy.moves > 50, greedy.moves + " moves");
+    assertTrue(greedy.policy.messages() > STEPS, greedy.policy.messages() + " messages");
+  }
+
+  @Test
+  void remembersItsStateFromDecisionToDecision() {
+    int[] episodes = new int[1];
+    ExpectedChoices counting =
+        new ExpectedChoices("memory.onnx", ObservationLayout.DEFAULT, 65) {
+          @Override
+          int expected(NetworkView network, int camera, float[] observation) {
+            return (int) Math.min(network.step(), network.views(camera) - 1);
+          }
+
+          @Override
+          public void begin(NetworkView network, SplittableRandom random) {
+            super.begin(network, random);
+            episodes[0]++;
+          }
+        };
+    run(counting);
+    run(counting);
+    assertEquals(2, episodes[0]);
+    assertTrue(counting.moves > 3, counting.moves + " moves");
+  }
+
   private static void run(ZoomPolicy policy) {
+    run(policy, "corridor");
+  }
+
+  private static void run(ZoomPolicy policy, String site) {
     Catalogue catalogue = Catalogue.load();
-    Path file = Path.of(System.getProperty("hificamsim.root"), "scenarios", "corridor.xml");
+    Path file = Path.of(System.getProperty("hificamsim.root"), "scenarios", site + ".xml");
     Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
     Detection detection = new Detection(catalogue.detection("dori-2014:level=recognise"), 0.5);
     World world = new World(scenario, catalogue.movements(), 7);
@@ -75,10 +133,11 @@ class OnnxPolicyTest {
 
   /** Runs the policy and checks each of its choices against a computed one. */
   private abstract static class ExpectedChoices implements ZoomPolicy {
-    private final OnnxPolicy policy;
-    private final ObservationLayout layout;
+    final OnnxPolicy policy;
+    ObservationLayout layout;
     private final int width;
     private CameraObserver observer;
+    private boolean readsBelief;
     int decisions;
     int moves;
 
@@ -86,6 +145,10 @@ class OnnxPolicyTest {
       this.layout = layout;
       this.width = width;
       policy = (OnnxPolicy) Catalogue.load().policies().create("onnx:" + Shipped.file(name));
+    }
+
+    void readsBelief() {
+      readsBelief = true;
     }
 
     abstract int expected(NetworkView network, int camera, float[] observation);
@@ -98,6 +161,11 @@ class OnnxPolicyTest {
     @Override
     public void begin(NetworkView network, SplittableRandom random) {
       policy.begin(network, random);
+      observer = null;
+      if (readsBelief) {
+        int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
+        layout = layout.withViews(most);
+      }
     }
 
     @Override
@@ -109,12 +177,13 @@ class OnnxPolicyTest {
       for (int camera = 0; camera < views.length; camera++) {
         int start = camera * layout.size();
         float[] observation = Arrays.copyOfRange(observations, start, start + layout.size());
-        boolean free = !network.moving(camera);
+        boolean free = network.online(camera) && !network.moving(camera);
         int expected = free ? expected(network, camera, observation) : network.view(camera);
         assertEquals(expected, views[camera], "camera " + camera + " at step " + network.step());
         decisions += free ? 1 : 0;
         moves += views[camera] != network.view(camera) ? 1 : 0;
       }
+      observer.learnChoices(network, views);
     }
 
     /** Returns the first allowed choice of the highest value; its values start at {@code from}. */

@@ -7,7 +7,7 @@ import numpy as np
 import onnx
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[7] / "python" / "examples"))
-from onnx_file import write  # noqa: E402
+from onnx_file import save, write, write_views  # noqa: E402
 
 
 def linear(inputs: int, outputs: int) -> list[np.ndarray]:
@@ -27,3 +27,32 @@ write("nan.onnx", not_a_number)
 two = onnx.load("linear.onnx")
 two.graph.output.append(onnx.helper.make_tensor_value_info("observations", onnx.TensorProto.FLOAT, ["cameras", 44]))
 onnx.save(two, "two.onnx")
+
+# The greatest gain, and a little for the view that was chosen last.
+write_views("views.onnx", [np.array([[0, 1 / 64, 0, 0, 0, 0, 0, 0, 0, 1]]).T, np.zeros(1)])
+
+
+def node(kind: str, inputs: list[str], output: str) -> onnx.NodeProto:
+    return onnx.helper.make_node(kind, inputs, [output])
+
+
+def numbers(name: str, width: int) -> onnx.ValueInfoProto:
+    return onnx.helper.make_tensor_value_info(name, onnx.TensorProto.FLOAT, ["cameras", width])
+
+
+def counting(file: str, next_state: str = "next_state") -> None:
+    """Counts decisions in its state, and likes the view most that has their number."""
+    arrays = {"zeros": np.zeros((44, 65)), "views": np.arange(65), "one": np.ones(1)}
+    kept = [onnx.numpy_helper.from_array(array.astype(np.float32), name) for name, array in arrays.items()]
+    nodes = [
+        node("MatMul", ["observations", "zeros"], "nothing"),
+        node("Sub", ["views", "state"], "off"),
+        node("Mul", ["off", "off"], "square"),
+        node("Sub", ["nothing", "square"], "values"),
+        node("Add", ["state", "one"], next_state),
+    ]
+    save(file, nodes, [numbers("observations", 44), numbers("state", 1)], [numbers("values", 65), numbers(next_state, 1)], kept)
+
+
+counting("memory.onnx")
+counting("forgetful.onnx", "later")

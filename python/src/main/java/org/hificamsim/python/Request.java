@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
@@ -24,6 +25,8 @@ import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.World;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -65,6 +68,7 @@ record Request(Settings asked, Environment own) {
    * @param actions view, steps or rates
    * @param targets the number of targets that an observation has space for
    * @param neighbours the number of neighbours that an observation has space for
+   * @param belief whether an observation says what each view promises
    * @param paints whether pictures of worlds may be requested
    * @param saves whether worlds may be saved; by default if they are at most 1,000
    * @param expert the policy whose advice is written; null for none
@@ -78,6 +82,7 @@ record Request(Settings asked, Environment own) {
       String actions,
       Integer targets,
       Integer neighbours,
+      boolean belief,
       String autoReset,
       boolean paints,
       Boolean saves,
@@ -143,12 +148,24 @@ record Request(Settings asked, Environment own) {
         tasks == null ? null : seed -> tasks.layout(own.task, seed),
         catalogue.movements(),
         DetectionSpec.of(asked, scenario, file, catalogue),
-        new ObservationLayout(own.targets, own.neighbours, scenario.hasHeights()),
+        layout(catalogue, scenario),
         Spelling.require(ActionKind.class, setting("actions"), own.actions),
         () -> Rewards.registry().create(own.reward),
         Integer.parseInt(asked.value(Setting.STEPS, scenario)),
         autoReset(),
         own.expert == null ? null : expert(catalogue));
+  }
+
+  private ObservationLayout layout(Catalogue catalogue, Scenario scenario) {
+    ObservationLayout layout =
+        new ObservationLayout(own.targets, own.neighbours, scenario.hasHeights());
+    return own.belief
+        ? layout.withViews(mostViews(new World(scenario, catalogue.movements(), 0).cameras()))
+        : layout;
+  }
+
+  private static int mostViews(Cameras cameras) {
+    return IntStream.range(0, cameras.count()).map(cameras::views).max().orElse(0);
   }
 
   private AutoReset autoReset() {

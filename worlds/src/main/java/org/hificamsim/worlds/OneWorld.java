@@ -111,6 +111,7 @@ final class OneWorld implements StepListener {
     step = 0;
     simulation.phases().runUntil(StepPhase.DECIDE);
     observer = observer();
+    policy.observeWith(observer);
     if (masks == null) {
       masks = new Masks(network(), settings.actions());
     }

@@ -2,6 +2,7 @@ package org.hificamsim.worlds;
 
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
+import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -23,6 +24,7 @@ public final class PlayedPolicy implements ZoomPolicy {
   private int[] actions = {};
   private int[] expertViews = {};
   private int[] advice = {};
+  private CameraObserver observer;
 
   /** Creates a policy without an expert. */
   public PlayedPolicy(ActionKind kind) {
@@ -69,6 +71,15 @@ public final class PlayedPolicy implements ZoomPolicy {
     actions = newActions;
   }
 
+  /**
+   * Sets who observes the cameras, and is told which views they choose.
+   *
+   * @param newObserver null for none
+   */
+  public void observeWith(CameraObserver newObserver) {
+    observer = newObserver;
+  }
+
   @Override
   public String name() {
     return "played";
@@ -89,6 +100,9 @@ public final class PlayedPolicy implements ZoomPolicy {
       } else if (network.online(camera) && (kind == ActionKind.RATES || !network.moving(camera))) {
         views[camera] = kind.view(network, camera, actions, camera * kind.numbers(), steering);
       }
+    }
+    if (observer != null) {
+      observer.learnChoices(network, views);
     }
   }
 

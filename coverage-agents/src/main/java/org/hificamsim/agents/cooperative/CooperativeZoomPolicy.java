@@ -7,7 +7,6 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.policy.TrackingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -32,10 +31,9 @@ public final class CooperativeZoomPolicy implements TrackingZoomPolicy {
   private final boolean individual;
   private final String map;
   private final Obstacles mapFromFile;
-  private final SeenPairs pairs = new SeenPairs();
-  private SightingReport[] reports = {};
   private Agreement agreement;
   private NetworkView network;
+  private BeliefExchange exchange;
   private Team team;
 
   /** Reads the options of the policy. */
@@ -82,18 +80,15 @@ public final class CooperativeZoomPolicy implements TrackingZoomPolicy {
   @Override
   public void begin(NetworkView newNetwork, SplittableRandom random) {
     network = newNetwork;
-    reports = new SightingReport[network.cameras()];
-    Arrays.setAll(reports, camera -> new SightingReport(parameters.identified()));
     agreement = rule.make(parameters, network, random);
     Obstacles obstacles = map.equals(SITE_MAP) ? network.obstacles() : mapFromFile;
-    Site site = new Site(network, obstacles, parameters.cells());
-    team = new Team(parameters, site, network, individual || !network.channel().isPerfect());
+    exchange = new BeliefExchange(parameters, network, obstacles, individual);
+    team = exchange.team();
   }
 
   @Override
   public void decide(NetworkView network, int[] views) {
-    look(network);
-    team.share(network, reports);
+    exchange.share(network);
     agreement.agree(network, team);
     for (int camera = 0; camera < views.length; camera++) {
       views[camera] = network.online(camera) ? team.chosenView(camera) : views[camera];
@@ -117,17 +112,6 @@ public final class CooperativeZoomPolicy implements TrackingZoomPolicy {
     team.mind(camera).belief().report(network.step(), listener);
     team.reportMessages(network, listener);
     return true;
-  }
-
-  /** Reports where targets are now, as seen through the views of the step before. */
-  private void look(NetworkView network) {
-    for (int camera = 0; camera < reports.length; camera++) {
-      reports[camera].begin(network, camera);
-    }
-    network.findSeen(pairs);
-    for (int pair = 0; pair < pairs.count(); pair++) {
-      reports[pairs.camera(pair)].add(network, pairs, pair);
-    }
   }
 
   @Override

@@ -185,6 +185,23 @@ final class Plan {
     restore(camera, wasPlanned);
   }
 
+  /** Fills in which known and unseen targets each view of a camera promises. */
+  void look(int camera, ViewOutlook outlook) {
+    boolean wasPlanned = planned[camera];
+    withdraw(camera);
+    viewForecasts[camera].addTo(outlook, forecast, coverage);
+    for (int view = 0; view < outlook.views(); view++) {
+      boolean inTime = arrivesInTime(camera, view);
+      outlook.setUnseen(view, inTime ? unseenTargetsIn(camera, view) : 0);
+    }
+    restore(camera, wasPlanned);
+  }
+
+  /** The number of steps up to the horizon, where later ones count less. */
+  double steps() {
+    return forecast.sumOfDiscountsFrom(0);
+  }
+
   /** The gain of a view by unseen targets, and by the learned value of the view. */
   private double gainBeyondTracks(int camera, int view) {
     if (!arrivesInTime(camera, view)) {

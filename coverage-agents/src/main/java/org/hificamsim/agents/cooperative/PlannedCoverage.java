@@ -67,6 +67,11 @@ final class PlannedCoverage {
     return sum;
   }
 
+  /** The chance that any camera detects the target of a slot. */
+  double covered(int slot) {
+    return atLeast(slot, 1);
+  }
+
   /** The worth of a target that k cameras detect. */
   double worth(int k) {
     double sum = 0;

@@ -105,6 +105,18 @@ final class ViewForecast {
     }
   }
 
+  /** Adds what each view promises of known targets, beyond the planned coverage of the others. */
+  void addTo(ViewOutlook outlook, Forecast forecast, PlannedCoverage coverage) {
+    for (int row = 0; row < rows; row++) {
+      double weight = forecast.weight(slots[row]);
+      double others = coverage.covered(slots[row]);
+      double added = coverage.added(slots[row]);
+      for (int view = 0; view < views; view++) {
+        outlook.addKnown(view, weight * chances[row * views + view], others, added);
+      }
+    }
+  }
+
   private double chance(int row, int[] way) {
     int view = way[slots[row] % way.length];
     return view >= 0 ? chances[row * views + view] : 0;

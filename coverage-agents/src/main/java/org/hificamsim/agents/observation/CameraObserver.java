@@ -1,6 +1,7 @@
 package org.hificamsim.agents.observation;
 
 import java.util.Arrays;
+import org.hificamsim.agents.cooperative.SharedBelief;
 import org.hificamsim.agents.voting.NearestCameras;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
@@ -31,6 +32,9 @@ public final class CameraObserver {
   /** By camera, the number of decisions since it began to move. */
   private final int[] movingDecisions;
 
+  /** Null in a layout without belief. */
+  private final BeliefFeatures belief;
+
   private ViewFeatures views;
   private int revision;
 
@@ -48,6 +52,7 @@ public final class CameraObserver {
     standpoints = new ViewFeatures.Standpoints(network);
     nearest = new NearestCameras(network, layout.neighbours());
     movingDecisions = new int[network.cameras()];
+    belief = layout.views() == 0 ? null : new BeliefFeatures(network, layout.views());
     update(network);
   }
 
@@ -92,9 +97,29 @@ public final class CameraObserver {
     if (layout.targets() > 0) {
       writeSeen(network, pairs, out);
     }
+    if (belief != null) {
+      belief.write(network, out, layout.firstView(), size);
+    }
     if (!allOnline) {
       clearOffline(network, out);
     }
+  }
+
+  /**
+   * Lets the cameras tell each other which views they chose, if they share a belief; to be called
+   * after each decision.
+   *
+   * @param chosen the view of each camera
+   */
+  public void learnChoices(NetworkView network, int[] chosen) {
+    if (belief != null) {
+      belief.belief().learnChoices(network, chosen);
+    }
+  }
+
+  /** The belief that the cameras share; null in a layout without it. */
+  public SharedBelief belief() {
+    return belief == null ? null : belief.belief();
   }
 
   private void write(NetworkView network, int camera, float[] out) {

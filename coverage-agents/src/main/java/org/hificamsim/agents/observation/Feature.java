@@ -18,7 +18,7 @@ public record Feature(String name, float low, float high, String meaning) {
     return new Feature(name, -1, 1, meaning);
   }
 
-  /** Returns the feature of a numbered neighbour or target. */
+  /** Returns the feature of a numbered neighbour, target or view. */
   Feature of(String owner, int number) {
     return new Feature(owner + number + "_" + name, low, high, meaning);
   }

@@ -7,14 +7,17 @@ import org.hificamsim.core.InputException;
 
 /**
  * The numbers of an observation in their order: those of the camera itself, of its nearest
- * neighbours, and of the nearest targets that it sees. The numbers of neighbours and targets that
- * do not exist are 0, and so are all numbers of a camera that is off.
+ * neighbours, of the nearest targets that it sees, and, if asked for, of what its views promise by
+ * the belief that the cameras share. The numbers of neighbours, targets and views that do not exist
+ * are 0, and so are all numbers of a camera that is off.
  *
  * @param targets number of targets in the observation, 0 or more
  * @param neighbours number of neighbours in the observation, 0 or more
  * @param heights whether the heights and tilts of cameras are in the observation
+ * @param views number of views of which the observation says what they promise, the most that a
+ *     camera of the network has; 0 for an observation without belief
  */
-public record ObservationLayout(int targets, int neighbours, boolean heights) {
+public record ObservationLayout(int targets, int neighbours, boolean heights, int views) {
   /** The default layout: 4 targets and 2 neighbours, without heights. */
   public static final ObservationLayout DEFAULT = new ObservationLayout(4, 2, false);
 
@@ -64,6 +67,16 @@ public record ObservationLayout(int targets, int neighbours, boolean heights) {
     check("neighbours", neighbours);
   }
 
+  /** Creates a layout without belief. */
+  public ObservationLayout(int targets, int neighbours, boolean heights) {
+    this(targets, neighbours, heights, 0);
+  }
+
+  /** Returns the layout with what this number of views promise. */
+  public ObservationLayout withViews(int newViews) {
+    return new ObservationLayout(targets, neighbours, heights, newViews);
+  }
+
   private static void check(String name, int number) {
     if (number < 0 || number > MAX_OBSERVED) {
       throw InputException.of("observed %s is %s, expected 0 to %s", name, number, MAX_OBSERVED);
@@ -80,7 +93,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights) {
 
   /** The number of numbers of an observation. */
   public int size() {
-    return firstTarget() + targets * TARGET.size();
+    return firstView() + views * viewSize();
   }
 
   /** The number of numbers of the camera itself, which come first. */
@@ -93,20 +106,33 @@ public record ObservationLayout(int targets, int neighbours, boolean heights) {
     return ownSize() + neighbours * NEIGHBOUR.size();
   }
 
+  /** The index of the first number of the first view. */
+  public int firstView() {
+    return firstTarget() + targets * TARGET.size();
+  }
+
+  /** The number of numbers of a view. */
+  public static int viewSize() {
+    return BeliefFeatures.VIEW.size();
+  }
+
   /** The numbers of an observation, in order. */
   public List<Feature> features() {
     List<Feature> features = new ArrayList<>(OWN);
     if (heights) {
       features.addAll(OWN_HEIGHTS);
     }
-    for (int i = 0; i < neighbours; i++) {
-      int number = i;
-      NEIGHBOUR.forEach(feature -> features.add(feature.of("neighbour", number)));
-    }
-    for (int i = 0; i < targets; i++) {
-      int number = i;
-      TARGET.forEach(feature -> features.add(feature.of("target", number)));
-    }
+    addNumbered(features, "neighbour", neighbours, NEIGHBOUR);
+    addNumbered(features, "target", targets, TARGET);
+    addNumbered(features, "view", views, BeliefFeatures.VIEW);
     return features;
+  }
+
+  private static void addNumbered(
+      List<Feature> features, String owner, int owners, List<Feature> numbers) {
+    for (int owned = 0; owned < owners; owned++) {
+      int number = owned;
+      numbers.forEach(feature -> features.add(feature.of(owner, number)));
+    }
   }
 }
