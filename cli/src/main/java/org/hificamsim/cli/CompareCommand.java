@@ -14,7 +14,6 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Reach;
 import org.hificamsim.runs.RunPlan;
@@ -167,8 +166,7 @@ final class CompareCommand implements Callable<Integer> {
   private static void print(PrintWriter out, List<CaseResult> cases) {
     SummaryTables.meanings(cases).forEach(out::println);
     SummaryTables.cases(cases).print(out);
-    if (cases.stream()
-        .allMatch(result -> Estimate.mean(result.figures(Metric.SCORE)).mean() == 0)) {
+    if (cases.stream().allMatch(result -> result.mean(Metric.SCORE).mean() == 0)) {
       printCoverage(out, cases);
     }
     List<PolicyScores> policies =

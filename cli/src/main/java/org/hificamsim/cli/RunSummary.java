@@ -67,7 +67,7 @@ final class RunSummary {
 
   /** Prints how far targets are detected if the score is 0. */
   private void uncovered(RunPlan plan) {
-    if (RunResult.mean(results, Metric.SCORE).mean() == 0) {
+    if (RunResult.mean(plan, results, Metric.SCORE).mean() == 0) {
       line(
           plan.detection().certain() ? "detected up to" : "half of the time",
           Reach.describe(plan.scenario(), plan.detection()));
@@ -95,16 +95,15 @@ final class RunSummary {
     for (Metric metric : Metric.values()) {
       boolean isMeasured = results.stream().anyMatch(run -> run.has(metric));
       if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {
-        figure("summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
+        figure(plan, "summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
       } else if (metric.isPrinted() && isMeasured) {
-        figure(metric.title(), metric, metric.format(), metric.note());
+        figure(plan, metric.title(), metric, metric.format(), metric.note());
       }
     }
   }
 
-  private void figure(String label, Metric metric, String format, String unit) {
-    double[] figures = results.stream().mapToDouble(run -> run.value(metric)).toArray();
-    String text = metric.shown(figures).text(format);
+  private void figure(RunPlan plan, String label, Metric metric, String format, String unit) {
+    String text = RunResult.mean(plan, results, metric).text(format);
     line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
   }
 

@@ -9,30 +9,27 @@ import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 import org.hificamsim.core.Texts;
 
 /**
- * A value with its 95% interval. All intervals over seeds are computed here, by Hall's method (On
- * the Removal of Skewness by Transformation, 1992) with Student's quantiles: Student's interval for
- * values that are symmetric about their mean, and one that is longer on the side where they scatter
- * more for others. The standard error and skewness of a mean come from its values, those of other
- * figures from the draws of a bootstrap.
+ * A value with its 95% interval. All intervals of means over seeds are computed here, by Student's
+ * quantiles. From {@link #ENOUGH_SEEDS} seeds, the interval is moved towards the side where values
+ * scatter more (Hall, Inverting an Edgeworth Expansion, 1983); its length stays the same. The
+ * standard error and skewness of a mean come from its values, those of other figures from the draws
+ * of a bootstrap.
  *
  * @param mean of runs, or another figure; NaN if there is none
  * @param low the lower end of the interval; NaN if there is none
  * @param high the upper end; NaN if there is none
  */
 public record Estimate(double mean, double low, double high) {
-  /** With fewer seeds, an interval is wide, and another seed may change the conclusion. */
+  /**
+   * With fewer seeds, an interval is wide, another seed may change the conclusion, and the skewness
+   * of values is due to chance.
+   */
   public static final int ENOUGH_SEEDS = 10;
 
   private static final double LEVEL = 0.95;
 
-  /** The skewness of up to this many values is ignored: it is due to chance. */
-  private static final int MAX_WITHOUT_SKEWNESS = 3;
-
   /** The minus of a number that is 0 in the printed digits. */
   private static final Pattern MINUS_OF_ZERO = Pattern.compile("-(?=0(\\.0*)?(?![.\\d]))");
-
-  /** A smaller skewness is ignored: the formula would lose precision. */
-  private static final double MIN_SKEWNESS = 1e-6;
 
   /**
    * The mean of values. NaN is left out; a single value has no interval.
@@ -45,7 +42,7 @@ public record Estimate(double mean, double low, double high) {
       return single(known.length == 0 ? Double.NaN : known[0]);
     }
     double root = Math.sqrt(known.length);
-    double skewness = known.length > MAX_WITHOUT_SKEWNESS ? skewness(known) / root : 0;
+    double skewness = known.length < ENOUGH_SEEDS ? 0 : skewness(known) / root;
     double error = new StandardDeviation().evaluate(known) / root;
     return around(StatUtils.mean(known), error, skewness, known.length - 1);
   }
@@ -75,7 +72,7 @@ public record Estimate(double mean, double low, double high) {
   /**
    * A value with an interval from the draws of a bootstrap. The variance of draws is smaller than
    * that of new seeds by the factor (n - 1) / n, and their skewness is smaller too. Both are
-   * corrected, so that a mean gets the same interval as without a bootstrap.
+   * corrected, so that a mean gets nearly the same interval as without a bootstrap.
    *
    * @param drawn without NaN; if it is empty, there is no interval
    * @param seeds the number of seeds in all groups
@@ -87,39 +84,42 @@ public record Estimate(double mean, double low, double high) {
     }
     double n = (double) seeds / groups;
     double error = Math.sqrt(n / (n - 1)) * new StandardDeviation().evaluate(drawn);
-    double skewness =
-        n > MAX_WITHOUT_SKEWNESS ? Math.sqrt(n * (n - 1)) / (n - 2) * skewness(drawn) : 0;
+    double skewness = n < ENOUGH_SEEDS ? 0 : Math.sqrt(n * (n - 1)) / (n - 2) * skewness(drawn);
     return around(value, error, Math.max(-1, Math.min(1, skewness)), seeds - groups);
   }
 
-  /** The skewness of values; 0 if they are all equal. */
-  private static double skewness(double[] values) {
+  /** The skewness of values; 0 if they are all equal, or fewer than three. */
+  public static double skewness(double[] values) {
+    if (values.length < 3) {
+      return 0;
+    }
     Skewness skewness = new Skewness();
     skewness.incrementAll(values);
     return skewness.getResult();
   }
 
   /**
+   * A value with the interval that follows from its standard error.
+   *
    * @param error the standard error of the value
-   * @param skewness of the distribution of the value, -1 to 1 as for any mean
+   * @param skewness of the distribution of the value, -1 to 1 as for any mean; 0 for Student's
+   *     interval
    * @param freedom the degrees of freedom, 1 or more
    */
-  private static Estimate around(double value, double error, double skewness, int freedom) {
+  public static Estimate around(double value, double error, double skewness, int freedom) {
     double t = new TDistribution(freedom).inverseCumulativeProbability((1 + LEVEL) / 2);
-    return new Estimate(
-        value, value - error * skewed(t, skewness), value - error * skewed(-t, skewness));
-  }
-
-  /** Hall's transformation of a quantile t. */
-  private static double skewed(double t, double skewness) {
-    return Math.abs(skewness) < MIN_SKEWNESS
-        ? t
-        : 3 / skewness * (Math.cbrt(1 + skewness * (t - skewness / 6)) - 1);
+    double middle = value + error * skewness * (1 + 2 * t * t) / 6;
+    return new Estimate(value, middle - t * error, middle + t * error);
   }
 
   /** The same estimate with its interval cut to the range of the figure. */
   public Estimate within(double least, double most) {
     return new Estimate(mean, Math.max(least, low), Math.min(most, high));
+  }
+
+  /** One minus the estimate. */
+  public Estimate complement() {
+    return new Estimate(1 - mean, 1 - high, 1 - low);
   }
 
   /** The same estimate multiplied by a factor. */

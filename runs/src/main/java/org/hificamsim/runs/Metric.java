@@ -262,7 +262,11 @@ public enum Metric {
       "with the yardstick `reachable` alone: score over [the bound](policies.md#reachable) on what"
           + " cameras could have scored in time, of the same scenario, detection model and seed;"
           + " empty where the bound is 0",
-      compared(ScoreComparison::reachableBound, ScoreComparison::proportionOfReachable));
+      compared(ScoreComparison::reachableBound, ScoreComparison::proportionOfReachable)),
+  MEAN_SCORE(
+      "of `kmin` and `lexicographic`: cameras; of `covered`: share; of `sum`: detections",
+      "the mean of the steps' scores by the [objective](objectives.md): `score` per step",
+      measured(run -> run.coverage().meanScore()));
 
   private static final String EXPECTED = "EXPECTED_";
 
@@ -345,11 +349,24 @@ public enum Metric {
     return this == UNPROVEN_STEPS || this == PERFORMANCE_BOUND || this == SCORE_BOUND;
   }
 
-  /** The mean over runs for people: its interval is cut to the metric's range. */
-  public Estimate shown(double[] values) {
+  /** The mean over the runs of a plan, with its interval cut to what is possible. */
+  public Estimate mean(RunPlan plan, double[] values) {
     Estimate mean = Estimate.mean(values);
-    double most = unit.startsWith("share") ? Math.max(1, mean.mean()) : Double.POSITIVE_INFINITY;
-    return this == REGRET ? mean : mean.within(0, most);
+    return this == REGRET ? mean : mean.within(0, Math.max(most(plan), mean.mean()));
+  }
+
+  private boolean isShare() {
+    return this != TRACKED && (unit.startsWith("share") || unit.equals("probability"));
+  }
+
+  /** The greatest possible value; infinity if none is known. */
+  private double most(RunPlan plan) {
+    double mostOfStep = plan.objective().isShare() ? 1 : Double.POSITIVE_INFINITY;
+    return switch (this) {
+      case SCORE -> mostOfStep * plan.steps();
+      case MEAN_SCORE -> mostOfStep;
+      default -> isShare() ? 1 : Double.POSITIVE_INFINITY;
+    };
   }
 
   /** The name in files. */

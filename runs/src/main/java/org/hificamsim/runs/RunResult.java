@@ -37,9 +37,9 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return values.getOrDefault(metric, Double.NaN);
   }
 
-  /** The mean of one metric over repeats. */
-  public static Estimate mean(List<RunResult> results, Metric metric) {
-    return Estimate.mean(results.stream().mapToDouble(result -> result.value(metric)).toArray());
+  /** The mean of one metric over the repeats of a plan. */
+  public static Estimate mean(RunPlan plan, List<RunResult> results, Metric metric) {
+    return metric.mean(plan, results.stream().mapToDouble(run -> run.value(metric)).toArray());
   }
 
   /** The sum of the steps' scores by the objective; the performance by default. */

@@ -12,17 +12,14 @@ public final class ScoreText {
    * @param scores of the runs, each summed over its steps
    */
   public static String of(RunPlan plan, double[] scores) {
-    return of(plan, Estimate.mean(scores).times(1.0 / plan.steps()));
+    return of(plan, Metric.SCORE.mean(plan, scores).times(1.0 / plan.steps()));
   }
 
   /** The estimate of a step's score. */
   public static String of(RunPlan plan, Estimate score) {
     boolean isShare = plan.objective().isShare();
     double factor = isShare ? 100 : 1;
-    return score
-        .times(factor)
-        .within(0, isShare ? factor : Double.POSITIVE_INFINITY)
-        .text(isShare ? "%.1f %%" : "%.3f");
+    return score.times(factor).text(isShare ? "%.1f %%" : "%.3f");
   }
 
   /** The meaning of such a number. */

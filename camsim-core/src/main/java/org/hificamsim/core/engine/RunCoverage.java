@@ -71,6 +71,11 @@ public final class RunCoverage implements StepListener {
     return score;
   }
 
+  /** The mean of the steps' scores; 0 without steps. */
+  public double meanScore() {
+    return steps == 0 ? 0 : score() / steps;
+  }
+
   /** The mean of k_min over the steps; 0 without steps. */
   public double meanKMin() {
     return steps == 0 ? 0 : (double) performance / steps;

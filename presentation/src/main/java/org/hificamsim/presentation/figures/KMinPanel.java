@@ -128,12 +128,10 @@ public final class KMinPanel extends XyPanel {
     double[] x = new double[parts];
     double[] y = new double[parts];
     for (int part = 0; part < parts; part++) {
-      int index = part;
-      double[] scores = Arrays.stream(result.partMeans()).mapToDouble(run -> run[index]).toArray();
       x[part] =
           (FinishedRun.start(part, parts, steps) + FinishedRun.start(part + 1, parts, steps) - 1)
               / 2.0;
-      y[part] = side.applyAsDouble(Estimate.mean(scores));
+      y[part] = side.applyAsDouble(result.partMean(part));
     }
     return Lowess.smooth(new Curve(x, y));
   }

@@ -48,7 +48,7 @@ final class ProportionFigure {
   }
 
   private Estimate share(CaseResult result) {
-    return Estimate.mean(result.figures(yardstick.share()));
+    return result.mean(yardstick.share());
   }
 
   static Figure of(List<CaseResult> cases, Yardstick yardstick) {

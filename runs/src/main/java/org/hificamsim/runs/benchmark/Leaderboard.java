@@ -45,7 +45,7 @@ public final class Leaderboard {
             .sorted(
                 Comparator.comparing((BenchmarkEntry entry) -> !hasAllTasks(entry))
                     .thenComparing(this::isBound)
-                    .thenComparing(entry -> -Aggregate.IQM.of(strata(entry)))
+                    .thenComparing(entry -> -Aggregate.interquartileMean(strata(entry)))
                     .thenComparing(BenchmarkEntry::name))
             .toList();
   }

@@ -2,6 +2,7 @@ package org.hificamsim.runs.compare;
 
 import java.util.Arrays;
 import java.util.List;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoredRun;
@@ -30,6 +31,17 @@ public record CaseResult(
   /** Whether this is the exact optimum that the scores of the others are compared with. */
   public boolean isOptimum() {
     return plan.policy().equals(Yardstick.OPTIMAL.policy());
+  }
+
+  /** The mean of a metric over the runs, with its interval cut to what is possible. */
+  public Estimate mean(Metric metric) {
+    return metric.mean(plan, figures(metric));
+  }
+
+  /** The mean score of a step in one of the equal parts, over the runs. */
+  public Estimate partMean(int part) {
+    double[] means = Arrays.stream(partMeans).mapToDouble(ofRun -> ofRun[part]).toArray();
+    return Metric.MEAN_SCORE.mean(plan, means);
   }
 
   /** The value of a metric for each run; NaN if the run does not have it. */

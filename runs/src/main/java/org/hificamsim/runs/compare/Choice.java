@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.output.Table;
@@ -71,12 +72,13 @@ public record Choice(
   private static Choice of(List<CaseResult> cases, String judge, RungScores judged) {
     RungScores choosing = RungScores.of(cases);
     int[] best = choosing.best();
+    RunPlan plan = cases.get(0).plan();
     return new Choice(
-        cases.get(0).plan(),
+        plan,
         Arrays.stream(best).mapToObj(i -> cases.get(i).plan().policy()).toList(),
-        Estimate.mean(choosing.bySeed(best)),
+        Metric.MEAN_SCORE.mean(plan, choosing.bySeed(best)),
         judge,
-        Estimate.mean(judged.bySeed(best)));
+        Metric.MEAN_SCORE.mean(plan, judged.bySeed(best)));
   }
 
   /** Adds the table to a folder's files if there are choices. */

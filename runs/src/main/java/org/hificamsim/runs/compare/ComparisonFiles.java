@@ -1,7 +1,6 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -70,7 +69,7 @@ public final class ComparisonFiles {
               .map(other -> Estimate.difference(figures, other.figures(metric)))
               .orElse(Estimate.single(Double.NaN));
       int runs = Estimate.known(figures).length;
-      return new CaseMetric(result, metric, runs, Estimate.mean(figures), reference, difference);
+      return new CaseMetric(result, metric, runs, result.mean(metric), reference, difference);
     }
   }
 
@@ -119,7 +118,8 @@ public final class ComparisonFiles {
               "what a step is scored by ([objectives](objectives.md))",
               run -> run.plan().objective().text())
           .plain(Metric.SCORE, Run::value)
-          .doubles(Metric.PROPORTION_OF_REACHABLE, Run::value);
+          .doubles(Metric.PROPORTION_OF_REACHABLE, Run::value)
+          .doubles(Metric.MEAN_SCORE, Run::value);
 
   /** A row per scenario, detection, yardstick and seed. */
   public static final Table<YardstickScore> YARDSTICKS =
@@ -186,8 +186,7 @@ public final class ComparisonFiles {
     }
 
     Estimate score() {
-      return Estimate.mean(
-          Arrays.stream(result.partMeans()).mapToDouble(means -> means[part]).toArray());
+      return result.partMean(part);
     }
   }
 

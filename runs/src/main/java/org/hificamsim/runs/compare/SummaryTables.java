@@ -30,8 +30,8 @@ public final class SummaryTables {
    */
   private record Figure(String title, String format, Metric metric) {}
 
-  private static final Figure PERFORMANCE = new Figure("performance", "%.0f", Metric.PERFORMANCE);
-  private static final Figure SCORE = new Figure("score", null, Metric.SCORE);
+  private static final Figure MEAN_K_MIN = new Figure("mean k_min", null, Metric.MEAN_SCORE);
+  private static final Figure SCORE = new Figure("score", null, Metric.MEAN_SCORE);
   private static final Figure PROPORTION = share(Yardstick.OPTIMAL);
   private static final Figure OF_BOUND = share(Yardstick.BOUND);
 
@@ -83,7 +83,7 @@ public final class SummaryTables {
   }
 
   private static double ofBound(CaseResult result) {
-    return Estimate.mean(result.figures(Metric.PROPORTION_OF_BOUND)).mean();
+    return result.mean(Metric.PROPORTION_OF_BOUND).mean();
   }
 
   private static String atLeast(CaseResult result) {
@@ -125,7 +125,7 @@ public final class SummaryTables {
     String ofCases = "Means over %s seeds with 95%% intervals.".formatted(first.runs().size());
     String scores =
         isOfKMin(all)
-            ? " Performance is k_min summed over %s steps.".formatted(first.plan().steps())
+            ? " k_min is the mean of %s steps.".formatted(first.plan().steps())
             : meanings(all).stream().map(text -> " " + text + ".").collect(joining());
     Optional<Yardstick> yardstick = Yardstick.of(asked);
     List<Figure> figures = shown(all);
@@ -152,7 +152,7 @@ public final class SummaryTables {
     List<Figure> shown =
         new ArrayList<>(
             List.of(
-                isOfKMin(cases) ? PERFORMANCE : SCORE,
+                isOfKMin(cases) ? MEAN_K_MIN : SCORE,
                 PROPORTION,
                 OF_BOUND,
                 OF_REACHABLE,
@@ -190,8 +190,8 @@ public final class SummaryTables {
     String count = showsCount && isPartial ? known + "/" + figures.length + ": " : "";
     return count
         + (figure.format == null
-            ? ScoreText.of(result.plan(), figures)
-            : figure.metric.shown(figures).text(figure.format));
+            ? ScoreText.of(result.plan(), result.mean(figure.metric))
+            : result.mean(figure.metric).text(figure.format));
   }
 
   /** The cases ordered by scenario, so that the optima do not all come last. */

@@ -102,11 +102,11 @@ public final class RunFolder implements Closeable {
     closeTables();
     ObjectNode json = SettingsFile.of(plan);
     List<Metric> metrics = Metric.ofRuns().stream().filter(results.get(0)::has).toList();
-    metrics.forEach(metric -> putMean(json, metric, results));
+    metrics.forEach(metric -> putMean(json, plan, metric, results));
     if (results.size() > 1) {
       ObjectNode intervals = json.putObject("interval_95");
       for (Metric metric : metrics) {
-        Estimate estimate = RunResult.mean(results, metric);
+        Estimate estimate = RunResult.mean(plan, results, metric);
         intervals.putArray(metric.label()).add(estimate.low()).add(estimate.high());
       }
     }
@@ -122,8 +122,9 @@ public final class RunFolder implements Closeable {
   }
 
   /** Adds the mean of a metric; the sums of a single run are written without a fraction. */
-  private static void putMean(ObjectNode json, Metric metric, List<RunResult> results) {
-    double mean = RunResult.mean(results, metric).mean();
+  private static void putMean(
+      ObjectNode json, RunPlan plan, Metric metric, List<RunResult> results) {
+    double mean = RunResult.mean(plan, results, metric).mean();
     if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
       json.set(metric.label(), JsonOutput.number(mean));
     } else {

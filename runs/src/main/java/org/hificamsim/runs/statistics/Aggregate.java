@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
@@ -14,48 +14,55 @@ import org.hificamsim.runs.Estimate;
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Aggregate {
   /** The interquartile mean: without the lowest and the highest quarter of all runs. */
-  IQM(strata -> interquartileMean(strata.sorted())),
+  IQM(strata -> drawn(Aggregate::interquartileMean, strata)),
   /** The mean distance of scores below 1; a score above 1 counts as 1. */
-  OPTIMALITY_GAP(
-      strata ->
-          1
-              - StatUtils.mean(
-                  DoubleStream.of(strata.sorted()).map(score -> Math.min(score, 1)).toArray())),
+  OPTIMALITY_GAP(strata -> strata.map(score -> Math.min(score, 1)).meanOfRuns().complement()),
   /** The mean of the scenarios' means. */
-  MEAN(strata -> StatUtils.mean(strata.means())),
-  /** The median of the scenarios' means. */
-  MEDIAN(strata -> StatUtils.percentile(strata.means(), 50));
+  MEAN(Strata::mean),
+  /** The median of the scenarios' means; the mean if there are one or two. */
+  MEDIAN(strata -> strata.scenarios() > 2 ? drawn(Aggregate::median, strata) : strata.mean());
 
   /** The values of tau of a performance profile: 0 to 1 in hundredths. */
   public static final double[] TAUS =
       IntStream.rangeClosed(0, 100).mapToDouble(percent -> percent / 100.0).toArray();
 
-  private final ToDoubleFunction<Strata> number;
+  private final Function<Strata, Estimate> estimate;
 
-  Aggregate(ToDoubleFunction<Strata> number) {
-    this.number = number;
+  Aggregate(Function<Strata, Estimate> estimate) {
+    this.estimate = estimate;
   }
 
-  private static double interquartileMean(double[] sorted) {
+  /** The interquartile mean without an interval, which takes no draws. */
+  public static double interquartileMean(Strata strata) {
+    double[] sorted = strata.sorted();
     int cut = sorted.length / 4;
     return StatUtils.mean(sorted, cut, sorted.length - 2 * cut);
   }
 
-  /** The number for some scores. */
-  public double of(Strata strata) {
-    return number.applyAsDouble(strata);
+  private static double median(Strata strata) {
+    return StatUtils.percentile(strata.means(), 50);
   }
 
-  /** All aggregates with their intervals. */
+  /** A figure between the least and the greatest score, as is its interval. */
+  private static Estimate drawn(ToDoubleFunction<Strata> figure, Strata strata) {
+    double[] sorted = strata.sorted();
+    return sorted.length == 0
+        ? Estimate.single(Double.NaN)
+        : Bootstrap.of(figure, strata).within(sorted[0], sorted[sorted.length - 1]);
+  }
+
+  /** The number for some scores, with its interval over seeds. */
+  public Estimate of(Strata strata) {
+    return estimate.apply(strata);
+  }
+
+  /** The aggregates of some scenarios with their intervals; no median of a single one. */
   public static Map<Aggregate, Estimate> estimates(Strata strata) {
-    Estimate[] estimates =
-        Bootstrap.all(
-            drawn ->
-                Arrays.stream(values()).mapToDouble(aggregate -> aggregate.of(drawn)).toArray(),
-            strata);
     Map<Aggregate, Estimate> byAggregate = new EnumMap<>(Aggregate.class);
-    for (int i = 0; i < estimates.length; i++) {
-      byAggregate.put(values()[i], estimates[i]);
+    for (Aggregate aggregate : values()) {
+      if (aggregate != MEDIAN || strata.scenarios() > 1) {
+        byAggregate.put(aggregate, aggregate.of(strata));
+      }
     }
     return byAggregate;
   }
@@ -66,24 +73,19 @@ public enum Aggregate {
   }
 
   /**
-   * The performance profile with its intervals: for each of {@link #TAUS} the share of runs whose
-   * score is tau or more. At 1 it is the share of runs that were optimal in every step.
+   * The performance profile: for each of {@link #TAUS} the share of runs whose score is tau or
+   * more, with Wilson's interval (Probable Inference, 1927). At 1 it is the share of runs that were
+   * optimal in every step.
    */
   public static Estimate[] profile(Strata strata) {
-    return Arrays.stream(Bootstrap.all(Aggregate::shares, strata))
-        .map(share -> share.within(0, 1))
-        .toArray(Estimate[]::new);
-  }
-
-  private static double[] shares(Strata strata) {
     double[] sorted = strata.sorted();
-    double[] shares = new double[TAUS.length];
+    Estimate[] shares = new Estimate[TAUS.length];
     int below = 0;
     for (int i = 0; i < TAUS.length; i++) {
       while (below < sorted.length && sorted[below] < TAUS[i]) {
         below++;
       }
-      shares[i] = (sorted.length - below) / (double) sorted.length;
+      shares[i] = Shares.of(sorted.length - below, strata);
     }
     return shares;
   }
@@ -96,7 +98,7 @@ public enum Aggregate {
    * @return NaN if no scenario has runs of both
    */
   public static Estimate improvement(Strata policy, Strata over) {
-    return Bootstrap.of(Aggregate::probability, policy, over).within(0, 1);
+    return Shares.improvement(probability(policy, over), policy, over);
   }
 
   /**

@@ -2,8 +2,6 @@ package org.hificamsim.runs.statistics;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import java.util.function.Function;
-import java.util.function.ToDoubleBiFunction;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hificamsim.runs.Estimate;
@@ -39,31 +37,11 @@ public final class Bootstrap {
     return Estimate.drawn(value, Estimate.known(drawn), seeds, 1);
   }
 
-  /** The estimates of several figures of scores; seeds are drawn within each scenario. */
-  static Estimate[] all(Function<Strata, double[]> figures, Strata strata) {
-    double[] values = figures.apply(strata);
-    double[][] drawn = new double[values.length][strata.freedom() > 0 ? DRAWS_OF_STRATA : 0];
+  /** The estimate of a figure of scores; seeds are drawn within each scenario. */
+  static Estimate of(ToDoubleFunction<Strata> figure, Strata strata) {
     SplittableRandom random = new SplittableRandom(SEED_OF_STRATA);
-    for (int i = 0; strata.freedom() > 0 && i < DRAWS_OF_STRATA; i++) {
-      double[] drawnValues = figures.apply(strata.drawn(random));
-      for (int figure = 0; figure < values.length; figure++) {
-        drawn[figure][i] = drawnValues[figure];
-      }
-    }
-    Estimate[] estimates = new Estimate[values.length];
-    Arrays.setAll(
-        estimates,
-        figure -> Estimate.drawn(values[figure], drawn[figure], strata.runs(), strata.scenarios()));
-    return estimates;
-  }
-
-  /** The estimate of a figure of two policies' scores; each policy's seeds are drawn separately. */
-  static Estimate of(ToDoubleBiFunction<Strata, Strata> figure, Strata policy, Strata other) {
-    int freedom = policy.freedom() + other.freedom();
-    SplittableRandom random = new SplittableRandom(SEED_OF_STRATA);
-    double[] drawn = new double[freedom > 0 ? DRAWS_OF_STRATA : 0];
-    Arrays.setAll(drawn, i -> figure.applyAsDouble(policy.drawn(random), other.drawn(random)));
-    int seeds = policy.runs() + other.runs();
-    return Estimate.drawn(figure.applyAsDouble(policy, other), drawn, seeds, seeds - freedom);
+    double[] drawn = new double[strata.freedom() > 0 ? DRAWS_OF_STRATA : 0];
+    Arrays.setAll(drawn, i -> figure.applyAsDouble(strata.drawn(random)));
+    return Estimate.drawn(figure.applyAsDouble(strata), drawn, strata.runs(), strata.scenarios());
   }
 }

@@ -7,7 +7,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
+import org.apache.commons.math3.distribution.AbstractRealDistribution;
 import org.apache.commons.math3.distribution.BetaDistribution;
+import org.apache.commons.math3.distribution.BinomialDistribution;
+import org.apache.commons.math3.distribution.NormalDistribution;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.Ratio;
 import org.junit.jupiter.api.Test;
@@ -15,28 +18,100 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Tests how often a 95% interval contains the true value if that is known, for skewed scores in [0,
- * 1], which proportions of an optimum are like.
+ * Tests how often a 95% interval contains the true value if that is known, for scores in [0, 1]
+ * that are skewed, symmetric, tied or often 1, as proportions of an optimum are. With five seeds
+ * Student's interval of skewed scores holds the truth less often ({@code docs/data.md}).
  */
 class IntervalCoverageTest {
   private static final double LEAST = 0.93;
+  private static final double LEAST_OF_FEW_SKEWED_SCORES = 0.90;
   private static final double MOST = 0.97;
 
   private final SplittableRandom random = new SplittableRandom(95);
 
   @ParameterizedTest
-  @CsvSource({"20, 3, 5", "8, 2, 5", "8, 2, 10", "8, 2, 30", "1, 4, 5", "1, 4, 10", "1, 4, 30"})
+  @CsvSource({
+    "20, 3, 10",
+    "20, 3, 30",
+    "8, 2, 10",
+    "8, 2, 30",
+    "1, 4, 10",
+    "1, 4, 30",
+    "1, 1, 5",
+    "1, 1, 10",
+    "1, 1, 30"
+  })
   void coversMeanAsOftenAsStated(double alpha, double beta, int seeds) {
-    Scores scores = new Scores(alpha, beta);
-    assertHolds(8000, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+    Scores scores = new Scores(new BetaDistribution(alpha, beta));
+    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"20, 3", "8, 2", "1, 4"})
+  void coversMeanOfFewSkewedScoresLessOften(double alpha, double beta) {
+    Scores scores = new Scores(new BetaDistribution(alpha, beta));
+    assertHolds(
+        8000, LEAST_OF_FEW_SKEWED_SCORES, scores.mean(), () -> Estimate.mean(scores.draw(5)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"10, 5", "10, 10", "10, 30", "3, 5", "3, 10", "3, 30"})
+  void coversMeanOfTiedScoresAsOftenAsStated(int values, int seeds) {
+    Scores scores = new Scores(new BinomialDistribution(values, 0.6), values);
+    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"10", "30"})
+  void coversMeanOfScoresThatAreOftenOne(int seeds) {
+    Scores scores = new Scores(new NormalDistribution(0.9, 0.12));
+    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"10", "30"})
+  void coversInterquartileMeanAsOftenAsStated(int seeds) {
+    Scores scores = new Scores(new BetaDistribution(8, 2));
+    double truth = Aggregate.interquartileMean(Strata.of(List.of(scores.quantiles)));
+    assertHolds(800, 0.92, truth, () -> Aggregate.IQM.of(Strata.of(List.of(scores.draw(seeds)))));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"5", "10", "30"})
+  void coversShareOfProfileAsOftenAsStatedOnAverage(int seeds) {
+    int trials = 300;
+    int held = 0;
+    for (int trial = 0; trial < trials; trial++) {
+      Estimate[] shares = Aggregate.profile(Strata.of(List.of(random.doubles(seeds).toArray())));
+      for (int percent = 5; percent <= 95; percent++) {
+        held += holds(shares[percent], 1 - percent / 100.0) ? 1 : 0;
+      }
+    }
+    assertWithin(LEAST, held / (91.0 * trials));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.5, 5", "0.5, 10", "0.5, 30", "1.2, 5", "1.2, 10", "1.2, 30", "2, 10"})
+  void coversProbabilityOfImprovementAsOftenAsStated(double distance, int seeds) {
+    NormalDistribution normal = new NormalDistribution();
+    Scores policy = new Scores(new NormalDistribution(distance, 1), Double.MAX_VALUE);
+    Scores over = new Scores(normal, Double.MAX_VALUE);
+    assertHolds(
+        4000,
+        LEAST,
+        normal.cumulativeProbability(distance / Math.sqrt(2)),
+        () ->
+            Aggregate.improvement(
+                Strata.of(List.of(policy.draw(seeds))), Strata.of(List.of(over.draw(seeds)))));
   }
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
   void coversRatioOfSumsAsOftenAsStated(int seeds) {
-    Scores scores = new Scores(8, 2);
+    Scores scores = new Scores(new BetaDistribution(8, 2));
     assertHolds(
         1200,
+        seeds < 10 ? LEAST_OF_FEW_SKEWED_SCORES : LEAST,
         scores.mean(),
         () -> {
           double[] optimum = random.doubles(seeds, 200, 300).toArray();
@@ -49,21 +124,22 @@ class IntervalCoverageTest {
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
   void coversMeanOverScenariosAsOftenAsStated(int seeds) {
-    Scores high = new Scores(8, 2);
-    Scores low = new Scores(2, 8);
+    Scores high = new Scores(new BetaDistribution(8, 2));
+    Scores low = new Scores(new BetaDistribution(2, 8));
     assertHolds(
-        400,
+        4000,
+        0.92,
         (high.mean() + low.mean()) / 2,
         () -> {
           Strata strata = Strata.of(List.of(high.draw(seeds), low.draw(seeds)));
-          return Bootstrap.all(drawn -> new double[] {Aggregate.MEAN.of(drawn)}, strata)[0];
+          return Aggregate.MEAN.of(strata);
         });
   }
 
   @ParameterizedTest
   @CsvSource({"5", "10", "30"})
   void drawnMeanHasNearlySameInterval(int seeds) {
-    double[] scores = new Scores(8, 2).draw(seeds);
+    double[] scores = new Scores(new BetaDistribution(8, 2)).draw(seeds);
     Estimate mean = Estimate.mean(scores);
     Estimate drawn =
         Bootstrap.of(
@@ -81,30 +157,71 @@ class IntervalCoverageTest {
   }
 
   @Test
-  void intervalIsLongerOnTheSideOfMoreScatter() {
-    Estimate mean = Estimate.mean(new double[] {0.1, 0.1, 0.2, 0.2, 0.9});
+  void tenSeedsMoveIntervalTowardsScatter() {
+    double[] values = {0.1, 0.1, 0.1, 0.1, 0.2, 0.2, 0.2, 0.2, 0.2, 0.9};
+    Estimate mean = Estimate.mean(values);
     assertTrue(mean.high() - mean.mean() > 2 * (mean.mean() - mean.low()));
+    assertTrue(mean.low() > 0.1 && mean.low() < mean.mean());
+    Estimate few = Estimate.mean(Arrays.copyOfRange(values, 1, 10));
+    assertEquals(few.mean() - few.low(), few.high() - few.mean(), 1e-12);
   }
 
-  private static void assertHolds(int trials, double truth, Supplier<Estimate> interval) {
+  @Test
+  void equalSharesHaveWidth() {
+    Strata best = Strata.of(List.of(new double[] {1, 1, 1, 1, 1}));
+    Strata worst = Strata.of(List.of(new double[] {0, 0, 0, 0, 0}));
+    Estimate share = Aggregate.profile(best)[50];
+    assertEquals(1, share.high());
+    assertEquals(0.565518, share.low(), 1e-6); // SciPy: binomtest(5, 5).proportion_ci, Wilson
+    Estimate better = Aggregate.improvement(best, worst);
+    assertEquals(1, better.high());
+    assertTrue(better.low() > 0.5 && better.low() < 0.8, better.toString());
+  }
+
+  private static void assertHolds(
+      int trials, double least, double truth, Supplier<Estimate> interval) {
+    assertWithin(least, share(trials, truth, interval));
+  }
+
+  private static void assertWithin(double least, double share) {
+    assertTrue(share >= least && share <= MOST, "the interval holds the truth in " + share);
+  }
+
+  private static double share(int trials, double truth, Supplier<Estimate> interval) {
     int held = 0;
     for (int trial = 0; trial < trials; trial++) {
-      Estimate estimate = interval.get();
-      held += estimate.low() <= truth && truth <= estimate.high() ? 1 : 0;
+      held += holds(interval.get(), truth) ? 1 : 0;
     }
-    double share = (double) held / trials;
-    assertTrue(share >= LEAST && share <= MOST, "the interval holds the truth in " + share);
+    return (double) held / trials;
   }
 
-  /** Scores with a beta distribution. */
-  private final class Scores {
-    private final BetaDistribution distribution;
-    private final double[] quantiles = new double[10_000];
+  private static boolean holds(Estimate estimate, double truth) {
+    return estimate.low() <= truth && truth <= estimate.high();
+  }
 
-    Scores(double alpha, double beta) {
-      distribution = new BetaDistribution(alpha, beta);
+  /** Scores with a distribution that is known by its quantiles. */
+  private final class Scores {
+    private final double[] quantiles = new double[1000];
+
+    /** At most 1. */
+    Scores(AbstractRealDistribution distribution) {
+      this(distribution, 1);
+    }
+
+    Scores(AbstractRealDistribution distribution, double most) {
       Arrays.setAll(
-          quantiles, i -> distribution.inverseCumulativeProbability((i + 0.5) / quantiles.length));
+          quantiles,
+          i ->
+              Math.min(
+                  most, distribution.inverseCumulativeProbability((i + 0.5) / quantiles.length)));
+    }
+
+    Scores(BinomialDistribution distribution, int values) {
+      Arrays.setAll(
+          quantiles,
+          i ->
+              (double) distribution.inverseCumulativeProbability((i + 0.5) / quantiles.length)
+                  / values);
     }
 
     double mean() {

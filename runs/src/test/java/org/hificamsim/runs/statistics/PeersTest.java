@@ -67,21 +67,17 @@ class PeersTest {
     assertClose(theirs.at("/improvementEnds/0"), theirs.at("/improvementEnds/1"), ours);
   }
 
-  /** Near 0 and 1, where draws of a bootstrap are skewed, our intervals are longer. */
+  /** Wilson's intervals do not use that scenarios differ, so that they are not shorter. */
   @Test
-  void profileAgreesWithRliable() {
+  void profileContainsIntervalsOfRliable() {
     Estimate[] ours = Aggregate.profile(X);
     for (int i = 0; i < Aggregate.TAUS.length; i++) {
       Estimate share = ours[i];
       assertEquals(theirs.at("/profile/" + i).asDouble(), share.mean(), ROUNDING);
       double low = theirs.at("/profileEnds/0/" + i).asDouble();
       double high = theirs.at("/profileEnds/1/" + i).asDouble();
-      if (share.mean() > 0.1 && share.mean() < 0.9) {
-        assertEquals(low, share.low(), 0.02);
-        assertEquals(high, share.high(), 0.02);
-      } else {
-        assertTrue(share.low() < low + 0.02 && share.high() > high - 0.02);
-      }
+      assertTrue(share.low() < low + 0.02 && share.high() > high - 0.02);
+      assertTrue(share.high() - share.low() < 0.22);
     }
   }
 
