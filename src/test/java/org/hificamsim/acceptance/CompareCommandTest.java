@@ -59,7 +59,7 @@ class CompareCommandTest {
     List<String> rows = Files.readAllLines(compared.resolve("results.csv"));
     assertEquals(
         "scenario,detection,policy,seed,performance,proportion_of_optimal,"
-            + "covered_0,covered_1,covered_k,optimum,objective,score,proportion_of_reachable",
+            + "covered_0,covered_1,covered_k,optimum,objective,score,proportion_of_reachable,mean_score",
         rows.get(0));
     List<String> expected = new ArrayList<>();
     for (String scenario : List.of("lattice-random", "cluster-scripted")) {

@@ -142,7 +142,11 @@ class CompareStatisticsTest {
   }
 
   @Test
-  void comparesEveryPairOfPolicies() throws IOException {
+  void comparesEveryPairOfPoliciesIfAskedTo() throws IOException {
+    Path out = folder.resolve("all");
+    Cli cli = run(out, SEEDS, "zoom-out,epsilon-greedy,sarsa", "--steps", 60, "--reference", "all");
+    assertTrue(cli.out().contains("6 seeds cannot show any of 12 differences"), cli.out());
+    assertTrue(cli.out().contains("take 9 seeds, or compare with one policy"), cli.out());
     List<Map<String, String>> pairs = rows(out, "pairs.csv", row -> true);
     assertEquals(2 * 2 * 3, pairs.size());
     assertEquals(2 * 3, rows(out, "improvement.csv", row -> true).size());
@@ -162,6 +166,27 @@ class CompareStatisticsTest {
             .orElseThrow();
     assertEquals("lattice-random", first.get("scenario"));
     assertEquals(mean, number(first, "difference"), ROUNDING);
+  }
+
+  @Test
+  void comparesPoliciesWithFirstOrReference() throws IOException {
+    List<Map<String, String>> pairs = rows(out, "pairs.csv", row -> true);
+    assertEquals(2 * 2 * 2, pairs.size());
+    assertTrue(pairs.stream().allMatch(row -> row.get("other").equals("zoom-out")));
+    assertEquals(2 * 2, rows(out, "improvement.csv", row -> true).size());
+    Path other = folder.resolve("other");
+    run(other, 2, "zoom-out,sarsa", "--steps", 5, "--reference", "sarsa");
+    assertTrue(
+        rows(other, "pairs.csv", row -> true).stream()
+            .allMatch(row -> row.get("policy").equals("zoom-out")));
+  }
+
+  @Test
+  void rejectsReferenceThatIsNotCompared() {
+    Cli cli = run(folder.resolve("none"), 2, "zoom-out,sarsa", "--reference", "tracker");
+    assertEquals(2, cli.exit());
+    assertEquals(1, cli.err().lines().count(), cli.err());
+    assertTrue(cli.err().contains("--reference is 'tracker', expected one of"), cli.err());
   }
 
   @Test

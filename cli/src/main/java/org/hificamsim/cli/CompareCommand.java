@@ -25,6 +25,7 @@ import org.hificamsim.runs.compare.Choice;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.ReferencePolicies;
+import org.hificamsim.runs.compare.ReferencePolicy;
 import org.hificamsim.runs.compare.SummaryTables;
 import org.hificamsim.runs.compare.Yardstick;
 import org.hificamsim.runs.hints.OptimumTime;
@@ -54,6 +55,9 @@ final class CompareCommand implements Callable<Integer> {
   @Option(names = "--yardsticks", paramLabel = "Y,Z")
   private String yardsticks;
 
+  @Option(names = "--reference", paramLabel = "P|all")
+  private String reference;
+
   @Option(names = "--latex")
   private boolean latex;
 
@@ -78,6 +82,8 @@ final class CompareCommand implements Callable<Integer> {
     List<RunPlan> plans = plans(catalogue);
     Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
     ReferencePolicies references = ReferencePolicies.parse("--yardsticks", yardsticks);
+    ReferencePolicy compared =
+        ReferencePolicy.of(reference, NameLists.policies(policies, catalogue.policies()));
     if (batch.computesHere()) {
       new OptimumTime(catalogue, batch.threads())
           .forecast(plans, references)
@@ -94,12 +100,13 @@ final class CompareCommand implements Callable<Integer> {
           ComparisonFiles.write(folder, asked, results);
           Choice.write(folder, asked);
           ComparisonFigures.write(folder, results, width, batch.threads());
-          AggregateFiles.write(folder, asked, batch.threads());
+          AggregateFiles.write(folder, asked, compared, batch.threads());
           if (latex) {
             SummaryTables.writeLatex(folder, asked, results);
           }
           return out -> {
             print(out, results);
+            AggregateFiles.tooFewSeeds(asked, compared).ifPresent(out::println);
             asked.stream()
                 .map(result -> result.plan().policy())
                 .distinct()

@@ -26,7 +26,7 @@ export function foldedCard(title, build) {
 export function labelledSelect(name, values, chosen, onchange, nameOf = value => value) {
   const select = el(
     'select',
-    {onchange, 'aria-label': name},
+    {onchange, name, 'aria-label': name},
     ...values.map(value => el('option', {value, title: value}, nameOf(value))),
   );
   select.value = chosen;

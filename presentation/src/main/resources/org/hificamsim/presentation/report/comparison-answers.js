@@ -1,6 +1,6 @@
 // The sentences at the top of a comparison's page: what was found, in the objective's words.
 import {el} from './dom.js';
-import {limited, scoreNumber, spelled, tipped} from './names.js';
+import {scoreNumber, spelled, tipped} from './names.js';
 import {percent} from './numbers.js';
 import {distinct, rowsOf} from './table.js';
 import {YARDSTICKS} from './yardsticks.js';
@@ -8,18 +8,27 @@ import {YARDSTICKS} from './yardsticks.js';
 const MOST_ANSWERS = 4;
 const NEGLIGIBLE_LOSS = 0.01;
 
+/** The shares of yardsticks in words, the leading yardstick first. */
+const SHARES = {
+  proportion_of_optimal: 'of the optimum',
+  proportion_of_bound: 'or more of what is possible',
+  proportion_of_reachable: 'or more of what cameras could reach in time',
+};
+
 /**
- * For each of the first scenarios, a sentence with the best score of a deployable policy under the
- * last detection.
+ * For each of the first scenarios, the best deployable policy under the last detection, which is
+ * the most real, and what the choice of the first detection misses.
  */
-export function bestScores({summary, settings}) {
+export function bestScores(data) {
+  const {summary, settings} = data;
   if (!summary || !settings?.[0]?.score_words) return [];
-  const scores = rowsOf(summary).filter(({metric, mean}) => metric === 'score' && mean !== '');
+  const rows = rowsOf(summary);
+  const scores = rows.filter(({metric, mean}) => metric === 'mean_score' && mean !== '');
   return distinct(scores, 'scenario')
     .slice(0, MOST_ANSWERS)
     .map(scenario => deployable(scores.filter(row => row.scenario === scenario)))
     .filter(cases => cases.length)
-    .map(cases => bestScore(cases, settings));
+    .map(cases => bestScore(cases, rows, data));
 }
 
 const deployable = rows =>
@@ -27,28 +36,52 @@ const deployable = rows =>
     ({detection, policy}) => detection === rows.at(-1).detection && !YARDSTICKS.includes(policy),
   );
 
-function bestScore(cases, settings) {
-  const row = greatest(cases, 'mean');
-  const best = {...row, ...limited('score', '', row)};
-  const {
-    steps,
-    score_words: title,
-    score_unit: unit,
-    objective,
-  } = settings.find(({scenario}) => scenario === best.scenario);
-  const number = sum => scoreNumber(Number(sum) / steps, {share: unit === 'share'});
+function bestScore(cases, rows, {settings, tables}) {
+  const best = greatest(cases, 'mean');
+  const plan = settings.find(({scenario}) => scenario === best.scenario);
+  const number = score => scoreNumber(Number(score), {share: plan.score_unit === 'share'});
   const interval =
     best.low !== best.high ? ` (95 % interval ${number(best.low)} to ${number(best.high)})` : '';
-  const choice = cases.length > 1 ? `, the best of ${cases.length} policies` : '';
+  const choice = cases.length > 1 ? ` is the best of ${cases.length} policies: ` : ': ';
   return el(
     'p',
     {class: 'answer'},
+    `${best.scenario}: `,
+    tipped(spelled(best.policy), best.policy),
+    choice,
     el('b', {}, number(best.mean)),
     ' ',
-    tipped(title, objective),
-    ` in ${best.scenario}: `,
-    tipped(spelled(best.policy), best.policy),
-    `${choice}, ${spelled(best.detection)}, the mean of ${steps} steps${interval}`,
+    tipped(plan.score_words, plan.objective),
+    `, mean of ${plan.steps} steps${interval}`,
+    shareText(rows.filter(row => isSameCase(row, best))),
+    `, with ${spelled(best.detection)}.`,
+    misleading(best, number, tables),
+  );
+}
+
+const isSameCase = (row, other) =>
+  ['scenario', 'detection', 'policy'].every(name => row[name] === other[name]);
+
+/** The share of the leading yardstick that a case reaches. */
+function shareText(rows) {
+  const [metric, words] =
+    Object.entries(SHARES).find(([name]) =>
+      rows.some(row => row.metric === name && row.mean !== ''),
+    ) ?? [];
+  return metric
+    ? `, ${percent(Number(rows.find(row => row.metric === metric).mean))} ${words}`
+    : '';
+}
+
+/** What the first detection promises of its choice, if that is not the best policy. */
+function misleading(best, number, tables) {
+  const table = tables.find(({name}) => name === 'choices.csv');
+  const first = table && rowsOf(table).find(({scenario}) => scenario === best.scenario);
+  if (!first || first.chosen.split(' | ').includes(best.policy)) return null;
+  const chosen = first.chosen.split(' | ').map(spelled).join(' or ');
+  return (
+    ` ${spelled(first.detection)} would choose ${chosen}` +
+    ` and promise ${number(first.predicted)}; that policy reaches ${number(first.achieved)}.`
   );
 }
 
@@ -56,27 +89,38 @@ const greatest = (rows, name) =>
   rows.reduce((most, row) => (Number(row[name]) > Number(most[name]) ? row : most));
 
 /**
- * The largest share of the score that is lost if a rung of a ladder chooses the policy, and the
- * simplest rung that loses next to nothing; in a list, empty if it is not known.
+ * The simplest rung of a ladder that loses next to nothing if it chooses the policy, or else the
+ * one that loses least; in a list, empty if it is not known.
  */
 export function worthOfRealism(rows) {
   const rungs = rows.filter(({scenario, share}) => scenario === 'all' && share !== '');
-  if (!rungs.length) return [];
-  const worst = greatest(rungs, 'share');
-  const enough = rungs.find(({share}) => Number(share) < NEGLIGIBLE_LOSS);
-  const loss = percent(NEGLIGIBLE_LOSS);
+  if (rungs.length < 2) return [];
+  const top = spelled(rungs.at(-1).rung);
+  const simpler = rungs.slice(0, -1);
+  const enough = simpler.find(({share}) => Number(share) < NEGLIGIBLE_LOSS);
+  const least =
+    enough ??
+    greatest(
+      simpler.map(row => ({...row, kept: 1 - row.share})),
+      'kept',
+    );
+  const claim = enough
+    ? 'is the simplest rung that is real enough'
+    : 'comes closest to the top rung';
   return [
     el(
       'p',
       {class: 'answer'},
-      el('b', {}, percent(Number(worst.share))),
-      ' of the best policy’s score is lost at most, ' +
-        `where ${spelled(worst.rung)} chooses the policy`,
-      enough ? `; ${spelled(enough.rung)} is the simplest rung that loses less than ${loss}` : '',
-      `, judged by ${spelled(rungs.at(-1).rung)}, the mean of the scenarios`,
+      `${spelled(least.rung)} ${claim}: the policy that it chooses loses `,
+      el('b', {}, percent(Number(least.share))),
+      ` of the best policy’s score under ${top}, the mean of the scenarios. `,
+      least === simpler[0] ? null : firstRung(simpler[0]),
     ),
   ];
 }
+
+const firstRung = ({rung, share}) =>
+  `${spelled(rung)}, the simplest of all, loses ${percent(Number(share))}.`;
 
 /** What a reader has to know before any proportion of the optimum. */
 export function worthOfAdapting(rows) {

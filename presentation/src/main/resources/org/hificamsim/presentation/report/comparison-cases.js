@@ -2,7 +2,7 @@
 import {card, labelledSelect, svg} from './cards.js';
 import {cutNotice} from './comparison-tables.js';
 import {el} from './dom.js';
-import {isShare, limited, spelled, unitAfterPercent, words} from './names.js';
+import {isShare, spelled, unitAfterPercent, words} from './names.js';
 import {distinct, rowsOf, sortable} from './table.js';
 
 /** The metrics of which the first one that is not 0 or missing everywhere is shown at first. */
@@ -10,23 +10,19 @@ const FAVOURITES = [
   'proportion_of_optimal',
   'proportion_of_bound',
   'proportion_of_reachable',
-  'performance',
+  'mean_score',
   'covered_k',
   'mean_k',
   'covered_1',
   'covered_0',
 ];
 const DIGITS = 4;
-const SUMS = /^(mean|low|high|difference(_low|_high)?)$/;
 
 export function sideBySide({summary, settings, colours, names}) {
-  const rows = rowsOf(summary).map(row => ({
-    ...row,
-    ...limited(row.metric, names[row.metric]?.unit, row),
-  }));
+  const rows = rowsOf(summary);
   const metrics = distinct(rows, 'metric');
   const hasObjective = settings?.some(({objective}) => objective !== 'kmin');
-  const favourites = hasObjective ? ['score', ...FAVOURITES] : FAVOURITES;
+  const favourites = hasObjective ? ['mean_score', ...FAVOURITES] : FAVOURITES;
   const metric = labelledSelect(
     'metric',
     metrics,
@@ -34,55 +30,77 @@ export function sideBySide({summary, settings, colours, names}) {
     () => fill(),
     name => names[name]?.title ?? words(name),
   );
-  const scenarios = ['all', ...distinct(rows, 'scenario')];
-  const scenario = labelledSelect('scenario', scenarios, 'all', () => fill());
+  const choose = (name, chosen) =>
+    labelledSelect(
+      name,
+      distinct(rows, name).length > 1 ? ['all', ...distinct(rows, name)] : distinct(rows, name),
+      chosen,
+      () => fill(),
+      spelled,
+    );
+  const scenario = choose(
+    'scenario',
+    distinct(rows, 'scenario').length > 1 ? 'all' : rows[0].scenario,
+  );
+  const detection = choose('detection', distinct(rows, 'detection').at(-1));
+  const more = el('input', {type: 'checkbox', name: 'more-columns', onchange: () => fill()});
   const place = el('div', {class: 'scroll'});
 
   function fill() {
-    const chosen = rows.filter(
-      row =>
-        row.metric === metric.value &&
-        (scenario.value === 'all' || row.scenario === scenario.value),
+    const isChosen = (row, select) => select.value === 'all' || row[select.name] === select.value;
+    const shown = inOrder(
+      rows.filter(
+        row => row.metric === metric.value && isChosen(row, scenario) && isChosen(row, detection),
+      ),
     );
-    const {shown, title, unit, meaning} =
-      metric.value === 'score' && settings?.[0]?.score_words
-        ? scorePerStep(chosen, settings, names)
-        : {shown: chosen, ...(names[metric.value] ?? {title: metric.value, unit: ''})};
+    const {title, unit, meaning} =
+      metric.value === 'mean_score' && settings?.[0]?.score_words
+        ? scoreInWords(distinct(shown, 'scenario'), settings, names)
+        : (names[metric.value] ?? {title: metric.value, unit: ''});
     const shownUnit = isShare(unit) ? `% ${unitAfterPercent(unit)}`.trim() : unit;
     const caption = `${title}${unit ? ` (${shownUnit})` : ''}: mean and 95 % interval over seeds`;
-    place.replaceChildren(sortable(caption, caseColumns(shown, colours, unit), shown));
+    place.replaceChildren(
+      sortable(caption, caseColumns(shown, colours, unit, more.checked), shown),
+    );
     place.title = `${metric.value}: ${meaning ?? ''}`;
   }
 
   fill();
   return card(
     'Side by side',
-    el('p', {class: 'pick'}, metric.label, scenario.label),
+    el(
+      'p',
+      {class: 'pick'},
+      metric.label,
+      scenario.label,
+      detection.label,
+      el('label', {}, more, ' all columns'),
+    ),
     hasObjective ? null : allZeroNotice(rows, metric.value, names),
     cutNotice(summary),
     place,
   );
 }
 
-/** The rows of the score, which is a sum, as means of the steps, with the objectives' words. */
-function scorePerStep(rows, settings, names) {
-  const settingsOf = name => settings.find(({scenario}) => scenario === name);
-  const plans = distinct(rows, 'scenario').map(settingsOf);
+/** The rows of each scenario and detection with the highest mean first. */
+function inOrder(rows) {
+  const groups = distinct(rows, 'scenario').flatMap(scenario =>
+    distinct(rows, 'detection').map(detection =>
+      rows.filter(row => row.scenario === scenario && row.detection === detection),
+    ),
+  );
+  return groups.flatMap(group => group.sort((a, b) => Number(b.mean) - Number(a.mean)));
+}
+
+/** The mean score of a step with the objectives' words. */
+function scoreInWords(scenarios, settings, names) {
+  const plans = scenarios.map(name => settings.find(({scenario}) => scenario === name));
   return {
-    shown: rows.map(row => perStep(row, settingsOf(row.scenario).steps)),
-    ...names.score,
+    ...names.mean_score,
     title: `score, mean of the steps: ${distinct(plans, 'score_words').join('; ')}`,
     unit: plans.every(plan => plan.score_unit === 'share') ? 'share' : '',
   };
 }
-
-const perStep = (row, steps) =>
-  Object.fromEntries(
-    Object.entries(row).map(([name, text]) => [
-      name,
-      SUMS.test(name) && text !== '' ? String(Number(text) / steps) : text,
-    ]),
-  );
 
 /** Whether a metric is not 0 in some case. */
 const isInformative = (rows, metric) =>
@@ -101,39 +119,48 @@ function allZeroNotice(rows, metric, names) {
   );
 }
 
-function caseColumns(rows, colours, unit) {
+/** The policy, its mean and its interval as a bar; with `all` also what differs less often. */
+function caseColumns(rows, colours, unit, all) {
   const numbers = rows
     .flatMap(row => [row.mean, row.low, row.high])
     .filter(text => text !== '')
     .map(Number);
   const scale = [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
   const show = numberText(Math.max(...numbers.map(Math.abs), 1), unit);
-  const columns = [
-    {name: 'scenario'},
-    {name: 'detection', show: spelled},
+  const differs = name => all || distinct(rows, name).length > 1;
+  return [
+    differs('scenario') && {name: 'scenario'},
+    differs('detection') && {name: 'detection', show: spelled},
     {name: 'policy', show: spelled},
-    {name: 'runs'},
+    all && {name: 'runs'},
     {name: 'mean', show},
-    {name: 'low', show},
-    {name: 'high', show},
+    all && {name: 'low', show},
+    all && {name: 'high', show},
     {
       name: 'mean',
       label: 'interval',
       show: (text, row) => whisker(row, scale, colours[row.policy]),
     },
+    ...(all ? differenceColumns(rows, unit, show) : []),
+  ].filter(Boolean);
+}
+
+/** The difference to the first detection, in points if it is one of shares. */
+function differenceColumns(rows, unit, show) {
+  const compared = distinct(
+    rows.filter(row => row.difference_to),
+    'difference_to',
+  );
+  if (!compared.length) return [];
+  const points = text => (text === '' ? '' : (100 * Number(text)).toFixed(1));
+  const number = isShare(unit) ? points : show;
+  const reference = compared.map(spelled).join(', ');
+  const name = `difference to ${reference}${isShare(unit) ? ', points' : ''}`;
+  return [
+    {name: 'difference', label: name, show: number},
+    {name: 'difference_low', label: 'from', show: number},
+    {name: 'difference_high', label: 'to', show: number},
   ];
-  if (rows.some(row => row.difference)) {
-    const compared = distinct(
-      rows.filter(row => row.difference_to),
-      'difference_to',
-    );
-    columns.push(
-      {name: 'difference', label: `less ${compared.map(spelled).join(', ')}`, show},
-      {name: 'difference_low', label: 'low', show},
-      {name: 'difference_high', label: 'high', show},
-    );
-  }
-  return columns.filter(column => rows.some(row => row[column.name] !== undefined));
 }
 
 /** Returns a function that shows numbers with as many decimals as the largest of them allows. */

@@ -128,7 +128,7 @@ const bandOf = parts =>
   parts[0].low === ''
     ? null
     : {
-        low: parts.map(({low}) => Math.max(0, Number(low))),
+        low: parts.map(({low}) => Number(low)),
         high: parts.map(({high}) => Number(high)),
       };
 

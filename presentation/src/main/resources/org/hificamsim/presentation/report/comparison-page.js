@@ -8,6 +8,7 @@ import {fileTable, pictureCard, settingsCard, titleOf} from './comparison-tables
 import {el} from './dom.js';
 import {Readers} from './readers.js';
 import {distinct, rowsOf} from './table.js';
+import {YARDSTICKS} from './yardsticks.js';
 
 /** Builds the page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
@@ -64,16 +65,15 @@ function answers(kind, data) {
 function badges({summary, settings}) {
   if (!summary) return null;
   const rows = rowsOf(summary);
-  const count = (name, noun) => {
-    const {length} = distinct(rows, name);
-    return `${length} ${noun}${length === 1 ? '' : 's'}`;
-  };
+  const counted = (length, one, many = `${one}s`) => `${length} ${length === 1 ? one : many}`;
+  const count = (name, noun) => counted(distinct(rows, name).length, noun);
+  const policies = distinct(rows, 'policy').filter(name => !YARDSTICKS.includes(name));
   const facts = [
     count('scenario', 'scenario'),
     count('detection', 'detection model'),
-    `${distinct(rows, 'policy').length} policies`,
-    `${Math.max(...rows.map(row => Number(row.runs)))} seeds`,
-    settings && `${settings[0].steps} steps`,
+    counted(policies.length, 'policy', 'policies'),
+    counted(Math.max(...rows.map(row => Number(row.runs))), 'seed'),
+    settings && counted(settings[0].steps, 'step'),
   ];
   return el('p', {class: 'badges'}, ...facts.filter(Boolean).map(fact => el('span', {}, fact)));
 }

@@ -26,6 +26,8 @@ const LABELS = {
   share: 'of the best',
   share_low: 'low',
   share_high: 'high',
+  p_value: 'p',
+  p_holm: 'p, corrected',
   tau_low: 'low',
   tau_high: 'high',
 };
@@ -36,6 +38,7 @@ const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|r
 const SHARE = /^share(_|$)/;
 const LONG_NUMBER = /^-?\d+\.(\d{5,}|\d+E-\d+)$/;
 const DECIMALS = 4;
+const LEVEL = 0.05;
 const WIDE_PICTURE = 800; // points; too small to be read next to another picture
 
 /** The title of a table or picture by the name of its file. */
@@ -54,6 +57,7 @@ export function fileTable(table, names = {}) {
     'div',
     {class: 'scroll'},
     cutNotice(table),
+    table.name === 'pairs.csv' ? seedsNotice(table) : null,
     sortable(titleOf(table.name), columns, rowsOf(table), 'unseen'),
   );
 }
@@ -63,6 +67,19 @@ function cellText(column, text, names) {
   if (SPELLED.test(column)) return spelled(text);
   if (LONG_NUMBER.test(text)) return decimals(Number(text), DECIMALS);
   return names[text]?.title ?? STATISTICS[text] ?? text;
+}
+
+/** A notice that no difference can pass Holm's correction with so few seeds; null if one can. */
+function seedsNotice({rows, count, columns}) {
+  const seeds = Math.max(...rows.map(row => Number(row[columns.indexOf('runs')])));
+  const least = Math.floor(Math.log2(count / LEVEL)) + 2;
+  if (!rows.length || seeds >= least) return null;
+  return el(
+    'p',
+    {class: 'notice'},
+    `With ${seeds} seeds none of ${count} differences can have a corrected p below ${LEVEL}: ` +
+      `take ${least} seeds, or compare fewer policies. The intervals hold.`,
+  );
 }
 
 /** A notice that a table has not all rows of its file; null if it has. */

@@ -47,12 +47,6 @@ export const withUnit = (value, unit = '') =>
 
 export const isShare = unit => /^share\b/.test(unit);
 
-/** The ends of a metric's interval, limited to the values that the metric can have. */
-export const limited = (name, unit, {mean, low, high}) =>
-  name === 'regret' || low === ''
-    ? {low, high}
-    : {low: low < 0 ? 0 : low, high: isShare(unit) && high > Math.max(1, mean) ? 1 : high};
-
 /** The part of a unit that is shown after a number with its percent sign. */
 export const unitAfterPercent = (unit = '') =>
   isShare(unit) ? unit.replace(/^share ?/, '') : unit;

@@ -1,6 +1,6 @@
 // The numbers of a whole run, its settings, and how to run it again.
 import {el} from './dom.js';
-import {limited, settingText, spelled, tipped, unitAfterPercent, withUnit, words} from './names.js';
+import {settingText, spelled, tipped, unitAfterPercent, withUnit, words} from './names.js';
 
 /** Returns the elements `wholeRun`, `settings` and `made`. */
 export function details({summary, names, objective, command, version}) {
@@ -9,11 +9,10 @@ export function details({summary, names, objective, command, version}) {
     ([a], [b]) => (b === 'score') - (a === 'score'),
   );
   names.score.unit = scoreUnit(objective);
-  const shown = metrics.map(([name, figure]) => [
-    name,
-    {...figure, ...limited(name, names[name].unit, figure)},
-  ]);
-  const rows = shown.map(([name, {mean, low, high}]) =>
+  names.mean_score.unit = scoreUnit(objective)
+    .replace(/ ?x steps/, '')
+    .replace('shares', 'share');
+  const rows = metrics.map(([name, {mean, low, high}]) =>
     row(
       name,
       names[name].title,

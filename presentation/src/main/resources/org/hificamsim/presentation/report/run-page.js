@@ -3,7 +3,7 @@ import {Controls} from './controls.js';
 import {el} from './dom.js';
 import {blindSpots, zoneShares} from './heat-areas.js';
 import {unpackHeat} from './heat.js';
-import {limited, scoreNumber, spelled, tipped} from './names.js';
+import {scoreNumber, spelled, tipped} from './names.js';
 import {decimals} from './numbers.js';
 import {Player} from './player.js';
 import {Playhead} from './playhead.js';
@@ -93,7 +93,7 @@ const header = ({replay: {setup}}, reader) =>
 /** The score of the whole run in the objective's words. */
 function answer({objective, summary: {repeat, metrics, settings}}) {
   const score = metrics.score ?? metrics.performance;
-  const {mean, low, high} = {mean: score.mean, ...limited('score', '', score)};
+  const {mean, low, high} = score;
   const number = sum => scoreNumber(sum / settings.steps, objective);
   const interval =
     repeat > 1 && low !== high

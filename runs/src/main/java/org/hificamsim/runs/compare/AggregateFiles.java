@@ -1,15 +1,15 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.Estimate;
-import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.statistics.Aggregate;
@@ -29,38 +29,6 @@ public final class AggregateFiles {
           + " `proportion_of_bound`, else `value_of_learning`, else `proportion_of_reachable`,"
           + " else `score`";
 
-  /** Two policies under the same detection and in the same scenarios. */
-  record PolicyPair(PolicyScores first, PolicyScores second) {
-    /** Both policies in one scenario, compared by a metric. */
-    record InScenario(CaseResult first, CaseResult second, Metric metric) {
-      /** The first value minus the second, for each seed that has both. */
-      double[] differences() {
-        return Estimate.differences(first.figures(metric), second.figures(metric));
-      }
-    }
-
-    /** All pairs of policies under the same detection, in the order of the policies. */
-    static List<PolicyPair> of(List<PolicyScores> policies) {
-      List<PolicyPair> pairs = new ArrayList<>();
-      for (int i = 0; i < policies.size(); i++) {
-        for (PolicyScores second : policies.subList(i + 1, policies.size())) {
-          if (second.detection().equals(policies.get(i).detection())) {
-            pairs.add(new PolicyPair(policies.get(i), second));
-          }
-        }
-      }
-      return pairs;
-    }
-
-    /** The pair in each scenario. */
-    List<InScenario> inScenarios() {
-      return IntStream.range(0, first.cases().size())
-          .mapToObj(
-              i -> new InScenario(first.cases().get(i), second.cases().get(i), first.metric()))
-          .toList();
-    }
-  }
-
   /** An aggregate of a policy over all scenarios. */
   record Statistic(PolicyScores policy, Aggregate aggregate, Estimate value) {}
 
@@ -70,8 +38,18 @@ public final class AggregateFiles {
   /** The probability that the first policy of a pair has a higher score than the second. */
   record Improvement(PolicyPair pair, Estimate probability) {}
 
-  /** The mean difference of a pair in one scenario; its p-value before and after correction. */
-  record Difference(PolicyPair.InScenario pair, Estimate mean, double pValue, double corrected) {}
+  /**
+   * The mean difference of a pair in one scenario; its p-value before and after correction.
+   *
+   * @param tests the number of p-values that are corrected together
+   */
+  record Difference(
+      PolicyPair.InScenario pair, Estimate mean, double pValue, double corrected, int tests) {
+    /** The seeds that such a difference takes; infinity if it is 0. */
+    double seedsNeeded() {
+      return PairedTest.seedsNeeded(pair.differences(), tests);
+    }
+  }
 
   /** A row per detection, policy and statistic. */
   public static final Table<Statistic> AGGREGATE =
@@ -137,7 +115,14 @@ public final class AggregateFiles {
               "probability",
               "the same after Holm's correction over all rows of the file: below 0.05, not one"
                   + " false finding in all of it is likely",
-              Difference::corrected);
+              Difference::corrected)
+          .doubles(
+              "seeds_needed",
+              "",
+              "with so many seeds, a difference of this size and scatter is found among as many"
+                  + " rows (`p_holm` below 0.05) in four of five studies; empty where all seeds"
+                  + " agree that it is 0",
+              Difference::seedsNeeded);
 
   private AggregateFiles() {}
 
@@ -145,12 +130,14 @@ public final class AggregateFiles {
    * Adds the tables to a folder's files.
    *
    * @param cases every policy under every detection in every scenario
+   * @param reference the policy that the others are compared with
    * @param threads that share the work, 1 or more; an interval takes thousands of draws
    */
-  public static void write(OutputFolder folder, List<CaseResult> cases, int threads)
+  public static void write(
+      OutputFolder folder, List<CaseResult> cases, ReferencePolicy reference, int threads)
       throws IOException {
     List<PolicyScores> policies = PolicyScores.of(cases);
-    List<PolicyPair> pairs = PolicyPair.of(policies);
+    List<PolicyPair> pairs = PolicyPair.of(policies, reference);
     if (Yardstick.of(cases).isPresent()) { // without one, scores are not shares
       List<List<Statistic>> statistics =
           Parallel.map(policies, threads, AggregateFiles::statistics);
@@ -166,6 +153,7 @@ public final class AggregateFiles {
   private static List<Statistic> statistics(PolicyScores policy) {
     Map<Aggregate, Estimate> estimates = Aggregate.estimates(policy.scores());
     return Stream.of(Aggregate.values())
+        .filter(estimates::containsKey)
         .map(aggregate -> new Statistic(policy, aggregate, estimates.get(aggregate)))
         .toList();
   }
@@ -182,6 +170,27 @@ public final class AggregateFiles {
         pair, Aggregate.improvement(pair.first().scores(), pair.second().scores()));
   }
 
+  /**
+   * Says how many seeds it takes to find any difference; empty if there are enough.
+   *
+   * @param cases every policy under every detection in every scenario
+   */
+  public static Optional<String> tooFewSeeds(List<CaseResult> cases, ReferencePolicy reference) {
+    int tests =
+        PolicyPair.of(PolicyScores.of(cases), reference).stream()
+            .mapToInt(pair -> pair.first().cases().size())
+            .sum();
+    int seeds = cases.get(0).runs().size();
+    int least = PairedTest.leastSeeds(tests);
+    return tests == 0 || seeds < 2 || seeds >= least
+        ? Optional.empty()
+        : Optional.of(
+            Texts.format(
+                "%d seeds cannot show any of %d differences (p after Holm's correction): take %d"
+                    + " seeds%s",
+                seeds, tests, least, reference.isAll() ? ", or compare with one policy" : ""));
+  }
+
   /** All pairs in all scenarios; Holm's correction is over all of them. */
   private static Stream<Difference> differences(List<PolicyPair> pairs, int threads) {
     List<PolicyPair.InScenario> inScenarios =
@@ -196,7 +205,7 @@ public final class AggregateFiles {
             i -> {
               PolicyPair.InScenario pair = inScenarios.get(i);
               Estimate mean = Estimate.mean(pair.differences());
-              return new Difference(pair, mean, pValues[i], corrected[i]);
+              return new Difference(pair, mean, pValues[i], corrected[i], pValues.length);
             });
   }
 }

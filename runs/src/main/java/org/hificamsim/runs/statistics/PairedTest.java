@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.distribution.NormalDistribution;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Fisher's randomization test of paired differences (The Design of Experiments, 1935, section 21):
@@ -19,6 +21,9 @@ public final class PairedTest {
   private static final int DRAWS = 99_999;
   private static final long SEED = 1935;
   private static final double ROUNDING = 1e-12;
+
+  private static final double LEVEL = 0.05;
+  private static final double POWER = 0.8;
 
   private PairedTest() {}
 
@@ -90,6 +95,42 @@ public final class PairedTest {
       corrected[index] = largest;
     }
     return corrected;
+  }
+
+  /**
+   * The fewest seeds with which the most extreme differences pass Holm's correction: all of them
+   * have the same sign, which has a p-value of 2 / 2^seeds.
+   *
+   * @param tests the number of p-values that are corrected together
+   */
+  public static int leastSeeds(int tests) {
+    int seeds = 2;
+    while (tests * Math.pow(2, 1 - seeds) >= LEVEL) {
+      seeds++;
+    }
+    return seeds;
+  }
+
+  /**
+   * The number of seeds with which a difference of this size is found with a power of 0.8, at a
+   * level of 0.05 over all tests (the normal approximation, with Guenther's correction for the
+   * estimated variance, Sample Size Formulas for Normal Theory T Tests, 1981).
+   *
+   * @param differences by seed, without NaN
+   * @param tests the number of p-values that are corrected together
+   * @return NaN if there is no difference, or fewer than two seeds
+   */
+  public static double seedsNeeded(double[] differences, int tests) {
+    double mean = StatUtils.mean(differences);
+    if (differences.length < 2 || mean == 0) {
+      return Double.NaN;
+    }
+    NormalDistribution normal = new NormalDistribution();
+    double level = normal.inverseCumulativeProbability(1 - LEVEL / 2 / tests);
+    double power = normal.inverseCumulativeProbability(POWER);
+    double effect = mean / Math.sqrt(StatUtils.variance(differences));
+    double seeds = Math.pow((level + power) / effect, 2) + level * level / 2;
+    return Math.max(leastSeeds(tests), Math.ceil(seeds));
   }
 
   /** The indices of the p-values that are not NaN, by ascending p-value. */

@@ -67,4 +67,18 @@ class PairsTest {
         new double[] {0.09, 0.05, Double.NaN, 0.09, 0.08, 0.5}, PairedTest.corrected(p), 1e-12);
     assertArrayEquals(new double[] {1, 1}, PairedTest.corrected(new double[] {0.6, 0.7}));
   }
+
+  @Test
+  void saysHowManySeedsADifferenceTakes() {
+    assertEquals(6, PairedTest.leastSeeds(1));
+    assertEquals(10, PairedTest.leastSeeds(25));
+    assertEquals(13, PairedTest.leastSeeds(135));
+    // R: power.t.test(delta = 1, sd = 1, power = .8, type = "paired") needs 9.94 pairs
+    double[] scattered = {1 - Math.sqrt(0.9), 1 + Math.sqrt(0.9)};
+    double[] differences = new double[10];
+    Arrays.setAll(differences, i -> scattered[i % 2]);
+    assertEquals(10, PairedTest.seedsNeeded(differences, 1));
+    assertTrue(PairedTest.seedsNeeded(differences, 100) > 20);
+    assertTrue(Double.isNaN(PairedTest.seedsNeeded(new double[] {0, 0}, 1)));
+  }
 }
