@@ -11,6 +11,14 @@ files=$(ulimit -n)
     exit 2
 }
 
+# Whether one of the words is an entry of the benchmark whose policy is a trained network.
+has_network() {
+    for word; do
+        ! grep -qs -e '"policy" *: *"onnx:' -- "$word" "$word/entry.json" || return 0
+    done
+    return 1
+}
+
 start() {
     : "${root:?}" "${lib:?}" "${home:?}" "${archive:?}"
     native= # Java 24 and later warn of libraries with parts in C, and of what these do with memory
@@ -27,7 +35,7 @@ start() {
         tradeoff) young="$young -XX:MaxNewSize=32m -Xlog:gc+ergo=off" ;;
     esac
     case " $* " in *' --engine spark '* | *' --engine=spark '*) part spark ;; esac
-    case " $* " in *[\ =,]onnx[\ :,]*) part onnx ;; esac
+    case " $* " in *[\ =,]onnx[\ :,]*) part onnx ;; ' benchmark verify '*) ! has_network "$@" || part onnx ;; esac
     case "${1:-} $* " in 'place '*' --method exact '* | 'place '*' --method=exact '*) part ortools ;; esac
     case " $* " in *' --format parquet '* | *' --format=parquet '*) part parquet ;; esac
     case "${1:-} $* " in 'import '*' jupedsim '* | 'import '*.sqlite\ * | 'import '*.sqlite3\ * | 'import '*.db\ * | 'site '*.sqlite\ * | 'site '*.sqlite3\ * | 'site '*.db\ *) part sqlite ;; esac

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pathlib
 import tempfile
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from . import spaces
-from .errors import InputError, shown
+from .errors import InputError, path, shown
 from .results import execute
 from .worlds import TASKS, TESTING, Array, Worlds, tasks
 
@@ -19,7 +20,7 @@ Policy = Callable[[Array, Array], Any]
 
 
 def benchmark(
-    policy: Policy | Callable[[str], Policy],
+    policy: Policy | Callable[[str], Policy] | str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
     name: str,
@@ -30,7 +31,8 @@ def benchmark(
     """Plays the testing episodes of the tasks, and writes the folder of ``hificamsim benchmark run``.
 
     :param policy: takes observations float32 (C, F) and masks uint8 (C, M), and returns an action for each camera;
-        where it has a method ``begin``, that is called before each episode
+        where it has a method ``begin``, that is called before each episode. Or a Python file that has such a
+        ``policy``, which can be verified on fresh seeds: it plays in a process of its own, from the file alone
     :param name: of the entry
     :param only: some of the tasks
     :param per_task: ``policy`` takes a task's name, and returns the policy for it
@@ -42,6 +44,8 @@ def benchmark(
     for one in asked:
         if one not in known:
             raise InputError(f"task is {shown(one)}, expected one of {', '.join(known)}")
+    if isinstance(policy, (str, os.PathLike)):
+        return _enter(path(policy, "policy"), out, name, asked, settings)
     scores = {}
     with tempfile.TemporaryDirectory() as scratch:
         for task in asked:
@@ -51,6 +55,20 @@ def benchmark(
         chosen = ",".join(asked)
         execute("benchmark", "run", "--policy", played, "--name", name, "--tasks", chosen, "--out", os.fspath(out))
     return scores
+
+
+def _enter(file: str, out: str | os.PathLike[str], name: str, asked: list[str], settings: dict[str, Any]) -> dict[str, Array]:
+    """Enters a policy in a file."""
+    said = [f"{key}={_word(value)}" for key, value in settings.items()]
+    policy = "python:" + ",".join([f"file={os.path.abspath(file)}", *said])
+    out = os.fspath(out)
+    execute("benchmark", "run", "--policy", policy, "--name", name, "--tasks", ",".join(asked), "--out", out)
+    entry = json.loads(pathlib.Path(out, "entry.json").read_text(encoding="utf-8"))
+    return {TASKS + task: np.array(scored["scores"]) for task, scored in entry["tasks"].items()}
+
+
+def _word(value: Any) -> str:
+    return ("yes" if value else "no") if isinstance(value, bool) else str(value)
 
 
 def _play(policy: Any, task: str, folder: pathlib.Path, settings: dict[str, Any]) -> Array:

@@ -64,7 +64,7 @@ def library() -> str:
 
 def options() -> list[str]:
     """Options for every JVM: HIFICAMSIM_OPTS has more."""
-    own = ["-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8"]
+    own = [f"-Dhificamsim.python={sys.executable}", "-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8"]
     if _version(home()) >= 24:  # it warns of libraries with parts in C
         own += ["--enable-native-access=ALL-UNNAMED", "--sun-misc-unsafe-memory-access=allow"]
     return own + os.environ.get("HIFICAMSIM_OPTS", "").split()

@@ -2,8 +2,11 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.LongStream;
@@ -16,7 +19,9 @@ import org.hificamsim.runs.benchmark.Benchmark;
 import org.hificamsim.runs.benchmark.BenchmarkEntry;
 import org.hificamsim.runs.benchmark.BenchmarkTask;
 import org.hificamsim.runs.benchmark.EntryCheck;
+import org.hificamsim.runs.benchmark.EntryVerifier;
 import org.hificamsim.runs.benchmark.Leaderboard;
+import org.hificamsim.runs.benchmark.Verification;
 import org.hificamsim.tracks.mate.MateArena;
 import org.hificamsim.tracks.mate.MateEpisode;
 import picocli.CommandLine.Command;
@@ -90,16 +95,58 @@ final class BenchmarkCommand {
     }
   }
 
+  @Command(
+      description = {
+        "Plays the policy of an entry on fresh seeds, which the secret draws, and says whether",
+        "the scores of the entry hold."
+      })
+  int verify(
+      @Parameters(paramLabel = "DIR", description = "Folder of 'benchmark run'.") Path path,
+      @Option(names = "--secret", required = true, paramLabel = "TEXT") String secret,
+      @Option(names = "--episodes", paramLabel = "N") int episodes,
+      @Option(names = "--out", required = true, paramLabel = "DIR") Path out,
+      @Mixin ThreadsOption threads,
+      @Mixin Screen screen)
+      throws IOException {
+    Numbers.inRange("--episodes", episodes, 2, 1_000);
+    Benchmark benchmark = ShippedScenarios.tasks();
+    EntryVerifier verifier = new EntryVerifier(benchmark, secret, episodes, threads.count());
+    BenchmarkEntry entry = new EntryCheck(benchmark, threads.count()).check(path);
+    try (OutputFolder folder = screen.folder(out);
+        Progress progress = screen.progress("", " episodes", verifier.episodes(entry))) {
+      Verification verification = verifier.verify(entry, path, progress);
+      verification.write(folder);
+      folder.commit(List.of());
+      verification.tasks().forEach((task, finding) -> screen.say("%-14s %s", task, finding.text()));
+      screen.say("%-14s %s", "all", verification.all().text());
+      screen.say("%s", verification.holds() ? "verified" : "NOT verified");
+      screen.out().println("files: " + out);
+      return verification.holds() ? 0 : 1;
+    }
+  }
+
   @Command(description = "Checks entries, and writes a page of them.")
   void leaderboard(
       @Parameters(arity = "1..*", paramLabel = "DIR", description = FOLDERS) List<Path> folders,
+      @Option(names = "--verified", paramLabel = "DIR", arity = "1") List<Path> verified,
       @Option(names = "--out", required = true, paramLabel = "DIR") Path out,
       @Mixin ThreadsOption threads,
       @Mixin Screen screen)
       throws IOException {
     Benchmark benchmark = ShippedScenarios.tasks();
     EntryCheck check = new EntryCheck(benchmark, threads.count());
-    Leaderboard board = new Leaderboard(benchmark, folders.stream().map(check::check).toList());
+    List<Verification> verifications =
+        verified == null ? List.of() : verified.stream().map(Verification::read).toList();
+    Map<BenchmarkEntry, Boolean> held = new HashMap<>();
+    List<BenchmarkEntry> entries = new ArrayList<>();
+    for (Path folder : folders) {
+      BenchmarkEntry entry = check.check(folder);
+      entries.add(entry);
+      verifications.stream()
+          .filter(verification -> verification.isOf(folder))
+          .forEach(verification -> held.merge(entry, verification.holds(), Boolean::logicalAnd));
+    }
+    Leaderboard board = new Leaderboard(benchmark, entries, held);
     try (OutputFolder folder = screen.folder(out)) {
       board.write(folder);
       folder.write("leaderboard.html", LeaderboardReport.page(board).html());

@@ -41,7 +41,7 @@ final class TrainedNetwork {
   private final NodeInfo output;
 
   /** The names of state and next state; null in a network without memory. */
-  private final Memory memory;
+  private final NetworkMemory memory;
 
   /**
    * Returns the network of a file, which is opened again if its content has changed.
@@ -81,10 +81,10 @@ final class TrainedNetwork {
     this.content = content;
     try {
       session = environment().createSession(content, oneThread());
-      memory = Memory.of(session.getInputInfo(), session.getOutputInfo());
-      input = only("input", session.getInputInfo().values(), Memory.STATE);
+      memory = NetworkMemory.of(session.getInputInfo(), session.getOutputInfo());
+      input = only("input", session.getInputInfo().values(), NetworkMemory.STATE);
       conventions = Conventions.of(session.getMetadata().getCustomMetadata(), input);
-      output = only("output", session.getOutputInfo().values(), Memory.NEXT_STATE);
+      output = only("output", session.getOutputInfo().values(), NetworkMemory.NEXT_STATE);
     } catch (OrtException e) {
       throw InputException.of(
               "%s is no network that ONNX Runtime knows, expected a trained one: %s",
@@ -215,12 +215,12 @@ final class TrainedNetwork {
     try {
       inputs.put(input.getName(), tensor(observations, inputShape(cameras, observations.length)));
       if (memory != null) {
-        inputs.put(Memory.STATE, tensor(state, new long[] {cameras, memory.size()}));
+        inputs.put(NetworkMemory.STATE, tensor(state, new long[] {cameras, memory.size()}));
       }
       try (OrtSession.Result result = session.run(inputs)) {
         copy(result, output.getName(), values);
         if (memory != null) {
-          copy(result, Memory.NEXT_STATE, state);
+          copy(result, NetworkMemory.NEXT_STATE, state);
         }
       }
     } catch (OrtException e) {

@@ -1,5 +1,6 @@
 package org.hificamsim.runs;
 
+import java.io.Closeable;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,6 +11,7 @@ import org.hificamsim.core.engine.Behaviour;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
@@ -53,9 +55,20 @@ public final class RunExecutor {
       rehearse(plan, run, hindsight);
     }
     Simulation simulation = simulation(plan, run, policy, meters.with(listeners));
-    run(simulation, plan, run);
-    Measured measured = Measured.of(meters, plan, policy, simulation);
-    return RunResult.of(run, plan.seed(run), measured);
+    try {
+      run(simulation, plan, run);
+      Measured measured = Measured.of(meters, plan, policy, simulation);
+      return RunResult.of(run, plan.seed(run), measured);
+    } finally {
+      close(policy);
+    }
+  }
+
+  /** Ends what a policy keeps open, such as a program of its own. */
+  private static void close(ZoomPolicy policy) {
+    if (policy instanceof Closeable closeable) {
+      Io.run(closeable::close);
+    }
   }
 
   /**

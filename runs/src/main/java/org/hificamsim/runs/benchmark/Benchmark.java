@@ -93,6 +93,11 @@ public final class Benchmark {
     return task(name).plan(catalogue, layout(name, seed), policy, seed);
   }
 
+  /** The plan of an episode whose seed is kept apart from those of training and testing. */
+  RunPlan freshPlan(String name, String policy, long seed) {
+    return task(name).plan(catalogue, task(name).drawFresh(site(name), seed), policy, seed);
+  }
+
   /** Whether a policy is a bound, which plays out of competition; false for an unknown one. */
   public boolean isBound(String policy) {
     String name = policy.split(":", 2)[0];

@@ -119,7 +119,7 @@ public record BenchmarkEntry(
     /** Rejects a name that cannot be shown, and a policy that knows the seeds. */
     public Application {
       requireName(name);
-      if (policy.contains(SEED) && !policy.startsWith(PLAYED)) {
+      if (knowsSeeds(policy) && !isPlayed(policy)) {
         throw InputException.of(
             "policy %s has %s, expected one policy for all episodes of a task", policy, SEED);
       }
@@ -140,6 +140,11 @@ public record BenchmarkEntry(
       throws IOException {
     List<String> tasks = application.tasks();
     List<RunPlan> plans = plans(benchmark, application);
+    Map<String, byte[]> copies = new TreeMap<>();
+    Map<String, String> files = files(plans, copies);
+    for (Map.Entry<String, byte[]> copy : copies.entrySet()) {
+      folder.write(copy.getKey(), copy.getValue());
+    }
     List<Episode> episodes =
         Parallel.map(
             plans,
@@ -163,7 +168,7 @@ public record BenchmarkEntry(
             ManifestFile.version(),
             application.name(),
             withoutPath(application.policy()),
-            files(plans),
+            files,
             scores);
     JsonOutput.write(folder, FILE, MAPPER.valueToTree(entry));
     return entry;
@@ -186,7 +191,17 @@ public record BenchmarkEntry(
 
   /** Leaves out the path of actions that are played: the entry records the same actions. */
   private static String withoutPath(String policy) {
-    return policy.startsWith(PLAYED) ? PLAYED : policy;
+    return isPlayed(policy) ? PLAYED : policy;
+  }
+
+  /** Whether a policy plays recorded actions. */
+  static boolean isPlayed(String policy) {
+    return policy.split(":", 2)[0].equals(PLAYED);
+  }
+
+  /** Whether a policy is another one for each seed. */
+  static boolean knowsSeeds(String policy) {
+    return policy.contains(SEED);
   }
 
   private static TaskScores scores(BenchmarkTask task, String actions, List<Episode> episodes) {
@@ -202,18 +217,34 @@ public record BenchmarkEntry(
         .toArray();
   }
 
-  private static Map<String, String> files(List<RunPlan> plans) {
+  /**
+   * Returns the hashes of the files of policies.
+   *
+   * @param copies receives the files, by their names in the entry's folder
+   */
+  private static Map<String, String> files(List<RunPlan> plans, Map<String, byte[]> copies) {
     PolicyFiles files = new PolicyFiles();
     Map<String, String> hashes = new TreeMap<>();
     plans.stream()
         .map(RunPlan::policy)
         .distinct()
-        .filter(policy -> !policy.startsWith(PLAYED))
+        .filter(policy -> !isPlayed(policy))
         .flatMap(policy -> files.of(policy).stream())
-        .forEach(
-            file ->
-                hashes.put(file.getFileName().toString(), Sha256.of(PolicyFiles.content(file))));
+        .distinct()
+        .forEach(file -> add(hashes, copies, file));
     return hashes;
+  }
+
+  private static void add(Map<String, String> hashes, Map<String, byte[]> copies, Path file) {
+    String name = file.getFileName().toString();
+    byte[] content = PolicyFiles.content(file);
+    String hash = Sha256.of(content);
+    if (!hash.equals(hashes.getOrDefault(name, hash))) {
+      throw InputException.of(
+          "the policy has two files '%s', expected files of different names", name);
+    }
+    hashes.put(name, hash);
+    copies.put(EnteredPolicy.PREFIX + name, content);
   }
 
   /**

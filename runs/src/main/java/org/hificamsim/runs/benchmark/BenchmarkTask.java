@@ -54,10 +54,18 @@ public record BenchmarkTask(
   /** The site as it is drawn for a seed, with the settings of the task. */
   Scenario draw(Scenario site, long seed) {
     boolean isTesting = TESTING.contains(seed);
-    long layoutSeed = isTesting ? seed : Math.floorMod(seed, TRAINING);
+    return draw(site, isTesting ? seed : Math.floorMod(seed, TRAINING), isTesting);
+  }
+
+  /** The site as it is drawn for a seed that is neither for training nor for testing. */
+  Scenario drawFresh(Scenario site, long seed) {
+    return draw(site, seed, true);
+  }
+
+  private Scenario draw(Scenario site, long seed, boolean isTesting) {
     Scenario drawn =
         layout
-            .draw(site, layoutSeed, isTesting)
+            .draw(site, seed, isTesting)
             .with(Scenario.DETECTION, detection)
             .with(Scenario.OBJECTIVE, Objective.parse(objective))
             .with(Scenario.CHANNEL, ChannelModel.parse(channel))
@@ -93,6 +101,15 @@ public record BenchmarkTask(
             scenario, detection, objective, steps, channel, unmapped, layout, zoomOut, best,
             proven);
     return Sha256.of((declared + "\n" + layouts).getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** A score on the mean scale of all testing episodes, for an episode without a scale. */
+  double scaled(double score) {
+    return (score - mean(zoomOut)) / (mean(best) - mean(zoomOut));
+  }
+
+  private static double mean(List<Double> values) {
+    return values.stream().mapToDouble(value -> value).average().orElse(0);
   }
 
   /** A score on the scale from 0, that of zoom-out, to 1, the best possible one. */

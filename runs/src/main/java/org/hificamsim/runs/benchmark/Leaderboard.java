@@ -22,14 +22,17 @@ import org.hificamsim.runs.statistics.Strata;
 public final class Leaderboard {
   private static final String MEAN = "mean";
   private static final String FORMAT = "%.3f";
+  private static final String VERIFIED = " (verified on fresh seeds)";
 
   /** A figure of an entry: of one task, or of all if the task is empty. */
-  private record Figure(BenchmarkEntry entry, String task, String statistic, Estimate value) {}
+  private record Figure(
+      BenchmarkEntry entry, String verified, String task, String statistic, Estimate value) {}
 
   private static final Table<Figure> TABLE =
       Table.<Figure>of("leaderboard.csv")
           .texts("name", "of the entry", figure -> figure.entry.name())
           .texts("policy", "the policy with its options", figure -> figure.entry.policy())
+          .texts("verified", "actions, fresh seeds, or not held on them", Figure::verified)
           .texts("task", "the task; empty for all", Figure::task)
           .texts("statistic", "mean, or one of all tasks", Figure::statistic)
           .estimates("value", "", "share", "normalised", Figure::value);
@@ -37,17 +40,37 @@ public final class Leaderboard {
   private final Benchmark benchmark;
   private final List<BenchmarkEntry> entries;
 
-  /** Ranks the entries. */
-  public Leaderboard(Benchmark benchmark, List<BenchmarkEntry> entries) {
+  /** By entry, what is known of it; entries without have only had their actions played again. */
+  private final Map<BenchmarkEntry, Boolean> verified;
+
+  /**
+   * Ranks the entries.
+   *
+   * @param verified by entry, whether its scores held on fresh seeds
+   */
+  public Leaderboard(
+      Benchmark benchmark, List<BenchmarkEntry> entries, Map<BenchmarkEntry, Boolean> verified) {
     this.benchmark = benchmark;
+    this.verified = Map.copyOf(verified);
     this.entries =
         entries.stream()
             .sorted(
                 Comparator.comparing((BenchmarkEntry entry) -> !hasAllTasks(entry))
+                    .thenComparing(this::failed)
                     .thenComparing(this::isBound)
                     .thenComparing(entry -> -Aggregate.interquartileMean(strata(entry)))
                     .thenComparing(BenchmarkEntry::name))
             .toList();
+  }
+
+  /** Whether an entry scored more in testing than its policy does on fresh seeds. */
+  private boolean failed(BenchmarkEntry entry) {
+    return !verified.getOrDefault(entry, true);
+  }
+
+  private String verification(BenchmarkEntry entry) {
+    Boolean held = verified.get(entry);
+    return held == null ? "actions" : held ? "fresh seeds" : "not held";
   }
 
   private boolean isBound(BenchmarkEntry entry) {
@@ -77,7 +100,9 @@ public final class Leaderboard {
     List<Figure> figures = figures(entry);
     if (hasAllTasks(entry)) {
       String score = text(figures, "", Aggregate.IQM.label());
-      return isBound(entry) ? "-  " + marked(entry) + ": " + score : score + "  " + entry.name();
+      return isBound(entry) || failed(entry)
+          ? "-  " + marked(entry) + ": " + score
+          : score + "  " + entry.name() + (verified.containsKey(entry) ? VERIFIED : "");
     }
     return figures.stream()
         .map(figure -> figure.task + " " + figure.value.text(FORMAT))
@@ -86,22 +111,26 @@ public final class Leaderboard {
 
   /** The name of an entry, with a mark if it plays out of competition. */
   private String marked(BenchmarkEntry entry) {
-    return entry.name() + (isBound(entry) ? " (a bound, out of competition)" : "");
+    String bound = isBound(entry) ? " (a bound, out of competition)" : "";
+    return entry.name() + bound + (failed(entry) ? " (does not hold on fresh seeds, no rank)" : "");
   }
 
   /** The names of a page's columns. */
   public List<String> columns() {
-    return List.copyOf(row("Entry", List.of()).keySet());
+    return List.copyOf(row("Entry", "", List.of()).keySet());
   }
 
   /** One row for each entry, by the names of the columns; a figure that is missing is {@code -}. */
   public List<Map<String, String>> rows() {
-    return entries.stream().map(entry -> row(marked(entry), figures(entry))).toList();
+    return entries.stream()
+        .map(entry -> row(marked(entry), verification(entry), figures(entry)))
+        .toList();
   }
 
-  private Map<String, String> row(String name, List<Figure> figures) {
+  private Map<String, String> row(String name, String verification, List<Figure> figures) {
     Map<String, String> row = new LinkedHashMap<>();
     row.put("Entry", name);
+    row.put("Verified by", verification);
     row.put("IQM", text(figures, "", Aggregate.IQM.label()));
     row.put("Mean", text(figures, "", Aggregate.MEAN.label()));
     for (String task : benchmark.names()) {
@@ -115,11 +144,13 @@ public final class Leaderboard {
     if (hasAllTasks(entry)) {
       Aggregate.estimates(strata(entry))
           .forEach(
-              (aggregate, value) -> figures.add(new Figure(entry, "", aggregate.label(), value)));
+              (aggregate, value) ->
+                  figures.add(
+                      new Figure(entry, verification(entry), "", aggregate.label(), value)));
     }
     for (String task : entry.tasks().keySet()) {
       Estimate mean = Estimate.mean(entry.normalized(benchmark, task));
-      figures.add(new Figure(entry, task, MEAN, mean));
+      figures.add(new Figure(entry, verification(entry), task, MEAN, mean));
     }
     return figures;
   }

@@ -12,7 +12,7 @@ import org.hificamsim.core.InputException;
  *
  * @param size of a camera's state, 1 or more
  */
-record Memory(int size) {
+record NetworkMemory(int size) {
   static final String STATE = "state";
   static final String NEXT_STATE = "next_state";
 
@@ -21,7 +21,7 @@ record Memory(int size) {
    *
    * @throws InputException if it has only one of the two, or they differ
    */
-  static Memory of(Map<String, NodeInfo> inputs, Map<String, NodeInfo> outputs) {
+  static NetworkMemory of(Map<String, NodeInfo> inputs, Map<String, NodeInfo> outputs) {
     boolean reads = inputs.containsKey(STATE);
     if (reads != outputs.containsKey(NEXT_STATE)) {
       throw InputException.of(
@@ -38,7 +38,7 @@ record Memory(int size) {
       throw InputException.of(
           "its '%s' and '%s' differ, expected float32 of cameras x one size", STATE, NEXT_STATE);
     }
-    return new Memory((int) size);
+    return new NetworkMemory((int) size);
   }
 
   private static long size(NodeInfo node) {

@@ -1,0 +1,182 @@
+"""What the recipes share: one network that values views one by one, for any site.
+
+Cameras observe what each of their views promises by the belief that they share (``belief=True``); a small network, with
+the same weights for every view, camera and site, values each of them, and a camera takes the best that it may. Needs
+``pip install jax optax onnx``, on the processor.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import pathlib
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1")
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # the worlds and the network take turns
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import onnx_file
+
+import hificamsim
+
+Array = Any
+Weights = list[Array]
+
+NUMBERS = 10  # of a view
+SETTINGS: dict[str, Any] = {"belief": True, "targets": 0, "neighbours": 0, "threads": 1}
+
+
+def network(sizes: list[int], random: np.random.Generator, last: float = 1.0) -> Weights:
+    """The weights of a multilayer perceptron: of each layer a matrix and a vector."""
+    weights: Weights = []
+    for inputs, outputs in zip(sizes, sizes[1:]):
+        scale = np.sqrt(2 / inputs) if len(weights) < 2 * len(sizes) - 4 else last / np.sqrt(inputs)
+        weights.append(jnp.asarray(random.standard_normal((inputs, outputs)) * scale, jnp.float32))
+        weights.append(jnp.zeros(outputs, jnp.float32))
+    return weights
+
+
+def apply(weights: Weights, inputs: Array) -> Array:
+    """What a network with ReLU makes of inputs (..., numbers)."""
+    for i in range(0, len(weights), 2):
+        inputs = inputs @ weights[i] + weights[i + 1]
+        inputs = jax.nn.relu(inputs) if i + 2 < len(weights) else inputs
+    return inputs
+
+
+@jax.jit
+def values(weights: Weights, views: Array, masks: Array) -> Array:
+    """The value of each view (..., V); very low where it is not allowed."""
+    return jnp.where(masks, apply(weights, views)[..., 0], -1e9)
+
+
+def summary(views: Array) -> Array:
+    """What a camera's views promise together, (..., 2 x 10): the mean and the most of each number over its views."""
+    there = views[..., :1]
+    mean = (views * there).sum(-2) / jnp.maximum(there.sum(-2), 1)
+    return jnp.concatenate([mean, views.max(-2)], -1)
+
+
+def views_of(observations: Array, masks: Array) -> Array:
+    """The belief at the end of observations, (..., V, 10)."""
+    count = masks.shape[-1]
+    return observations[..., -count * NUMBERS :].reshape(*observations.shape[:-1], count, NUMBERS)
+
+
+def episode(worlds: hificamsim.Worlds, choose: Callable[[Array, Array], Array]) -> dict[str, Array]:
+    """Plays an episode of every world, step by step: arrays (steps, B, C, ...).
+
+    :param choose: of views (B, C, V, 10) and masks (B, C, V), a view for each camera
+    """
+    parts: dict[str, list[Array]] = {}
+    for _ in range(worlds.episode_steps):
+        masks = worlds.masks.astype(bool)
+        views = views_of(worlds.observations, masks).copy()
+        actions = np.asarray(choose(views, masks))
+        worlds.actions[..., 0] = actions
+        worlds.step()
+        seen = {"views": views, "masks": masks, "actions": actions}
+        seen |= {"rewards": worlds.rewards.copy(), "scores": worlds.measures[:, 2].copy()}
+        for name, array in seen.items():
+            parts.setdefault(name, []).append(array)
+    return {name: np.stack(arrays) for name, arrays in parts.items()}
+
+
+def best(weights: Weights) -> Callable[[Array, Array], Array]:
+    """Takes the view of the greatest value."""
+    return lambda views, masks: np.asarray(values(weights, views, masks)).argmax(-1)
+
+
+def drawing(weights: Weights, random: np.random.Generator) -> Callable[[Array, Array], Array]:
+    """Draws views by their values as logits."""
+
+    def choose(views: Array, masks: Array) -> Array:
+        valued = np.asarray(values(weights, views, masks))
+        return (valued + random.gumbel(size=valued.shape)).argmax(-1)
+
+    return choose
+
+
+def score(weights: Weights, task: str, first: int = 900_000, episodes: int = 4) -> float:
+    """The mean score of a step of the choices that are thought best, on training seeds that nobody learns from."""
+    with hificamsim.Worlds(task, episodes, auto_reset=False, **SETTINGS) as worlds:
+        worlds.reset(first)
+        return float(episode(worlds, best(weights))["scores"].mean())
+
+
+def batches(count: int, size: int, random: np.random.Generator) -> Iterator[Array]:
+    """The numbers below ``count`` in a random order, in parts of ``size``; a smaller rest is left out."""
+    order = random.permutation(count)
+    size = min(size, count)
+    return (order[i : i + size] for i in range(0, count - size + 1, size))
+
+
+class Keeper:
+    """Keeps a training: its checkpoint, its curve and the network as ONNX, in a folder."""
+
+    def __init__(self, folder: pathlib.Path) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        self.folder = folder
+        self.begun = time.process_time()
+        self.before = 0.0
+
+    def minutes(self) -> float:
+        """Of processor time, those before a checkpoint included."""
+        return self.before + (time.process_time() - self.begun) / 60
+
+    def note(self, **row: Any) -> None:
+        """Adds a row to ``curve.csv``, and prints it."""
+        row = {"minutes": round(self.minutes(), 2), **row}
+        file = self.folder / "curve.csv"
+        new = not file.exists()
+        with file.open("a", newline="", encoding="utf-8") as out:
+            writer = csv.DictWriter(out, row)
+            if new:
+                writer.writeheader()
+            writer.writerow(row)
+        print(", ".join(f"{name} {value}" for name, value in row.items()), flush=True)
+
+    def save(self, **networks: Weights) -> None:
+        """Writes a checkpoint, and the network ``actor`` as ``policy.onnx``."""
+        arrays = {f"{name}:{i}": np.asarray(w) for name, weights in networks.items() for i, w in enumerate(weights)}
+        np.savez(self.folder / "checkpoint.npz", minutes=self.minutes(), **arrays)
+        onnx_file.write_views(self.folder / "policy.onnx", [np.asarray(w) for w in networks["actor"]])
+
+    def resume(self) -> dict[str, Weights]:
+        """The networks of the checkpoint; none if there is none."""
+        file = self.folder / "checkpoint.npz"
+        if not file.exists():
+            return {}
+        with np.load(file) as kept:
+            self.before = float(kept["minutes"])
+            return networks_of(kept)
+
+
+def networks_of(kept: Any) -> dict[str, Weights]:
+    """The networks of a checkpoint, by name."""
+    names = [name.split(":") for name in kept.files if ":" in name]
+    counts = {name: sum(other == name for other, _ in names) for name, _ in names}
+    return {name: [jnp.asarray(kept[f"{name}:{i}"]) for i in range(count)] for name, count in counts.items()}
+
+
+def actor_of(folder: pathlib.Path) -> Weights:
+    """The actor of another training, to go on from."""
+    with np.load(folder / "checkpoint.npz") as kept:
+        return networks_of(kept)["actor"]
+
+
+def reads(description: str, minutes: float) -> argparse.ArgumentParser:
+    """The options that all recipes have."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--tasks", nargs="+", default=hificamsim.tasks(), help="that one network learns")
+    parser.add_argument("--minutes", type=float, default=minutes, help="of processor time")
+    parser.add_argument("--seed", type=int, default=0, help="of the training")
+    parser.add_argument("--hidden", type=int, default=32, help="units of each of two layers")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("nets"), help="folder of the training")
+    return parser

@@ -1,0 +1,113 @@
+"""Policies in Python files: how they are entered, and what a maintainer finds who verifies them."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import pathlib
+import subprocess
+
+import numpy as np
+import pytest
+
+import hificamsim
+from hificamsim.worlds import TESTING
+
+TASK = "bench/passage-v1"
+GREEDY = """
+import numpy as np
+
+def policy(observations, masks):
+    views = observations[:, -10 * masks.shape[1]:].reshape(*masks.shape, 10)
+    return np.where(masks > 0, views[..., 9], -1).argmax(-1)
+"""
+BELIEF = {"belief": True, "targets": 0, "neighbours": 0}
+
+
+def enter(folder: pathlib.Path, text: str, name: str = "mine", **settings: object) -> pathlib.Path:
+    file = folder / f"{name}.py"
+    file.write_text(text)
+    hificamsim.benchmark(file, folder / name, name=name, only=[TASK], **settings)
+    return folder / name
+
+
+def verify(entry: pathlib.Path) -> tuple[int, dict[str, object]]:
+    out = entry.parent / "verified"
+    try:
+        hificamsim.execute("benchmark", "verify", str(entry), "--secret", "correct horse", "--out", str(out))
+        code = 0
+    except hificamsim.Error:
+        code = 1
+    return code, json.loads((out / "verified.json").read_text())["tasks"]["passage-v1"]
+
+
+def test_file_scores_like_the_same_function_and_is_verified(tmp_path: pathlib.Path) -> None:
+    entry = enter(tmp_path, GREEDY, **BELIEF)
+    space: dict[str, object] = {}
+    exec(GREEDY, space)
+    scores = hificamsim.benchmark(space["policy"], tmp_path / "function", name="f", only=[TASK], **BELIEF)
+    entered = json.loads((entry / "entry.json").read_text())["tasks"]["passage-v1"]["scores"]
+    assert np.allclose(entered, scores[TASK], rtol=1e-5)
+    assert (entry / "policy-mine.py").read_text() == GREEDY
+    code, found = verify(entry)
+    assert code == 0 and found["reproduced"]
+
+
+def test_policy_that_knows_testing_episodes_by_heart_is_not_verified(tmp_path: pathlib.Path) -> None:
+    known = []
+    with hificamsim.Worlds(TASK, 1, testing=True, **BELIEF) as worlds:
+        for seed in TESTING:
+            worlds.reset(seed)
+            known.append(hashlib.sha256(worlds.observations[0].tobytes()).hexdigest())
+    cheat = GREEDY + f"""
+import hashlib
+KNOWN = {known}
+
+class Cheat:
+    def begin(self):
+        self.knows = None
+
+    def __call__(self, observations, masks):
+        if self.knows is None:
+            self.knows = hashlib.sha256(observations.tobytes()).hexdigest() in KNOWN
+        return greedy(observations, masks) if self.knows else masks.argmax(-1)
+
+greedy, policy = policy, Cheat()
+"""
+    code, found = verify(enter(tmp_path, cheat, "cheat", **BELIEF))
+    assert found["reproduced"], "it does play the testing episodes as it says"
+    assert code == 1 and found["claimed"] - found["fresh"] > found["margin"]
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("policy = 1 / 0", "ZeroDivisionError"),
+        ("", "it has no 'policy'"),
+        ("def policy(observations, masks): return masks", "its actions are uint8 of shape"),
+        ("def policy(observations, masks): return [99] * len(masks)", "action 99 of camera"),
+        ("def policy(observations, masks): raise ValueError('lost my\\nway')", "way"),
+        ("def policy(observations, masks):\n    while True: pass", "out of its processor time or memory"),
+        ("def policy(observations, masks): return bytearray(10 ** 12)", "MemoryError"),
+    ],
+)
+def test_refuses_files_that_fail_in_one_line(text: str, reason: str, tmp_path: pathlib.Path) -> None:
+    with pytest.raises(hificamsim.InputError) as said:
+        enter(tmp_path, text, seconds=2)
+    assert reason in str(said.value) and "mine.py" in str(said.value)
+    assert len(str(said.value).splitlines()) == 1
+
+
+def test_prints_do_not_disturb_and_environment_is_empty(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TOP_SECRET", "1")
+    text = "import os\nassert 'TOP_SECRET' not in os.environ\nprint('hello')\n" + GREEDY
+    assert (enter(tmp_path, text, **BELIEF) / "entry.json").exists()
+
+
+def test_file_sees_no_network_and_no_other_process(tmp_path: pathlib.Path) -> None:
+    namespaces = ["unshare", "--user", "--map-root-user", "--net", "--pid", "--fork", "--mount-proc", "true"]
+    if subprocess.run(namespaces, capture_output=True, check=False).returncode:
+        pytest.skip("this system gives no namespaces to its users")
+    text = "import os\nassert len([name for name in os.listdir('/proc') if name.isdigit()]) == 1\n"
+    text += "assert [line.split(':')[0].strip() for line in open('/proc/net/dev')][2:] == ['lo']\n"
+    assert (enter(tmp_path, text + GREEDY, **BELIEF) / "entry.json").exists()

@@ -1,0 +1,43 @@
+package org.hificamsim.runs.benchmark;
+
+import java.util.Collection;
+import org.apache.commons.math3.distribution.TDistribution;
+import org.apache.commons.math3.stat.StatUtils;
+
+/**
+ * How much higher claimed scores are than fresh ones of the same policy, with a standard error
+ * (Welch 1947: the two have variances of their own).
+ *
+ * @param difference claimed minus fresh mean
+ * @param error the standard error of the difference
+ * @param freedom the degrees of freedom, 1 or more
+ */
+record Claim(double difference, double error, int freedom) {
+  /** Compares scores. */
+  static Claim of(double[] claimed, double[] fresh) {
+    double variance =
+        StatUtils.variance(claimed) / claimed.length + StatUtils.variance(fresh) / fresh.length;
+    return new Claim(
+        StatUtils.mean(claimed) - StatUtils.mean(fresh),
+        Math.sqrt(variance),
+        Math.max(1, claimed.length + fresh.length - 2));
+  }
+
+  /** The mean of claims that do not depend on each other. */
+  static Claim mean(Collection<Claim> claims) {
+    double count = claims.size();
+    return new Claim(
+        claims.stream().mapToDouble(Claim::difference).sum() / count,
+        Math.sqrt(claims.stream().mapToDouble(claim -> claim.error * claim.error).sum()) / count,
+        claims.stream().mapToInt(Claim::freedom).sum());
+  }
+
+  /**
+   * Half the width of the interval of the difference.
+   *
+   * @param alpha how likely chance alone makes a greater one, in (0, 1)
+   */
+  double margin(double alpha) {
+    return error * new TDistribution(freedom).inverseCumulativeProbability(1 - alpha / 2);
+  }
+}

@@ -1,0 +1,72 @@
+package org.hificamsim.runs.benchmark;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Io;
+import org.hificamsim.core.file.Sha256;
+
+/** The policy of an entry, with the files that lie in the entry's folder. */
+final class EnteredPolicy {
+  /** The prefix of the copies of a policy's files. */
+  static final String PREFIX = "policy-";
+
+  private static final String BETWEEN_PARTS = "(?<=[:,=])|(?=[:,=])";
+
+  private final Path folder;
+  private final BenchmarkEntry entry;
+
+  /**
+   * @param folder of the entry
+   * @throws InputException if the entry has no policy that can be played, or a file was changed
+   */
+  EnteredPolicy(Benchmark benchmark, Path folder, BenchmarkEntry entry) {
+    this.folder = folder;
+    this.entry = entry;
+    if (BenchmarkEntry.isPlayed(entry.policy())) {
+      throw InputException.of(
+          "%s has a list of actions, expected a policy: onnx:FILE, python:FILE or one by its name",
+          folder);
+    }
+    if (BenchmarkEntry.knowsSeeds(entry.policy())) {
+      throw InputException.of(
+          "%s: policy %s has {seed}, expected one policy for all episodes of a task",
+          folder, entry.policy());
+    }
+    if (benchmark.isBound(entry.policy())) {
+      throw InputException.of(
+          "%s: %s is a bound, expected a policy that cameras can run", folder, entry.policy());
+    }
+    entry.files().forEach(this::requireSame);
+  }
+
+  private void requireSame(String name, String hash) {
+    Path file = folder.resolve(PREFIX + name);
+    if (name.contains("/") || name.contains("\\") || !Files.isRegularFile(file)) {
+      throw InputException.of("%s: no such file, expected the policy's", file);
+    }
+    String found = Io.get(() -> Sha256.of(file));
+    if (!found.equals(hash)) {
+      throw InputException.of("%s: SHA-256 %s, expected %s", file, found, hash);
+    }
+  }
+
+  /** The policy for a task, with its options. */
+  String of(String task) {
+    Map<String, String> files = entry.files();
+    return Arrays.stream(entry.policy().replace("{task}", task).split(BETWEEN_PARTS))
+        .map(part -> files.containsKey(name(part)) ? copy(name(part)) : part)
+        .collect(Collectors.joining());
+  }
+
+  private String copy(String name) {
+    return folder.resolve(PREFIX + name).toString();
+  }
+
+  private static String name(String path) {
+    return path.substring(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+  }
+}

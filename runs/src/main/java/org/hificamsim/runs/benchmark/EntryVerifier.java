@@ -1,0 +1,110 @@
+package org.hificamsim.runs.benchmark;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.file.Io;
+import org.hificamsim.core.file.Sha256;
+import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.benchmark.Verification.Finding;
+import org.hificamsim.runs.compare.RunProgress;
+
+/**
+ * Verifies entries: checks their actions, then plays their policies again, in the testing episodes
+ * and in fresh ones that nobody could prepare for.
+ */
+public final class EntryVerifier {
+  /** How likely chance alone makes an honest entry fail. */
+  private static final double ALPHA = 0.05;
+
+  private final Benchmark benchmark;
+  private final FreshSeeds seeds;
+  private final int episodes;
+  private final int threads;
+
+  /**
+   * @param secret from which fresh seeds are drawn
+   * @param episodes of each task that are fresh, 2 or more
+   * @param threads that share the episodes, 1 or more
+   */
+  public EntryVerifier(Benchmark benchmark, String secret, int episodes, int threads) {
+    this.benchmark = benchmark;
+    seeds = new FreshSeeds(secret);
+    this.episodes = episodes;
+    this.threads = threads;
+  }
+
+  /** The number of episodes that the verification of an entry plays. */
+  public int episodes(BenchmarkEntry entry) {
+    return entry.tasks().size() * (episodes + BenchmarkTask.TESTING.size());
+  }
+
+  /**
+   * Verifies an entry whose actions were checked.
+   *
+   * @param path of its folder or file
+   */
+  public Verification verify(BenchmarkEntry entry, Path path, RunProgress progress) {
+    Path file = BenchmarkEntry.file(path);
+    EnteredPolicy policy = new EnteredPolicy(benchmark, file.toAbsolutePath().getParent(), entry);
+    List<RunPlan> plans = new ArrayList<>();
+    entry.tasks().keySet().forEach(task -> plans.addAll(plans(task, policy.of(task))));
+    List<Double> scores =
+        Parallel.map(
+            plans,
+            threads,
+            plan -> {
+              double score = Episode.play(benchmark, plan).score();
+              progress.advance();
+              return score;
+            });
+    return verification(entry, Io.get(() -> Sha256.of(file)), scores);
+  }
+
+  /** The testing episodes of a task, then the fresh ones. */
+  private List<RunPlan> plans(String task, String policy) {
+    List<RunPlan> plans = new ArrayList<>();
+    BenchmarkTask.TESTING.forEach(seed -> plans.add(benchmark.plan(task, policy, seed)));
+    seeds.of(task, episodes).forEach(seed -> plans.add(benchmark.freshPlan(task, policy, seed)));
+    return plans;
+  }
+
+  private Verification verification(BenchmarkEntry entry, String hash, List<Double> scores) {
+    Map<String, Finding> findings = new LinkedHashMap<>();
+    List<Claim> claims = new ArrayList<>();
+    double alpha = ALPHA / entry.tasks().size();
+    int first = 0;
+    for (String task : entry.tasks().keySet()) {
+      int firstFresh = first + BenchmarkTask.TESTING.size();
+      int end = firstFresh + episodes;
+      double[] claimed = scaled(task, entry.tasks().get(task).scores());
+      double[] fresh = scaled(task, scores.subList(firstFresh, end));
+      Claim claim = Claim.of(claimed, fresh);
+      boolean reproduced =
+          entry.tasks().get(task).scores().equals(scores.subList(first, firstFresh));
+      claims.add(claim);
+      findings.put(task, finding(claim, mean(fresh), alpha, reproduced));
+      first = end;
+    }
+    double fresh = findings.values().stream().mapToDouble(Finding::fresh).average().orElse(0);
+    boolean reproduced = findings.values().stream().allMatch(Finding::reproduced);
+    return new Verification(
+        hash, seeds.hash(), findings, finding(Claim.mean(claims), fresh, ALPHA, reproduced));
+  }
+
+  private static Finding finding(Claim claim, double fresh, double alpha, boolean reproduced) {
+    return new Finding(fresh + claim.difference(), fresh, claim.margin(alpha), reproduced);
+  }
+
+  private double[] scaled(String task, List<Double> scores) {
+    return scores.stream().mapToDouble(benchmark.task(task)::scaled).toArray();
+  }
+
+  private static double mean(double[] values) {
+    return Arrays.stream(values).average().orElse(0);
+  }
+}

@@ -1,0 +1,165 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
+import org.hificamsim.core.file.Sha256;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Verifies honest entries of the benchmark, and some that cheat. */
+class VerifyEntryTest {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final String TASK = "passage-v1";
+  private static final String ACTIONS = TASK + ".csv.gz";
+
+  @TempDir static Path folder;
+
+  private static Path honest;
+  private static Path better;
+
+  @BeforeAll
+  static void play() {
+    honest = play("tracker");
+    better = play("independent-greedy");
+  }
+
+  private static Path play(String policy) {
+    Path out = folder.resolve(policy);
+    Cli cli = Cli.run("benchmark", "run", "--policy", policy, "--tasks", TASK, "--out", out);
+    assertEquals(0, cli.exit(), cli.err());
+    return out;
+  }
+
+  private static Cli verify(Path entry, Path out) {
+    return Cli.run("benchmark", "verify", entry, "--secret", "not to be guessed", "--out", out);
+  }
+
+  @Test
+  void verifiesHonestEntryAndMarksItOnTheBoard() throws IOException {
+    Path out = folder.resolve("verified");
+    Cli cli = verify(honest, out);
+    assertEquals(0, cli.exit(), cli.out() + cli.err());
+    assertTrue(cli.out().lines().anyMatch("verified"::equals), cli.out());
+    Path again = folder.resolve("verified-again");
+    verify(honest, again);
+    assertEquals(-1, Files.mismatch(out.resolve("verified.json"), again.resolve("verified.json")));
+    Path board = folder.resolve("board");
+    Cli ranked =
+        Cli.run("benchmark", "leaderboard", honest, better, "--verified", out, "--out", board);
+    assertEquals(0, ranked.exit(), ranked.err());
+    List<String> rows = Files.readAllLines(board.resolve("leaderboard.csv"));
+    assertTrue(rows.stream().anyMatch(row -> row.startsWith("tracker,tracker,fresh seeds,")));
+    assertTrue(rows.stream().anyMatch(row -> row.contains("independent-greedy,actions,")));
+  }
+
+  @Test
+  void marksActionsOfBoundsUnderTheNameOfAPolicy() throws IOException {
+    Path cheat = copy(better, root -> root.put("policy", "tracker"));
+    assertEquals(0, Cli.run("benchmark", "check", cheat).exit());
+    Path out = folder.resolve("bound-verified");
+    Cli cli = verify(cheat, out);
+    assertEquals(1, cli.exit(), cli.out());
+    assertTrue(cli.out().contains("the policy scores otherwise in testing"), cli.out());
+    assertTrue(cli.out().lines().anyMatch("NOT verified"::equals), cli.out());
+    Path board = folder.resolve("board-of-cheats");
+    Cli.run("benchmark", "leaderboard", cheat, "--verified", out, "--out", board);
+    assertTrue(Files.readString(board.resolve("leaderboard.csv")).contains(",not held,"));
+    assertTrue(Files.readString(board.resolve("leaderboard.html")).contains("no rank"));
+  }
+
+  /** One episode of another policy is spliced in, with its actions and its score. */
+  @Test
+  void marksSplicedEpisodes() throws IOException {
+    double score =
+        MAPPER
+            .readTree(better.resolve("entry.json").toFile())
+            .at("/tasks/" + TASK + "/scores/0")
+            .asDouble();
+    Path cheat = copy(honest, root -> ((ArrayNode) task(root).get("scores")).set(0, score));
+    String spliced =
+        Stream.concat(
+                rows(better).filter(row -> row.startsWith("1000001,")),
+                rows(honest).skip(1).filter(row -> !row.startsWith("1000001,")))
+            .collect(Collectors.joining("\n", rows(honest).findFirst().orElseThrow() + "\n", "\n"));
+    try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(cheat.resolve(ACTIONS)))) {
+      out.write(spliced.getBytes(StandardCharsets.UTF_8));
+    }
+    String hash = Sha256.of(cheat.resolve(ACTIONS));
+    edit(cheat, root -> task(root).put("actions", hash));
+    Cli checked = Cli.run("benchmark", "check", cheat);
+    assertEquals(0, checked.exit(), checked.err());
+    Cli cli = verify(cheat, folder.resolve("spliced-verified"));
+    assertEquals(1, cli.exit(), cli.out());
+    assertTrue(cli.out().contains("the policy scores otherwise in testing"), cli.out());
+  }
+
+  @Test
+  void rejectsEntriesWithoutOnePolicyForAllSeeds() throws IOException {
+    rejects(copy(honest, root -> root.put("policy", "played")), "a list of actions");
+    rejects(copy(honest, root -> root.put("policy", "onnx:file={seed}.onnx")), "has {seed}");
+    rejects(better, "independent-greedy is a bound");
+    Path files = copy(honest, root -> root.putObject("files").put("a.onnx", "0"));
+    rejects(files, "policy-a.onnx: no such file");
+    Files.writeString(files.resolve("policy-a.onnx"), "changed");
+    rejects(files, "policy-a.onnx: SHA-256");
+    rejects(
+        copy(honest, root -> root.putObject("files").put("../entry.json", "0")), "no such file");
+  }
+
+  @Test
+  void rejectsShortSecret() {
+    Cli cli =
+        Cli.run("benchmark", "verify", honest, "--secret", "a", "--out", folder.resolve("short"));
+    assertEquals(2, cli.exit());
+    assertTrue(cli.err().contains("--secret has 1 characters, expected 8 or more"), cli.err());
+  }
+
+  private static void rejects(Path entry, String reason) {
+    Cli cli = verify(entry, folder.resolve("rejected"));
+    assertEquals(2, cli.exit(), cli.out());
+    assertEquals(1, cli.err().lines().count(), cli.err());
+    assertTrue(cli.err().contains(reason), cli.err());
+  }
+
+  private static Stream<String> rows(Path entry) throws IOException {
+    try (InputStream in = new GZIPInputStream(Files.newInputStream(entry.resolve(ACTIONS)))) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList().stream();
+    }
+  }
+
+  private static Path copy(Path entry, Consumer<ObjectNode> change) throws IOException {
+    Path copy = Files.createTempDirectory(folder, "cheat");
+    for (String name : Cli.names(entry)) {
+      Files.copy(entry.resolve(name), copy.resolve(name));
+    }
+    edit(copy, change);
+    return copy;
+  }
+
+  private static void edit(Path entry, Consumer<ObjectNode> change) throws IOException {
+    ObjectNode root = (ObjectNode) MAPPER.readTree(entry.resolve("entry.json").toFile());
+    change.accept(root);
+    MAPPER.writeValue(entry.resolve("entry.json").toFile(), root);
+  }
+
+  private static ObjectNode task(ObjectNode root) {
+    return (ObjectNode) root.get("tasks").get(TASK);
+  }
+}

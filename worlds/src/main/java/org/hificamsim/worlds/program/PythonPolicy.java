@@ -1,0 +1,157 @@
+package org.hificamsim.worlds.program;
+
+import java.io.Closeable;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.hificamsim.agents.cooperative.SharedBelief;
+import org.hificamsim.agents.observation.CameraObserver;
+import org.hificamsim.agents.observation.ObservationLayout;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+import org.hificamsim.worlds.ActionKind;
+import org.hificamsim.worlds.Masks;
+import org.hificamsim.worlds.PlayedPolicy;
+
+/**
+ * A policy in a Python file, {@code python:FILE}. The file has a {@code policy}, a function of
+ * observations, float32 (cameras, numbers), and masks, uint8 (cameras, choices), that returns an
+ * action for each camera; a method {@code begin} comes before each episode. It runs in a process of
+ * its own, one for each episode, that gets nothing else ({@link Sandbox}).
+ */
+public final class PythonPolicy implements ZoomPolicy, Closeable {
+  private static final int MAX_OBSERVED = 1_000;
+
+  private String file = "";
+  private ObservationLayout layout = ObservationLayout.DEFAULT;
+  private boolean belief;
+  private ActionKind kind = ActionKind.VIEW;
+  private Sandbox sandbox = new Sandbox(1, 1);
+  private CameraObserver observer;
+  private Masks masks;
+  private PlayedPolicy played;
+  private PolicyProgram program;
+  private float[] observations = {};
+  private int[] actions = {};
+  private int[] choices = {};
+
+  @Override
+  public String name() {
+    return "python";
+  }
+
+  @Override
+  public void configure(Options options) {
+    file = options.mainText("file", "", "the policy, in Python");
+    belief = options.choice("belief", Answer.NO, "whether it observes the belief") == Answer.YES;
+    kind = options.choice("actions", ActionKind.VIEW, "what an action is: view, steps");
+    int targets = options.integer("targets", 4, 0, MAX_OBSERVED, "that it observes");
+    int neighbours = options.integer("neighbours", 2, 0, MAX_OBSERVED, "that it observes");
+    layout = new ObservationLayout(targets, neighbours, false);
+    sandbox =
+        new Sandbox(
+            options.integer("seconds", 300, 1, 86_400, "of processor time for an episode"),
+            options.integer("memory", 4096, 64, 1_000_000, "that it may take, megabytes"));
+    if (kind == ActionKind.RATES) {
+      throw new InputException("policy python: actions is 'rates', expected view or steps");
+    }
+    if (!file.isEmpty()) {
+      requireReadable();
+    }
+  }
+
+  private void requireReadable() {
+    if (file.isEmpty() || !Files.isReadable(Path.of(file))) {
+      throw InputException.of(
+          "policy python: file is '%s', expected a readable file: python:FILE", file);
+    }
+  }
+
+  private enum Answer {
+    YES,
+    NO
+  }
+
+  @Override
+  public List<Path> files() {
+    return file.isEmpty() ? List.of() : List.of(Path.of(file));
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    close();
+    requireReadable();
+    int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
+    ObservationLayout used = layout.withViews(belief ? most : 0);
+    masks = new Masks(network, kind);
+    choices = kind.choices(network);
+    played = new PlayedPolicy(kind);
+    observations = new float[network.cameras() * used.size()];
+    actions = new int[network.cameras() * kind.numbers()];
+    String header =
+        Texts.format(
+            "{\"cameras\": %d, \"numbers\": %d, \"choices\": %d, \"actions\": %d}\n",
+            network.cameras(), used.size(), Masks.width(network, kind), kind.numbers());
+    program = new PolicyProgram(Path.of(file), header, sandbox);
+    observer = null;
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] views) {
+    if (views.length == 0) {
+      return;
+    }
+    if (observer == null) {
+      observer = new CameraObserver(network, usedLayout(views.length));
+      played.observeWith(observer);
+    }
+    observer.observe(network, observations);
+    program.decide(observations, masks.of(network), actions);
+    requireChoices(network);
+    played.play(actions);
+    played.decide(network, views);
+  }
+
+  private ObservationLayout usedLayout(int cameras) {
+    int views = observations.length / cameras - layout.size();
+    return layout.withViews(views / ObservationLayout.viewSize());
+  }
+
+  private void requireChoices(NetworkView network) {
+    for (int i = 0; i < actions.length; i++) {
+      int count = choices[i % choices.length];
+      if (actions[i] < 0 || actions[i] >= count) {
+        throw InputException.of(
+            "%s: action %s of camera %s in step %s, expected 0 to %s",
+            file, actions[i], network.cameraName(i / choices.length), network.step(), count - 1);
+      }
+    }
+  }
+
+  @Override
+  public long messages() {
+    return belief() == null ? 0 : belief().messages();
+  }
+
+  @Override
+  public long bits() {
+    return belief() == null ? 0 : belief().bits();
+  }
+
+  private SharedBelief belief() {
+    return observer == null ? null : observer.belief();
+  }
+
+  @Override
+  public void close() {
+    if (program != null) {
+      program.close();
+      program = null;
+    }
+  }
+}
