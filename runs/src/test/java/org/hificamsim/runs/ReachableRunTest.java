@@ -67,6 +67,16 @@ class ReachableRunTest {
   }
 
   @ParameterizedTest
+  @ValueSource(strings = {"campus", "car-park", "street", "passage"})
+  void pricesLowerBoundBelowJumpingOptimum(String site) {
+    RunPlan plan = plan(site, "reachable:iterations=100", 60);
+    RunResult reached = run(plan);
+    double jumping = run(plan(site, "optimal", 60)).score();
+    double gap = reached.value(Metric.REACHABLE_BOUND) - reached.score();
+    assertTrue(gap <= 0.9 * (jumping - reached.score()), gap + " to " + reached.score());
+  }
+
+  @ParameterizedTest
   @ValueSource(strings = {"cooperative", "tracker", "patrol", "independent-greedy", "one-hop"})
   void noPolicyThatTakesItsTimeExceedsTheBound(String policy) {
     for (String site : List.of("campus", "corridor", "border")) {

@@ -14,7 +14,7 @@ import java.util.Arrays;
 public final class WaySolver {
   private static final long STEP_NODES = 6_000;
   private static final double MEMORY = 0.7;
-  private static final int PATIENCE = 4;
+  private static final int PATIENCE = 8;
   private static final double FIRST_PACE = 0.15;
   private static final double SLOWDOWN = 0.6;
   private static final double SPEEDUP = 1.1;
@@ -30,7 +30,6 @@ public final class WaySolver {
   private final double[] prices;
   private final double[] bestPrices;
   private final double[] direction;
-  private final double[] bestDirection;
   private double bound = Double.POSITIVE_INFINITY;
   private int iterations;
 
@@ -44,7 +43,6 @@ public final class WaySolver {
     prices = new double[problem.sets()];
     bestPrices = new double[problem.sets()];
     direction = new double[problem.sets()];
-    bestDirection = new double[problem.sets()];
   }
 
   /**
@@ -66,12 +64,10 @@ public final class WaySolver {
         pace = Math.min(1, pace * SPEEDUP);
         bound = value;
         System.arraycopy(prices, 0, bestPrices, 0, prices.length);
-        System.arraycopy(direction, 0, bestDirection, 0, direction.length);
       }
       if (waited > PATIENCE) {
         waited = 0;
         pace *= SLOWDOWN;
-        startAgain();
       }
       if (iterations % PLAN_INTERVAL == 0) {
         planner.planFrom(dearest, iterations, 1);
@@ -79,12 +75,6 @@ public final class WaySolver {
       changePrices(pace * (value - score()));
       iterations++;
     }
-  }
-
-  /** Goes on from the best prices, more slowly. */
-  private void startAgain() {
-    System.arraycopy(bestPrices, 0, prices, 0, prices.length);
-    System.arraycopy(bestDirection, 0, direction, 0, direction.length);
   }
 
   /** A bound by prices, without a search: anyone can compute it again. */
