@@ -16,8 +16,10 @@ def dataset(
 ) -> dict[str, Array]:
     """The decisions of an expert that plays, one for each camera and step, but for cameras on their way.
 
-    ``observations`` float32 (N, F), ``actions`` int32 (N,), the view that it chose, ``masks`` uint8 (N, M), and of
-    each the ``episode``, ``step`` and ``camera``. Episode i is the run of the seed plus i.
+    ``observations`` float32 (N, F), ``actions`` int32 (N,), the view that it chose, ``masks`` uint8 (N, M), what came of
+    it: ``rewards`` float32 (N,), ``next_observations`` (N, F), ``next_masks`` (N, M) and ``ends`` bool (N,), True in the
+    last step of an episode, which time ends; and of each the ``episode``, ``step`` and ``camera``. Episode i is the run
+    of the seed plus i.
 
     :param expert: a policy, perhaps with options
     :param settings: of ``Worlds``, but for ``actions`` and ``auto_reset``
@@ -36,6 +38,13 @@ def dataset(
             episode, camera = np.nonzero(worlds.advice >= 0)
             told = {name: array[episode, camera] for name, array in seen.items()}
             told["actions"] = worlds.advice[episode, camera]
+            followed = {
+                "rewards": worlds.rewards,
+                "next_observations": worlds.observations,
+                "next_masks": worlds.masks,
+            }
+            told |= {name: array[episode, camera] for name, array in followed.items()}
+            told["ends"] = worlds.ends[episode].astype(bool)
             told |= {"episode": episode, "step": np.full(len(episode), step), "camera": camera}
             for name, array in told.items():
                 parts.setdefault(name, []).append(array)

@@ -28,6 +28,8 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
 
     :param max_cycles: ``steps`` as PettingZoo's environments name it
+    :param equal_spaces: whether all cameras get the action space and the masks of the one with most views, as libraries
+        expect that share one policy; what a camera does not have leaves it as it is
     """
 
     metadata: dict[str, Any] = {
@@ -44,6 +46,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
         render_mode: str | None = None,
         width: int = 800,
         max_cycles: int | None = None,
+        equal_spaces: bool = False,
         **settings: Any,
     ) -> None:
         if max_cycles is not None:
@@ -52,6 +55,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
             settings["steps"] = max_cycles
         modes = self.metadata["render_modes"]
         self.worlds = rendered(scenario, render_mode, modes, settings, num_envs=1, auto_reset=False)
+        self._equal = equal_spaces
         self.render_mode = render_mode
         self._screen = Screen(self.worlds.name) if render_mode == "human" else None
         self.width = width
@@ -131,10 +135,11 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
         }
 
     def _space(self, camera: int) -> Any:
-        return spaces.action(self.worlds, camera)
+        return spaces.action(self.worlds, None if self._equal else camera)
 
     def _mask(self, camera: int, of: Array) -> Any:
-        return spaces.mask(self.worlds, camera, of)
+        whole = self._equal and len(self.worlds.choices) == 1
+        return of if whole else spaces.mask(self.worlds, camera, of)
 
     def state(self) -> Array:
         """All there is to know of the world, float32 in [-1, 1]."""

@@ -33,6 +33,22 @@ def test_dataset_has_only_decisions_allowed_by_masks() -> None:
     assert (pairs["actions"][mine] == first["actions"]).all()
 
 
+def test_dataset_says_what_came_of_decisions() -> None:
+    pairs = hificamsim.dataset("junction", **SETTINGS)
+    step, camera = pairs["step"], pairs["camera"]
+    assert (pairs["ends"] == (step == 59)).all()
+    assert ((pairs["rewards"] >= 0) & (pairs["rewards"] <= 1)).all() and pairs["rewards"].any()
+    found = {(at, who): i for i, (at, who) in enumerate(zip(step, camera))}
+    compared = 0
+    for (at, who), i in found.items():
+        after = found.get((at + 1, who))
+        if after is not None:
+            assert (pairs["next_observations"][i] == pairs["observations"][after]).all()
+            assert (pairs["next_masks"][i] == pairs["masks"][after]).all()
+            compared += 1
+    assert compared > 50
+
+
 def test_expert_advises_other_players() -> None:
     with hificamsim.Worlds("junction", expert="zoom-in", **SETTINGS) as worlds:
         worlds.actions[...] = worlds.choices[0] - 1

@@ -38,6 +38,21 @@ def test_pettingzoo_turn_by_turn(actions: str) -> None:
     env.close()
 
 
+def test_pettingzoo_equal_action_spaces() -> None:
+    plain = hificamsim.parallel_env("campus", steps=30)
+    env = hificamsim.parallel_env("campus", steps=30, equal_spaces=True)
+    assert len({space.n for space in plain.action_spaces.values()}) > 1
+    assert {space.n for space in env.action_spaces.values()} == {max(env.worlds.views)}
+    _, infos = env.reset(seed=1)
+    for camera, views in zip(env.agents, env.worlds.views):
+        mask = infos[camera]["action_mask"]
+        assert len(mask) == max(env.worlds.views) and not mask[views:].any()
+    env.step(dict.fromkeys(env.agents, max(env.worlds.views) - 1))
+    parallel_api_test(env, num_cycles=60)
+    plain.close()
+    env.close()
+
+
 def test_pettingzoo_max_cycles() -> None:
     class Module:
         """What max_cycles_test expects of a module."""
