@@ -60,7 +60,7 @@ class PlaceCommandTest {
           "--cover --catalogue site --reading any"
         }) {
       Path plan = folder.resolve("plan");
-      Cli placed = place(site, words + " --out " + plan);
+      Cli placed = place(site, words + " --write-candidates --out " + plan);
       assertEquals(0, placed.exit(), placed.err());
       assertTrue(placed.out().contains("gap"), placed.out());
       Cli checked = Cli.run("place", "--verify", plan);
@@ -69,6 +69,21 @@ class PlaceCommandTest {
       Cli run = Cli.run("run", plan.resolve("plan.xml"), "--out", folder.resolve("run"));
       assertEquals(0, run.exit(), run.err());
     }
+  }
+
+  @Test
+  void writesAllCandidatesOnlyOnRequest() throws IOException {
+    Path plan = folder.resolve("plan");
+    String words = "--cameras 2 --out " + plan;
+    Path site = site(WALL, DOOR);
+    assertEquals(0, place(site, words + " --write-candidates").exit());
+    assertTrue(Files.exists(plan.resolve("candidates.xml")));
+    assertEquals(0, place(site, words).exit());
+    assertFalse(Files.exists(plan.resolve("candidates.xml")), "from the command before");
+    Cli checked = Cli.run("place", "--verify", plan);
+    assertEquals(0, checked.exit(), checked.err());
+    assertTrue(checked.out().contains("the bound is not checked"), checked.out());
+    refusesWith(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
   }
 
   @Test
@@ -242,10 +257,10 @@ class PlaceCommandTest {
   @Test
   void checkRejectsChangedFiles() throws IOException {
     Path plan = folder.resolve("plan");
-    place(site(WALL, ""), "--cameras 3 --out " + plan);
+    place(site(WALL, ""), "--cameras 3 --write-candidates --out " + plan);
     refusesWith(
         plan, "plan.xml", "heading=\"", "heading=\"1", "as a run|cover it in a run|expected");
-    refusesWith(plan, "summary.json", "\"share\" : 0", "\"share\" : 1", "share is");
+    refusesWith(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
     refusesWith(plan, "summary.json", "\"bound\" : ", "\"bound\" : 0.0, \"x\" : ", "bound is");
     refusesWith(plan, "samples.csv", "field,", "wood,", "zone is 'wood'");
   }
@@ -268,7 +283,7 @@ class PlaceCommandTest {
     Cli placed = refined(site, words + folder.resolve("plain") + cells);
     assertEquals(0, placed.exit(), placed.err());
     assertFalse(Files.readString(folder.resolve("plain/summary.json")).contains("unrefined"));
-    placed = refined(site, words + plan + cells + " --refine --threads 2");
+    placed = refined(site, words + plan + cells + " --refine --threads 2 --write-candidates");
     assertTrue(placed.out().contains("refined from a plan of candidates"), placed.out());
     refined(site, words + folder.resolve("again") + cells + " --refine --threads 1");
     assertEquals(-1L, Files.mismatch(plan.resolve("plan.xml"), folder.resolve("again/plan.xml")));

@@ -105,6 +105,7 @@ final class PlaceCommand implements Callable<Integer> {
   @Option(names = "--form", paramLabel = "scp|candidates")
   private Optional<String> form;
 
+  @Mixin private PlanFileOptions files;
   @Mixin private ReviewOptions review;
   @Mixin private DemandOptions demand;
   @Mixin private MountOptions mounts;
@@ -151,13 +152,14 @@ final class PlaceCommand implements Callable<Integer> {
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
       copyFloorplan(plan, output);
+      files.write(output, plan);
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
           InstanceFile.write(writer, problem.remaining(), instanceForm());
         }
       }
       ManifestFile.write(output, screen.words(), started, 0);
-      ResultFolder.commit(output, List.of("instance.txt"));
+      ResultFolder.commit(output, List.of("instance.txt", PlanFiles.CANDIDATES));
     }
     print(plan, folder);
     return 0;
@@ -335,13 +337,17 @@ final class PlaceCommand implements Callable<Integer> {
     if (!Files.isRegularFile(folder.resolve(PlanFiles.SCENARIO))) {
       throw new InputException("no plan in '" + folder + "', expected a folder that 'place' wrote");
     }
-    PlanCheck.check(
+    PlanCheck check =
+        new PlanCheck(
             folder,
             path -> scenarioOptions.readSite(path, Settings.NONE, catalogue, screen.err()),
             catalogue,
             DemandOptions.detections(catalogue),
-            effort(new Interrupt(time)))
-        .forEach(line -> screen.out().println(line));
+            effort(new Interrupt(time)));
+    try (Progress simulating = screen.progress("simulates", " cameras", check.simulated())) {
+      check.check(simulating::advance).forEach(line -> screen.out().println(line));
+    }
+    screen.say("checked in %.1f s", seconds());
     return 0;
   }
 }

@@ -147,7 +147,9 @@ class ScipTest {
   void commandProvesPlanAndVerifiesIt() throws IOException {
     Path plan = folder.resolve("plan");
     Path site = SCENARIOS.resolve("corridor.xml");
-    String words = "--cameras 3 --catalogue site --cells 24 --candidates every=4 --method exact";
+    String words =
+        "--cameras 3 --catalogue site --cells 24 --candidates every=4 --method exact"
+            + " --write-candidates";
     String output = run("place " + site + " " + words + " --out " + plan);
     assertTrue(output.contains("proven: no plan of these candidates is better"), output);
     Path summary = plan.resolve("summary.json");

@@ -2,6 +2,7 @@ package org.hificamsim.placement.output;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -36,8 +37,8 @@ import org.hificamsim.runs.output.ResultFolder;
 
 /**
  * Checks a plan from its folder alone. A target stands at each point of the demand, steps are
- * simulated as in {@code run}, and what cameras detect is counted: for the plan, and for every
- * candidate, from which the multipliers give the bound again.
+ * simulated as in {@code run}, and what cameras detect is counted: for the plan, and, if they were
+ * written, for every candidate, from which the multipliers give the bound again.
  */
 public final class PlanCheck {
   private static final double MARGIN = 1e-6;
@@ -50,15 +51,30 @@ public final class PlanCheck {
   private final PointSight sight;
   private final CoverageReading reading;
   private final Effort effort;
+  private final List<CameraSpec> cameras;
 
-  private PlanCheck(
+  /** All candidates of the plan; empty if it was written without them. */
+  private final List<CameraSpec> candidates;
+
+  /**
+   * Reads a plan.
+   *
+   * @param reader reads a scenario
+   * @param detections finds the detection that a zone names
+   * @param effort of the exact method, if it has one, which proves what multipliers do not
+   */
+  public PlanCheck(
       Path folder,
-      Scenario plan,
+      Function<Path, Scenario> reader,
       Catalogue catalogue,
       Function<String, Detection> detections,
       Effort effort)
       throws IOException {
     this.effort = effort;
+    Scenario plan = reader.apply(folder.resolve(PlanFiles.SCENARIO));
+    cameras = plan.cameras();
+    Path all = folder.resolve(PlanFiles.CANDIDATES);
+    candidates = Files.exists(all) ? reader.apply(all).cameras() : List.of();
     file = folder.resolve(ResultFolder.SUMMARY);
     summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
     rows = PlanTables.POINTS.read(folder).rows();
@@ -66,28 +82,6 @@ public final class PlanCheck {
     sight = new PointSight(demand, catalogue);
     String name = summary.path("reading").asText();
     reading = Spelling.require(CoverageReading.class, "reading", name);
-  }
-
-  /**
-   * Checks a folder.
-   *
-   * @param reader reads a scenario
-   * @param detections finds the detection that a zone names
-   * @param effort of the exact method, if it has one, which proves what multipliers do not
-   * @return what was confirmed, in lines for people
-   * @throws InputException if anything is not as the folder says
-   */
-  public static List<String> check(
-      Path folder,
-      Function<Path, Scenario> reader,
-      Catalogue catalogue,
-      Function<String, Detection> detections,
-      Effort effort)
-      throws IOException {
-    Scenario plan = reader.apply(folder.resolve(PlanFiles.SCENARIO));
-    List<CameraSpec> candidates = reader.apply(folder.resolve(PlanFiles.CANDIDATES)).cameras();
-    return new PlanCheck(folder, plan, catalogue, detections, effort)
-        .check(plan.cameras(), candidates);
   }
 
   /** Reads the demand from the table of points. */
@@ -115,35 +109,27 @@ public final class PlanCheck {
     return new Demand(plan, null, zones, points);
   }
 
-  private List<String> check(List<CameraSpec> cameras, List<CameraSpec> candidates) {
+  /** The number of cameras that are simulated: those of the plan and all candidates. */
+  public int simulated() {
+    return cameras.size() + candidates.size();
+  }
+
+  /**
+   * Checks the plan.
+   *
+   * @param progress runs after each camera that is simulated
+   * @return what was confirmed, in lines for people
+   * @throws InputException if anything is not as the folder says
+   */
+  public List<String> check(Runnable progress) {
     int[] counts = counts(seen(cameras));
+    cameras.forEach(camera -> progress.run());
     requireCounts(counts);
-    CoverInstance instance = instance(candidates);
+    CoverInstance instance = instance(progress);
     double share = instance.worth(counts) / instance.totalWorth();
     requireSame("share", share);
-    int kept = summary.path("kept").asInt();
-    int[] keptCounts = counts(seen(cameras.subList(0, kept)));
-    double keptWorth = instance.worth(keptCounts);
-    boolean fullCover = summary.path("goal").asText().equals("cover");
-    Goal goal = fullCover ? Goal.FULL_COVER : new Goal(summary.path("budget").asDouble());
-    double worth = instance.worth(counts) - keptWorth;
-    if (summary.has("unrefined")) {
-      int[] chosen = unrefined(cameras.subList(kept, cameras.size()), candidates);
-      worth = instance.remaining(keptCounts).worth(instance.counts(chosen));
-      double before = (keptWorth + worth) / instance.totalWorth();
-      requireSame("share_unrefined", before);
-      requireNoBetter("share", share, before, "the share before refinement", goal);
-    }
-    double score = fullCover ? summary.path("price").asDouble() : worth;
-    requireSame("score", score);
-    CoverInstance remaining = instance.remaining(keptCounts);
-    CoverInstance undominated = (fullCover ? remaining.coverable() : remaining).undominated();
-    double bound = summary.path("bound").asDouble();
-    String verdict = checkBound(undominated, goal, score, bound);
     PlanArea area = PlanArea.of(demand, sight, cameras, reading);
     requireSame("share_of_area", area.of(demand));
-    double shownBound =
-        fullCover ? bound : 100 * Math.min(1, (keptWorth + bound) / instance.totalWorth());
     List<String> lines = new ArrayList<>();
     lines.add(
         Texts.format(
@@ -155,10 +141,42 @@ public final class PlanCheck {
           Texts.format("zone %s: %.2f %% of its area", name, 100 * area.shares().get(number)));
     }
     lines.add(
-        Texts.format(
-            "the bound of %.2f%s %s for %d candidates",
-            shownBound, fullCover ? "" : " %", verdict, candidates.size()));
+        candidates.isEmpty()
+            ? "the bound is not checked, expected a plan that was written with all candidates"
+            : bound(instance, counts));
     return lines;
+  }
+
+  /** Makes the bound again, and returns what is found about it. */
+  private String bound(CoverInstance instance, int[] counts) {
+    int kept = summary.path("kept").asInt();
+    int[] keptCounts = counts(seen(cameras.subList(0, kept)));
+    double keptWorth = instance.worth(keptCounts);
+    Goal goal = isFullCover() ? Goal.FULL_COVER : new Goal(summary.path("budget").asDouble());
+    double worth = instance.worth(counts) - keptWorth;
+    CoverInstance remaining = instance.remaining(keptCounts);
+    if (summary.has("unrefined")) {
+      int[] chosen = unrefined(cameras.subList(kept, cameras.size()));
+      worth = remaining.worth(instance.counts(chosen));
+      double before = (keptWorth + worth) / instance.totalWorth();
+      requireSame("share_unrefined", before);
+      double share = instance.worth(counts) / instance.totalWorth();
+      requireNoBetter("share", share, before, "the share before refinement", goal);
+    }
+    double score = isFullCover() ? summary.path("price").asDouble() : worth;
+    requireSame("score", score);
+    CoverInstance undominated = (isFullCover() ? remaining.coverable() : remaining).undominated();
+    double bound = summary.path("bound").asDouble();
+    String verdict = checkBound(undominated, goal, score, bound);
+    double shownBound =
+        isFullCover() ? bound : 100 * Math.min(1, (keptWorth + bound) / instance.totalWorth());
+    return Texts.format(
+        "the bound of %.2f%s %s for %d candidates",
+        shownBound, isFullCover() ? "" : " %", verdict, candidates.size());
+  }
+
+  private boolean isFullCover() {
+    return summary.path("goal").asText().equals("cover");
   }
 
   private void requireCounts(int[] counts) {
@@ -217,7 +235,7 @@ public final class PlanCheck {
   }
 
   /** Returns the candidates of refined cameras, which have the same lenses in the same order. */
-  private int[] unrefined(List<CameraSpec> refined, List<CameraSpec> candidates) {
+  private int[] unrefined(List<CameraSpec> refined) {
     int[] chosen = new int[refined.size()];
     for (int i = 0; i < chosen.length; i++) {
       chosen[i] = summary.path("unrefined").path(i).asInt(-1);
@@ -231,13 +249,14 @@ public final class PlanCheck {
   }
 
   /** Returns the whole demand, by candidate, as a run sees it. */
-  private CoverInstance instance(List<CameraSpec> candidates) {
+  private CoverInstance instance(Runnable progress) {
     int[][] covered = new int[candidates.size()][];
     double[] prices = new double[covered.length];
     boolean byNumber = summary.path("goal").asText().equals("cameras");
     for (int from = 0; from < covered.length; from += CANDIDATES_PER_WORLD) {
       int end = Math.min(covered.length, from + CANDIDATES_PER_WORLD);
       System.arraycopy(seen(candidates.subList(from, end)), 0, covered, from, end - from);
+      candidates.subList(from, end).forEach(candidate -> progress.run());
     }
     for (int candidate = 0; candidate < prices.length; candidate++) {
       String kind = candidates.get(candidate).name().replaceFirst("/\\d+$", "");

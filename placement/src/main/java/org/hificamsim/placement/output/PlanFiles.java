@@ -68,7 +68,6 @@ public final class PlanFiles {
         folder,
         IntStream.range(0, plan.cameras().size())
             .mapToObj(i -> cameraRow(plan, i, sharesWithout[i])));
-    folder.write(CANDIDATES, ScenarioWriter.write(plan.candidateScenario()));
     double[] multipliers = plan.coverPlan().multiplierBound().multipliers();
     PlanTables.POINTS.write(
         folder,
@@ -80,6 +79,11 @@ public final class PlanFiles {
                   return new PointRow(zone, point, counts[number], multipliers[number]);
                 }));
     PlanTables.CURVE.write(folder, plan.curve().stream());
+  }
+
+  /** Adds {@link #CANDIDATES}, which is large. */
+  public static void writeCandidates(OutputFolder folder, SitePlan plan) throws IOException {
+    folder.write(CANDIDATES, ScenarioWriter.write(plan.candidateScenario()));
   }
 
   private static CameraRow cameraRow(SitePlan plan, int number, double shareWithout) {

@@ -1,0 +1,20 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.placement.output.PlanFiles;
+import org.hificamsim.placement.site.SitePlan;
+import picocli.CommandLine.Option;
+
+/** Options of {@code place}: what its folder has besides the usual files. */
+final class PlanFileOptions {
+  @Option(names = "--write-candidates")
+  private boolean candidates;
+
+  /** Adds the files that are asked for. */
+  void write(OutputFolder folder, SitePlan plan) throws IOException {
+    if (candidates) {
+      PlanFiles.writeCandidates(folder, plan);
+    }
+  }
+}
