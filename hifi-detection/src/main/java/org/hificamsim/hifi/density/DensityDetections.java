@@ -43,6 +43,30 @@ public final class DensityDetections {
     return Arrays.stream(levels).map(level -> standard + ":level=" + Spelling.of(level)).toList();
   }
 
+  /**
+   * Returns the level that a detection asks for, with the name that a level of the same density had
+   * in EN 62676-4:2014; or the detection itself if it follows no standard.
+   */
+  public static String levelName(String detection) {
+    List<String> levels = levels(detection);
+    if (levels.isEmpty()) {
+      return detection;
+    }
+    String named = detection.contains("level=") ? detection : levels.get(0);
+    String level = named.replaceFirst(".*level=", "").replaceFirst("[@,].*", "");
+    return detection.startsWith("oodpcvs")
+        ? level + formerName(Spelling.require(Oodpcvs.class, "level", level).pixelsPerMetre)
+        : level;
+  }
+
+  private static String formerName(double pixelsPerMetre) {
+    return Arrays.stream(Dori.values())
+        .filter(former -> former.pixelsPerMetre == pixelsPerMetre)
+        .map(former -> " (formerly " + Spelling.of(former) + ")")
+        .findFirst()
+        .orElse("");
+  }
+
   /** The tasks of EN 62676-4:2014, Annex B. */
   private enum Dori {
     DETECT(25),

@@ -113,6 +113,20 @@ class DensityDetectionsTest {
     assertEquals(seen, registry.create(name).seen());
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "oodpcvs-2025:level=characterise, characterise (formerly identify)",
+    "oodpcvs-2025:level=perceive, perceive (formerly recognise)",
+    "oodpcvs-2025:level=discern, discern",
+    "oodpcvs-2025, overview",
+    "dori-2014, detect",
+    "dori-2014:level=observe@0.5, observe",
+    "ttpf:task=orient, ttpf:task=orient"
+  })
+  void levelsHaveTheirFormerNamesBeside(String detection, String words) {
+    assertEquals(words, DensityDetections.levelName(detection));
+  }
+
   private static ZoomLevel lens(double angle, int pixels) {
     double radians = Math.toRadians(angle);
     return new ZoomLevel(200, 200, 200, Double.NaN, radians, radians, pixels);
