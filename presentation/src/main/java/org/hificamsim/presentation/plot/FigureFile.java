@@ -99,8 +99,7 @@ public final class FigureFile {
       ByteArrayOutputStream svg = new ByteArrayOutputStream();
       stream(graphics, root, svg);
       ByteArrayOutputStream pdf = new ByteArrayOutputStream();
-      PdfFile.write(
-          pdf, List.of(laidOut), width.map(PrintWidth::points).orElse((double) laidOut.width()));
+      PdfFile.write(pdf, laidOut, width.map(PrintWidth::points).orElse((double) laidOut.width()));
       return new Drawn(List.of(png.toByteArray(), svg.toByteArray(), pdf.toByteArray()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -142,7 +141,7 @@ public final class FigureFile {
     switch (format) {
       case "png" -> png(out, picture);
       case "svg" -> svg(out, picture);
-      case "pdf" -> PdfFile.write(out, List.of(picture), picture.width());
+      case "pdf" -> PdfFile.write(out, picture, picture.width());
       default -> throw new IllegalArgumentException(format);
     }
   }
@@ -175,9 +174,9 @@ public final class FigureFile {
     }
   }
 
-  /** Writes a PDF document; all pages have the width of the first. */
+  /** Writes a PDF document whose text can be searched. */
   public static void pages(OutputStream out, List<? extends Paintable> pages) throws IOException {
-    PdfFile.write(out, pages, pages.get(0).width());
+    PdfFile.write(out, pages);
   }
 
   /** Writes an SVG document. */
