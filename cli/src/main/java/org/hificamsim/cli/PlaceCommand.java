@@ -150,7 +150,11 @@ final class PlaceCommand implements Callable<Integer> {
     SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
     note("measuring the area, drawing and writing");
     try (OutputFolder output = screen.folder(folder)) {
-      PlanFiles.write(output, plan, Catalogue.load(), floor, screen.words());
+      PlanFiles.write(
+          output,
+          plan,
+          Catalogue.load(),
+          new PlanFiles.Content(floor, files.title(), screen.words()));
       copyFloorplan(plan, output);
       files.write(output, plan);
       if (form.isPresent()) {

@@ -1,8 +1,11 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.placement.output.PlanFiles;
+import org.hificamsim.placement.output.TitleBlock;
 import org.hificamsim.placement.site.SitePlan;
 import picocli.CommandLine.Option;
 
@@ -10,6 +13,17 @@ import picocli.CommandLine.Option;
 final class PlanFileOptions {
   @Option(names = "--write-candidates")
   private boolean candidates;
+
+  @Option(names = "--title", paramLabel = "KEY=VALUE")
+  private Map<String, String> entries = new LinkedHashMap<>();
+
+  @Option(names = "--currency", paramLabel = "CODE")
+  private String currency;
+
+  /** What the document says about itself. */
+  TitleBlock title() {
+    return new TitleBlock(entries, currency);
+  }
 
   /** Adds the files that are asked for. */
   void write(OutputFolder folder, SitePlan plan) throws IOException {

@@ -3,37 +3,87 @@ package org.hificamsim.placement.output;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Area;
 import java.awt.geom.Path2D;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.ViewReach;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Setup;
 
 /**
- * The parts of the plan that cameras see in the views that they are mounted with: as wide as their
- * pictures, as far as the first zone's detection reaches, and cut by walls. Tilts do not count.
+ * What cameras see of the plan in the views that they are mounted with: sectors as wide as their
+ * pictures, cut by walls, as far as the zone asks in which a camera covers most. Sectors begin at
+ * the camera; in its blind zone people are too near, below the picture.
  */
 final class CameraSectors {
-  private final Setup setup;
+  private final List<CameraPose> poses = new ArrayList<>();
+  private final List<ViewReach> reaches = new ArrayList<>();
   private final Cameras cameras;
 
   CameraSectors(SitePlan plan, Catalogue catalogue) {
-    Detection detection = plan.demand().zones().get(0).detection();
     World world = new World(plan.scenario(), catalogue.movements(), 0);
-    this.setup = Setup.of(world, detection, "fixed", 0, List.of());
     this.cameras = world.cameras();
+    Map<Detection, Setup> setups = new HashMap<>();
+    for (int camera = 0; camera < plan.cameras().size(); camera++) {
+      Detection detection = detection(plan, camera);
+      Setup setup =
+          setups.computeIfAbsent(detection, asked -> Setup.of(world, asked, "fixed", 0, List.of()));
+      CameraPose pose = setup.cameras().get(camera).pose();
+      int view = cameras.view(camera);
+      poses.add(pose);
+      reaches.add(
+          new ViewReach.Axis(
+                  plan.cameras().get(camera),
+                  pose.heading() + cameras.pan(camera, view),
+                  farthest(pose.levels().get(view % cameras.zooms(camera))))
+              .reach(plan.demand(), detection, catalogue));
+    }
   }
 
-  /** The sector of a camera, by its number in the plan; metres. */
+  /** The detection of the zone in which a camera covers most points. */
+  private static Detection detection(SitePlan plan, int camera) {
+    int[] counts = new int[plan.demand().zones().size()];
+    int most = 0;
+    for (int point : plan.cover().covered()[camera]) {
+      int zone = plan.demand().points().get(point).zone();
+      counts[zone]++;
+      most = counts[zone] > counts[most] ? zone : most;
+    }
+    return plan.demand().zones().get(most).detection();
+  }
+
+  /** The sector of a camera, by its number in the plan, with its blind zone; metres. */
   Area sector(int camera) {
-    CameraPose pose = setup.cameras().get(camera).pose();
+    return sector(camera, reaches.get(camera).far());
+  }
+
+  /**
+   * What a camera sees.
+   *
+   * @param area from the camera as far as people are seen, metres
+   * @param blindZone the part in which people are too near
+   */
+  record Sector(Area area, Area blindZone) {}
+
+  /** The sectors of all cameras. */
+  List<Sector> all() {
+    return IntStream.range(0, reaches.size())
+        .mapToObj(camera -> new Sector(sector(camera), sector(camera, reaches.get(camera).near())))
+        .toList();
+  }
+
+  private Area sector(int camera, double radius) {
+    CameraPose pose = poses.get(camera);
     int view = cameras.view(camera);
     double heading = Math.toDegrees(pose.heading() + cameras.pan(camera, view));
     double width = Math.toDegrees(cameras.zoom(camera, view).viewingAngle());
-    double radius = reach(pose.levels().get(view % cameras.zooms(camera)));
     double start = heading - 90 - width / 2; // clockwise from +x, as Arc2D counts where y is up
     Area sector =
         new Area(
@@ -51,7 +101,7 @@ final class CameraSectors {
     return sector;
   }
 
-  private static double reach(CameraPose.Level level) {
+  private static double farthest(CameraPose.Level level) {
     return level.detected().stream().mapToDouble(CameraPose.Interval::to).max().orElse(0);
   }
 

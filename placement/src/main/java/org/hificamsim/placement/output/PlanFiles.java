@@ -25,7 +25,6 @@ import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
-import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 
 /** Writes the files of a plan: a scenario that runs, its figures, tables, pages and pictures. */
@@ -42,20 +41,20 @@ public final class PlanFiles {
   private PlanFiles() {}
 
   /**
-   * Adds the files to a folder.
+   * What is written besides the plan.
    *
    * @param floor the floor plan of the site
    * @param command the words of the command that made the plan
    */
-  public static void write(
-      OutputFolder folder,
-      SitePlan plan,
-      Catalogue catalogue,
-      List<Setup.Floor> floor,
-      List<String> command)
+  public record Content(List<Setup.Floor> floor, TitleBlock title, List<String> command) {}
+
+  /** Adds the files to a folder. */
+  public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
       throws IOException {
-    new PlanSheet(plan, catalogue, floor)
-        .write(folder, "./hificamsim " + String.join(" ", command), ManifestFile.version());
+    String command = "./hificamsim " + String.join(" ", content.command);
+    new PlanSheet(plan, catalogue, new PlanSheet.Content(content.floor, content.title, command))
+        .write(folder);
+    PlanTables.ORDER.write(folder, PlanOrder.of(plan, content.title.currency()).stream());
     try (Writer dxf = folder.open(DXF)) {
       PlanDxf.write(dxf, plan, catalogue);
     }

@@ -27,6 +27,15 @@ final class PlanTables {
    */
   record PointRow(ZoneDemand zone, DemandPoint point, int count, double multiplier) {}
 
+  /** A row for each product to order. */
+  static final Table<PlanOrder.Product> ORDER =
+      Table.<PlanOrder.Product>of("order.csv")
+          .texts("camera", "its name in the catalogue", PlanOrder.Product::name)
+          .ints("quantity", "cameras", "to order", PlanOrder.Product::quantity)
+          .plain("price", "currency", "of one", PlanOrder.Product::price)
+          .plain("total", "currency", "of all of these", PlanOrder.Product::total)
+          .texts("currency", "as --currency says", PlanOrder.Product::currency);
+
   /** A row for each camera; those that stay come first. */
   static final Table<CameraRow> CAMERAS =
       Table.<CameraRow>of("cameras.csv")

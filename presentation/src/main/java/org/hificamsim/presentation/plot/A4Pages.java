@@ -53,8 +53,7 @@ public final class A4Pages {
    * @param share of the page's height that the picture takes at most
    */
   public void picture(Paintable picture, double share) {
-    double scale =
-        Math.min((double) CONTENT_WIDTH / picture.width(), share * HEIGHT / picture.height());
+    double scale = scale(picture, share);
     add(
         new Drawn(
             (int) Math.ceil(scale * picture.height()) + LINE,
@@ -64,32 +63,57 @@ public final class A4Pages {
             }));
   }
 
-  /** Adds a table; its head is repeated on each page. */
-  public void table(List<String> columns, List<List<String>> rows) {
-    int[] widths =
-        IntStream.range(0, columns.size())
-            .map(
-                i ->
-                    Math.max(
-                        Fonts.width(columns.get(i), Fonts.PANEL),
-                        rows.stream()
-                            .mapToInt(row -> Fonts.width(row.get(i), Fonts.TICKS))
-                            .max()
-                            .orElse(0)))
-            .toArray();
-    Paintable head = row(columns, widths, Fonts.PANEL);
-    if (top + 2 * LINE > HEIGHT - MARGIN) {
+  /** Adds a picture below its title, on the same page. */
+  public void picture(String title, Paintable picture, double share) {
+    double height = scale(picture, share) * picture.height();
+    if (top + 3 * LINE + height > HEIGHT - MARGIN) {
       top = HEIGHT;
     }
+    heading(title);
+    picture(picture, share);
+  }
+
+  /** The scale at which {@link #picture} prints. */
+  public static double scale(Paintable picture, double share) {
+    return Math.min((double) CONTENT_WIDTH / picture.width(), share * HEIGHT / picture.height());
+  }
+
+  /**
+   * Adds a table below its title. It stays on one page if it fits; else its head is repeated, and
+   * no row is alone on a page.
+   */
+  public void table(String title, List<String> columns, List<List<String>> rows) {
+    int[] widths = widths(columns, rows);
+    int height = 2 * LINE + (rows.size() + 1) * LINE;
+    boolean fitsOnOnePage = height <= HEIGHT - 2 * MARGIN;
+    if (top + Math.min(height, fitsOnOnePage ? height : 5 * LINE) > HEIGHT - MARGIN) {
+      top = HEIGHT;
+    }
+    heading(title);
+    Paintable head = row(columns, widths, Fonts.PANEL);
     add(head);
-    for (List<String> row : rows) {
-      if (top + LINE > HEIGHT - MARGIN) {
+    for (int number = 0; number < rows.size(); number++) {
+      int needed = number == rows.size() - 2 ? 2 * LINE : LINE;
+      if (top + needed > HEIGHT - MARGIN) {
         top = HEIGHT;
         add(head);
       }
-      add(row(row, widths, Fonts.TICKS));
+      add(row(rows.get(number), widths, Fonts.TICKS));
     }
     top += LINE;
+  }
+
+  private static int[] widths(List<String> columns, List<List<String>> rows) {
+    return IntStream.range(0, columns.size())
+        .map(
+            i ->
+                Math.max(
+                    Fonts.width(columns.get(i), Fonts.PANEL),
+                    rows.stream()
+                        .mapToInt(row -> Fonts.width(row.get(i), Fonts.TICKS))
+                        .max()
+                        .orElse(0)))
+        .toArray();
   }
 
   /** A row of a table, scaled down if it is too wide. */

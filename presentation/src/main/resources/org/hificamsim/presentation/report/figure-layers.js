@@ -1,4 +1,4 @@
-// The layers of cameras, their names, and targets. Rhino runs this file too: see scene.js.
+// The layers of cameras and targets. Rhino runs this file too: see scene.js.
 import {figureSize} from './figure-size.js';
 import {COVER, coverClass, shape} from './palette.js';
 import {poseAt, viewAt} from './views.js';
@@ -35,28 +35,6 @@ export function cameras(context, scene) {
       context.lineTo(x + r, y + r);
     }
     context.stroke();
-  });
-}
-
-/** The name of each camera, on the side that the camera does not look to. */
-export function names(context, scene) {
-  const {run, frame, map, colours, unit} = scene;
-  const away = 9 * figureSize(scene) + 5 * unit;
-  context.font = `bold ${10 * unit}px sans-serif`;
-  context.textAlign = 'center';
-  context.lineJoin = 'round';
-  context.lineWidth = 3 * unit;
-  context.strokeStyle = colours.paper;
-  context.fillStyle = colours.ink;
-  run.setup.cameras.forEach(({name}, i) => {
-    const {heading} = viewAt(run, i, frame);
-    const pose = poseAt(run, i, frame);
-    const [x, y] = [
-      map.x(pose.x) - away * Math.sin(heading),
-      map.y(pose.y) + away * Math.cos(heading) + 4 * unit,
-    ];
-    context.strokeText(name, x, y);
-    context.fillText(name, x, y);
   });
 }
 

@@ -1,4 +1,4 @@
-// The layer of a heat map or of a plan's cells. Rhino runs this file too: see scene.js.
+// The layer of a heat map. Rhino runs this file too: see scene.js.
 import {hatch} from './hatch.js';
 import {COVER, scaleColour} from './palette.js';
 
@@ -13,7 +13,7 @@ export const NEVER_COVERED = COVER[0].colour;
  */
 export function heat(context, {heat, map, run, unit, host}) {
   if (!heat) return;
-  const {columns, rows, values, end, logarithmic, classes} = heat;
+  const {columns, rows, values, end, logarithmic} = heat;
   const share = value =>
     logarithmic ? (end > 1 ? Math.log(value) / Math.log(end) : 1) : value / end;
   const {minX, maxX, minY, maxY} = run.setup.field;
@@ -25,7 +25,7 @@ export function heat(context, {heat, map, run, unit, host}) {
   ];
   context.beginPath();
   for (let cell = 0; cell < values.length; cell++) {
-    if (classes || values[cell] !== 0) continue;
+    if (values[cell] !== 0) continue;
     let row = Math.floor(cell / columns);
     context.rect(
       left + ((cell - row * columns) * width) / columns,
@@ -36,14 +36,10 @@ export function heat(context, {heat, map, run, unit, host}) {
   }
   context.fillStyle = hatch(host, NEVER_COVERED, unit);
   context.fill();
-  context.globalAlpha = classes ? 0.4 : HEAT_OPACITY;
+  context.globalAlpha = HEAT_OPACITY;
   context.imageSmoothingEnabled = false;
   heat.image ??= host.cells(columns, rows, cell =>
-    classes
-      ? (classes[values[cell]] ?? null)
-      : values[cell] > 0
-        ? scaleColour(share(values[cell]))
-        : null,
+    values[cell] > 0 ? scaleColour(share(values[cell])) : null,
   );
   context.drawImage(heat.image, left, bottom - height, width, height);
 }

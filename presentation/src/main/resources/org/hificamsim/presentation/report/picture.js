@@ -6,7 +6,7 @@ import {legend} from './legend.js';
 import {fit, heightFor} from './map.js';
 import {scaleColour} from './palette.js';
 import {paintTracks} from './path-layers.js';
-import {LAYERS, MAP_LAYERS, paintScene, PLAN_LAYERS} from './scene.js';
+import {LAYERS, MAP_LAYERS, paintScene} from './scene.js';
 
 const MOST_TRACK_POINTS = 200000;
 
@@ -53,5 +53,5 @@ export function paint(host, setup, picture, heat, values) {
   };
   const every = 1 + Math.floor((count * setup.targets.length) / MOST_TRACK_POINTS);
   if (tracked) scene.tracks = () => paintTracks(host, scene, 0, every);
-  paintScene(host, scene, scene.heat?.classes ? PLAN_LAYERS : heat ? MAP_LAYERS : LAYERS);
+  paintScene(host, scene, heat ? MAP_LAYERS : LAYERS);
 }

@@ -11,6 +11,7 @@ export async function planPage(root, data) {
     el(
       'section',
       {class: 'card'},
+      ...data.block.map(([key, value]) => el('p', {}, `${key}: ${value}`)),
       el('p', {}, el('b', {}, met)),
       ...facts.map(fact => el('p', {}, fact)),
       el(
@@ -21,6 +22,8 @@ export async function planPage(root, data) {
         el('a', {href: 'plan.svg'}, 'floor plan as SVG'),
         ' ',
         el('a', {href: 'plan.dxf'}, 'as DXF'),
+        ' ',
+        el('a', {href: 'order.csv'}, 'order list'),
       ),
     ),
   );

@@ -5,7 +5,7 @@
 // Rhino runs this file and those that it imports as browsers do, but knows neither classes nor
 // spread arguments, and in the head of a for loop neither const nor destructuring.
 import {beliefs, messages} from './belief-layers.js';
-import {cameras, names, targets} from './figure-layers.js';
+import {cameras, targets} from './figure-layers.js';
 import {floor, grid, scaleBar} from './ground-layers.js';
 import {heat} from './heat-layer.js';
 import {obstacles} from './obstacle-layer.js';
@@ -33,9 +33,6 @@ export const LAYERS = [
 /** The layers of a heat map's picture, which leaves out what belongs to one step. */
 export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleBar];
 
-/** The layers of a plan's picture: cells by class, and each camera's view and name. */
-export const PLAN_LAYERS = [floor, grid, heat, views, obstacles, cameras, names, scaleBar];
-
 /**
  * Paints layers of a scene, an object with
  * - `run`: what is shown, with `setup`, `mostTargets` (present at the same time), and lists by
@@ -44,8 +41,7 @@ export const PLAN_LAYERS = [floor, grid, heat, views, obstacles, cameras, names,
  * - `colours`: by their names in the style sheet
  * - `selected`: the selected camera; `densityCamera`: the one whose density zones are shown; -1 for
  *   none
- * - `heat`: a record ShownFigure with `columns`, `rows` and `values`, or nothing. If it has
- *   `classes`, values are indices of these colours and there is no scale
+ * - `heat`: a record ShownFigure with `columns`, `rows` and `values`, or nothing
  * - `floor`: a list of {area, image}, painted with `opacity`
  * - `trails`: whether the targets' last steps are shown; `tracks(context)`: paints their tracks, or
  *   nothing

@@ -1,0 +1,92 @@
+package org.hificamsim.placement.output;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.hifi.density.DensityDetections;
+import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.PointSight;
+import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.runs.cells.FieldCells;
+
+/**
+ * The cells of a plan, each in one of some classes.
+ *
+ * @param values by cell, the number of its class, NaN if nobody asks for it
+ * @param colors of the classes
+ * @param labels of the classes
+ */
+record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<String> labels) {
+  /**
+   * How cells are seen: by no camera, by fewer than one of their zones asks for, or as all their
+   * zones ask.
+   */
+  static CellClasses coverage(SitePlan plan) {
+    FieldCells cells = plan.demand().cells();
+    double[] classes = new double[cells.count()];
+    Arrays.fill(classes, Double.NaN);
+    int[] counts = plan.cover().counts();
+    for (int number = 0; number < counts.length; number++) {
+      DemandPoint point = plan.demand().points().get(number);
+      int k = plan.demand().zones().get(point.zone()).k();
+      int pointClass = counts[number] == 0 ? 0 : counts[number] < k ? 1 : 2;
+      int cell = cells.at(point.x(), point.y());
+      double before = classes[cell];
+      classes[cell] = Double.isNaN(before) ? pointClass : Math.min(before, pointClass);
+    }
+    return new CellClasses(
+        cells,
+        classes,
+        List.of(Palette.UNSEEN, Palette.SEEN_ONCE, Palette.SEEN_OFTEN),
+        List.of("seen by no camera", "by fewer than asked for", "as asked for"));
+  }
+
+  /**
+   * The highest level of a standard that is reached in each cell; empty if zones ask for no level,
+   * or for levels of two standards.
+   */
+  static Optional<CellClasses> levels(SitePlan plan, Catalogue catalogue) {
+    List<String> asked =
+        plan.demand().zones().stream().map(zone -> zone.detection().name()).toList();
+    List<String> names = levelNames(plan);
+    if (names.isEmpty() || asksForTwoStandards(plan)) {
+      return Optional.empty();
+    }
+    CellClasses coverage = coverage(plan);
+    double[] reached = coverage.values;
+    Arrays.setAll(reached, cell -> 0 * reached[cell]); // cells without a point stay NaN
+    List<Color> colors = new ArrayList<>(List.of(Palette.UNSEEN));
+    List<String> labels = new ArrayList<>(List.of("none"));
+    for (String name : names) {
+      Detection detection = Detection.of(catalogue.detections().create(name));
+      colors.add(Palette.SEQUENCE.get(labels.size() - 1));
+      String suffix = asked.contains(detection.name()) ? " (asked for)" : "";
+      labels.add(DensityDetections.levelName(name) + suffix);
+      int[][] seen =
+          new PointSight(plan.demand().with(detection), catalogue)
+              .covered(plan.cameras(), plan.problem().request().reading());
+      for (int number : Arrays.stream(seen).flatMapToInt(Arrays::stream).toArray()) {
+        DemandPoint point = plan.demand().points().get(number);
+        reached[coverage.cells.at(point.x(), point.y())] = labels.size() - 1;
+      }
+    }
+    return Optional.of(new CellClasses(coverage.cells, reached, colors, labels));
+  }
+
+  /** Whether zones ask for levels of more than one standard. */
+  static boolean asksForTwoStandards(SitePlan plan) {
+    return levelNames(plan).size() > Palette.SEQUENCE.size();
+  }
+
+  private static List<String> levelNames(SitePlan plan) {
+    return plan.demand().zones().stream()
+        .flatMap(zone -> DensityDetections.levels(zone.detection().name()).stream())
+        .distinct()
+        .toList();
+  }
+}

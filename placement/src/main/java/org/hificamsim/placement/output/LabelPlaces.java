@@ -1,0 +1,73 @@
+package org.hificamsim.placement.output;
+
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/** Finds places for labels beside their points, where they cover neither signs nor each other. */
+final class LabelPlaces {
+  private static final int DIRECTIONS = 16;
+  private static final List<Integer> DISTANCES = List.of(7, 14, 22, 32, 44, 60, 80);
+
+  private final Rectangle2D area;
+  private final List<Rectangle2D> taken = new ArrayList<>();
+
+  /**
+   * @param area in which labels stay, if they can
+   */
+  LabelPlaces(Rectangle2D area) {
+    this.area = area;
+  }
+
+  /** Keeps labels off a square round a point. */
+  void avoid(Point2D point, double half) {
+    taken.add(new Rectangle2D.Double(point.getX() - half, point.getY() - half, 2 * half, 2 * half));
+  }
+
+  /** Returns the nearest free place of a label, or the one that overlaps least. */
+  Rectangle2D place(Point2D point, double width, double height) {
+    Rectangle2D place =
+        places(point, width, height)
+            .filter(candidate -> cost(candidate) == 0)
+            .findFirst()
+            .orElseGet(
+                () ->
+                    places(point, width, height)
+                        .min(Comparator.comparingDouble(this::cost))
+                        .orElseThrow());
+    taken.add(place);
+    return place;
+  }
+
+  private static Stream<Rectangle2D> places(Point2D point, double width, double height) {
+    return DISTANCES.stream()
+        .flatMap(
+            distance ->
+                IntStream.range(0, DIRECTIONS)
+                    .mapToObj(
+                        direction -> {
+                          double angle = 2 * Math.PI * direction / DIRECTIONS;
+                          double across = (distance + width / 2) * Math.cos(angle);
+                          double down = (distance + height / 2) * Math.sin(angle);
+                          return new Rectangle2D.Double(
+                              point.getX() + across - width / 2,
+                              point.getY() + down - height / 2,
+                              width,
+                              height);
+                        }));
+  }
+
+  private double cost(Rectangle2D place) {
+    double overlap = place.getWidth() * place.getHeight() - overlap(place, area);
+    return overlap + taken.stream().mapToDouble(other -> overlap(place, other)).sum();
+  }
+
+  private static double overlap(Rectangle2D place, Rectangle2D other) {
+    Rectangle2D common = place.createIntersection(other);
+    return common.isEmpty() ? 0 : common.getWidth() * common.getHeight();
+  }
+}

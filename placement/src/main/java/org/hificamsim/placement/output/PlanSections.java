@@ -1,0 +1,168 @@
+package org.hificamsim.placement.output;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.hifi.density.DensityDetections;
+import org.hificamsim.placement.site.BlindSpot;
+import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.SitePlan;
+
+/** The tables of a plan's page and document, in words for people. */
+final class PlanSections {
+  private static final int MAX_SPOTS = 10;
+
+  /** A table with its title. */
+  record Section(String title, List<String> columns, List<List<String>> rows) {}
+
+  private final SitePlan plan;
+  private final Demand demand;
+  private final int[] counts;
+  private final String currency;
+
+  PlanSections(SitePlan plan, String currency) {
+    this.plan = plan;
+    this.demand = plan.demand();
+    this.counts = plan.cover().counts();
+    this.currency = currency;
+  }
+
+  /** The tables, without those that have no row. */
+  List<Section> sections() {
+    return Stream.of(zoneTable(), orderTable(), cameraTable(), blindSpotTable())
+        .filter(section -> !section.rows.isEmpty())
+        .toList();
+  }
+
+  private Section orderTable() {
+    List<PlanOrder.Product> products = PlanOrder.of(plan, currency);
+    List<List<String>> rows = new ArrayList<>();
+    for (PlanOrder.Product product : products) {
+      String quantity = Integer.toString(product.quantity());
+      rows.add(List.of(product.name(), quantity, money(product.price()), money(product.total())));
+    }
+    if (!rows.isEmpty()) {
+      int quantity = products.stream().mapToInt(PlanOrder.Product::quantity).sum();
+      rows.add(List.of("all", Integer.toString(quantity), "", money(plan.price())));
+    }
+    return new Section(
+        "To order",
+        List.of("camera", "quantity", "price, " + currency, "total, " + currency),
+        rows);
+  }
+
+  private static String money(double amount) {
+    return Texts.format("%.2f", amount);
+  }
+
+  private Section zoneTable() {
+    List<List<String>> rows =
+        demand.zones().stream()
+            .map(
+                zone ->
+                    List.of(
+                        zone.name(),
+                        DensityDetections.levelName(zone.detection().name()),
+                        Integer.toString(zone.k()),
+                        Integer.toString(zone.count()),
+                        percent(plan.cover().claimedShare(zone)),
+                        percent(demand.shareByK(zone, counts)),
+                        percent(unseenShare(zone, counts))))
+            .toList();
+    return new Section(
+        "Zones", List.of("zone", "asks for", "k", "cells", "met", "met by k", "unseen"), rows);
+  }
+
+  private static double unseenShare(ZoneDemand zone, int[] counts) {
+    return Arrays.stream(counts, zone.first(), zone.end()).filter(count -> count == 0).count()
+        / Math.max(1.0, zone.count());
+  }
+
+  private Section cameraTable() {
+    List<List<String>> rows = new ArrayList<>();
+    for (int i = 0; i < plan.cameras().size(); i++) {
+      CameraSpec camera = plan.cameras().get(i);
+      boolean kept = i < plan.problem().kept().size();
+      int[] countsWithout = plan.cover().countsWithout(i);
+      rows.add(
+          List.of(
+              camera.name(),
+              Texts.format("%.2f", camera.x()),
+              Texts.format("%.2f", camera.y()),
+              height(camera),
+              Texts.format("%.1f", camera.heading()),
+              Texts.format("%.1f", camera.tilt()),
+              camera.optics().map(OpticsSpec::name).orElse("own"),
+              kept ? "stays" : money(camera.price()),
+              Integer.toString(plan.cover().covered()[i].length),
+              percent(plan.cover().share(countsWithout)),
+              mostBlindZone(countsWithout)));
+    }
+    return new Section(
+        "Cameras, and what if one fails",
+        List.of(
+            "camera",
+            "x, m",
+            "y, m",
+            "z, m",
+            "heading",
+            "tilt",
+            "lens",
+            "price, " + currency,
+            "cells",
+            "met without it",
+            "most goes blind in"),
+        rows);
+  }
+
+  /** The zone that loses most of its cover, with the share that becomes blind; may be empty. */
+  private String mostBlindZone(int[] countsWithout) {
+    ToDoubleFunction<ZoneDemand> lostShare =
+        zone -> unseenShare(zone, countsWithout) - unseenShare(zone, counts);
+    ZoneDemand worst =
+        demand.zones().stream().max(Comparator.comparingDouble(lostShare)).orElseThrow();
+    double share = lostShare.applyAsDouble(worst);
+    return share > 0 ? worst.name() + ", " + percent(share) + " of it" : "";
+  }
+
+  private String height(CameraSpec camera) {
+    double z = plan.height(camera);
+    return Double.isNaN(z) ? "" : Texts.format("%.1f", z);
+  }
+
+  private Section blindSpotTable() {
+    List<BlindSpot> spots = plan.cover().blindSpots();
+    double restArea = spots.stream().skip(MAX_SPOTS).mapToDouble(BlindSpot::area).sum();
+    Stream<List<String>> rest =
+        restArea > 0
+            ? Stream.of(
+                List.of(spots.size() - MAX_SPOTS + " more", Texts.format("%.1f", restArea), "", ""))
+            : Stream.of();
+    return new Section(
+        "Seen by no camera",
+        List.of("zone", "square metres", "around x, m", "y, m"),
+        Stream.concat(
+                spots.stream()
+                    .limit(MAX_SPOTS)
+                    .map(
+                        spot ->
+                            List.of(
+                                spot.zone(),
+                                Texts.format("%.1f", spot.area()),
+                                Texts.format("%.1f", spot.x()),
+                                Texts.format("%.1f", spot.y()))),
+                rest)
+            .toList());
+  }
+
+  private static String percent(double share) {
+    return Texts.format("%.1f %%", 100 * share);
+  }
+}
