@@ -229,9 +229,40 @@ class CompareStatisticsTest {
       String svg = Files.readString(print.resolve(name + ".svg"));
       assertTrue(svg.contains("width=\"88mm\""), name);
     }
+    String svg = Files.readString(print.resolve("proportion.svg"));
+    assertFalse(svg.contains("Proportion of the optimum"), "a title that captions have");
+    assertTrue(svg.contains("ORB linear"), "names for people");
     Cli wrong = run(print, 2, "zoom-out", "--figure-width", "3in");
     assertEquals(2, wrong.exit());
     assertTrue(wrong.err().contains("--figure-width is '3in', expected "), wrong.err());
+  }
+
+  @Test
+  void picturesHaveLabelsAndColoursOfUser() throws IOException {
+    Path own = folder.resolve("own");
+    String[] style = {"--palette", "#123456,#654321", "--label", "sarsa=Our method"};
+    Cli cli = run(own, 2, "zoom-out,sarsa", "--steps", 30, style[0], style[1], style[2], style[3]);
+    assertEquals(0, cli.exit(), cli.err());
+    String svg = Files.readString(own.resolve("profile.svg"));
+    assertTrue(svg.contains("Our method") && !svg.contains("sarsa"));
+    String page = Files.readString(own.resolve("report.html"));
+    assertTrue(page.contains("#123456") && page.contains("#654321"));
+    assertTrue(page.contains("{\"sarsa\":\"Our method\"}"));
+  }
+
+  @Test
+  void rejectsStyleThatNamesNothing() {
+    assertRejected("--palette is 'nice', expected bright, grey or colours", "--palette", "nice");
+    assertRejected("--palette is '#12', expected bright", "--palette", "#12");
+    assertRejected("--label is 'tracker=T', expected NAME=TEXT for", "--label", "tracker=T");
+    assertRejected("--label is 'sarsa', expected NAME=TEXT for one of", "--label", "sarsa");
+  }
+
+  private static void assertRejected(String message, String option, String value) {
+    Cli cli = run(folder.resolve("rejected"), 2, "zoom-out,sarsa", option, value);
+    assertEquals(2, cli.exit());
+    assertEquals(1, cli.err().lines().count(), cli.err());
+    assertTrue(cli.err().contains(message), cli.err());
   }
 
   private static boolean sarsaHifi(Map<String, String> row) {

@@ -12,6 +12,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
+import org.hificamsim.presentation.figures.FigureStyle;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Metric;
@@ -61,14 +62,13 @@ final class CompareCommand implements Callable<Integer> {
   @Option(names = "--latex")
   private boolean latex;
 
-  @Option(names = "--figure-width", paramLabel = "MMmm")
-  private Optional<String> figureWidth;
-
   @Spec private CommandSpec command;
 
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchRun batch;
+
+  @Mixin private FigureOptions figures;
 
   @Mixin private Screen screen;
 
@@ -80,7 +80,8 @@ final class CompareCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
     List<RunPlan> plans = plans(catalogue);
-    Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
+    Optional<PrintWidth> width = figures.width();
+    FigureStyle style = figures.style(plans);
     ReferencePolicies references = ReferencePolicies.parse("--yardsticks", yardsticks);
     ReferencePolicy compared =
         ReferencePolicy.of(reference, NameLists.policies(policies, catalogue.policies()));
@@ -99,7 +100,8 @@ final class CompareCommand implements Callable<Integer> {
           List<CaseResult> asked = results.subList(0, plans.size());
           ComparisonFiles.write(folder, asked, results);
           Choice.write(folder, asked);
-          ComparisonFigures.write(folder, results, width, batch.threads());
+          style.write(folder);
+          ComparisonFigures.write(folder, results, width, style, batch.threads());
           AggregateFiles.write(folder, asked, compared, batch.threads());
           if (latex) {
             SummaryTables.writeLatex(folder, asked, results);

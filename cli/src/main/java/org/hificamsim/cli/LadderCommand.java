@@ -80,6 +80,7 @@ final class LadderCommand implements Callable<Integer> {
     Settings asked = settings.settings();
     Ladder ladder = ladder(asked, catalogue);
     List<RunPlan> plans = ladder.plans(asked);
+    warnAbout(plans, catalogue);
     return batch.execute(
         screen,
         catalogue,
@@ -90,6 +91,21 @@ final class LadderCommand implements Callable<Integer> {
           LadderResult result = LadderFiles.write(folder, ladder, results, catalogue);
           return out -> print(out, result);
         });
+  }
+
+  /** Warns if a rung's detection does not suit a scenario, such as beyond the photos of its fit. */
+  private void warnAbout(List<RunPlan> plans, Catalogue catalogue) {
+    String first = plans.get(0).policy();
+    plans.stream()
+        .filter(plan -> plan.policy().equals(first))
+        .forEach(
+            plan ->
+                scenarioOptions.warnAbout(
+                    Path.of(plan.scenario().name()),
+                    plan.scenario(),
+                    plan.detection(),
+                    catalogue,
+                    screen.err()));
   }
 
   private Ladder ladder(Settings asked, Catalogue catalogue) {

@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
@@ -25,6 +26,7 @@ import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.LineLook;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.compare.CaseResult;
@@ -151,7 +153,10 @@ public final class ReproductionFigures {
       groups.add(new CoverageFigure.Group(title(number), hifi(number, BARS)));
     }
     return CoverageFigure.of(
-        "Figure 7.9: targets covered by no, one, and more cameras (" + HIFI + ")", groups, 3);
+        "Figure 7.9: targets covered by no, one, and more cameras (" + HIFI + ")",
+        groups,
+        3,
+        UnaryOperator.identity());
   }
 
   private Figure figure81() {
@@ -179,7 +184,7 @@ public final class ReproductionFigures {
     return KMinPanel.of(
             number + ", " + policy,
             both(number, List.of(policy)),
-            result -> MODELS.get(result.plan().detection().name()),
+            result -> LineLook.solid(MODELS.get(result.plan().detection().name())),
             most)
         .untitled(); // the note of the figure names the axes
   }

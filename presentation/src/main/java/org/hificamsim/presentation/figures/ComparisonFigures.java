@@ -13,6 +13,7 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.Yardstick;
 
 /**
@@ -27,12 +28,20 @@ public final class ComparisonFigures {
    *
    * @param cases all cases, including the optima
    * @param width in print; if empty, the pictures have the size for screens
+   * @param style the words and colours of policies
    * @param threads the number of threads, 1 or more
    */
   public static void write(
-      OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width, int threads)
+      OutputFolder folder,
+      List<CaseResult> cases,
+      Optional<PrintWidth> width,
+      FigureStyle style,
+      int threads)
       throws IOException {
-    Map<String, Supplier<Figure>> figures = figures(cases);
+    PolicyColors colors = PolicyColors.of(cases, style);
+    List<CaseResult> ordered = PolicyScores.byScore(cases);
+    List<String> policies = List.copyOf(Cases.byPolicy(ordered).keySet());
+    Map<String, Supplier<Figure>> figures = figures(ordered, new PolicyColors(colors, policies));
     List<FigureFile.Drawn> drawn =
         Parallel.map(
             List.copyOf(figures.values()), threads, figure -> FigureFile.draw(figure.get(), width));
@@ -42,20 +51,22 @@ public final class ComparisonFigures {
     }
   }
 
-  private static Map<String, Supplier<Figure>> figures(List<CaseResult> cases) {
+  private static Map<String, Supplier<Figure>> figures(
+      List<CaseResult> cases, PolicyColors colors) {
     Map<String, Supplier<Figure>> figures = new LinkedHashMap<>();
     Cases.byScenario(cases)
         .forEach(
             (name, group) ->
                 figures.put(
                     scoreName(group) + "-" + name,
-                    () -> KMinPanel.figure(scoreName(group) + " over time, " + name, group)));
+                    () ->
+                        KMinPanel.figure(scoreName(group) + " over time, " + name, group, colors)));
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     yardstick.ifPresent(
-        measure -> figures.put("proportion", () -> ProportionFigure.of(cases, measure)));
-    figures.put("coverage", () -> coverage(cases));
+        measure -> figures.put("proportion", () -> ProportionFigure.of(cases, colors, measure)));
+    figures.put("coverage", () -> coverage(cases, colors));
     if (yardstick.isPresent() && cases.stream().anyMatch(result -> !result.isOptimum())) {
-      figures.put("profile", () -> ProfileFigure.of(cases, yardstick.get()));
+      figures.put("profile", () -> ProfileFigure.of(cases, colors, yardstick.get()));
     }
     return figures;
   }
@@ -64,7 +75,7 @@ public final class ComparisonFigures {
     return cases.get(0).plan().objective().hasOwnFigure() ? "score" : "k_min";
   }
 
-  private static Figure coverage(List<CaseResult> cases) {
+  private static Figure coverage(List<CaseResult> cases, PolicyColors colors) {
     return CoverageFigure.of(
         "Targets covered by no, one, and more cameras",
         Cases.byScenario(cases).entrySet().stream()
@@ -74,9 +85,10 @@ public final class ComparisonFigures {
                         .map(
                             detection ->
                                 new CoverageFigure.Group(
-                                    scenario.getKey() + ", " + detection.getKey(),
+                                    scenario.getKey() + ", " + colors.name(detection.getKey()),
                                     detection.getValue())))
             .toList(),
-        Math.min(3, Cases.byDetection(cases).size()));
+        Math.min(3, Cases.byDetection(cases).size()),
+        colors::name);
   }
 }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.LineLook;
 import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
@@ -39,25 +40,24 @@ public final class KMinPanel extends XyPanel {
   }
 
   /** Returns the figure of one scenario. */
-  public static Figure figure(String title, List<CaseResult> cases) {
-    PolicyColors colors = PolicyColors.of(cases);
+  public static Figure figure(String title, List<CaseResult> cases, PolicyColors colors) {
     double ceiling = ceilingOf(cases);
     Map<String, List<CaseResult>> detections = Cases.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
-    detections.forEach((name, group) -> panels.add(of(name, group, colors::of, ceiling)));
+    detections.forEach(
+        (name, group) -> panels.add(of(colors.name(name), group, colors::of, ceiling)));
     return new Figure(
         title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
   }
 
   /** Returns a panel of cases. */
   public static KMinPanel of(
-      String title, List<CaseResult> cases, Function<CaseResult, Color> color, double ceiling) {
+      String title, List<CaseResult> cases, Function<CaseResult, LineLook> look, double ceiling) {
     RunPlan plan = cases.get(0).plan();
     KMinPanel panel = new KMinPanel(title, plan.objective(), plan.steps(), ceiling);
-    cases.forEach(result -> panel.band(result, color.apply(result)));
-    cases.forEach(result -> panel.raw(result.meanScore(), color.apply(result)));
-    cases.forEach(
-        result -> panel.smooth(result.plan().policy(), result.meanScore(), color.apply(result)));
+    PolicyColors.banded(cases).forEach(result -> panel.band(result, look.apply(result).color()));
+    cases.forEach(result -> panel.raw(result.meanScore(), look.apply(result).color()));
+    cases.forEach(result -> panel.smooth(result.meanScore(), look.apply(result)));
     return panel;
   }
 
@@ -70,7 +70,14 @@ public final class KMinPanel extends XyPanel {
   public static String note(List<CaseResult> cases) {
     int runs = cases.get(0).runs().size();
     return note(cases.get(0).plan().steps())
-        + (runs > 1 ? " (" + runs + " seeds); bands: 95% intervals of that mean." : ".");
+        + (runs > 1
+            ? " (" + runs + " seeds); bands: 95% intervals of that mean" + bandsOf(cases) + "."
+            : ".");
+  }
+
+  private static String bandsOf(List<CaseResult> cases) {
+    List<CaseResult> panel = Cases.byDetection(cases).values().iterator().next();
+    return PolicyColors.wordsOfBands(panel.size());
   }
 
   private static String label(Objective objective) {
@@ -136,18 +143,13 @@ public final class KMinPanel extends XyPanel {
     return Lowess.smooth(new Curve(x, y));
   }
 
-  /**
-   * Adds a policy's smooth line, dashed for the optimum; if there are too few points to smooth,
-   * their polygon.
-   */
-  void smooth(String policy, double[] means, Color color) {
+  /** Adds a policy's smooth line; if there are too few points to smooth, their polygon. */
+  void smooth(double[] means, LineLook look) {
     Curve curve = Lowess.smooth(Curve.of(means));
-    if (PolicyColors.isOptimal(policy)) {
-      dashed(curve, color);
-    } else if (Lowess.smooths(means.length)) {
-      line(curve, color);
+    if (Lowess.smooths(means.length)) {
+      line(curve, look);
     } else {
-      straight(curve, color);
+      straight(curve, look);
     }
   }
 }

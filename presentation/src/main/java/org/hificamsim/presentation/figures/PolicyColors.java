@@ -6,17 +6,21 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.LineLook;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.runs.compare.CaseResult;
 
-/** A colour for each policy; the policies of chapter 7 have the same one in every figure. */
+/**
+ * A colour, a mark and dashes for each policy, the same in every figure; the policies of chapter 7
+ * keep their colours.
+ */
 public final class PolicyColors {
   private static final String OPTIMAL = "optimal";
+  private static final int MOST_BANDS = 4;
+  private static final int BANDS_OF_MANY = 3;
 
   private static final Map<String, Color> FIXED =
       Map.of(
-          OPTIMAL,
-          Palette.BLACK,
           "zoom-out",
           Palette.ORANGE,
           "random",
@@ -28,55 +32,90 @@ public final class PolicyColors {
           "qb-sarsa",
           Palette.GREEN);
 
-  private final Map<String, Color> colors = new LinkedHashMap<>();
+  private final FigureStyle style;
+  private final Map<String, LineLook> looks = new LinkedHashMap<>();
+
+  /** Assigns the default colours. */
+  public PolicyColors(List<String> policies) {
+    this(policies, FigureStyle.DEFAULT);
+  }
 
   /** Assigns colours. If policies differ only in their options, the first gets the fixed colour. */
-  public PolicyColors(List<String> policies) {
-    List<Color> free = new ArrayList<>(Palette.LINES);
-    policies.stream().distinct().forEach(policy -> colors.put(policy, take(policy, free)));
+  public PolicyColors(List<String> policies, FigureStyle style) {
+    this.style = style;
+    List<String> names = policies.stream().distinct().toList();
+    List<Color> free = new ArrayList<>(style.colors());
+    Map<String, Color> colors = new LinkedHashMap<>();
+    names.forEach(policy -> colors.put(policy, fixed(policy, free)));
     int next = 0;
-    for (Map.Entry<String, Color> entry : colors.entrySet()) {
-      if (entry.getValue() == null) {
-        entry.setValue(free.isEmpty() ? Palette.line(next) : free.remove(0));
-        next++;
+    for (String policy : names) {
+      Color color = colors.get(policy);
+      if (policy.equals(OPTIMAL)) {
+        looks.put(policy, LineLook.reference());
+        continue;
       }
+      if (color == null) {
+        color = free.isEmpty() ? style.colors().get(next % style.colors().size()) : free.remove(0);
+      }
+      looks.put(policy, LineLook.of(next++, color));
     }
   }
 
-  private static Color take(String policy, List<Color> free) {
+  /** The colour of a policy of chapter 7, if the palette has it and no other policy took it. */
+  private static Color fixed(String policy, List<Color> free) {
     Color color = FIXED.get(policy.replaceFirst(":.*", ""));
     return color != null && free.remove(color) ? color : null;
   }
 
   /** Assigns colours to the policies of cases. */
   public static PolicyColors of(List<CaseResult> cases) {
-    return new PolicyColors(cases.stream().map(result -> result.plan().policy()).toList());
+    return of(cases, FigureStyle.DEFAULT);
   }
 
-  /** Takes the colours of some policies from another assignment. */
+  static PolicyColors of(List<CaseResult> cases, FigureStyle style) {
+    return new PolicyColors(cases.stream().map(result -> result.plan().policy()).toList(), style);
+  }
+
+  /** Takes the colours of some policies from another assignment, in this order. */
   public PolicyColors(PolicyColors other, List<String> policies) {
-    policies.forEach(policy -> colors.put(policy, other.of(policy)));
+    style = other.style;
+    policies.forEach(policy -> looks.put(policy, other.looks.get(policy)));
   }
 
   /** The colour of a policy. */
   public Color of(String policy) {
-    return colors.get(policy);
+    return looks.get(policy).color();
   }
 
-  /** The colour of a case's policy. */
-  public Color of(CaseResult result) {
-    return of(result.plan().policy());
+  /** The look of a case's policy. */
+  public LineLook of(CaseResult result) {
+    return look(result.plan().policy());
+  }
+
+  LineLook look(String policy) {
+    return looks.get(policy);
+  }
+
+  /** The name of a policy or detection for people. */
+  String name(String spec) {
+    return style.name(spec);
   }
 
   /** The legend, in the order of the policies; the optimum is dashed. */
   public List<LegendEntry> legend() {
-    return colors.entrySet().stream()
-        .map(entry -> new LegendEntry(entry.getKey(), entry.getValue(), mark(entry.getKey())))
+    return looks.entrySet().stream()
+        .map(entry -> LegendEntry.of(name(entry.getKey()), entry.getValue()))
         .toList();
   }
 
-  private static LegendEntry.Mark mark(String policy) {
-    return isOptimal(policy) ? LegendEntry.Mark.DASHES : LegendEntry.Mark.LINE;
+  /** The elements with bands: all, or the first where many bands would cover each other. */
+  static <T> List<T> banded(List<T> elements) {
+    return elements.size() > MOST_BANDS ? elements.subList(0, BANDS_OF_MANY) : elements;
+  }
+
+  /** The words after "bands" that say which of so many lines have one. */
+  static String wordsOfBands(int lines) {
+    return lines > MOST_BANDS ? ", of the first " + BANDS_OF_MANY + " of the legend" : "";
   }
 
   static boolean isOptimal(String policy) {

@@ -23,18 +23,19 @@ final class ProfileFigure {
   private ProfileFigure() {}
 
   /** Returns the figure of all scenarios together, with a panel for each detection. */
-  static Figure of(List<CaseResult> cases, Yardstick yardstick) {
+  static Figure of(List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
     List<CaseResult> shown = cases.stream().filter(result -> !result.isOptimum()).toList();
-    PolicyColors colors = PolicyColors.of(shown);
     List<XYChart> panels = new ArrayList<>();
     Cases.byDetection(shown)
-        .forEach((name, group) -> panels.add(panel(name, group, colors, yardstick)));
+        .forEach((name, group) -> panels.add(panel(colors.name(name), group, colors, yardstick)));
     return new Figure(
         "Performance profile",
         "Share of all runs whose proportion of "
             + yardstick.noun()
-            + " is tau or more; bands: 95% intervals, point by point.",
-        colors.legend(),
+            + " is tau or more; bands: 95% intervals, point by point"
+            + PolicyColors.wordsOfBands(Cases.byPolicy(shown).size())
+            + ".",
+        new PolicyColors(colors, List.copyOf(Cases.byPolicy(shown).keySet())).legend(),
         panels,
         Math.min(2, panels.size()),
         WIDTH,
@@ -44,16 +45,19 @@ final class ProfileFigure {
   private static XyPanel panel(
       String title, List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
     XyPanel panel =
-        new XyPanel(title, "tau (of " + yardstick.noun() + ")", "share of runs").x(0, 1).y(0, 1);
+        new XyPanel(title, "tau (of " + yardstick.noun() + ")", "share of runs")
+            .x(0, 1)
+            .y(0, 1)
+            .wholeMarks();
     List<PolicyScores> policies =
         PolicyScores.of(cases).stream().filter(policy -> policy.scores().runs() > 0).toList();
     List<Estimate[]> profiles =
         policies.stream().map(policy -> Aggregate.profile(policy.scores())).toList();
-    for (int i = 0; i < profiles.size(); i++) {
+    for (int i = 0; i < PolicyColors.banded(policies).size(); i++) {
       band(panel, profiles.get(i), colors, policies.get(i).policy());
     }
     for (int i = 0; i < profiles.size(); i++) {
-      panel.straight(curve(profiles.get(i), Estimate::mean), colors.of(policies.get(i).policy()));
+      panel.straight(curve(profiles.get(i), Estimate::mean), colors.look(policies.get(i).policy()));
     }
     return panel;
   }

@@ -1,6 +1,5 @@
 package org.hificamsim.presentation.figures;
 
-import java.awt.Color;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -8,6 +7,7 @@ import java.util.Map;
 import java.util.stream.DoubleStream;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.LineLook;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
@@ -32,8 +32,10 @@ final class ProportionFigure {
   private final List<String> policies;
   private final List<String> detections;
   private final double greatest;
+  private final PolicyColors colors;
 
-  private ProportionFigure(List<CaseResult> cases, Yardstick yardstick) {
+  private ProportionFigure(List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
+    this.colors = colors;
     this.yardstick = yardstick;
     greatest =
         cases.stream()
@@ -51,8 +53,8 @@ final class ProportionFigure {
     return result.mean(yardstick.share());
   }
 
-  static Figure of(List<CaseResult> cases, Yardstick yardstick) {
-    ProportionFigure figure = new ProportionFigure(cases, yardstick);
+  static Figure of(List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
+    ProportionFigure figure = new ProportionFigure(cases, colors, yardstick);
     List<XYChart> panels = new ArrayList<>();
     Cases.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
     return new Figure(
@@ -68,21 +70,24 @@ final class ProportionFigure {
         FRAME_HEIGHT + ROW_HEIGHT * Math.max(2, figure.policies.size()));
   }
 
+  /** The marks of detections; a single one needs none, and policies have their own marks. */
   private List<LegendEntry> legend() {
-    return detections.stream()
-        .map(name -> new LegendEntry(name, color(name), LegendEntry.Mark.DOT))
-        .toList();
-  }
-
-  private Color color(String detection) {
-    return Palette.line(detections.indexOf(detection));
+    return detections.size() == 1
+        ? List.of()
+        : detections.stream()
+            .map(
+                name ->
+                    LegendEntry.of(
+                        colors.name(name), Palette.BLACK, LineLook.mark(detections.indexOf(name))))
+            .toList();
   }
 
   private XYChart panel(String scenario, List<CaseResult> cases) {
     XyPanel panel =
         new XyPanel(scenario, "score / that of " + yardstick.noun(), "")
             .x(0, greatest)
-            .rows(policies);
+            .rows(policies.stream().map(colors::name).toList())
+            .wholeMarks();
     Map<String, List<CaseResult>> groups = Cases.byDetection(cases);
     groups.forEach((name, group) -> group.forEach(result -> dot(panel, result)));
     return panel;
@@ -94,7 +99,9 @@ final class ProportionFigure {
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
       int detection = detections.indexOf(result.plan().detection().name());
       double y = row + 1 + DOT_DISTANCE * ((detections.size() - 1) / 2.0 - detection);
-      panel.dot(estimate, y, Palette.line(detection));
+      LineLook look = colors.of(result);
+      LineLook ofDetection = new LineLook(look.color(), LineLook.mark(detection), look.stroke());
+      panel.dot(estimate, y, detections.size() == 1 ? look : ofDetection);
     }
   }
 }

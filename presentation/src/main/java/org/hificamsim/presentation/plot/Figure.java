@@ -92,10 +92,9 @@ public record Figure(
     return MARGIN + TITLE_LINE * titleLines().size();
   }
 
-  /** The lines of the title; an empty title takes one line. */
+  /** The lines of the title; none if it is empty. */
   private List<String> titleLines() {
-    List<String> lines = Fonts.lines(title, Fonts.TITLE, width() - 2 * MARGIN);
-    return lines.isEmpty() ? List.of("") : lines;
+    return Fonts.lines(title, Fonts.TITLE, width() - 2 * MARGIN);
   }
 
   /** The lines of the note. */

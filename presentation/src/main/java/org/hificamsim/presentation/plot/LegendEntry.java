@@ -7,6 +7,7 @@ import java.awt.Polygon;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import org.knowm.xchart.style.markers.Marker;
 
 /**
  * A sign in a picture with its label.
@@ -15,6 +16,7 @@ import java.awt.geom.Rectangle2D;
  */
 public record LegendEntry(String label, Sign sign) {
   static final int WIDTH = 22;
+  private static final int MARK_SIZE = 8;
   private static final float[] DASHES = {5, 4};
 
   /** Paints a sign. */
@@ -41,6 +43,28 @@ public record LegendEntry(String label, Sign sign) {
   /** Creates an entry with a sign of some kind. */
   public LegendEntry(String label, Color color, Mark mark) {
     this(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
+  }
+
+  /** A piece of a line with its mark. */
+  public static LegendEntry of(String label, LineLook look) {
+    return new LegendEntry(
+        label,
+        (graphics, x, y) -> {
+          graphics.setColor(look.color());
+          line(graphics, x, y, look.stroke());
+          paint(graphics, x, y, look.color(), look.mark());
+        });
+  }
+
+  /** A mark alone. */
+  public static LegendEntry of(String label, Color color, Marker mark) {
+    return new LegendEntry(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
+  }
+
+  private static void paint(Graphics2D graphics, int x, int y, Color color, Marker mark) {
+    graphics.setStroke(new BasicStroke(1));
+    graphics.setColor(color);
+    mark.paint(graphics, x + WIDTH / 2.0, y, MARK_SIZE);
   }
 
   private static void paint(Graphics2D graphics, int x, int y, Color color, Mark mark) {

@@ -22,6 +22,11 @@ public final class Palette {
   public static final Color VERMILION = new Color(0xD55E00);
   public static final Color PURPLE = new Color(0xCC79A7);
   public static final Color GREY = new Color(0x8A8A8A);
+  private static final Color BROWN = new Color(0x8B4513);
+  private static final Color INDIGO = new Color(0x5B3FA0);
+  private static final Color OLIVE = new Color(0x8A8A00);
+  private static final Color WINE = new Color(0x882255);
+  private static final Color TEAL = new Color(0x2F7F86);
 
   // The meanings of colours on all pages and pictures, except for lines of policies.
 
@@ -47,13 +52,13 @@ public final class Palette {
               "often", SEEN_OFTEN,
               "cameras", CAMERA));
 
-  /** The colours of lines, in the order in which they are assigned. */
+  /** The colours of lines, in the order in which they are assigned; all can be seen on white. */
   public static final List<Color> LINES =
-      List.of(BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY, YELLOW, BLACK);
+      List.of(BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, BROWN, INDIGO, OLIVE, WINE, GREY, TEAL);
 
   private Palette() {}
 
-  /** The colour of the i-th line; colours repeat after the ninth. */
+  /** The colour of the i-th line; colours repeat after the twelfth. */
   public static Color line(int i) {
     return LINES.get(i % LINES.size());
   }

@@ -49,8 +49,8 @@ public record PrintWidth(int millimetres) {
     int contentWidth = (int) (millimetres * POINTS_PER_MILLIMETRE / SCALE) - 2 * Figure.MARGIN;
     int columns = Math.max(1, Math.min(figure.columns(), contentWidth / MIN_PANEL_WIDTH));
     return new Figure(
-        figure.title(),
-        figure.note(),
+        "", // a paper has captions
+        "",
         figure.legend(),
         figure.panels(),
         columns,

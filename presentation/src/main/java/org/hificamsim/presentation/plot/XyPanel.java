@@ -21,7 +21,10 @@ public class XyPanel extends XYChart {
   private static final BasicStroke DASHED =
       new BasicStroke(
           1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
+  private static final BasicStroke BAR =
+      new BasicStroke(15, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER);
   private static final int SMALL_DOT = 4;
+  private static final int MARKS_OF_LINE = 6;
 
   /** The share of an axis that dots are on, so that none is cut off. */
   private static final double CONTENT_SHARE = 0.94;
@@ -107,16 +110,59 @@ public class XyPanel extends XYChart {
 
   /** Adds a dot with its horizontal interval, if it has one. */
   public XyPanel dot(Estimate estimate, double y, Color color) {
+    return dot(estimate, y, LineLook.solid(color));
+  }
+
+  /** Adds a mark with its horizontal interval, if it has one. */
+  public XyPanel dot(Estimate estimate, double y, LineLook look) {
     if (!Double.isNaN(estimate.low())) {
       double[] ends = {estimate.low(), estimate.high()};
-      line(new Curve(ends, new double[] {y, y}), color, INTERVAL);
+      line(new Curve(ends, new double[] {y, y}), look.color(), INTERVAL);
     }
-    return dots(new Curve(new double[] {estimate.mean()}, new double[] {y}), color);
+    return marks(
+        new Curve(new double[] {estimate.mean()}, new double[] {y}), look.color(), look.mark());
   }
 
   /** Adds a thin pale line for the raw values under a smooth line. */
   public XyPanel faint(Curve curve, Color color) {
     return straight(curve, Palette.pale(color, PALE_LINE), THIN);
+  }
+
+  /** Adds a line with a policy's dashes, and its mark at some of its points. */
+  public XyPanel line(Curve curve, LineLook look) {
+    line(curve, look.color(), look.stroke());
+    return marksAlong(curve, look);
+  }
+
+  /** Adds such a line that is straight from point to point. */
+  public XyPanel straight(Curve curve, LineLook look) {
+    straight(curve, look.color(), look.stroke());
+    return marksAlong(curve, look);
+  }
+
+  private XyPanel marksAlong(Curve curve, LineLook look) {
+    int points = Math.min(MARKS_OF_LINE, curve.size());
+    double[] x = new double[points];
+    double[] y = new double[points];
+    for (int i = 0; i < points; i++) {
+      int index = (2 * i + 1) * curve.size() / (2 * points);
+      x[i] = curve.x()[index];
+      y[i] = curve.y()[index];
+    }
+    return look.mark() == SeriesMarkers.NONE
+        ? this
+        : marks(new Curve(x, y), look.color(), look.mark());
+  }
+
+  /** Makes room for marks at the ends of the axes. */
+  public XyPanel wholeMarks() {
+    getStyler().setPlotContentSize(CONTENT_SHARE);
+    return this;
+  }
+
+  /** Adds a lying bar, such as a part of a row of {@link #rows}. */
+  public XyPanel bar(double from, double to, double y, Color color) {
+    return straight(new Curve(new double[] {from, to}, new double[] {y, y}), color, BAR);
   }
 
   /** Adds a thick line. */

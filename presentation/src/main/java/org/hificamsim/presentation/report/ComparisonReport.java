@@ -13,6 +13,7 @@ import java.util.stream.StreamSupport;
 import java.util.zip.Deflater;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.presentation.figures.FigureStyle;
 import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.replay.Deflated;
@@ -126,10 +127,12 @@ final class ComparisonReport {
     }
   }
 
-  private void addColors(CsvRows summary) {
+  private void addColors(CsvRows summary) throws IOException {
     List<String> policies =
         summary.rows().stream().map(row -> row.text("policy")).distinct().toList();
-    PolicyColors colors = new PolicyColors(policies);
+    FigureStyle style = FigureStyle.read(folder);
+    PolicyColors colors = new PolicyColors(policies, style);
+    data.putPOJO("labels", style.labels());
     ObjectNode node = data.putObject("colours");
     policies.forEach(policy -> node.put(policy, Palette.hex(colors.of(policy))));
   }

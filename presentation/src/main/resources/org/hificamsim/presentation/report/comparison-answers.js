@@ -6,6 +6,7 @@ import {distinct, rowsOf} from './table.js';
 import {YARDSTICKS} from './yardsticks.js';
 
 const MOST_ANSWERS = 4;
+const MOST_WINNERS = 3;
 const NEGLIGIBLE_LOSS = 0.01;
 
 /** The shares of yardsticks in words, the leading yardstick first. */
@@ -42,12 +43,15 @@ function bestScore(cases, rows, {settings, tables}) {
   const number = score => scoreNumber(Number(score), {share: plan.score_unit === 'share'});
   const interval =
     best.low !== best.high ? ` (95 % interval ${number(best.low)} to ${number(best.high)})` : '';
-  const choice = cases.length > 1 ? ` is the best of ${cases.length} policies: ` : ': ';
+  const winners = cases.filter(({mean}) => mean === best.mean);
+  const names = winners.length > MOST_WINNERS ? `${winners.length} policies` : listed(winners);
+  const verb = winners.length > 1 ? 'tie as' : 'is';
+  const choice = cases.length > 1 ? ` ${verb} the best of ${cases.length} policies: ` : ': ';
   return el(
     'p',
     {class: 'answer'},
     `${best.scenario}: `,
-    tipped(spelled(best.policy), best.policy),
+    names,
     choice,
     el('b', {}, number(best.mean)),
     ' ',
@@ -58,6 +62,8 @@ function bestScore(cases, rows, {settings, tables}) {
     misleading(best, number, tables),
   );
 }
+
+const listed = rows => rows.map(({policy}) => spelled(policy)).join(' and ');
 
 const isSameCase = (row, other) =>
   ['scenario', 'detection', 'policy'].every(name => row[name] === other[name]);
@@ -77,8 +83,10 @@ function shareText(rows) {
 function misleading(best, number, tables) {
   const table = tables.find(({name}) => name === 'choices.csv');
   const first = table && rowsOf(table).find(({scenario}) => scenario === best.scenario);
-  if (!first || first.chosen.split(' | ').includes(best.policy)) return null;
-  const chosen = first.chosen.split(' | ').map(spelled).join(' or ');
+  const choices = first?.chosen.split(' | ') ?? [];
+  if (!first || first.achieved === first.predicted || choices.includes(best.policy)) return null;
+  if (Math.abs(first.achieved - best.mean) < NEGLIGIBLE_LOSS * best.mean) return null;
+  const chosen = choices.map(spelled).join(' or ');
   return (
     ` ${spelled(first.detection)} would choose ${chosen}` +
     ` and promise ${number(first.predicted)}; that policy reaches ${number(first.achieved)}.`

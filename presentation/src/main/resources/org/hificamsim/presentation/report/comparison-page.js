@@ -6,12 +6,14 @@ import {sideBySide} from './comparison-cases.js';
 import {scoreOverTime} from './comparison-curves.js';
 import {fileTable, pictureCard, settingsCard, titleOf} from './comparison-tables.js';
 import {el} from './dom.js';
+import {useLabels} from './names.js';
 import {Readers} from './readers.js';
 import {distinct, rowsOf} from './table.js';
 import {YARDSTICKS} from './yardsticks.js';
 
 /** Builds the page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
+  useLabels(data.labels);
   const cases = data.summary && sideBySide(data);
   const curves = data.levels?.rows.length && scoreOverTime(data);
   const tables = data.tables.map(table => card(titleOf(table.name), fileTable(table, data.names)));

@@ -14,6 +14,9 @@ const TITLES = {
   'rungs.csv': 'What is lost where each rung chooses the policy',
   'ladder.csv': 'What each rung predicts of the policies',
   'ladder.svg': 'Each scenario',
+  'coverage.svg': 'How many cameras cover the targets, by policy',
+  'proportion.svg': 'The score of each policy as a share of the yardstick',
+  'profile.svg': 'How many runs reach which share of the yardstick',
   'cost.svg': 'All scenarios, and what a step costs',
 };
 
@@ -34,6 +37,7 @@ const LABELS = {
 const STATISTICS = {iqm: 'interquartile mean', optimality_gap: 'optimality gap'};
 
 /** The columns whose texts are shown in words. */
+const OVER_TIME = /^(k_min|score)-(.+)\.svg$/;
 const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung)$/;
 const SHARE = /^share(_|$)/;
 const LONG_NUMBER = /^-?\d+\.(\d{5,}|\d+E-\d+)$/;
@@ -43,7 +47,9 @@ const WIDE_PICTURE = 800; // points; too small to be read next to another pictur
 
 /** The title of a table or picture by the name of its file. */
 export const titleOf = name =>
-  TITLES[name] ?? name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
+  TITLES[name] ??
+  OVER_TIME.exec(name)?.[2].replace(/^/, 'Each policy’s score over time in ') ??
+  name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 
 /** A table as its file has it; `names` has the titles of metrics. */
 export function fileTable(table, names = {}) {
@@ -99,7 +105,7 @@ async function picture({name, data}) {
   const image = new Blob([await inflate(data)], {type: 'image/svg+xml'});
   return el(
     'figure',
-    {},
+    {tabindex: 0}, // scrolls where the window is narrow
     el('img', {
       src: URL.createObjectURL(image),
       alt: titleOf(name),

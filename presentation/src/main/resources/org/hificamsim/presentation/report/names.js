@@ -12,11 +12,17 @@ const LAWS = {
   pinhole: 'pinhole law',
 };
 
+/** The user's own words for policies and detections. */
+let labels = {};
+
+export const useLabels = own => (labels = own ?? {});
+
 /** The name of a column or setting in words. */
 export const words = name => name.replaceAll('_', ' ');
 
 /** A policy, detection or objective, such as hifi:orb-lin@chance or covered:k=2, in words. */
 export function spelled(spec) {
+  if (Object.hasOwn(labels, spec)) return labels[spec];
   const [, what, rule] = /^(.*?)(?:@([a-z0-9.].*))?$/.exec(spec);
   const [name, options = ''] = what.split(/:(.*)/);
   const parts = [

@@ -1,6 +1,9 @@
 package org.hificamsim.runs.compare;
 
+import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.statistics.Strata;
 
@@ -18,6 +21,25 @@ public record PolicyScores(List<CaseResult> cases) {
         .stream()
         .map(PolicyScores::new)
         .toList();
+  }
+
+  /** Cases with those of the best policy first; the optimum and other policies keep their order. */
+  public static List<CaseResult> byScore(List<CaseResult> cases) {
+    Metric metric = Yardstick.metric(cases);
+    Map<String, Double> means =
+        Cases.byPolicy(cases).entrySet().stream()
+            .collect(Collectors.toMap(Map.Entry::getKey, own -> mean(own.getValue(), metric)));
+    return cases.stream()
+        .sorted(Comparator.comparingDouble(result -> -means.get(result.plan().policy())))
+        .toList();
+  }
+
+  private static double mean(List<CaseResult> cases, Metric metric) {
+    return cases.stream()
+        .mapToDouble(result -> result.mean(metric).mean())
+        .filter(Double::isFinite)
+        .average()
+        .orElse(0);
   }
 
   /** The detection's name in files. */

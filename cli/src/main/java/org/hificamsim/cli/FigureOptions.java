@@ -1,0 +1,41 @@
+package org.hificamsim.cli;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.hificamsim.presentation.figures.FigureStyle;
+import org.hificamsim.presentation.plot.PrintWidth;
+import org.hificamsim.runs.RunPlan;
+import picocli.CommandLine.Option;
+
+/** The options of pictures: their width in print, and the colours and words of policies. */
+final class FigureOptions {
+  @Option(names = "--figure-width", paramLabel = "MMmm")
+  private Optional<String> width;
+
+  @Option(names = "--palette", paramLabel = "NAME|#C,#D")
+  private String palette;
+
+  @Option(names = "--label", paramLabel = "NAME=TEXT")
+  private List<String> labels = List.of();
+
+  /** The width in print; empty for the size for screens. */
+  Optional<PrintWidth> width() {
+    return width.map(PrintWidth::parse);
+  }
+
+  /**
+   * The style of the pictures of some plans.
+   *
+   * @throws org.hificamsim.core.InputException if an option names nothing
+   */
+  FigureStyle style(List<RunPlan> plans) {
+    Set<String> names = new TreeSet<>();
+    for (RunPlan plan : plans) {
+      names.add(plan.policy());
+      names.add(plan.detection().name());
+    }
+    return FigureStyle.parse(palette, labels, names);
+  }
+}

@@ -1,0 +1,120 @@
+package org.hificamsim.presentation.figures;
+
+import static org.hificamsim.core.NamedSetting.setting;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.awt.Color;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.presentation.plot.Palette;
+
+/**
+ * The words and colours that a user chose for the policies and detections of all pictures and the
+ * page of a folder.
+ *
+ * @param labels texts by name in files; other names are spelled
+ * @param colors in the order of the policies
+ */
+public record FigureStyle(Map<String, String> labels, List<Color> colors) {
+  /** The file with a style in the folder of a comparison. */
+  public static final String FILE = "style.json";
+
+  /** No words of the user's, and the default colours. */
+  public static final FigureStyle DEFAULT = new FigureStyle(Map.of(), Palette.LINES);
+
+  private static final Map<String, List<Color>> PALETTES =
+      Map.of(
+          "bright",
+          Palette.LINES,
+          "grey",
+          List.of(new Color(0x111111), new Color(0x6B6B6B), new Color(0x9C9C9C)));
+
+  private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
+
+  /**
+   * Reads the colours and words that a user asks for.
+   *
+   * @param palette a name, or colours such as {@code #0072b2} with commas between; null for the
+   *     default
+   * @param labels each {@code name=Text}
+   * @param names of the policies and detections, which labels are for
+   * @throws InputException if a palette, colour or name does not exist
+   */
+  public static FigureStyle parse(String palette, List<String> labels, Set<String> names) {
+    Map<String, String> texts = new LinkedHashMap<>();
+    for (String label : labels) {
+      String name =
+          names.stream()
+              .filter(known -> label.startsWith(known + "=") && label.length() > known.length() + 1)
+              .findFirst()
+              .orElseThrow(
+                  () ->
+                      InputException.of(
+                          "%s is '%s', expected NAME=TEXT for one of %s",
+                          setting("label"), label, String.join(", ", names)));
+      texts.put(name, label.substring(name.length() + 1));
+    }
+    return new FigureStyle(texts, palette == null ? Palette.LINES : colors(palette));
+  }
+
+  private static List<Color> colors(String palette) {
+    if (PALETTES.containsKey(palette)) {
+      return PALETTES.get(palette);
+    }
+    List<String> parts = Arrays.asList(palette.split(",", -1));
+    if (!parts.stream().allMatch(part -> COLOR.matcher(part).matches())) {
+      throw InputException.of(
+          "%s is '%s', expected bright, grey or colours such as #0072b2,#d55e00",
+          setting("palette"), palette);
+    }
+    return parts.stream().map(Color::decode).toList();
+  }
+
+  /** The name of a policy or detection for people. */
+  public String name(String spec) {
+    return labels.getOrDefault(spec, SpokenNames.of(spec));
+  }
+
+  /** Adds {@code style.json} to a folder's files, if the user chose anything. */
+  public void write(OutputFolder folder) throws IOException {
+    if (equals(DEFAULT)) {
+      return;
+    }
+    ObjectNode json = new ObjectMapper().createObjectNode();
+    json.putPOJO("labels", labels);
+    json.putPOJO("colours", colors.stream().map(Palette::hex).toList());
+    try (OutputStream out = folder.stream(FILE)) {
+      out.write(new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(json));
+    }
+  }
+
+  /** Reads the style of a folder; the default if it has none. */
+  public static FigureStyle read(Path folder) throws IOException {
+    Path file = folder.resolve(FILE);
+    if (!Files.exists(file)) {
+      return DEFAULT;
+    }
+    JsonNode json = new ObjectMapper().readTree(file.toFile());
+    Map<String, String> labels = new LinkedHashMap<>();
+    json.path("labels")
+        .fields()
+        .forEachRemaining(label -> labels.put(label.getKey(), label.getValue().asText()));
+    List<String> colors = new ArrayList<>();
+    json.path("colours").forEach(color -> colors.add(color.asText()));
+    return new FigureStyle(
+        labels, colors.isEmpty() ? Palette.LINES : colors(String.join(",", colors)));
+  }
+}

@@ -1,0 +1,64 @@
+package org.hificamsim.presentation.figures;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The names of policies and detections as people read them, in pictures as on pages ({@code
+ * names.js}).
+ */
+final class SpokenNames {
+  private static final Pattern RULE = Pattern.compile("(.*?)(?:@([a-z0-9.].*))?");
+  private static final Pattern FITTED = Pattern.compile("([^-]+)-(.*?)(-gt)?");
+  private static final Map<String, String> RULES =
+      Map.of("chance", "by chance", "probability", "by probability", "threshold", "by threshold");
+  private static final Map<String, String> LAWS =
+      Map.of(
+          "lin", "linear",
+          "sr", "symbolic",
+          "svr-lin", "linear support vectors",
+          "svr-rbf", "RBF support vectors",
+          "power", "power law",
+          "pinhole", "pinhole law");
+
+  private SpokenNames() {}
+
+  /** The name of a policy or detection, such as {@code hifi:orb-lin@chance}, in words. */
+  static String of(String spec) {
+    Matcher parts = RULE.matcher(spec);
+    if (!parts.matches()) {
+      return spec;
+    }
+    String[] name = parts.group(1).split(":", 2);
+    String options = name.length > 1 ? name[1] : "";
+    List<String> words = new ArrayList<>();
+    if (name[0].equals("hifi") || name[0].equals("lab")) {
+      words.add(fitted(name[0], options));
+    } else {
+      words.add(name[0]);
+      words.addAll(Arrays.asList(options.split(",")));
+    }
+    if (parts.group(2) != null) {
+      Arrays.stream(parts.group(2).split("[:,]"))
+          .forEach(rule -> words.add(RULES.getOrDefault(rule, rule)));
+    }
+    words.removeIf(String::isEmpty);
+    return String.join(", ", words).replace("=", " ");
+  }
+
+  private static String fitted(String family, String model) {
+    Matcher parts = FITTED.matcher(model);
+    String origin = family.equals("lab") ? ", from the laboratory" : "";
+    if (!parts.matches()) {
+      return model.toUpperCase(Locale.ROOT) + origin;
+    }
+    String law = LAWS.getOrDefault(parts.group(2), parts.group(2));
+    String chapter = parts.group(3) == null ? "" : ", chapter 5";
+    return parts.group(1).toUpperCase(Locale.ROOT) + " " + law + chapter + origin;
+  }
+}
