@@ -181,6 +181,25 @@ def sites(*folders):
     put("shares", ["", *names], lines)
 
 
+def adapting(*folders):
+    """Of each site: what adapting is worth to cameras that jump, to those that take their time, and to cooperative ones."""
+    lines = []
+    for folder in folders:
+        name = pathlib.Path(folder).name
+        sums = {}
+        for row in rows(folder, "yardsticks.csv"):
+            key = row["yardstick"], row["is"]
+            sums[key] = sums.get(key, 0) + number(row["score"])
+        fixed, reached, most = sums["best-fixed", "reached"], sums["reachable", "reached"], sums["reachable", "at most"]
+        own = number(means(folder, "score")["cooperative"]["mean"]) * number(means(folder, "score")["cooperative"]["runs"])
+        lines.append(
+            [f"[{name}](../scenarios/{name}.xml)", f"{sums['optimal', 'reached'] / fixed:.2f}", f"{reached / fixed:.2f} to {most / fixed:.2f}",
+             f"{own / fixed:.2f}", f"{own / most:.2f}", f"{100 * (1 - reached / most):.1f} %"]
+        )
+    header = ["site", "jumping", "in time", "`cooperative`", "its share of what could be reached", "gap"]
+    put("adapting", header, lines)
+
+
 PARTS = {"nothing": "as it is", "pan": "no `pan`", "obstacles": "no obstacles", "occlusion": "no `occlusion`", "time": "no `pan_speed`, no `zoom_time`"}
 
 
@@ -435,5 +454,5 @@ def trained(*files):
 
 
 if __name__ == "__main__":
-    parts = (benchmark, trained, reproduce, sensitivity, sites, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
+    parts = (benchmark, trained, reproduce, sensitivity, sites, adapting, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])
