@@ -294,10 +294,10 @@ class TradeoffCommandTest {
       String summary = Files.readString(out.resolve(replay).resolve("summary.json"));
       String[] run =
           rows(out.resolve("results.csv")).stream()
-              .filter(row -> row[14].equals(network) && row[3].equals("5"))
+              .filter(row -> row[15].equals(network) && row[3].equals("5"))
               .findFirst()
               .orElseThrow();
-      assertTrue(summary.contains("\"utility\" : " + run[15]), run[15] + " in " + summary);
+      assertTrue(summary.contains("\"utility\" : " + run[16]), run[16] + " in " + summary);
     }
   }
 

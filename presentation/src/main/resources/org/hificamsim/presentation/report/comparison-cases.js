@@ -4,6 +4,7 @@ import {cutNotice} from './comparison-tables.js';
 import {el} from './dom.js';
 import {isShare, spelled, unitAfterPercent, words} from './names.js';
 import {distinct, rowsOf, sortable} from './table.js';
+import {OPTIMAL} from './yardsticks.js';
 
 /** The metrics of which the first one that is not 0 or missing everywhere is shown at first. */
 const FAVOURITES = [
@@ -139,7 +140,8 @@ function caseColumns(rows, colours, unit, all) {
     {
       name: 'mean',
       label: 'interval',
-      show: (text, row) => whisker(row, scale, colours[row.policy]),
+      show: (text, row) =>
+        whisker(row, scale, row.policy === OPTIMAL ? 'currentColor' : colours[row.policy]),
     },
     ...(all ? differenceColumns(rows, unit, show) : []),
   ].filter(Boolean);
