@@ -34,7 +34,7 @@ final class PlanTables {
           .ints("quantity", "cameras", "to order", PlanOrder.Product::quantity)
           .plain("price", "currency", "of one", PlanOrder.Product::price)
           .plain("total", "currency", "of all of these", PlanOrder.Product::total)
-          .texts("currency", "as --currency says", PlanOrder.Product::currency);
+          .texts("currency", "the currency of the prices", PlanOrder.Product::currency);
 
   /** A row for each camera; those that stay come first. */
   static final Table<CameraRow> CAMERAS =
