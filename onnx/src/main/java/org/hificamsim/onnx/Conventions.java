@@ -3,7 +3,6 @@ package org.hificamsim.onnx;
 import ai.onnxruntime.NodeInfo;
 import ai.onnxruntime.TensorInfo;
 import java.util.Map;
-import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -43,14 +42,10 @@ record Conventions(
    * @param width of the input; negative if it is open
    */
   ObservationLayout layout(NetworkView network, long width) {
-    ObservationLayout flat = belief ? layout.withViews(mostViews(network)) : layout;
+    ObservationLayout flat = belief ? layout.withBelief(network) : layout;
     ObservationLayout high =
         new ObservationLayout(layout.targets(), layout.neighbours(), true, flat.views());
     return high.size() == width ? high : flat;
-  }
-
-  private static int mostViews(NetworkView network) {
-    return IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
   }
 
   private static int rank(NodeInfo input) {

@@ -5,14 +5,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.cooperative.SharedBelief;
-import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.worlds.Masks;
-import org.hificamsim.worlds.PlayedPolicy;
+import org.hificamsim.worlds.ObservedPlay;
 
 /**
  * A policy that was trained elsewhere, {@code onnx:FILE}. Each camera takes the allowed action to
@@ -25,19 +24,14 @@ public final class OnnxPolicy implements ZoomPolicy {
 
   private String file = "";
   private TrainedNetwork trained;
-  private CameraObserver observer;
-  private Masks masks;
-  private PlayedPolicy played;
-  private int[] choices;
+  private ObservedPlay play;
   private ObservationLayout layout;
-  private float[] observations;
 
-  /** What the network reads: the observations, or the belief in them. */
-  private float[] read;
+  /** The belief in the observations, for a network that reads nothing else; else null. */
+  private float[] beliefs;
 
   private float[] state;
   private float[] values;
-  private int[] actions;
 
   @Override
   public String name() {
@@ -69,61 +63,42 @@ public final class OnnxPolicy implements ZoomPolicy {
     int width = Masks.width(network, conventions.actions());
     layout = trained.layout(network);
     trained.requireShapes(network.cameras(), layout, width);
-    choices = conventions.actions().choices(network);
-    masks = new Masks(network, conventions.actions());
-    played = new PlayedPolicy(conventions.actions());
-    observations = new float[network.cameras() * layout.size()];
-    boolean viewsAlone = conventions.seesViewsAlone();
-    int viewNumbers = network.cameras() * layout.views() * ObservationLayout.viewSize();
-    read = viewsAlone ? new float[viewNumbers] : observations;
+    play = new ObservedPlay(network, conventions.actions(), layout);
+    int beliefNumbers = layout.views() * ObservationLayout.viewSize();
+    beliefs = conventions.seesViewsAlone() ? new float[network.cameras() * beliefNumbers] : null;
     state = new float[network.cameras() * trained.stateSize()];
     values = new float[network.cameras() * width];
-    actions = new int[network.cameras() * choices.length];
-    observer = null;
   }
 
   @Override
   public void decide(NetworkView network, int[] views) {
     if (views.length > 0) {
-      observe(network);
-      trained.value(views.length, read, state, values);
-      choose(masks.of(network));
-      played.play(actions);
-      played.decide(network, views);
+      float[] observations = play.observe(network);
+      if (beliefs != null) {
+        copyBeliefs(observations, views.length);
+      }
+      trained.value(views.length, beliefs == null ? observations : beliefs, state, values);
+      choose(play.masks(network));
+      play.decide(network, views);
     }
   }
 
-  private void observe(NetworkView network) {
-    if (observer == null) {
-      observer = new CameraObserver(network, layout);
-      played.observeWith(observer);
-    }
-    observer.observe(network, observations);
-    if (read != observations) {
-      copyBelief(network.cameras());
-    }
-  }
-
-  private void copyBelief(int cameras) {
+  private void copyBeliefs(float[] observations, int cameras) {
     int size = layout.size() - layout.firstView();
     for (int camera = 0; camera < cameras; camera++) {
       int from = camera * layout.size() + layout.firstView();
-      System.arraycopy(observations, from, read, camera * size, size);
+      System.arraycopy(observations, from, beliefs, camera * size, size);
     }
   }
 
   @Override
   public long messages() {
-    return belief() == null ? 0 : belief().messages();
+    return play == null ? 0 : play.messages();
   }
 
   @Override
   public long bits() {
-    return belief() == null ? 0 : belief().bits();
-  }
-
-  private SharedBelief belief() {
-    return observer == null ? null : observer.belief();
+    return play == null ? 0 : play.bits();
   }
 
   /**
@@ -131,9 +106,10 @@ public final class OnnxPolicy implements ZoomPolicy {
    * wins a tie.
    */
   private void choose(byte[] allowed) {
+    int[] actions = play.actions();
     int from = 0;
     for (int i = 0; i < actions.length; i++) {
-      int count = choices[i % choices.length];
+      int count = play.choices(i);
       actions[i] = best(allowed, from, count);
       from += count;
     }

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
@@ -163,8 +162,7 @@ class OnnxPolicyTest {
       policy.begin(network, random);
       observer = null;
       if (readsBelief) {
-        int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
-        layout = layout.withViews(most);
+        layout = layout.withBelief(network);
       }
     }
 

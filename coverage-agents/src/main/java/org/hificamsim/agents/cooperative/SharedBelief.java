@@ -49,14 +49,9 @@ public final class SharedBelief {
     }
   }
 
-  /** What the views of a camera promise, as of the last update. */
+  /** The promises of the views of a camera, as of the last update. */
   public ViewOutlook outlook(int camera) {
     return outlooks[camera];
-  }
-
-  /** The number of messages that a camera sent since the last update. */
-  public int messagesInStep(int camera) {
-    return exchange.team().messagesInStep(camera);
   }
 
   /** The number of messages sent since the beginning of the run. */

@@ -234,11 +234,6 @@ final class Team {
     return chosenViews[camera];
   }
 
-  /** The number of messages that a camera sent in this step. */
-  int messagesInStep(int camera) {
-    return messagesInStep[camera];
-  }
-
   /** The number of messages sent since the beginning of the run. */
   long messages() {
     return messages;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.policy.NetworkView;
 
 /**
  * The numbers of an observation in their order: those of the camera itself, of its nearest
@@ -70,6 +71,11 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
   /** Creates a layout without belief. */
   public ObservationLayout(int targets, int neighbours, boolean heights) {
     this(targets, neighbours, heights, 0);
+  }
+
+  /** Returns the layout with what the views of a network's cameras promise. */
+  public ObservationLayout withBelief(NetworkView network) {
+    return withViews(IntStream.range(0, network.cameras()).map(network::views).max().orElse(0));
   }
 
   /** Returns the layout with what this number of views promise. */

@@ -5,9 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
-import org.hificamsim.agents.cooperative.SharedBelief;
-import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
@@ -16,7 +13,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.Masks;
-import org.hificamsim.worlds.PlayedPolicy;
+import org.hificamsim.worlds.ObservedPlay;
 
 /**
  * A policy in a Python file, {@code python:FILE}. The file has a {@code policy}, a function of
@@ -32,13 +29,8 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
   private boolean belief;
   private ActionKind kind = ActionKind.VIEW;
   private Sandbox sandbox = new Sandbox(1, 1);
-  private CameraObserver observer;
-  private Masks masks;
-  private PlayedPolicy played;
+  private ObservedPlay play;
   private PolicyProgram program;
-  private float[] observations = {};
-  private int[] actions = {};
-  private int[] choices = {};
 
   @Override
   public String name() {
@@ -86,65 +78,44 @@ public final class PythonPolicy implements ZoomPolicy, Closeable {
   public void begin(NetworkView network, SplittableRandom random) {
     close();
     requireReadable();
-    int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
-    ObservationLayout used = layout.withViews(belief ? most : 0);
-    masks = new Masks(network, kind);
-    choices = kind.choices(network);
-    played = new PlayedPolicy(kind);
-    observations = new float[network.cameras() * used.size()];
-    actions = new int[network.cameras() * kind.numbers()];
+    ObservationLayout used = belief ? layout.withBelief(network) : layout;
+    play = new ObservedPlay(network, kind, used);
     String header =
         Texts.format(
             "{\"cameras\": %d, \"numbers\": %d, \"choices\": %d, \"actions\": %d}\n",
             network.cameras(), used.size(), Masks.width(network, kind), kind.numbers());
     program = new PolicyProgram(Path.of(file), header, sandbox);
-    observer = null;
   }
 
   @Override
   public void decide(NetworkView network, int[] views) {
-    if (views.length == 0) {
-      return;
+    if (views.length > 0) {
+      program.decide(play.observe(network), play.masks(network), play.actions());
+      requireChoices(network);
+      play.decide(network, views);
     }
-    if (observer == null) {
-      observer = new CameraObserver(network, usedLayout(views.length));
-      played.observeWith(observer);
-    }
-    observer.observe(network, observations);
-    program.decide(observations, masks.of(network), actions);
-    requireChoices(network);
-    played.play(actions);
-    played.decide(network, views);
-  }
-
-  private ObservationLayout usedLayout(int cameras) {
-    int views = observations.length / cameras - layout.size();
-    return layout.withViews(views / ObservationLayout.viewSize());
   }
 
   private void requireChoices(NetworkView network) {
+    int[] actions = play.actions();
     for (int i = 0; i < actions.length; i++) {
-      int count = choices[i % choices.length];
+      int count = play.choices(i);
       if (actions[i] < 0 || actions[i] >= count) {
         throw InputException.of(
             "%s: action %s of camera %s in step %s, expected 0 to %s",
-            file, actions[i], network.cameraName(i / choices.length), network.step(), count - 1);
+            file, actions[i], network.cameraName(play.camera(i)), network.step(), count - 1);
       }
     }
   }
 
   @Override
   public long messages() {
-    return belief() == null ? 0 : belief().messages();
+    return play == null ? 0 : play.messages();
   }
 
   @Override
   public long bits() {
-    return belief() == null ? 0 : belief().bits();
-  }
-
-  private SharedBelief belief() {
-    return observer == null ? null : observer.belief();
+    return play == null ? 0 : play.bits();
   }
 
   @Override
