@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
-import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
@@ -60,15 +59,15 @@ final class PlanDxf {
   private final CameraSectors sectors;
   private final DxfWriter dxf;
 
-  private PlanDxf(SitePlan plan, Catalogue catalogue, Writer out) {
+  private PlanDxf(SitePlan plan, CameraSectors sectors, Writer out) {
     this.plan = plan;
     this.site = plan.scenario();
-    this.sectors = new CameraSectors(plan, catalogue);
+    this.sectors = sectors;
     this.dxf = new DxfWriter(out);
   }
 
-  static void write(Writer out, SitePlan plan, Catalogue catalogue) throws IOException {
-    new PlanDxf(plan, catalogue, out).write();
+  static void write(Writer out, SitePlan plan, CameraSectors sectors) throws IOException {
+    new PlanDxf(plan, sectors, out).write();
   }
 
   private void write() throws IOException {

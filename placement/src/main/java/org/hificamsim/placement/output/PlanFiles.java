@@ -52,11 +52,12 @@ public final class PlanFiles {
   public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
       throws IOException {
     String command = "./hificamsim " + String.join(" ", content.command);
-    new PlanSheet(plan, catalogue, new PlanSheet.Content(content.floor, content.title, command))
-        .write(folder);
+    CameraSectors sectors = new CameraSectors(plan, catalogue);
+    PlanSheet.Content sheet = new PlanSheet.Content(content.floor, content.title, command);
+    new PlanSheet(plan, catalogue, sectors, sheet).write(folder);
     PlanTables.ORDER.write(folder, PlanOrder.of(plan, content.title.currency()).stream());
     try (Writer dxf = folder.open(DXF)) {
-      PlanDxf.write(dxf, plan, catalogue);
+      PlanDxf.write(dxf, plan, sectors);
     }
     folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
     JsonOutput.write(folder, ResultFolder.SUMMARY, summary(plan));

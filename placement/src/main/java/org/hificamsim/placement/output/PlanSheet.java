@@ -39,7 +39,7 @@ final class PlanSheet {
 
   private static final double POINTS_PER_METRE = 72 / 0.0254;
 
-  /** Why there is no picture of levels. */
+  /** The reason why there is no picture of levels. */
   static final String TWO_STANDARDS =
       "levels are not drawn, since the zones ask for those of two standards";
 
@@ -58,15 +58,10 @@ final class PlanSheet {
   private final Figure curve;
   private final List<Section> sections;
 
-  PlanSheet(SitePlan plan, Catalogue catalogue, Content content) {
+  PlanSheet(SitePlan plan, Catalogue catalogue, CameraSectors sectors, Content content) {
     this.plan = plan;
     this.content = content;
-    this.floor =
-        new PlanDrawing(
-            plan,
-            CellClasses.coverage(plan),
-            new CameraSectors(plan, catalogue).all(),
-            content.floor);
+    this.floor = new PlanDrawing(plan, CellClasses.coverage(plan), sectors.all(), content.floor);
     this.detectionLevels =
         CellClasses.levels(plan, catalogue)
             .map(classes -> new PlanDrawing(plan, classes, List.of(), content.floor));

@@ -2,6 +2,7 @@ package org.hificamsim.placement.site;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
@@ -13,6 +14,7 @@ import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.placement.cover.CoverPlan;
+import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.runs.cells.UsualTarget;
 
@@ -96,6 +98,14 @@ public record SitePlan(
   /** The price of all new cameras. */
   public double price() {
     return newCameras().stream().mapToDouble(CameraSpec::price).sum();
+  }
+
+  /** The kinds of the new cameras; refining a plan changes none of them. */
+  public List<CameraKind> newKinds() {
+    return Arrays.stream(coverPlan.chosen())
+        .mapToObj(problem.candidates().list()::get)
+        .map(Candidate::kind)
+        .toList();
   }
 
   private List<CameraSpec> newCameras() {
