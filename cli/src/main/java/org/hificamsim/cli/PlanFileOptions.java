@@ -20,7 +20,7 @@ final class PlanFileOptions {
   @Option(names = "--currency", paramLabel = "CODE")
   private String currency;
 
-  /** What the document says about itself. */
+  /** The title block of the document. */
   TitleBlock title() {
     return new TitleBlock(entries, currency);
   }

@@ -351,22 +351,7 @@ public enum Metric {
 
   /** The mean over the runs of a plan, with its interval cut to what is possible. */
   public Estimate mean(RunPlan plan, double[] values) {
-    Estimate mean = Estimate.mean(values);
-    return this == REGRET ? mean : mean.within(0, Math.max(most(plan), mean.mean()));
-  }
-
-  private boolean isShare() {
-    return this != TRACKED && (unit.startsWith("share") || unit.equals("probability"));
-  }
-
-  /** The greatest possible value; infinity if none is known. */
-  private double most(RunPlan plan) {
-    double mostOfStep = plan.objective().isShare() ? 1 : Double.POSITIVE_INFINITY;
-    return switch (this) {
-      case SCORE -> mostOfStep * plan.steps();
-      case MEAN_SCORE -> mostOfStep;
-      default -> isShare() ? 1 : Double.POSITIVE_INFINITY;
-    };
+    return MetricRange.cut(this, plan, Estimate.mean(values));
   }
 
   /** The name in files. */

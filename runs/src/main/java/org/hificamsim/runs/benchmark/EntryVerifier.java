@@ -2,10 +2,10 @@ package org.hificamsim.runs.benchmark;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.parallel.Parallel;
@@ -18,7 +18,7 @@ import org.hificamsim.runs.compare.RunProgress;
  * and in fresh ones that nobody could prepare for.
  */
 public final class EntryVerifier {
-  /** How likely chance alone makes an honest entry fail. */
+  /** The probability that chance alone makes an honest entry fail. */
   private static final double ALPHA = 0.05;
 
   private final Benchmark benchmark;
@@ -87,7 +87,7 @@ public final class EntryVerifier {
       boolean reproduced =
           entry.tasks().get(task).scores().equals(scores.subList(first, firstFresh));
       claims.add(claim);
-      findings.put(task, finding(claim, mean(fresh), alpha, reproduced));
+      findings.put(task, finding(claim, StatUtils.mean(fresh), alpha, reproduced));
       first = end;
     }
     double fresh = findings.values().stream().mapToDouble(Finding::fresh).average().orElse(0);
@@ -102,9 +102,5 @@ public final class EntryVerifier {
 
   private double[] scaled(String task, List<Double> scores) {
     return scores.stream().mapToDouble(benchmark.task(task)::scaled).toArray();
-  }
-
-  private static double mean(double[] values) {
-    return Arrays.stream(values).average().orElse(0);
   }
 }

@@ -40,7 +40,7 @@ public final class Leaderboard {
   private final Benchmark benchmark;
   private final List<BenchmarkEntry> entries;
 
-  /** By entry, what is known of it; entries without have only had their actions played again. */
+  /** By entry: whether its scores held on fresh seeds; others had only their actions replayed. */
   private final Map<BenchmarkEntry, Boolean> verified;
 
   /**
