@@ -1,11 +1,9 @@
 """The pages of the documentation site, as a hook of MkDocs: those of the repository, with the same links.
 
-What follows from the code stands in pages as <!-- reference: NAME -->, and is put there from build/reference.json. A
-paragraph that is one link to a CSV file becomes its table.
+A paragraph that is one link to a CSV file becomes its table.
 """
 
 import csv
-import json
 import pathlib
 import re
 import shutil
@@ -14,15 +12,12 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "build/site/pages"
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\((?!https?:|mailto:|#)([^)#\s]+)(#[^)\s]*)?\)")
-MARK = re.compile(r"^<!-- reference: (.+) -->$", re.M)
 TABLE = re.compile(r"^\[[^\]]+\]\(([^)\s]+\.csv)\)\.?$", re.M)
 LIST = re.compile(r"(?m)^(?![ \t]*(?:[-*]|\d+\.) |[ \t]*$|    |\|)(.*)\n(?=(?:[-*]|\d+\.) )")
-parts: dict[str, str] = {}
 
 
 def on_pre_build(config) -> None:
     """Copies the pages and the files that they link to, at their places in the repository."""
-    parts.update(json.loads((ROOT / "build/reference.json").read_text(encoding="utf-8")))
     shutil.rmtree(PAGES, ignore_errors=True)
     tracked = subprocess.check_output(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=ROOT, text=True)
     files = {pathlib.Path(name) for name in tracked.split("\0") if name and (ROOT / name).exists()}
@@ -48,7 +43,6 @@ def within(page: pathlib.Path, link: str) -> pathlib.Path:
 
 def on_page_markdown(markdown: str, page, config, files) -> str:
     here = pathlib.Path(page.file.src_uri)
-    markdown = MARK.sub(lambda mark: parts[mark[1]], markdown)
     markdown = TABLE.sub(lambda link: table(PAGES / within(here, link[1])), markdown)
     markdown = LIST.sub(r"\1\n\n", markdown)  # a list after a line of text, as GitHub shows it
     return LINK.sub(lambda link: link[2] if is_folder(here, link[3]) else link[0], markdown)

@@ -1,18 +1,19 @@
 package org.hificamsim.acceptance;
 
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.IOException;
 import java.lang.reflect.Field;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
@@ -27,20 +28,70 @@ import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 
 /**
- * The parts of the documentation that follow from declarations in the code: each stands in a page
- * as {@code <!-- reference: NAME -->}, and {@code tools/site} puts it there. {@code gradle
- * reference} writes them.
+ * The parts of the documentation that follow from declarations in the code. Each stands in a page
+ * between the lines {@code <!-- reference: NAME -->} and {@code <!-- end of reference -->}; {@code
+ * gradle reference} writes them there.
  */
 public final class Reference {
   private static final Pattern COMMAND = Pattern.compile("(?m)^  ([a-z][a-z-]+) .*");
+  private static final Pattern BEGIN = Pattern.compile("<!-- reference: (.+) -->");
+  private static final String END = "<!-- end of reference -->";
   private static final List<String> ELEMENTS =
       List.of("simulation", "camera", "object", "optics", "obstacles", "zone", "events");
 
   private Reference() {}
 
-  /** Writes all parts to a JSON file: Markdown by name. */
+  /** Writes all parts into the pages of a folder. */
   public static void main(String[] args) throws IOException {
-    new ObjectMapper().writeValue(Path.of(args[0]).toFile(), parts());
+    Map<String, String> parts = parts();
+    for (Path page : pages(Path.of(args[0]))) {
+      Files.writeString(page, updated(Files.readString(page), parts));
+    }
+  }
+
+  /** Returns the pages of a folder, sorted by name. */
+  static List<Path> pages(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.filter(file -> file.toString().endsWith(".md")).sorted().toList();
+    }
+  }
+
+  /** Returns the names of the parts of a page, in their order. */
+  static List<String> names(String page) {
+    return page.lines().map(BEGIN::matcher).filter(Matcher::matches).map(m -> m.group(1)).toList();
+  }
+
+  /**
+   * Returns a page with new parts.
+   *
+   * @throws IllegalArgumentException if a part is unknown or has no end
+   */
+  static String updated(String page, Map<String, String> parts) {
+    StringBuilder updated = new StringBuilder();
+    String open = null;
+    for (String line : page.lines().toList()) {
+      Matcher begin = BEGIN.matcher(line);
+      if (begin.matches()) {
+        require(open == null && parts.containsKey(begin.group(1)), line);
+        open = begin.group(1);
+        updated.append(line).append("\n\n").append(parts.get(open).strip()).append("\n\n");
+      }
+      if (line.equals(END)) {
+        require(open != null, line);
+        open = null;
+      }
+      if (open == null) {
+        updated.append(line).append('\n');
+      }
+    }
+    require(open == null, "reference: " + open);
+    return updated.toString();
+  }
+
+  private static void require(boolean expected, String line) {
+    if (!expected) {
+      throw new IllegalArgumentException("unexpected or unfinished in a page: " + line);
+    }
   }
 
   /** Returns every part in Markdown, by name. */

@@ -2,41 +2,60 @@ package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Every declaration that users look up is on one page of the documentation. */
+/** Tests that every declaration that users look up is on one page of the documentation. */
 class ReferenceTest {
-  private static final Pattern MARK = Pattern.compile("(?m)^<!-- reference: (.+) -->$");
+  private static final Map<String, String> PARTS = Reference.parts();
 
   @Test
   void everyPartIsOnOnePage() throws IOException {
-    try (Stream<Path> pages = Files.list(Cli.ROOT.resolve("docs"))) {
-      List<String> marked =
-          pages
-              .filter(page -> page.toString().endsWith(".md"))
-              .flatMap(ReferenceTest::marks)
-              .sorted()
-              .toList();
-      assertEquals(List.copyOf(Reference.parts().keySet()), marked);
+    List<String> names = new ArrayList<>();
+    for (Path page : Reference.pages(Cli.ROOT.resolve("docs"))) {
+      names.addAll(Reference.names(Cli.text(page)));
+    }
+    assertEquals(List.copyOf(PARTS.keySet()), names.stream().sorted().toList());
+  }
+
+  @Test
+  void everyPageHasTheTablesOfToday() throws IOException {
+    for (Path page : Reference.pages(Cli.ROOT.resolve("docs"))) {
+      String text = Cli.text(page);
+      assertEquals(
+          Reference.updated(text, PARTS), text, page + " is stale; mend: gradle reference");
     }
   }
 
   @Test
   void everyPartHasContent() {
-    for (Map.Entry<String, String> part : Reference.parts().entrySet()) {
+    for (Map.Entry<String, String> part : PARTS.entrySet()) {
       assertFalse(part.getValue().lines().count() < 3, part.toString());
     }
   }
 
-  private static Stream<String> marks(Path page) {
-    return MARK.matcher(Cli.text(page)).results().map(mark -> mark.group(1));
+  @Test
+  void replacesWhatStandsBetweenTheMarks() {
+    String page = "a\n<!-- reference: x -->\nold\n<!-- end of reference -->\nb\n";
+    String expected = "a\n<!-- reference: x -->\n\nnew\n\n<!-- end of reference -->\nb\n";
+    assertEquals(expected, Reference.updated(page, Map.of("x", "new\n")));
+    assertEquals(expected, Reference.updated(expected, Map.of("x", "new\n")));
+  }
+
+  @Test
+  void refusesPageWhosePartIsUnknownOrDoesNotEnd() {
+    Map<String, String> parts = Map.of("x", "new\n");
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> Reference.updated("<!-- reference: y -->\n<!-- end of reference -->\n", parts));
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> Reference.updated("<!-- reference: x -->\nold\n", parts));
   }
 }

@@ -21,7 +21,6 @@ class SiteTest {
     assumeTrue(
         Files.exists(PYTHON), "skipped: MkDocs Material from PyPI is not here (build/site-venv)");
     Files.createDirectories(Cli.ROOT.resolve("build/site/pages"));
-    Reference.main(new String[] {Cli.ROOT.resolve("build/reference.json").toString()});
     Path log = Cli.ROOT.resolve("build/site/log");
     ProcessBuilder site =
         new ProcessBuilder(PYTHON.toString(), "-m", "mkdocs", "build", "--strict", "--quiet")
