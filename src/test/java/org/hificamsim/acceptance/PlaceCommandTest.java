@@ -376,9 +376,7 @@ class PlaceCommandTest {
     refuses(plain, "--cameras 1 --keep C", "no camera 'C'");
     refuses(plain, "--cameras 1 --forbid yard", "no zone 'yard'");
     Path table =
-        Files.writeString(
-            folder.resolve("c.csv"),
-            "name,pixels,hfov_min,hfov_max,pan,price\na,1920,60,60,0,dear\n");
+        Files.writeString(folder.resolve("c.csv"), "name,resolution,hfov,price\na,1920,60,dear\n");
     refuses(plain, "--cameras 1 --catalogue " + table, "c.csv:2:16: price is 'dear'");
     Path far = site(WALL, DOOR);
     Files.writeString(folder.resolve("p.csv"), "x,y\n15,15\n");

@@ -28,12 +28,12 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
-import org.hificamsim.placement.site.CameraKind;
 import org.hificamsim.placement.site.Candidates;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.PlacementProblem;
 import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.placement.site.PointSight;
+import org.hificamsim.placement.site.PriceList;
 import org.hificamsim.placement.site.Refinement;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.presentation.replay.FloorPictures;
@@ -117,6 +117,8 @@ final class PlaceCommand implements Callable<Integer> {
   private final SettingOptions settings =
       SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.SEED);
 
+  private String currency; // of the catalogue
+
   private final Instant started = Instant.now();
 
   @Override
@@ -154,7 +156,7 @@ final class PlaceCommand implements Callable<Integer> {
           output,
           plan,
           Catalogue.load(),
-          new PlanFiles.Content(floor, files.title(), screen.words()));
+          new PlanFiles.Content(floor, files.title(currency), screen.words()));
       copyFloorplan(plan, output);
       files.write(output, plan);
       if (form.isPresent()) {
@@ -224,10 +226,12 @@ final class PlaceCommand implements Callable<Integer> {
     Demand demanded = demand(file, catalogue);
     Scenario site = demanded.site();
     List<Point> positions = mounts.positions(site, 1);
+    PriceList prices = PriceList.named(kinds, site);
+    currency = prices.currency();
     PlacementProblem.Request request =
         new PlacementProblem.Request(
             demanded,
-            new Candidates.Options(positions, CameraKind.catalogue(kinds, site)),
+            new Candidates.Options(positions, prices.kinds()),
             demand.reading(),
             mounts.kept(site),
             new PlacementProblem.SiteGoal(goal, cameras.isPresent()));

@@ -3,6 +3,7 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.placement.output.PlanFiles;
 import org.hificamsim.placement.output.TitleBlock;
@@ -18,11 +19,15 @@ final class PlanFileOptions {
   private Map<String, String> entries = new LinkedHashMap<>();
 
   @Option(names = "--currency", paramLabel = "CODE")
-  private String currency;
+  private Optional<String> currency;
 
-  /** The title block of the document. */
-  TitleBlock title() {
-    return new TitleBlock(entries, currency);
+  /**
+   * The title block of the document.
+   *
+   * @param usual the currency of the catalogue
+   */
+  TitleBlock title(String usual) {
+    return new TitleBlock(entries, currency.orElse(usual));
   }
 
   /** Adds the files that are asked for. */

@@ -108,10 +108,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
    */
   private static List<Candidate> scouts(
       Point point, List<CameraKind> kinds, CoverageReading reading, Scenario site) {
-    Optional<Double> z =
-        site.mountHeight().isPresent()
-            ? Optional.empty()
-            : Mounting.heightOn(site).stream().boxed().findFirst();
+    Optional<Double> z = Mounting.newHeightOn(site);
     List<Candidate> scouts = new ArrayList<>();
     for (CameraKind kind : kinds) {
       OpticsSpec panning = kind.optics().with(OpticsSpec.PANS, angles(kind.optics(), reading));
@@ -200,7 +197,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
   }
 
   /** Returns a lens that stays at one of its levels. */
-  private static OpticsSpec atLevel(OpticsSpec optics, int level) {
+  static OpticsSpec atLevel(OpticsSpec optics, int level) {
     List<Double> angles = optics.anglesOfView();
     List<Double> verticalAngles = optics.get(OpticsSpec.VERTICAL_ANGLES);
     boolean hasVertical = level < verticalAngles.size();

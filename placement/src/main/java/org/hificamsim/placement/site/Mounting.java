@@ -23,6 +23,13 @@ public record Mounting(Point position, Optional<Double> z, double tilt, double h
         : OptionalDouble.empty();
   }
 
+  /** Returns the height of new cameras on a site that does not give one, metres. */
+  static Optional<Double> newHeightOn(Scenario site) {
+    return site.mountHeight().isPresent()
+        ? Optional.empty()
+        : heightOn(site).stream().boxed().findFirst();
+  }
+
   /** Returns the mount with a heading that is turned by an angle, degrees. */
   Mounting turnedBy(double degrees) {
     return new Mounting(position, z, tilt, sum(heading, degrees));

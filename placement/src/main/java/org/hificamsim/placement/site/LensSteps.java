@@ -1,0 +1,73 @@
+package org.hificamsim.placement.site;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.data.CsvRow;
+
+/**
+ * The settings of a lens: its only one, steps, or the ends of a range that is tried in steps.
+ *
+ * @param values angles of view in degrees, or focal lengths in millimetres
+ */
+record LensSteps(List<Double> values, boolean isRange) {
+  /** The number of settings of a range that are tried. */
+  private static final int STEPS = 4;
+
+  /**
+   * Reads a cell, as {@code 95}, {@code 33-105} or {@code 30 60 90}.
+   *
+   * @param unit for the message about a wrong cell
+   */
+  static LensSteps read(CsvRow row, String column, String unit, double least, double greatest) {
+    String text = row.text(column).strip();
+    boolean isRange = text.matches("[^-–]+[-–][^-–]+");
+    double[] values;
+    try {
+      values =
+          Arrays.stream(text.split(isRange ? "[-–]" : "[\\s/]+"))
+              .mapToDouble(Double::parseDouble)
+              .sorted()
+              .toArray();
+    } catch (NumberFormatException e) {
+      throw wrong(row, column, unit, least, greatest).because(e);
+    }
+    if (!Arrays.stream(values).allMatch(value -> value >= least && value <= greatest)) {
+      throw wrong(row, column, unit, least, greatest);
+    }
+    return new LensSteps(Arrays.stream(values).distinct().boxed().toList(), isRange);
+  }
+
+  private static InputException wrong(
+      CsvRow row, String column, String unit, double least, double greatest) {
+    return row.invalid(
+        column,
+        "%s from %s to %s: one, a range as 33-105, or steps as 30 60 90"
+            .formatted(unit, least, greatest));
+  }
+
+  /** Returns the angles of view of focal lengths on a sensor of this width, both in millimetres. */
+  LensSteps onSensor(double width) {
+    List<Double> angles =
+        values.stream()
+            .map(focal -> Math.toDegrees(2 * Math.atan(width / (2 * focal))))
+            .sorted()
+            .toList();
+    return new LensSteps(angles, isRange);
+  }
+
+  /** All settings that are tried, rising, to a tenth of a degree. */
+  List<Double> angles() {
+    double narrowest = values.get(0);
+    double widest = values.get(values.size() - 1);
+    DoubleStream all =
+        isRange && widest > narrowest
+            ? IntStream.range(0, STEPS)
+                .mapToDouble(step -> step / (STEPS - 1.0))
+                .map(part -> narrowest * Math.pow(widest / narrowest, part))
+            : values.stream().mapToDouble(angle -> angle);
+    return all.map(angle -> Math.rint(10 * angle) / 10).boxed().toList();
+  }
+}

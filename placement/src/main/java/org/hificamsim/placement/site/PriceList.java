@@ -1,0 +1,68 @@
+package org.hificamsim.placement.site;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Scenario;
+
+/**
+ * The cameras that can be bought.
+ *
+ * @param currency of their prices
+ */
+public record PriceList(List<CameraKind> kinds, String currency) {
+  /** The name of the built-in list: generic lenses, with approximate prices of 2025. */
+  public static final String GENERIC = "generic";
+
+  /** The name of the list of all kinds that the scenario has, each at the price of 1. */
+  public static final String SITE = "site";
+
+  static final String USUAL_CURRENCY = "EUR";
+
+  /**
+   * Returns the list with a name, or reads it from a file.
+   *
+   * @throws InputException if the file is missing or wrong, with line and column
+   */
+  public static PriceList named(String name, Scenario site) {
+    return switch (name) {
+      case SITE -> new PriceList(CameraKind.of(site.name(), site.everyCamera()), USUAL_CURRENCY);
+      case GENERIC -> generic();
+      default -> DataSheets.read(Path.of(name), site.hasHeights());
+    };
+  }
+
+  /** Returns the built-in list. */
+  static PriceList generic() {
+    try (InputStream in = PriceList.class.getResourceAsStream("cameras.csv")) {
+      Path copy = Files.createTempFile("cameras", ".csv");
+      Files.write(copy, in.readAllBytes());
+      PriceList list = DataSheets.read(copy, false);
+      Files.delete(copy);
+      return list;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /**
+   * Returns the kind with a name.
+   *
+   * @throws InputException if there is none
+   */
+  CameraKind kind(String name) {
+    return kinds.stream()
+        .filter(known -> known.name().equals(name))
+        .findFirst()
+        .orElseThrow(() -> InputException.of("kind is '%s', expected one of %s", name, names()));
+  }
+
+  /** The names of all kinds. */
+  List<String> names() {
+    return kinds.stream().map(CameraKind::name).toList();
+  }
+}
