@@ -47,7 +47,8 @@ const {player, players = player ? [player] : []} = window.hificamsim ?? {};
 const page = document.getElementById('page'); // none in the documentation
 return (page ? page.dataset.ready !== undefined : document.readyState === 'complete')
     && players.every(player => player.field.map)
-    && [...document.querySelectorAll('.plot, .lines')].every(box => box.querySelector('canvas'));
+    && [...document.querySelectorAll('.plot, .lines')].every(
+        box => !box.offsetParent || box.querySelector('canvas')); // none in what is hidden
 """;
 
   private static Browser shared;

@@ -168,25 +168,26 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
       browser.open(view.address());
       browser.find(".controls .play").click();
       browser.until("return !hificamsim.playhead.playing");
-      browser.find(".walls .draw").click();
+      browser.run("document.querySelector('.drawing').open = true");
+      browser.find(".drawing .draw").click();
       drag(26, 18, 28, 16);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
       assertEquals(26, end("x1"), 0.1);
       assertEquals(16, end("y2"), 0.1);
       type("x1", "25", "y1", "12.5", "x2", "28.5", "y2", "12.5");
-      browser.find(".walls [name=y2]").sendKeys(Keys.ENTER);
+      browser.find(".drawing [name=y2]").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 7");
       browser.until( // the answer to the command may come after the step that it changed
           "return document.querySelector('[role=status]').textContent"
               + " === 'wall from (25, 12.5) to (28.5, 12.5) added'");
       assertEquals("y2", browser.run("return document.activeElement.name"), "keeps the focus");
       type("x1", "99", "y1", "1", "x2", "2", "y2", "2");
-      browser.find(".walls .add-wall").click();
+      browser.find(".drawing .add-drawn").click();
       browser.until("return !hificamsim.fault.hidden");
       assertTrue(browser.text("[role=alert]").contains("x is 99"), browser.text("[role=alert]"));
       browser.forgetConsole(); // Chromium logs the answer 400
-      browser.find(".walls select").sendKeys("polygon");
-      browser.find(".walls .remove").sendKeys(Keys.ENTER);
+      browser.find(".drawing [name=drawn]").sendKeys("polygon");
+      browser.find(".drawing .remove").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
       browser.until( // the answer to the command may come after the step that it changed
           "return document.querySelector('[role=status]').textContent.startsWith('polygon,"
@@ -290,7 +291,7 @@ return Math.abs(parseFloat(document.querySelector('.readout .score dd').textCont
   private static void type(String... namesAndValues) {
     for (int i = 0; i < namesAndValues.length; i += 2) {
       browser
-          .find(".walls [name=" + namesAndValues[i] + "]")
+          .find(".drawing [name=" + namesAndValues[i] + "]")
           .sendKeys(Keys.chord(Keys.CONTROL, "a"), namesAndValues[i + 1]);
     }
   }

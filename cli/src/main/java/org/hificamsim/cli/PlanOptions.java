@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
+import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
@@ -133,14 +134,23 @@ final class PlanOptions {
 
   /** Places a picture under the field. */
   Floorplan floorplan(String scenario, Path picture) {
-    PictureFrame frame =
-        frame()
-            .orElseThrow(
-                () ->
-                    InputException.of(
-                        "%s: a picture without --scale M, expected how many metres a pixel is, or"
-                            + " --width M",
-                        picture));
-    return new Floorplan(floorplanName(scenario, picture), frame.area(picture));
+    return new Floorplan(floorplanName(scenario, picture), area(picture));
+  }
+
+  /** The area that a picture shows. */
+  Field area(Path picture) {
+    return frame()
+        .orElseThrow(
+            () ->
+                InputException.of(
+                    "%s: a picture without --scale M, expected how many metres a pixel is, or"
+                        + " --width M",
+                    picture))
+        .area(picture);
+  }
+
+  /** Takes a width of the plan, metres, as if it had been asked for. */
+  void assumeWidth(double metres) {
+    width = metres;
   }
 }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
@@ -12,7 +11,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
-import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Floorplan;
@@ -21,10 +19,8 @@ import org.hificamsim.runs.generate.FreePositions;
 import org.hificamsim.tracks.DrawnSite;
 import org.hificamsim.tracks.Plausibility;
 import org.hificamsim.tracks.SiteSettings;
-import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.Drawing;
-import org.hificamsim.tracks.place.WallFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -55,28 +51,38 @@ final class SiteCommand implements Callable<Integer> {
 
   @Mixin private SiteOptions site;
   @Mixin private PlanOptions plan;
-  @Mixin private final SettingOptions settings = SettingOptions.of(Setting.SEED);
+  @Mixin private final SettingOptions random = SettingOptions.of(Setting.SEED);
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws IOException {
     Numbers.inRange("--people", people, 0, MAX_PEOPLE);
     LocalProjection projection = new LocalProjection();
-    Optional<Drawing> drawing =
-        isPicture() ? Optional.empty() : Optional.of(plan.read(file, usualUnit(), projection));
+    PlanReader reader = new PlanReader(file, plan);
+    Optional<Drawing> drawing = reader.drawing(projection);
     if (plan.listsLayers()) {
       return listLayers(drawing);
     }
     Path folder =
         out.orElseThrow(() -> new InputException("expected --out DIR, a folder for the site"));
     String name = site.name(file);
-    Optional<Path> picture = isPicture() ? Optional.of(file) : plan.floorplan();
+    Optional<Path> picture = reader.isPicture() ? Optional.of(file) : plan.floorplan();
     SiteOutput output = new SiteOutput(spec, name, picture);
     output.claim(folder, List.of());
-    DrawnSite made = made(name, drawing, picture);
+    SiteSettings settings =
+        new SiteSettings(
+            name,
+            file,
+            site.cameras(0),
+            site.margin(),
+            OptionalDouble.empty(),
+            List.of(),
+            Optional.empty());
+    Optional<Floorplan> floorplan = picture.map(image -> plan.floorplan(name, image));
+    DrawnSite made = reader.site(settings, drawing, floorplan);
     List<String> signs = Plausibility.of(made).signs(forceReading);
     Scenario empty = made.scenario();
-    long seed = settings.settings().seed();
+    long seed = random.settings().seed();
     Scenario scenario = empty.with(Scenario.TARGETS, FreePositions.people(empty, people, seed));
     try (OutputFolder written = Destination.folder(spec, folder)) {
       output.write(written, made.xml(scenario));
@@ -88,38 +94,12 @@ final class SiteCommand implements Callable<Integer> {
     return 0;
   }
 
-  private boolean isPicture() {
-    return file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(png|jpe?g)");
-  }
-
-  /** The unit of coordinates in files that have none. */
-  private Unit usualUnit() {
-    return WallFile.isGeoJson(file) ? Unit.DEG : Unit.M;
-  }
-
   private int listLayers(Optional<Drawing> drawing) {
     Drawing listed =
         drawing.orElseThrow(
             () -> InputException.of("%s: a picture has no layers, expected a drawing", file));
     PlanOptions.printLayers(file, listed, spec.commandLine().getOut());
     return 0;
-  }
-
-  private DrawnSite made(String name, Optional<Drawing> drawing, Optional<Path> picture) {
-    Optional<Floorplan> floorplan = picture.map(image -> plan.floorplan(name, image));
-    SiteSettings siteSettings =
-        new SiteSettings(
-            name,
-            file,
-            site.cameras(0),
-            site.margin(),
-            OptionalDouble.empty(),
-            drawing.map(read -> read.obstacles(plan.walkable())).orElse(List.of()),
-            floorplan);
-    Field drawn = drawing.map(Drawing::field).orElseGet(() -> floorplan.orElseThrow().area());
-    List<List<Point>> walkable =
-        plan.walkable() ? drawing.map(Drawing::walkableBorders).orElse(List.of()) : List.of();
-    return new DrawnSite(siteSettings, drawn, walkable);
   }
 
   private void print(

@@ -23,12 +23,17 @@ final class SiteOptions {
   String name(Path file) {
     String fileName = file.getFileName().toString().replaceFirst("(?i)\\.gz$", "");
     String wanted = name != null ? name : fileName.replaceFirst("\\.[^.]*$", "");
-    String safe = wanted.replaceAll("[^\\p{L}\\p{M}\\p{N}_.+-]", "-");
+    String safe = safe(wanted);
     if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(wanted))) {
       throw InputException.of(
           "--name is '%s', expected letters, digits and any of _.+- of them", wanted);
     }
     return safe;
+  }
+
+  /** Returns a name in which characters that a file's name may not have are hyphens. */
+  static String safe(String name) {
+    return name.replaceAll("[^\\p{L}\\p{M}\\p{N}_.+-]", "-");
   }
 
   /** The number of draft cameras, which is at least {@code least}. */

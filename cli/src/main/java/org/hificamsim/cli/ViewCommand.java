@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
     name = "view",
     description = {
       "Shows a scenario live in the browser: choose models and policies, drag cameras, draw walls.",
+      "With --new, begins a site on a floor plan: set its scale, draw it, and plan its cameras.",
       "Only this machine can open the page, and only by the printed address.",
       "Closing the page ends the command."
     })
@@ -38,8 +39,10 @@ final class ViewCommand implements Callable<Integer> {
   private static final int MAX_PORT = 65_535;
   private static final Duration GRACE = Duration.ofSeconds(5);
 
-  @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
-  private Path file;
+  @Parameters(arity = "0..1", paramLabel = "SCENARIO.xml", description = "The scenario file.")
+  private Path scenarioFile;
+
+  @Mixin private NewSiteOptions newSite;
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -60,26 +63,25 @@ final class ViewCommand implements Callable<Integer> {
     Numbers.inRange("--port", port, 0, MAX_PORT);
     Catalogue catalogue = Catalogue.load();
     Settings asked = settings.settings();
-    Scenario scenario =
-        scenarioOptions.readSite(file, asked, catalogue, spec.commandLine().getErr());
-    if (scenario.everyCamera().findAny().isEmpty()) {
-      throw InputException.of(
-          "%s: no <camera>, expected at least one to move: 'place %s --cameras 4' plans some",
-          file, file);
+    if ((scenarioFile == null) == newSite.plan().isEmpty()) {
+      throw new InputException("expected one of SCENARIO.xml and --new PLAN");
     }
+    Path file = newSite.plan().orElse(scenarioFile);
+    Scenario scenario = newSite.plan().isPresent() ? newSite.site() : read(asked, catalogue);
     DetectionSpec.of(
         asked, scenario, file, catalogue); // rejects a wrong one with its place in the file
     String detection = asked.value(Setting.DETECTION, scenario);
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
     LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
+    SitePlanner planner = new SitePlanner(catalogue, DemandOptions.detections(catalogue));
     LiveRun run =
         new LiveRun(
             catalogue,
             new LiveRun.ShownScenario(scenario, FloorPictures.of(file, scenario)),
             choice,
             asked.seed(),
-            Optional.of(new SitePlanner(catalogue, DemandOptions.detections(catalogue))));
-    String page = LivePage.html(catalogue, scenario.name(), detection);
+            Optional.of(planner));
+    String page = LivePage.html(catalogue, scenario.name(), detection, tools(planner));
     try (LiveSession session = new LiveSession(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {
       spec.commandLine().getOut().println(server.address());
@@ -90,5 +92,14 @@ final class ViewCommand implements Callable<Integer> {
       server.awaitEnd();
     }
     return 0;
+  }
+
+  private Scenario read(Settings asked, Catalogue catalogue) {
+    return scenarioOptions.readSite(scenarioFile, asked, catalogue, spec.commandLine().getErr());
+  }
+
+  private LivePage.DrawingTools tools(SitePlanner planner) {
+    boolean isNew = newSite.plan().isPresent();
+    return new LivePage.DrawingTools(planner.kinds(), isNew, !newSite.lacksScale());
   }
 }

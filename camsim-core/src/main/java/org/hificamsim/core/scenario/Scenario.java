@@ -180,6 +180,11 @@ shows, m (ours) | the field's borders
     return BORDERS.area(this::get);
   }
 
+  /** The same scenario with other borders. */
+  public Scenario withField(Field field) {
+    return new Scenario(BORDERS.put(this, field));
+  }
+
   public StepOrder order() {
     return get(ORDER);
   }

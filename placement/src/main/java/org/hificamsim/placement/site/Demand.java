@@ -138,7 +138,7 @@ public record Demand(
       Optional<double[]> visits) {
     boolean[] free = freeCells(site, cells);
     int usualK = site.objective() instanceof Objective.Covered covered ? covered.k() : 1;
-    List<Zone> zones = site.zones().isEmpty() ? List.of(Zone.ofField()) : site.zones();
+    List<Zone> zones = Zone.ofSite(site.zones());
     List<ZoneDemand> zoneDemands = new ArrayList<>();
     List<DemandPoint> points = new ArrayList<>();
     for (Zone zone : zones) {

@@ -22,8 +22,8 @@ import org.hificamsim.runs.cells.FieldCells;
 import org.hificamsim.runs.cells.ZoneArea;
 
 /**
- * Plans one camera at a time while a site is edited, with coarse cells and mount points. A point is
- * covered if it is in any view of a camera that turns.
+ * Plans cameras while a site is edited, with coarse cells and mount points. A point is covered if
+ * it is in any view of a camera that turns.
  *
  * @param detections finds the detection that a zone names
  */
@@ -32,13 +32,15 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
   /** The number of cells, and of mount points, along the longer side of the field. */
   private static final int PARTS = 30;
 
+  /** Degrees below the horizon, of cameras that are mounted by hand on sites with heights. */
+  private static final double USUAL_TILT = 15;
+
   private static final long MAX_NANOSECONDS = 1_500_000_000;
 
   @Override
   public List<Share> shares(Scenario site, Detection detection) {
     NetworkView network = PointSight.network(site, catalogue);
-    List<Zone> zones = site.zones().isEmpty() ? List.of(Zone.ofField()) : site.zones();
-    return zones.stream()
+    return Zone.ofSite(site.zones()).stream()
         .map(zone -> new Share(zone.name(), area(site, zone, detection).metByAnyView(network)))
         .toList();
   }
@@ -77,8 +79,7 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
       greatestGain = instance.gain(counts, covered);
     }
     List<Point> points = shuffledMountPoints(site);
-    List<CameraKind> kinds =
-        CameraKind.of(site.name(), moved.isPresent() ? moved.stream() : site.everyCamera());
+    List<CameraKind> kinds = kinds(site, moved);
     Candidate best = null;
     for (Point point : points) {
       if (System.nanoTime() > deadline) {
@@ -100,14 +101,48 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
     return moved.isPresent() ? onMount(moved.get(), best) : best.camera("suggested");
   }
 
+  /** Returns the kind of the moved camera, or those of the site; generic ones if it has none. */
+  private static List<CameraKind> kinds(Scenario site, Optional<CameraSpec> moved) {
+    return moved.isEmpty() && site.everyCamera().findAny().isEmpty()
+        ? PriceList.generic().kinds()
+        : CameraKind.of(site.name(), moved.isPresent() ? moved.stream() : site.everyCamera());
+  }
+
+  @Override
+  public List<String> kinds() {
+    return PriceList.generic().names();
+  }
+
+  @Override
+  public CameraSpec mounted(Mount asked, Scenario site) {
+    CameraKind kind = PriceList.generic().kind(asked.kind());
+    double tilt = site.hasHeights() ? USUAL_TILT : 0;
+    Point position = new Point(asked.x(), asked.y());
+    Mounting mount = new Mounting(position, Mounting.newHeightOn(site), tilt, asked.heading());
+    return new Candidate(kind, kind.setTo(asked.angle()), mount)
+        .camera(kind.name())
+        .with(CameraSpec.PRICE, kind.price());
+  }
+
+  @Override
+  public Plan plan(Scenario site, Detection detection, Request request, Watcher watcher) {
+    List<Point> points = mountPoints(site);
+    return new QuickPlan(catalogue, demand(site, detection), points, request)
+        .find(PriceList.generic().kinds(), watcher);
+  }
+
   /** The mount points in random order: if the time is short, those tried lie all over the site. */
   private static List<Point> shuffledMountPoints(Scenario site) {
+    List<Point> points = new ArrayList<>(mountPoints(site));
+    Collections.shuffle(points, new Random(0));
+    return points;
+  }
+
+  private static List<Point> mountPoints(Scenario site) {
     double longerSide = Math.max(site.field().width(), site.field().height());
     MountPoints.Rules rules =
         new MountPoints.Rules(longerSide / PARTS, MountPoints.CLEARANCE, false, List.of());
-    List<Point> points = new ArrayList<>(MountPoints.of(site, rules));
-    Collections.shuffle(points, new Random(0));
-    return points;
+    return MountPoints.of(site, rules);
   }
 
   /** Returns a camera on the mount of a candidate. */

@@ -15,6 +15,8 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.Locale;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.spec.Zone;
 
 /**
  * A command of the page, whose name in JSON is that of its record in lower case. {@link LiveRun}
@@ -92,10 +94,59 @@ public sealed interface Command {
     }
   }
 
-  record Wall(double x1, double y1, double x2, double y2) implements Command {
+  record Draw(DrawnObstacle shape, double x1, double y1, double x2, double y2, Double height)
+      implements Command {
     @Override
     public void execute(LiveSession session) {
-      session.renew(run -> run.edit(scenario -> scenario.addWall(x1, y1, x2, y2)));
+      Point from = new Point(x1, y1);
+      Point to = new Point(x2, y2);
+      session.renew(run -> run.edit(scenario -> scenario.addObstacle(shape, from, to, height)));
+    }
+  }
+
+  /** Adds a rectangular zone between two opposite corners. */
+  record AddZone(ZoneDraft zone, double x1, double y1, double x2, double y2) implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      Zone drawn = zone.between(new Point(x1, y1), new Point(x2, y2));
+      session.renew(run -> run.addZone(drawn));
+    }
+  }
+
+  record RemoveZone(int zone) implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      session.renew(run -> run.edit(scenario -> scenario.removeZone(zone)));
+    }
+  }
+
+  record Mount(Planner.Mount mount) implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      session.renew(run -> run.mount(mount));
+    }
+  }
+
+  record Scale(double x1, double y1, double x2, double y2, double metres) implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      Point from = new Point(x1, y1);
+      Point to = new Point(x2, y2);
+      session.renew(run -> run.edit(scenario -> scenario.scale(from, to, metres)));
+    }
+  }
+
+  record Plan(Planner.Goal goal, double amount, boolean keep) implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      session.plan(new Planner.Request(goal, amount, keep));
+    }
+  }
+
+  record StopPlan() implements Command {
+    @Override
+    public void execute(LiveSession session) {
+      session.stopPlan();
     }
   }
 

@@ -9,6 +9,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
@@ -19,10 +20,12 @@ import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Waypoint;
+import org.hificamsim.core.scenario.spec.Zone;
 
 /** A scenario with the changes that somebody has made to it, which can be undone and redone. */
 final class EditedScenario {
   private static final String ADDED_PREFIX = "added-";
+  private static final String ZONE_PREFIX = "zone-";
   private static final int MOST_UNDO_STEPS = 200;
 
   private final Scenario original;
@@ -116,8 +119,9 @@ final class EditedScenario {
     addCamera(added);
   }
 
-  /** Adds a camera under a free name. */
+  /** Adds a camera under a free name, at a place in the field that is not in an obstacle. */
   void add(CameraSpec camera) {
+    checkPlace(camera.x(), camera.y());
     addCamera(camera.with(CameraSpec.NAME, freeName()));
   }
 
@@ -152,27 +156,80 @@ final class EditedScenario {
     apply("", without(Scenario.TARGETS, number, ScenarioEvent.AddTarget.class));
   }
 
-  /** Adds a solid wall, which must hit no camera and no target, after the other obstacles. */
-  void addWall(double x1, double y1, double x2, double y2) {
-    checkInField(x1, y1);
-    checkInField(x2, y2);
-    if (x1 == x2 && y1 == y2) {
-      throw InputException.of("both ends of the wall are (%s, %s), expected two places", x1, y1);
-    }
-    Obstacle wall = new Obstacle.Wall(x1, y1, x2, y2, 0);
+  /** Adds a solid obstacle, which must hit no camera and no target, after the others. */
+  void addObstacle(DrawnObstacle shape, Point from, Point to, Double height) {
+    checkInField(from.x(), from.y());
+    checkInField(to.x(), to.y());
+    Obstacle drawn = shape.obstacle(from, to, height);
     freePlaces()
-        .filter(place -> wall.contains(place.x(), place.y()))
+        .filter(place -> drawn.contains(place.x(), place.y()))
         .findFirst()
         .ifPresent(
             place -> {
               throw InputException.of(
-                  "the wall hits a camera or a target at (%s, %s), expected a wall away from all of"
+                  "the %s hits a camera or a target at (%s, %s), expected one away from all of"
                       + " them",
-                  place.x(), place.y());
+                  Spelling.of(shape), place.x(), place.y());
             });
     List<Obstacle> obstacles = new ArrayList<>(current.obstacles());
-    obstacles.add(wall);
+    obstacles.add(drawn);
     apply("", current.with(Scenario.OBSTACLES, obstacles));
+  }
+
+  /** Adds a zone, under a free name if it has none. */
+  void addZone(Zone zone) {
+    Zone named = zone.name().isBlank() ? zone.named(freeZoneName()) : zone;
+    if (hasZone(named.name())) {
+      throw InputException.of("name is '%s', expected one that no other zone has", named.name());
+    }
+    if (named.maxDepression() != null && !current.hasHeights()) {
+      throw new InputException(
+          "max_depression is " + named.maxDepression() + ", expected none in a flat world");
+    }
+    named.points().forEach(point -> checkInField(point.x(), point.y()));
+    List<Zone> zones = new ArrayList<>(current.zones());
+    zones.add(named);
+    apply("", current.with(Scenario.ZONES, zones));
+  }
+
+  private String freeZoneName() {
+    int number = 1;
+    while (hasZone(ZONE_PREFIX + number)) {
+      number++;
+    }
+    return ZONE_PREFIX + number;
+  }
+
+  private boolean hasZone(String name) {
+    return current.zones().stream().anyMatch(zone -> zone.name().equals(name));
+  }
+
+  /** Removes a zone. */
+  void removeZone(int number) {
+    element(current.zones(), number, "zone");
+    apply("", current.with(Scenario.ZONES, without(current.zones(), number)));
+  }
+
+  /** Makes a site without targets so large that a line drawn on it is this long, metres. */
+  void scale(Point from, Point to, double metres) {
+    double drawn = Math.hypot(to.x() - from.x(), to.y() - from.y());
+    apply("", new ScaledSite(metres / drawn).of(current));
+  }
+
+  /**
+   * Takes cameras that were planned for a site.
+   *
+   * @throws InputException if the site is another one now, apart from its cameras
+   */
+  void usePlan(Scenario site, List<CameraSpec> cameras) {
+    if (!withoutCameras(site).equals(withoutCameras(current))) {
+      throw new InputException("the site has changed since, expected to plan again");
+    }
+    apply("", current.with(Scenario.CAMERAS, cameras));
+  }
+
+  private static Scenario withoutCameras(Scenario site) {
+    return site.with(Scenario.CAMERAS, List.of());
   }
 
   /** Removes an obstacle. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -13,6 +14,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.PackedHeat;
@@ -42,8 +44,8 @@ public final class LiveRun {
   private final Map<String, Integer> held = new HashMap<>();
   private final Optional<Planner> planner;
   private List<LiveSide> sides = new ArrayList<>();
-  private List<Planner.Share> shares = List.of();
-  private Scenario scenarioOfShares; // null if the shares are out of date
+  private List<ShownZone> zones = List.of();
+  private Scenario scenarioOfZones; // null if the shares of the zones are out of date
   private long seed;
   private long next;
   private boolean recordsHeat;
@@ -165,10 +167,7 @@ public final class LiveRun {
   void suggest(int camera) {
     Optional<CameraSpec> moved =
         camera == -1 ? Optional.empty() : scenario.camera(onlineName(camera));
-    CameraSpec suggestion =
-        planner
-            .orElseThrow(() -> new InputException("cameras cannot be suggested here"))
-            .suggest(scenario.current(), detection(choices.get(0)), moved);
+    CameraSpec suggestion = planner().suggest(scenario.current(), detection(choices.get(0)), moved);
     if (moved.isPresent()) {
       scenario.replace(suggestion);
     } else {
@@ -177,17 +176,47 @@ public final class LiveRun {
     rebuildFromScenario();
   }
 
-  /** The share of each zone that the cameras can see from where they are; empty if not known. */
-  List<Planner.Share> shares() {
-    if (planner.isPresent() && !scenario.current().equals(scenarioOfShares)) {
-      scenarioOfShares = scenario.current();
-      try {
-        shares = planner.get().shares(scenarioOfShares, detection(choices.get(0)));
-      } catch (InputException e) {
-        shares = List.of(); // detection is by chance
-      }
+  private Planner planner() {
+    return planner.orElseThrow(() -> new InputException("cameras cannot be planned here"));
+  }
+
+  /** Adds a camera that can be bought. */
+  void mount(Planner.Mount mount) {
+    scenario.add(planner().mounted(mount, scenario.current()));
+    rebuildFromScenario();
+  }
+
+  /** Adds a zone whose detection is known. */
+  void addZone(Zone zone) {
+    spec(zone.detection());
+    scenario.addZone(zone);
+    rebuildFromScenario();
+  }
+
+  /** Returns what plans cameras for the scenario as it is now. */
+  Function<Planner.Watcher, Planner.Plan> planning(Planner.Request request) {
+    Planner ready = planner();
+    Scenario site = scenario.current();
+    Detection usual = detection(choices.get(0));
+    return watcher -> ready.plan(site, usual, request, watcher);
+  }
+
+  /** The zones, with the share of each that the cameras can see from where they are. */
+  List<ShownZone> zones() {
+    if (planner.isPresent() && !scenario.current().equals(scenarioOfZones)) {
+      scenarioOfZones = scenario.current();
+      Detection usual = detection(choices.get(0));
+      zones = ShownZone.of(scenarioOfZones, usual, shares(usual));
     }
-    return shares;
+    return zones;
+  }
+
+  private List<Planner.Share> shares(Detection usual) {
+    try {
+      return planner().shares(scenarioOfZones, usual);
+    } catch (InputException e) {
+      return List.of(); // detection is by chance
+    }
   }
 
   /** Undoes the last change of cameras, targets or walls; learning begins again. */
@@ -287,7 +316,7 @@ public final class LiveRun {
     }
     sides.set(side, newSide(sides.get(side).world(), choice));
     choices.set(side, choice);
-    scenarioOfShares = null;
+    scenarioOfZones = null;
   }
 
   /**
@@ -335,10 +364,21 @@ public final class LiveRun {
   }
 
   private LiveSide newSide(World world, LiveChoice choice) {
-    LiveSide.Shared shared = new LiveSide.Shared(catalogue, seed, next, floor, held);
+    LiveSide.Shared shared = new LiveSide.Shared(catalogue, seed, next, floor(), held);
     LiveSide side = new LiveSide(world, detection(choice), choice.policy(), shared);
     side.recordHeat(recordsHeat);
     return side;
+  }
+
+  /** The pictures of the floor, where the scenario has them now. */
+  private List<Setup.Floor> floor() {
+    return scenario
+        .current()
+        .floorplan()
+        .map(
+            plan ->
+                floor.stream().map(shown -> new Setup.Floor(plan.area(), shown.data())).toList())
+        .orElse(floor);
   }
 
   private Detection detection(LiveChoice choice) {

@@ -3,12 +3,14 @@ package org.hificamsim.presentation.view;
 import com.fasterxml.jackson.annotation.JsonInclude;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.runs.RunFault;
@@ -35,7 +37,8 @@ public final class LiveSession implements AutoCloseable {
    * @param fault why it has stopped; empty unless a policy or model failed
    * @param held the cameras that somebody holds in a view
    * @param heat whether a heat map is recorded
-   * @param shares the share of each zone that cameras can see
+   * @param zones with the share of each that cameras can see
+   * @param plan of cameras that is being made, or was made last; null if there is none
    * @param warning about the edited scenario; may be empty
    */
   private record StateMessage(
@@ -46,7 +49,8 @@ public final class LiveSession implements AutoCloseable {
       String fault,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> held,
       @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat,
-      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Planner.Share> shares,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<ShownZone> zones,
+      @JsonInclude(JsonInclude.Include.NON_NULL) PlanTask.Message plan,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) String warning) {}
 
   private final LiveRun run;
@@ -54,6 +58,7 @@ public final class LiveSession implements AutoCloseable {
   private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();
   private final Thread thread = new Thread(this::loop, "simulation");
   private final CompletableFuture<Object> end = new CompletableFuture<>();
+  private final PlanTask plan = new PlanTask(() -> queue.add(this::showState));
   private boolean running;
   private int perSecond = 10;
   private long stepDue;
@@ -202,6 +207,35 @@ public final class LiveSession implements AutoCloseable {
     step();
   }
 
+  /** Starts to plan cameras, which replace those of the scenario when they are found. */
+  void plan(Planner.Request request) {
+    Scenario site = run.scenario();
+    plan.start(
+        run.planning(request),
+        found -> use(live -> live.edit(scenario -> scenario.usePlan(site, found.cameras()))));
+  }
+
+  /** Makes a change on the session's thread, and waits for it. */
+  private void use(Consumer<LiveRun> change) {
+    try {
+      enqueue(() -> renewed(change)).get();
+    } catch (ExecutionException e) {
+      throw new InputException(e.getCause().getMessage(), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private Object renewed(Consumer<LiveRun> change) {
+    renew(change);
+    showState();
+    return null;
+  }
+
+  void stopPlan() {
+    plan.stop();
+  }
+
   void choose(int side, LiveChoice choice) {
     run.choose(side, choice);
     fault = "";
@@ -225,7 +259,8 @@ public final class LiveSession implements AutoCloseable {
                 fault,
                 run.held(),
                 run.recordsHeat(),
-                run.shares(),
+                run.zones(),
+                plan.message(),
                 Place.printable(run.warning()))));
   }
 
@@ -244,6 +279,7 @@ public final class LiveSession implements AutoCloseable {
   /** Ends the thread; further commands are not executed. */
   @Override
   public void close() {
+    plan.stop();
     end.completeExceptionally(new SessionEnded());
     thread.interrupt();
   }

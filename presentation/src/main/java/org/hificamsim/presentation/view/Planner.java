@@ -6,10 +6,46 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 
-/** Computes how much of a scenario its cameras can see, and suggests cameras that see more. */
+/**
+ * Computes how much of a scenario its cameras can see, suggests cameras that see more, and plans
+ * all of them.
+ */
 public interface Planner {
   /** The share of a zone's demand that is met, in [0, 1]. */
   record Share(String zone, double met) {}
+
+  /** The goal of a plan. */
+  enum Goal {
+    /** The most that a number of cameras can meet. */
+    CAMERAS,
+    /** The most for a price. */
+    BUDGET,
+    /** Everything that can be met, for the least price. */
+    COVER
+  }
+
+  /**
+   * What is to be planned.
+   *
+   * @param amount the number of cameras or the budget; not used to cover everything
+   * @param keep whether the cameras that are there stay
+   */
+  record Request(Goal goal, double amount, boolean keep) {}
+
+  /** Cameras for a site, those that stay first, and a sentence that says how good they are. */
+  record Plan(List<CameraSpec> cameras, String summary) {}
+
+  /** Is told how far a plan is, and may end the search. */
+  interface Watcher {
+    /**
+     * @param event what happens, in words
+     * @param share of the work that is done, in [0, 1]
+     */
+    void progressed(String event, double share);
+
+    /** Whether somebody wants no more search: the best plan so far is taken, if there is one. */
+    boolean isStopped();
+  }
 
   /**
    * Returns the share of each zone that the cameras can see, each in any of its views.
@@ -27,4 +63,33 @@ public interface Planner {
    * @throws org.hificamsim.core.InputException if no place is better, or the camera has no lens
    */
   CameraSpec suggest(Scenario scenario, Detection detection, Optional<CameraSpec> moved);
+
+  /** The names of the cameras that can be bought. */
+  List<String> kinds();
+
+  /**
+   * A camera that somebody hangs up.
+   *
+   * @param kind its name
+   * @param heading degrees
+   * @param angle of view to which its lens is set, degrees; null for the widest
+   */
+  record Mount(String kind, double x, double y, double heading, Double angle) {}
+
+  /**
+   * Returns a camera that can be bought, at its price. Its lens stays as it is set, unless it
+   * turns.
+   *
+   * @throws org.hificamsim.core.InputException if there is no such kind, or its lens has no such
+   *     angle
+   */
+  CameraSpec mounted(Mount mount, Scenario scenario);
+
+  /**
+   * Returns the best cameras for a site that are found in a minute or two.
+   *
+   * @throws org.hificamsim.core.InputException if a zone is seen from nowhere, the request is
+   *     wrong, or the search is stopped before there is a plan
+   */
+  Plan plan(Scenario scenario, Detection detection, Request request, Watcher watcher);
 }

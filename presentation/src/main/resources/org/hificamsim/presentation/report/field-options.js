@@ -11,10 +11,10 @@ const BELIEFS =
  * @param field the FieldView, whose `set(name, value)` is called with what was chosen
  */
 export function fieldOptions(field) {
-  const checkbox = (property, name, label) =>
+  const checkbox = (property, name, label, attributes = {}) =>
     el(
       'label',
-      {},
+      attributes,
       el('input', {
         type: 'checkbox',
         name,
@@ -26,14 +26,17 @@ export function fieldOptions(field) {
     pose.lenses?.some(({density}) => density),
   );
   const densityZones = 'pixel density of the selected camera (IEC 62676-4:2025, px/m)';
-  const beliefs = checkbox('beliefs', 'beliefs', BELIEFS);
+  const simulating = {class: 'simulating'};
+  const beliefs = checkbox('beliefs', 'beliefs', BELIEFS, simulating);
   beliefs.hidden = true;
   const element = el(
     'div',
     {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
-    ...(field.heat ? [el('label', {}, 'heat map ', field.heat.select), field.heat.key] : []),
-    checkbox('trails', 'trails', 'last steps'),
-    checkbox('tracks', 'tracks', 'whole paths'),
+    ...(field.heat
+      ? [el('label', simulating, 'heat map ', field.heat.select), field.heat.key]
+      : []),
+    checkbox('trails', 'trails', 'last steps', simulating),
+    checkbox('tracks', 'tracks', 'whole paths', simulating),
     hasDensities ? checkbox('densityZones', 'density-zones', densityZones) : null,
     field.floor.length ? el('label', {}, 'floorplan ', floorSlider(field)) : null,
     beliefs,

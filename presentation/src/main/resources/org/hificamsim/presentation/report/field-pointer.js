@@ -1,4 +1,4 @@
-// What the pointer does in a field: it selects, drags cameras, draws walls, and moves the map.
+// What the pointer does in a field: it selects, drags cameras, draws, and moves the map.
 
 const REACH = 16; // pixels between the pointer and what it points at
 const STILL = 3; // pixels that a press may move before it drags
@@ -12,7 +12,8 @@ export class FieldPointer {
     this.field = field;
     this.on = on;
     this.place = null; // in pixels; null while the pointer is elsewhere
-    this.line = null; // the wall that is being drawn: x and y of its ends in metres
+    this.line = null; // what is being drawn: x and y of both its places in metres
+    this.clicked = false; // whether a click has begun it, so that the next press ends it
     const {canvas} = field.surface;
     canvas.addEventListener('pointerdown', event => this.onPress(event));
     canvas.addEventListener('pointermove', event => this.onMove(event));
@@ -28,9 +29,8 @@ export class FieldPointer {
     if (event.button !== 0) return;
     const {field, on} = this;
     this.place = [event.offsetX, event.offsetY];
-    if (field.drawsWalls) {
-      const start = field.map.place(...this.place);
-      this.line = [...start, ...start];
+    if (field.drawing) {
+      this.beginLine();
       field.surface.canvas.setPointerCapture(event.pointerId);
       return;
     }
@@ -73,22 +73,37 @@ export class FieldPointer {
     this.field.magnifier.look(this.field.magnifier.times, left + right, top + down);
   }
 
+  /** Begins what is drawn, or ends what a click has begun. */
+  beginLine() {
+    const place = this.field.map.place(...this.place);
+    if (this.clicked) this.line.splice(2, 2, ...place);
+    else this.line = [...place, ...place];
+  }
+
   extendLine() {
     this.line.splice(2, 2, ...this.field.map.place(...this.place));
     this.on.drawing(this.line);
     this.field.surface.draw();
   }
 
-  /** Ends a drag. A line is a wall now, unless it is so short that it was a click. */
+  /** Ends a drag. What is drawn is complete, unless a click has just begun it. */
   onRelease(complete) {
     this.cameraDrag = this.mapDrag = null;
     const {line} = this;
-    this.line = null;
-    if (line && complete) {
+    if (line) {
       const [x1, y1, x2, y2] = line;
-      if (this.field.map.scale * Math.hypot(x2 - x1, y2 - y1) >= STILL) this.on.line(line);
+      const isClick = this.field.map.scale * Math.hypot(x2 - x1, y2 - y1) < STILL;
+      this.clicked = complete && isClick && !this.clicked;
+      if (!this.clicked) this.line = null;
+      if (complete && !isClick) this.on.line(line);
     }
     this.field.surface.draw();
+  }
+
+  /** Forgets what is being drawn. */
+  forgetLine() {
+    this.line = null;
+    this.clicked = false;
   }
 
   /** The camera and the target under the pointer; -1 for none. */

@@ -2,6 +2,7 @@
 import {el, onThemeChange, style, Surface} from './dom.js';
 import {fieldOptions} from './field-options.js';
 import {FieldPointer} from './field-pointer.js';
+import {paintOutline} from './drawn-outline.js';
 import {figureSize} from './figure-size.js';
 import {HeatChoice} from './heat.js';
 import {host} from './host.js';
@@ -19,8 +20,8 @@ export class FieldView {
   /**
    * @param run what is shown
    * @param on `select(camera)` when a camera is clicked, `pick(target)` when a target is;
-   *   `drag(camera, x, y)`, if cameras can be moved; `line(ends)` when a wall has been drawn, its
-   *   ends as x and y in turn, and `drawing(ends)` while it is; `heat(figure)` when one of
+   *   `drag(camera, x, y)`, if cameras can be moved; `line(places)` when an outline has been drawn,
+   *   x and y of both places in turn, and `drawing(places)` while it is; `heat(figure)` when one of
    *   `figures` of the heat map is chosen, if there can be a heat map
    */
   constructor(run, on) {
@@ -28,7 +29,7 @@ export class FieldView {
     this.frame = 0;
     this.selected = -1;
     this.opacity = 0.5;
-    this.drawsWalls = false;
+    this.drawing = ''; // the outline that pressing begins; '' for none
     this.surface = new Surface(
       {class: 'field', role: 'img', tabindex: 0},
       (context, width, height) => this.paint(context, width, height),
@@ -95,10 +96,10 @@ export class FieldView {
     this.surface.draw();
   }
 
-  /** Sets whether pressing in the field begins a wall. */
-  setDrawing(on) {
-    this.drawsWalls = on;
-    this.pointer.line = null;
+  /** Sets the outline that pressing in the field begins; '' for none. */
+  setDrawing(outline) {
+    this.drawing = outline;
+    this.pointer.forgetLine();
     this.surface.draw();
   }
 
@@ -143,6 +144,7 @@ export class FieldView {
       heat: this.heat?.shown,
       belief: this.beliefs && run.belief[frame],
       floor: this.floor.filter(({image}) => image.complete),
+      zones: this.zones,
       trails: this.trails,
       tracks: this.tracks && (context => this.trackCanvas.paint(context, scene)),
     };
@@ -161,7 +163,7 @@ export class FieldView {
     const scene = this.scene();
     this.size = figureSize(scene);
     paintScene(context, scene);
-    if (this.pointer.line) paintLine(context, scene, this.pointer.line);
+    if (this.pointer.line) paintOutline(context, scene, this.drawing, this.pointer.line);
     this.updateLabel();
   }
 
@@ -182,13 +184,3 @@ const legendSign = mark =>
   new Surface({class: 'mark', 'aria-hidden': 'true'}, (context, width, height) =>
     mark(context, width / 2, height / 2, 0.4 * height),
   ).canvas;
-
-/** Paints the wall that is being drawn. */
-function paintLine(context, {map, unit, colours}, [x1, y1, x2, y2]) {
-  context.strokeStyle = colours.accent;
-  context.lineWidth = 3 * unit;
-  context.beginPath();
-  context.moveTo(map.x(x1), map.y(y1));
-  context.lineTo(map.x(x2), map.y(y2));
-  context.stroke();
-}

@@ -128,10 +128,15 @@ export class LiveEdits {
     return this.view.held.includes(camera);
   }
 
-  async wall(...ends) {
-    const [x1, y1, x2, y2] = ends.map(rounded);
-    if (await this.view.send({command: 'wall', x1, y1, x2, y2}))
-      this.say(`wall from (${x1}, ${y1}) to (${x2}, ${y2}) added`);
+  /** Draws with a tool of drawing-tools.js between two places. */
+  async draw(tool, places) {
+    const [x1, y1, x2, y2] = places;
+    if (await this.view.send(tool.command(places)))
+      this.say(`${tool.name} from (${x1}, ${y1}) to (${x2}, ${y2}) added`);
+  }
+
+  removeZone(zone, name) {
+    this.remove(`zone ${name}`, {command: 'removezone', zone});
   }
 
   removeObstacle(obstacle) {

@@ -4,7 +4,6 @@ import {FieldView} from './field.js';
 import {Readout} from './readout.js';
 import {AgentPanel} from './agent.js';
 import {Timeline} from './timeline.js';
-import {WallForm} from './wall-form.js';
 import {TargetForm} from './target-form.js';
 
 export class Player {
@@ -12,8 +11,8 @@ export class Player {
    * @param run recorded or growing
    * @param playhead may be shared with other players
    * @param options `middle`: an element between the field and the timeline;
-   *   `edit`: what can be done to cameras and walls, as {@link PoseForm}, {@link ViewTable} and
-   *   {@link WallForm} say;
+   *   `edit`: what can be done to cameras, as {@link PoseForm} and {@link ViewTable} say;
+   *   `draw`: the {@link DrawForm}, if the site can be drawn; `tools`: elements beside the field;
    *   `heat(figure)` when one of `figures` of the heat map is chosen, if there can be a heat map;
    *   `ceiling()`: the value that the axis of k_min reaches at least
    */
@@ -30,24 +29,27 @@ export class Player {
       pick: target => this.targets?.choose(target),
       heat: options.heat,
       figures: options.figures,
-      line: ends => edit.wall(...ends),
-      drawing: ends => this.walls.show(ends),
+      line: places => options.draw.complete(places),
+      drawing: places => options.draw.show(places),
     };
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run, options.edit);
     this.timeline = new Timeline(playhead, on);
-    this.walls = edit && new WallForm(run.setup, edit, on => this.field.setDrawing(on));
     this.targets = edit && new TargetForm(run.setup, edit);
-    if (edit)
-      this.agent.element.append(
-        ...[this.walls, this.targets].map(({element}) => element).filter(Boolean),
-      );
+    this.agent.element.hidden = !run.setup.cameras.length;
+    const tools = [...(options.tools ?? []), this.targets?.element].filter(Boolean);
     this.element = el(
       'div',
       {class: 'player'},
       this.field.element,
-      el('div', {class: 'side'}, this.readout.element, this.agent.element),
+      el(
+        'div',
+        {class: 'side'},
+        this.readout.element,
+        this.agent.element,
+        tools.length ? el('section', {class: 'tools', 'aria-label': 'the site'}, ...tools) : null,
+      ),
       options.middle,
       this.timeline.element,
     );

@@ -11,6 +11,7 @@ import {heat} from './heat-layer.js';
 import {obstacles} from './obstacle-layer.js';
 import {tracks, trails} from './path-layers.js';
 import {densityZones, shadows, views} from './view-layers.js';
+import {zones} from './zone-layer.js';
 
 /** All layers, the lowest first. */
 export const LAYERS = [
@@ -18,6 +19,7 @@ export const LAYERS = [
   grid,
   heat,
   beliefs,
+  zones,
   densityZones,
   views,
   shadows,
@@ -45,6 +47,7 @@ export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleB
  * - `floor`: a list of {area, image}, painted with `opacity`
  * - `trails`: whether the targets' last steps are shown; `tracks(context)`: paints their tracks, or
  *   nothing
+ * - `zones`: a list of records ShownZone, or nothing
  * - `belief`: a record BeliefFrame, or nothing
  * - `host`: what each canvas does in its own way. `pattern(side, paint)` returns a fill style,
  *   `cells(columns, rows, colourOf)` an image, and `through(context, mask, style)` fills what

@@ -14,7 +14,7 @@ export class TargetForm {
     this.element = targets.length
       ? el(
           'details',
-          {class: 'pose walls'},
+          {class: 'pose drawing'},
           el('summary', {}, 'targets'),
           el(
             'p',

@@ -2,16 +2,28 @@
 import {ChoiceForm} from './choice.js';
 import {Controls, onKeys} from './controls.js';
 import {el, setText} from './dom.js';
+import {DrawForm} from './draw-form.js';
 import {unpackHeat} from './heat.js';
 import {LiveEdits} from './live-edits.js';
 import {LivePlayhead} from './live-playhead.js';
 import {scoreText} from './names.js';
 import {decimals} from './numbers.js';
+import {PlanForm} from './plan-form.js';
 import {Player} from './player.js';
 import {Run, thinned} from './run.js';
 
 const MAX_FRAMES = 8000;
 const RECENT_STEPS = 100;
+
+const LIVE_NOTE =
+  'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten ' +
+  'times as far). After a new model, policy, camera or wall the targets go on, and learning ' +
+  'begins again.';
+const PLAN_NOTE =
+  '1. Set the scale: choose "scale", click both ends of a length that you know, and type it. ' +
+  '2. Draw walls, shelves, and zones with what they ask for. 3. Plan the cameras, or hang them ' +
+  'yourself: where they are, then where they look. Drag them, and watch what is met. ' +
+  '4. Save the scenario beside the plan.';
 
 /** Builds the page; `data` is what LivePage wrote. */
 export async function viewPage(root, data) {
@@ -34,6 +46,7 @@ class LiveView {
     this.twice = el('button', {
       type: 'button',
       id: 'compare',
+      class: 'simulating',
       onclick: () => this.send({command: 'compare', on: this.runs.length < 2}),
     });
     this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
@@ -51,6 +64,10 @@ class LiveView {
       this.place,
     );
     this.edits = new LiveEdits(this, status);
+    this.draw = new DrawForm(data, this.edits, outline =>
+      this.players.forEach(({field}) => field.setDrawing(outline)),
+    );
+    this.plan = new PlanForm(command => this.send(command));
     this.playhead = new LivePlayhead(command => this.send(command));
     this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
     this.controls.listen();
@@ -59,7 +76,7 @@ class LiveView {
   }
 
   header() {
-    const {scenario} = this.data;
+    const {scenario, tools} = this.data;
     return el(
       'header',
       {class: 'live'},
@@ -71,22 +88,25 @@ class LiveView {
         ...['undo', 'redo'].map(command =>
           el('button', {type: 'button', id: command, onclick: () => this.send({command})}, command),
         ),
-        el('button', {type: 'button', id: 'restart', onclick: () => this.restart()}, 'restart'),
-        el('label', {}, 'with seed ', this.seed),
-        el('label', {}, this.keep, ' keep changes'),
+        el(
+          'button',
+          {type: 'button', id: 'restart', class: 'simulating', onclick: () => this.restart()},
+          'restart',
+        ),
+        el('label', {class: 'simulating'}, 'with seed ', this.seed),
+        el('label', {class: 'simulating'}, this.keep, ' keep changes'),
         el(
           'a',
-          {href: 'scenario.xml', id: 'save', class: 'button', download: `${scenario}-edited.xml`},
+          {
+            href: 'scenario.xml',
+            id: 'save',
+            class: 'button',
+            download: `${scenario}${tools.plan ? '' : '-edited'}.xml`,
+          },
           'save scenario',
         ),
       ),
-      el(
-        'p',
-        {class: 'note'},
-        'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ' +
-          'ten times as far). After a new model, policy, camera or wall the targets go on, and ' +
-          'learning begins again.',
-      ),
+      el('p', {class: 'note'}, tools.plan ? PLAN_NOTE : LIVE_NOTE),
     );
   }
 
@@ -151,23 +171,23 @@ class LiveView {
 
   /** Builds the players; the forms only for new simulations, because somebody may be typing. */
   build(fresh) {
-    const focused = this.place.querySelector('.walls :focus');
+    const focused = this.place.querySelector('.tools :focus');
     this.playhead.listeners = [];
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
     if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
-    this.players = this.runs.map(run => this.player(run));
-    this.selectTogether();
+    this.players = this.runs.map((run, side) => this.player(run, side));
+    this.players.forEach(({field}) => field.setDrawing(this.draw.outline));
+    if (this.runs[0].setup.cameras.length) this.selectTogether();
+    this.root.classList.toggle('untargeted', !this.runs[0].setup.targets.length);
+    this.showZones(this.zones);
     this.showHeat(this.figure);
     if (fresh) this.buildColumns();
     this.columns.forEach((column, i) => {
       column.querySelector('.player')?.remove();
       column.append(this.players[i].element);
     });
-    if (focused) {
-      const selector = focused.name ? `[name=${focused.name}]` : `.${focused.className}`;
-      this.place.querySelector(`.walls ${selector}`)?.focus();
-    }
+    focused?.focus(); // it may have moved to a new player
     setText(this.twice, this.runs.length > 1 ? 'one model only' : 'second model next to it');
     this.refresh();
   }
@@ -182,9 +202,11 @@ class LiveView {
     );
   }
 
-  player(run) {
+  player(run, side) {
     return new Player(run, this.playhead, {
       edit: this.edits,
+      draw: this.draw,
+      tools: side ? [] : [this.draw.element, this.plan.element],
       ceiling: () => Math.max(...this.runs.map(({highestKMin}) => highestKMin)),
       heat: figure => this.chooseHeat(figure),
       figures: this.data.figures,
@@ -276,19 +298,31 @@ class LiveView {
     if (this.figure && this.heated && !state.heat) this.showHeat(''); // another page turned it off
     this.heated = Boolean(state.heat);
     this.players.forEach(player => player.agent.show(this.playhead.frame));
-    this.showShares(state.shares);
+    this.showZones(state.zones);
+    this.plan.show(state.plan);
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.showFault(state.fault);
     this.warning.hidden = !state.warning;
     setText(this.warning, state.warning ?? '');
-    if (!this.started && state.next <= 1 && !state.running) this.playhead.play();
+    const plays = this.runs[0]?.setup.targets.length;
+    if (!this.started && plays && state.next <= 1 && !state.running) this.playhead.play();
     this.started = true;
   }
 
-  showShares(shares) {
-    this.shares.hidden = !shares;
-    const texts = (shares ?? []).map(({zone, met}) => `${decimals(100 * met, 1)} % of ${zone}`);
+  /** Shows the zones, records ShownZone, and what the cameras can see of each. */
+  showZones(zones = []) {
+    this.zones = zones;
+    const known = zones.filter(({met}) => met !== undefined);
+    this.shares.hidden = !known.length;
+    const texts = known.map(
+      ({name, demand, met}) => `${decimals(100 * met, 1)} % of ${name} (${demand})`,
+    );
     setText(this.shares, `The cameras can see ${texts.join(', ')}`);
+    this.draw.listDrawn(
+      this.runs[0]?.setup.obstacles ?? [],
+      zones.filter(({points}) => points.length),
+    );
+    this.players.forEach(({field}) => field.set('zones', zones));
   }
 
   /** Shows a camera in another pose in all simulations at once. */

@@ -51,6 +51,7 @@ export class ZoomStrip extends Strip {
   paint(context, width, height) {
     const {run} = this;
     const cameras = run.setup.cameras.length;
+    if (!cameras) return;
     const columns = this.surface.canvas.width;
     const image = new ImageData(columns, cameras);
     const first = run.step[0];

@@ -19,6 +19,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
@@ -248,8 +249,12 @@ class LiveRunTest {
     for (CameraSpec camera : cameras) {
       live.edit(
           scenario ->
-              scenario.addWall(
-                  camera.x() + 0.01, camera.y() - 0.02, camera.x() + 0.01, camera.y() + 0.02));
+              addWall(
+                  scenario,
+                  camera.x() + 0.01,
+                  camera.y() - 0.02,
+                  camera.x() + 0.01,
+                  camera.y() + 0.02));
     }
     assertEquals(cameras.size(), live.sides().get(0).setup().obstacles().size());
     int withWalls = detections(live, 60);
@@ -282,7 +287,7 @@ class LiveRunTest {
     Scenario before = live.scenario();
     InputException refused =
         assertThrows(
-            InputException.class, () -> live.edit(scenario -> scenario.addWall(x1, y1, x2, y2)));
+            InputException.class, () -> live.edit(scenario -> addWall(scenario, x1, y1, x2, y2)));
     assertTrue(refused.getMessage().contains(expected), refused.getMessage());
     assertThrows(InputException.class, () -> live.edit(scenario -> scenario.removeObstacle(0)));
     assertEquals(before, live.scenario());
@@ -297,8 +302,8 @@ class LiveRunTest {
         () ->
             live.edit(
                 scenario ->
-                    scenario.addWall(first.x(), first.y() - 0.1, first.x(), first.y() + 0.1)));
-    live.edit(scenario -> scenario.addWall(0.123, -1, 0.123, 1));
+                    addWall(scenario, first.x(), first.y() - 0.1, first.x(), first.y() + 0.1)));
+    live.edit(scenario -> addWall(scenario, 0.123, -1, 0.123, 1));
     assertThrows(InputException.class, () -> live.drag(0, 0.123, 0.5));
     assertThrows(InputException.class, () -> live.addCopy(0, 0.123, 0.5));
   }
@@ -313,7 +318,7 @@ class LiveRunTest {
     Scenario moved = live.scenario();
     live.edit(scenario -> scenario.removeCamera(0));
     live.edit(scenario -> scenario.removeTarget(1));
-    live.edit(scenario -> scenario.addWall(-3, -3, -2, -3));
+    live.edit(scenario -> addWall(scenario, -3, -3, -2, -3));
     assertEquals(before.cameras().size() - 1, live.scenario().cameras().size());
     assertEquals(before.everyTarget().count() - 1, live.step().sides().get(0).frame().x().length);
     Scenario after = live.scenario();
@@ -348,7 +353,7 @@ class LiveRunTest {
     LiveRun live = live("cluster-scripted", 0);
     steps(live, 10);
     live.setPaused(true);
-    live.edit(scenario -> scenario.addWall(-3, -3, -2, -3));
+    live.edit(scenario -> addWall(scenario, -3, -3, -2, -3));
     assertEquals(9, live.step().number());
     live.undo();
     assertEquals(9, live.step().number());
@@ -368,7 +373,8 @@ class LiveRunTest {
     double y = (from.y() + to.y()) / 2;
     live.edit(
         scenario ->
-            scenario.addWall(
+            addWall(
+                scenario,
                 x - 0.1 * (to.y() - from.y()),
                 y + 0.1 * (to.x() - from.x()),
                 x + 0.1 * (to.y() - from.y()),
@@ -401,7 +407,7 @@ class LiveRunTest {
   @Test
   void writesWallsAndOpticsOfEditedScenario() throws Exception {
     LiveRun live = live(Scenarios.hall(), zoomOut(), 7);
-    live.edit(scenario -> scenario.addWall(25, 15, 28.5, 15));
+    live.edit(scenario -> addWall(scenario, 25, 15, 28.5, 15));
     live.edit(scenario -> scenario.removeObstacle(1));
     live.turn(0, 45);
     Path file = folder.resolve("edited.xml");
@@ -525,6 +531,10 @@ class LiveRunTest {
 
   private static Frame frame(LiveStep step, int side) {
     return step.sides().get(side).frame();
+  }
+
+  private static void addWall(EditedScenario scenario, double x1, double y1, double x2, double y2) {
+    scenario.addObstacle(DrawnObstacle.WALL, new Point(x1, y1), new Point(x2, y2), null);
   }
 
   private static void steps(LiveRun live, int count) {

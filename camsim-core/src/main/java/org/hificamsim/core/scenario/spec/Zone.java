@@ -124,6 +124,23 @@ in a world with heights | any
     return of("field", Shape.FIELD, List.of());
   }
 
+  /** Returns the zones of a site: the whole field if there are none. */
+  public static List<Zone> ofSite(List<Zone> zones) {
+    return zones.isEmpty() ? List.of(ofField()) : zones;
+  }
+
+  /** Returns the zone under another name. */
+  public Zone named(String newName) {
+    return new Zone(
+        newName, shape, points, detection, k, weight, facing, facingTolerance, maxDepression);
+  }
+
+  /** Returns the zone at another place. */
+  public Zone withPoints(List<Point> newPoints) {
+    return new Zone(
+        name, shape, newPoints, detection, k, weight, facing, facingTolerance, maxDepression);
+  }
+
   /** Fills in the detection and the number of cameras that the zone does not give. */
   public Zone withDefaults(String defaultDetection, Objective objective) {
     int cameras = objective instanceof Objective.Covered covered ? covered.k() : 1;

@@ -1,0 +1,65 @@
+package org.hificamsim.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Floorplan;
+import org.hificamsim.tracks.DrawnSite;
+import org.hificamsim.tracks.SiteSettings;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.LocalProjection;
+import org.hificamsim.tracks.place.Drawing;
+import org.hificamsim.tracks.place.WallFile;
+
+/**
+ * Makes a site from a floor plan: a drawing, a map or a picture.
+ *
+ * @param file the plan
+ * @param options how it is read
+ */
+record PlanReader(Path file, PlanOptions options) {
+  /** Whether the plan is a picture, without walls. */
+  boolean isPicture() {
+    return hasEnding("png|jpe?g");
+  }
+
+  /** Whether the plan is a drawing whose unit may be on paper. */
+  boolean isSvg() {
+    return hasEnding("svgz?");
+  }
+
+  private boolean hasEnding(String endings) {
+    return file.toString().toLowerCase(Locale.ROOT).matches(".*\\.(" + endings + ")");
+  }
+
+  /** Reads the walls; empty for a picture. */
+  Optional<Drawing> drawing(LocalProjection projection) {
+    Unit usual = WallFile.isGeoJson(file) ? Unit.DEG : Unit.M;
+    return isPicture() ? Optional.empty() : Optional.of(options.read(file, usual, projection));
+  }
+
+  /**
+   * Makes the site.
+   *
+   * @param settings without walls and floor plan
+   * @param floorplan under the site
+   */
+  DrawnSite site(SiteSettings settings, Optional<Drawing> drawing, Optional<Floorplan> floorplan) {
+    SiteSettings whole =
+        new SiteSettings(
+            settings.name(),
+            file,
+            settings.cameras(),
+            settings.margin(),
+            settings.step(),
+            drawing.map(read -> read.obstacles(options.walkable())).orElse(List.of()),
+            floorplan);
+    Field drawn = drawing.map(Drawing::field).orElseGet(() -> floorplan.orElseThrow().area());
+    List<List<Point>> walkable =
+        options.walkable() ? drawing.map(Drawing::walkableBorders).orElse(List.of()) : List.of();
+    return new DrawnSite(whole, drawn, walkable);
+  }
+}

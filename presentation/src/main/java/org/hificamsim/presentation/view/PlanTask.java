@@ -1,0 +1,90 @@
+package org.hificamsim.presentation.view;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.runs.RunFault;
+
+/** Plans cameras on a thread of its own, while the session goes on. One plan at a time. */
+final class PlanTask implements Planner.Watcher {
+  /**
+   * The state of the plan.
+   *
+   * @param event what happens, or what the last plan meets
+   * @param share of the work that is done, in [0, 1]
+   * @param fault why there is no plan; empty otherwise
+   */
+  record Message(
+      boolean running,
+      String event,
+      double share,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) String fault) {}
+
+  private final Runnable changed;
+  private volatile Message message; // null before the first plan
+  private volatile boolean stopped;
+
+  /**
+   * @param changed is told on any thread when the message has changed
+   */
+  PlanTask(Runnable changed) {
+    this.changed = changed;
+  }
+
+  /** The state; null before the first plan. */
+  Message message() {
+    return message;
+  }
+
+  /**
+   * Starts to plan.
+   *
+   * @param use takes the plan, on the thread of the task
+   * @throws InputException if a plan is being made
+   */
+  synchronized void start(
+      Function<Planner.Watcher, Planner.Plan> planning, Consumer<Planner.Plan> use) {
+    if (message != null && message.running) {
+      throw new InputException("cameras are being planned, expected to wait or to stop that");
+    }
+    stopped = false;
+    show(new Message(true, "begins", 0, ""));
+    Parallel.daemons("plan").newThread(() -> plan(planning, use)).start();
+  }
+
+  @SuppressWarnings("CatchingUnchecked") // whatever fails is shown on the page
+  private void plan(Function<Planner.Watcher, Planner.Plan> planning, Consumer<Planner.Plan> use) {
+    try {
+      Planner.Plan plan = planning.apply(this);
+      use.accept(plan);
+      show(new Message(false, plan.summary(), 1, ""));
+    } catch (InputException e) {
+      show(new Message(false, "", 0, Place.printable(e.getMessage())));
+    } catch (RuntimeException | Error e) {
+      show(new Message(false, "", 0, Place.printable(RunFault.describe(e))));
+    }
+  }
+
+  /** Ends the search of the plan that is being made, if there is one. */
+  void stop() {
+    stopped = true;
+  }
+
+  @Override
+  public boolean isStopped() {
+    return stopped;
+  }
+
+  @Override
+  public void progressed(String event, double share) {
+    show(new Message(true, event, share, ""));
+  }
+
+  private void show(Message shown) {
+    message = shown;
+    changed.run();
+  }
+}

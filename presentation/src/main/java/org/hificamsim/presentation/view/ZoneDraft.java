@@ -1,0 +1,56 @@
+package org.hificamsim.presentation.view;
+
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.spec.Zone;
+
+/**
+ * What a zone that is being drawn asks for.
+ *
+ * @param name empty for any
+ * @param detection that must see there
+ * @param k the number of cameras that must see there
+ * @param facing where faces look that have to be seen, degrees; null for any
+ * @param maxDepression the steepest view down at a face, degrees; null for any
+ */
+record ZoneDraft(String name, String detection, int k, Double facing, Double maxDepression) {
+  private static final int MAX_K = 100;
+  private static final double FULL_TURN = 360;
+  private static final double RIGHT_ANGLE = 90;
+
+  /**
+   * Returns the zone between two opposite corners.
+   *
+   * @throws InputException if it has no area, or asks for what makes no sense
+   */
+  Zone between(Point corner, Point opposite) {
+    check("k", k, 1, MAX_K);
+    if (facing != null) {
+      check("facing", facing, -FULL_TURN, FULL_TURN);
+    }
+    if (maxDepression != null) {
+      check("max_depression", maxDepression, Double.MIN_VALUE, RIGHT_ANGLE);
+    }
+    if (corner.x() == opposite.x() || corner.y() == opposite.y()) {
+      throw new InputException("the zone has no area, expected two opposite corners");
+    }
+    return new Zone(
+        name,
+        Zone.Shape.RECTANGLE,
+        List.of(corner, opposite),
+        detection,
+        k,
+        1.0,
+        facing,
+        null,
+        maxDepression);
+  }
+
+  private static void check(String name, double value, double least, double most) {
+    if (!(value >= least && value <= most)) {
+      throw InputException.of(
+          "%s is %s, expected a number from %s to %s", name, value, least, most);
+    }
+  }
+}

@@ -1,0 +1,128 @@
+// The form of the tools that draw walls, shelves, pillars, zones and cameras, and that remove them.
+import {drawingTools} from './drawing-tools.js';
+import {el} from './dom.js';
+import {decimals} from './numbers.js';
+import {rounded} from './pose-form.js';
+import {located} from './site.js';
+
+const ENDS = ['x1', 'y1', 'x2', 'y2'];
+
+export class DrawForm {
+  /**
+   * @param data what LivePage wrote
+   * @param edit `draw(tool, places)` in metres, `removeObstacle(obstacle)`, `removeZone(zone)`
+   * @param onOutline is called with the outline that pressing in the field begins; '' for none
+   */
+  constructor(data, edit, onOutline) {
+    this.edit = edit;
+    this.onOutline = onOutline;
+    this.tools = drawingTools(data);
+    this.ends = ENDS.map(name => el('input', {type: 'number', step: 'any', name, required: true}));
+    this.choice = el(
+      'select',
+      {name: 'tool', 'aria-label': 'what is drawn', onchange: () => this.choose()},
+      ...this.tools.map(({name}) => el('option', {value: name}, name)),
+    );
+    this.inputs = el('span', {class: 'tool'});
+    this.draw = el(
+      'button',
+      {
+        type: 'button',
+        class: 'draw',
+        'aria-pressed': String(data.tools.plan),
+        onclick: () => this.setDrawing(!this.isDrawing),
+      },
+      'draw with the mouse',
+    );
+    this.list = el('select', {name: 'drawn', 'aria-label': 'what is removed'});
+    this.removal = el(
+      'p',
+      {hidden: true},
+      this.list,
+      el('button', {type: 'button', class: 'remove', onclick: () => this.remove()}, 'remove'),
+    );
+    this.element = el(
+      'details',
+      {class: 'pose drawing', open: data.tools.plan},
+      el('summary', {}, 'draw'),
+      el(
+        'form',
+        {onsubmit: event => this.add(event)},
+        this.choice,
+        this.draw,
+        this.inputs,
+        ...this.ends.map((input, i) => el('label', {}, `${ENDS[i]} `, input)),
+        el('button', {class: 'add-drawn'}, 'add'),
+      ),
+      this.removal,
+    );
+    const first = data.tools.scaled ? 'wall' : 'scale';
+    this.choice.value = first;
+    this.choose();
+  }
+
+  get tool() {
+    return this.tools.find(({name}) => name === this.choice.value);
+  }
+
+  get isDrawing() {
+    return this.draw.getAttribute('aria-pressed') === 'true';
+  }
+
+  /** What pressing in the field begins; '' for nothing. */
+  get outline() {
+    return this.isDrawing ? this.tool.outline : '';
+  }
+
+  /** Shows the inputs of the chosen tool. */
+  choose() {
+    this.inputs.replaceChildren(
+      ...this.tool.inputs.map(({label, input}) => el('label', {}, `${label} `, input)),
+    );
+    this.onOutline(this.outline);
+  }
+
+  setDrawing(on) {
+    this.draw.setAttribute('aria-pressed', String(on));
+    this.onOutline(this.outline);
+  }
+
+  add(event) {
+    event.preventDefault();
+    this.edit.draw(
+      this.tool,
+      this.ends.map(({value}) => rounded(Number(value))),
+    );
+  }
+
+  /** Shows the places that are being drawn. */
+  show(places) {
+    this.ends.forEach((input, i) => (input.value = decimals(places[i], 3)));
+  }
+
+  /** Takes the places that have been drawn. */
+  complete(places) {
+    this.show(places);
+    const {asks} = this.tool;
+    if (asks) asks.focus();
+    else this.edit.draw(this.tool, places.map(rounded));
+  }
+
+  /** Lists the obstacles and zones that can be removed. */
+  listDrawn(obstacles, zones) {
+    const removals = [
+      ...obstacles.map((obstacle, i) => [located(obstacle), () => this.edit.removeObstacle(i)]),
+      ...zones.map(({name}, i) => [`zone ${name}`, () => this.edit.removeZone(i, name)]),
+    ];
+    const texts = removals.map(([text]) => text);
+    this.removals = removals.map(([, remove]) => remove);
+    this.removal.hidden = !removals.length;
+    if (texts.join() === this.listed) return; // somebody may be choosing
+    this.listed = texts.join();
+    this.list.replaceChildren(...texts.map((text, i) => el('option', {value: i}, text)));
+  }
+
+  remove() {
+    this.removals[Number(this.list.value)]?.();
+  }
+}
