@@ -16,6 +16,7 @@ from .worlds import Worlds, scenarios, tasks
 if TYPE_CHECKING:
     from .entries import benchmark
     from .experts import dataset
+    from .offline import from_minari, to_minari
     from .parallel import CameraEnv, env, parallel_env
     from .registry import ids, make, register
     from .results import Plan, Results, compare, execute, place, read_results, run
@@ -29,6 +30,8 @@ _LATER = {
     "benchmark": "entries",
     "dataset": "experts",
     "env": "parallel",
+    "from_minari": "offline",
+    "to_minari": "offline",
     "parallel_env": "parallel",
     "ids": "registry",
     "make": "registry",
@@ -71,6 +74,7 @@ __all__ = [
     "dataset",
     "env",
     "execute",
+    "from_minari",
     "ids",
     "make",
     "parallel_env",
@@ -79,6 +83,7 @@ __all__ = [
     "register",
     "run",
     "single_env",
+    "to_minari",
     "torchrl_env",
     "vector_env",
 ]

@@ -12,7 +12,7 @@ from .worlds import Array, Worlds
 
 
 def dataset(
-    scenario: str | os.PathLike[str], expert: str = "cooperative", episodes: int = 1, **settings: Any
+    scenario: str | os.PathLike[str], expert: str = "cooperative", episodes: int = 1, *, idle: bool = False, **settings: Any
 ) -> dict[str, Array]:
     """The decisions of an expert that plays, one for each camera and step, but for cameras on their way.
 
@@ -22,6 +22,8 @@ def dataset(
     of the seed plus i.
 
     :param expert: a policy, perhaps with options
+    :param idle: whether cameras on their way and offline ones have rows as well, with the first action that their mask
+        allows; ``to_minari`` needs these
     :param settings: of ``Worlds``, but for ``actions`` and ``auto_reset``
     """
     for name in ("actions", "auto_reset"):
@@ -35,9 +37,10 @@ def dataset(
         while not worlds.ends.any():
             seen = {"observations": worlds.observations.copy(), "masks": worlds.masks.copy()}
             worlds.step()
-            episode, camera = np.nonzero(worlds.advice >= 0)
+            chosen = np.where(worlds.advice < 0, seen["masks"].argmax(-1), worlds.advice) if idle else worlds.advice
+            episode, camera = np.nonzero(chosen >= 0)
             told = {name: array[episode, camera] for name, array in seen.items()}
-            told["actions"] = worlds.advice[episode, camera]
+            told["actions"] = chosen[episode, camera].astype(np.int32)
             followed = {
                 "rewards": worlds.rewards,
                 "next_observations": worlds.observations,

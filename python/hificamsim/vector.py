@@ -83,7 +83,7 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
         self.observation_space = batch_space(self.single_observation_space, self.num_envs)
         self.action_space = batch_space(self.single_action_space, self.num_envs)
         self._take_arrays()
-        self._counts = np.broadcast_to(spaces.counts(self.single_action_space), self.action_space.shape)
+        self._counts = np.broadcast_to(spaces.counts(self.single_action_space), self.action_space.shape or ())
         self._never = np.zeros(self.num_envs, np.bool_)
         self._begun = False
 
