@@ -441,16 +441,48 @@ def benchmark(folder):
 
 
 def trained(*files):
-    """How much more or less trained policies score in testing than in training: what python/examples/mappo.py printed."""
-    lines, tasks = {}, []
-    for file in files:
-        for method, task, training, testing in re.findall(
-            r"(\w+) (\S+)-v1: score of a step (\S+) in training, (\S+) in testing", pathlib.Path(file).read_text()
-        ):
-            change = 100 * (number(testing) / number(training) - 1)
-            lines.setdefault(method.upper(), {})[task] = f"{change:+.0f} %"
-            tasks += [] if task in tasks else [task]
-    put("trained", ["", *tasks], [[name, *(line.get(task, DASH) for task in tasks)] for name, line in lines.items()])
+    """What python/examples/measure.py wrote, by task, beside the board: run after `benchmark`."""
+    import numpy
+
+    found = {}
+    for row in (row for file in files for row in rows(".", file)):
+        method = row["training"].rsplit("-", 1)[0]
+        found.setdefault(method, {}).setdefault(row["training"], {}).setdefault(row["task"], []).append(number(row["score"]))
+    columns = {}
+    for method, trainings in found.items():
+        tasks = list(next(iter(trainings.values())))
+        scores = numpy.array([[of[task] for task in tasks] for of in trainings.values()])
+        columns[f"{method}, {len(scores)} seeds"] = intervals(scores, [task.removesuffix("-v1") for task in tasks])
+    board = {line["policy"]: line for line in rows(DOCS / "tables", "benchmark.csv")}
+    others = [name for name in ("`cooperative`", "IPPO", "MAPPO", "`softmax`", "`epsilon-greedy`", "`sarsa`") if name in board]
+    names = ["IQM", *[column for column in board[others[0]] if column not in ("policy", "IQM")]]
+    lines = [[name, *(of[name] for of in columns.values()), *(board[other][name] for other in others)] for name in names]
+    put("trained", ["", *columns, *others], lines)
+
+
+def intervals(scores, tasks):
+    """The interquartile mean and each task's mean of scores (trainings, tasks, testing seeds), with 95 % intervals by a
+    bootstrap over trainings, and within each task over testing seeds."""
+    import numpy
+
+    random = numpy.random.default_rng(1)
+    trainings, count, seeds = scores.shape
+
+    def statistics_of(drawn):
+        flat = numpy.sort(drawn.reshape(len(drawn), -1))
+        cut = flat.shape[1] // 4
+        middle = flat[:, cut : flat.shape[1] - cut].mean(1)
+        return numpy.column_stack([middle, drawn.mean((1, 3))])
+
+    draws = []
+    for _ in range(2000):
+        own = random.integers(0, trainings, trainings)
+        tested = random.integers(0, seeds, (count, seeds))
+        draws.append(scores[own][:, numpy.arange(count)[:, None], tested])
+    low, high = numpy.quantile(statistics_of(numpy.array(draws)), [0.025, 0.975], axis=0)
+    means = statistics_of(scores[None])[0]
+    written = [f"{short(m, 3)} [{short(a, 3)}, {short(b, 3)}]" for m, a, b in zip(means, low, high)]
+    return dict(zip(["IQM", *tasks], written))
 
 
 if __name__ == "__main__":

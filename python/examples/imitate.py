@@ -1,10 +1,12 @@
 """Imitation of ``cooperative``: one network learns which view its cameras choose, on all tasks at once.
 
-    python imitate.py --minutes 10 --out nets/imitation
+    python imitate.py --rounds 3 --out nets/imitation
     hificamsim benchmark run --policy onnx:nets/imitation/policy.onnx --name imitation --out out/imitation
 
-Behaviour cloning by the cross entropy of the expert's views, with episodes of training seeds. Called again with more
-minutes, it goes on from its checkpoint.
+DAgger (Ross et al. 2011, https://arxiv.org/abs/1011.0686): the expert plays the first round and the network all others,
+in which the expert says what it would do. Each round plays new episodes of every task, with training seeds, and learns
+from all so far by the cross entropy of the expert's views, at a rate that falls to nothing; every task counts as much as
+any other. Called again with more rounds, it goes on from its checkpoint.
 """
 
 from __future__ import annotations
@@ -19,49 +21,76 @@ import optax
 
 import hificamsim
 
-EPISODES, BATCH, PASSES, RATE = 2, 512, 4, 1e-3
+EXPERT = "cooperative"
+EPISODES, BATCH, STEPS, RATE = 1, 32, 250, 3e-3
 
 
-def loss(weights: learners.Weights, views: Any, masks: Any, actions: Any) -> Any:
-    """The mean cross entropy of the expert's choices."""
-    logits = jnp.where(masks, learners.apply(weights, views)[..., 0], -1e9)
-    return optax.softmax_cross_entropy_with_integer_labels(logits, actions).mean()
+def loss(actor: learners.Weights, batch: list[tuple[Any, Any, Any]]) -> Any:
+    """The cross entropy of the expert's choices, the mean over tasks."""
+    errors = []
+    for views, masks, actions in batch:
+        logits = learners.values(actor, views, masks)
+        errors.append(optax.softmax_cross_entropy_with_integer_labels(logits, actions).mean())
+    return jnp.stack(errors).mean()
+
+
+def decisions(task: str, actor: learners.Weights | None, random: np.random.Generator) -> tuple[Any, Any, Any]:
+    """What cameras saw that had a choice, and what the expert chose there: views, masks and actions.
+
+    :param actor: plays; the expert does if there is none
+    """
+    choose = (lambda views, masks: -1) if actor is None else learners.best(actor)
+    settings = {**learners.SETTINGS, "expert": EXPERT, "auto_reset": False}
+    with hificamsim.Worlds(task, EPISODES, **settings) as worlds:
+        worlds.reset(int(random.integers(0, learners.SEEDS)))
+        seen = learners.episode(worlds, choose)
+    free = (seen["advice"] >= 0) & (seen["masks"].sum(-1) > 1)
+    return seen["views"][free], seen["masks"][free], seen["advice"][free]
+
+
+def agreement(actor: learners.Weights, seen: tuple[Any, Any, Any]) -> float:
+    """The share of decisions in which the network chooses as the expert did."""
+    views, masks, actions = seen
+    return float((np.asarray(learners.values(actor, views, masks)).argmax(-1) == actions).mean())
+
+
+def drawn(seen: tuple[Any, Any, Any], random: np.random.Generator) -> tuple[Any, Any, Any]:
+    """Some of the decisions, at random."""
+    rows = random.integers(0, len(seen[-1]), BATCH)
+    views, masks, actions = (array[rows] for array in seen)
+    return views, masks, actions
 
 
 def main() -> None:
-    asked = learners.reads(__doc__, 10).parse_args()
+    asked = learners.reads(__doc__, 3).parse_args()
     keeper = learners.Keeper(asked.out)
-    kept = keeper.resume()
-    random = np.random.default_rng([asked.seed, int(60 * keeper.before)])
-    actor = kept.get("actor") or learners.network([learners.NUMBERS, asked.hidden, asked.hidden, 1], random)
-    optimizer = optax.chain(optax.clip_by_global_norm(1.0), optax.adam(RATE))
-    memory = optimizer.init(actor)
+    optimizer = optax.chain(optax.clip_by_global_norm(1.0), optax.scale_by_adam())
+    sizes = [learners.NUMBERS, asked.hidden, asked.hidden, 1]
+    actor = learners.network(sizes, np.random.default_rng(asked.seed))
+    learned = keeper.resume({"actor": actor, "memory": optimizer.init(actor)})
 
     @jax.jit
-    def step(actor: Any, memory: Any, views: Any, masks: Any, actions: Any) -> Any:
-        error, slopes = jax.value_and_grad(loss)(actor, views, masks, actions)
-        changes, memory = optimizer.update(slopes, memory)
-        return optax.apply_updates(actor, changes), memory, error
+    def step(learned: dict[str, Any], rate: Any, batch: list[tuple[Any, Any, Any]]) -> tuple[dict[str, Any], Any]:
+        error, slopes = jax.value_and_grad(loss)(learned["actor"], batch)
+        changes, memory = optimizer.update(slopes, learned["memory"])
+        changes = jax.tree.map(lambda change: -rate * change, changes)
+        return {"actor": optax.apply_updates(learned["actor"], changes), "memory": memory}, error
 
-    rounds = 0
-    while keeper.minutes() < asked.minutes:
-        errors, same = [], []
-        for task in asked.tasks:
-            seed = int(random.integers(0, 890_000))
-            pairs = hificamsim.dataset(task, episodes=EPISODES, seed=seed, **learners.SETTINGS)
-            masks = pairs["masks"].astype(bool)
-            free = np.flatnonzero(masks.sum(-1) > 1)
-            masks, actions = masks[free], pairs["actions"][free]
-            views = learners.views_of(pairs["observations"][free], masks)
-            found = np.asarray(learners.values(actor, views, masks)).argmax(-1)
-            same.append(float((found == actions).mean()))
-            for _ in range(PASSES):
-                for part in learners.batches(len(actions), BATCH, random):
-                    actor, memory, error = step(actor, memory, views[part], masks[part], actions[part])
-                    errors.append(float(error))
-        rounds += 1
-        keeper.save(actor=actor)
-        keeper.note(round=rounds, loss=round(np.mean(errors), 4), agreement=round(np.mean(same), 4))
+    seen: dict[str, list[tuple[Any, Any, Any]]] = {task: [] for task in asked.tasks}
+    while keeper.rounds < asked.rounds:
+        random = np.random.default_rng([asked.seed, keeper.rounds])
+        player = learned["actor"] if keeper.rounds else None
+        new = {task: decisions(task, player, random) for task in asked.tasks}
+        same = np.mean([agreement(learned["actor"], found) for found in new.values()])
+        for task, found in new.items():
+            seen[task].append(found)
+        errors = []
+        for i in range(STEPS):
+            rate = RATE * max(0.01, 1 - (keeper.rounds + i / STEPS) / asked.rounds)
+            batch = [drawn(kept[random.integers(len(kept))], random) for kept in seen.values()]
+            learned, error = step(learned, rate, batch)
+            errors.append(float(error))
+        keeper.keep(learned, loss=round(float(np.mean(errors)), 4), agreement=round(float(same), 4))
 
 
 if __name__ == "__main__":

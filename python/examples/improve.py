@@ -1,11 +1,11 @@
 """IPPO and MAPPO from an imitation on: one network for all tasks goes on learning by rewards.
 
-    python imitate.py --minutes 6 --out nets/imitation
-    python improve.py mappo --start nets/imitation --minutes 20 --out nets/mappo
+    python imitate.py --out nets/imitation
+    python improve.py mappo --start nets/imitation --rounds 6 --out nets/mappo
 
 The critic of IPPO (de Witt et al. 2020, https://arxiv.org/abs/2011.09533) values what a camera's own views promise; that
 of MAPPO (Yu et al. 2022, https://arxiv.org/abs/2103.01955) also what those of all cameras do, in training alone. Both
-are sums over views and cameras, so that they fit any site. Episodes have training seeds; called again with more minutes,
+are sums over views and cameras, so that they fit any site. Episodes have training seeds; called again with more rounds,
 it goes on from its checkpoint.
 """
 
@@ -71,42 +71,38 @@ def prepared(networks: Any, method: str, seen: dict[str, Any]) -> dict[str, Any]
 
 
 def main() -> None:
-    parser = learners.reads(__doc__, 20)
+    parser = learners.reads(__doc__, 6)
     parser.add_argument("method", choices=["ippo", "mappo"])
     parser.add_argument("--start", type=pathlib.Path, help="folder of a training to go on from")
     parser.add_argument("--reward", default="score", help="of hificamsim's rewards")
     asked = parser.parse_args()
     keeper = learners.Keeper(asked.out)
-    networks = keeper.resume()
-    random = np.random.default_rng([asked.seed, int(60 * keeper.before)])
-    if not networks:
-        sizes = [asked.hidden, asked.hidden, 1]
-        actor = learners.actor_of(asked.start) if asked.start else learners.network([learners.NUMBERS, *sizes], random)
-        width = 2 * learners.NUMBERS * (2 if asked.method == "mappo" else 1)
-        networks = {"actor": actor, "critic": learners.network([width, *sizes], random)}
+    begun, sizes = np.random.default_rng(asked.seed), [asked.hidden, asked.hidden, 1]
+    actor = learners.actor_of(asked.start) if asked.start else learners.network([learners.NUMBERS, *sizes], begun)
+    width = 2 * learners.NUMBERS * (2 if asked.method == "mappo" else 1)
+    networks = {"actor": actor, "critic": learners.network([width, *sizes], begun)}
     optimizer = optax.chain(optax.clip_by_global_norm(0.5), optax.adam(RATE))
-    memory = optimizer.init(networks)
+    learned = keeper.resume({**networks, "memory": optimizer.init(networks)})
 
     @jax.jit
-    def step(networks: Any, memory: Any, data: dict[str, Any]) -> Any:
-        changes, memory = optimizer.update(jax.grad(loss)(networks, data), memory)
-        return optax.apply_updates(networks, changes), memory
+    def step(learned: dict[str, Any], data: dict[str, Any]) -> dict[str, Any]:
+        networks = {name: learned[name] for name in ("actor", "critic")}
+        changes, memory = optimizer.update(jax.grad(loss)(networks, data), learned["memory"])
+        return {**optax.apply_updates(networks, changes), "memory": memory}
 
-    rounds = 0
-    while keeper.minutes() < asked.minutes:
-        row = {}
+    while keeper.rounds < asked.rounds:
+        random = np.random.default_rng([asked.seed, keeper.rounds])
+        scores = {}
         for task in asked.tasks:
             with hificamsim.Worlds(task, WORLDS, auto_reset=False, reward=asked.reward, **learners.SETTINGS) as worlds:
-                worlds.reset(int(random.integers(0, 890_000)))
-                seen = learners.episode(worlds, learners.drawing(networks["actor"], random))
-            row[task.removeprefix("bench/")] = round(float(seen.pop("scores").mean()), 4)
-            data = prepared(networks, asked.method, seen)
+                worlds.reset(int(random.integers(0, learners.SEEDS)))
+                seen = learners.episode(worlds, learners.drawing(learned["actor"], random))
+            scores[task.removeprefix("bench/")] = round(float(seen.pop("scores").mean()), 4)
+            data = prepared(learned, asked.method, seen)
             for _ in range(PASSES):
                 for part in learners.batches(len(data["actions"]), BATCH, random):
-                    networks, memory = step(networks, memory, {name: array[part] for name, array in data.items()})
-        rounds += 1
-        keeper.save(**networks)
-        keeper.note(round=rounds, **row)
+                    learned = step(learned, {name: array[part] for name, array in data.items()})
+        keeper.keep(learned, **scores)
 
 
 if __name__ == "__main__":

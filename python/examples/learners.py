@@ -29,6 +29,7 @@ Array = Any
 Weights = list[Array]
 
 NUMBERS = 10  # of a view
+SEEDS = 890_000  # of training, from 0 on
 SETTINGS: dict[str, Any] = {"belief": True, "targets": 0, "neighbours": 0, "threads": 1}
 
 
@@ -81,7 +82,7 @@ def episode(worlds: hificamsim.Worlds, choose: Callable[[Array, Array], Array]) 
         actions = np.asarray(choose(views, masks))
         worlds.actions[..., 0] = actions
         worlds.step()
-        seen = {"views": views, "masks": masks, "actions": actions}
+        seen = {"views": views, "masks": masks, "actions": actions, "advice": worlds.advice.copy()}
         seen |= {"rewards": worlds.rewards.copy(), "scores": worlds.measures[:, 2].copy()}
         for name, array in seen.items():
             parts.setdefault(name, []).append(array)
@@ -103,13 +104,6 @@ def drawing(weights: Weights, random: np.random.Generator) -> Callable[[Array, A
     return choose
 
 
-def score(weights: Weights, task: str, first: int = 900_000, episodes: int = 4) -> float:
-    """The mean score of a step of the choices that are thought best, on training seeds that nobody learns from."""
-    with hificamsim.Worlds(task, episodes, auto_reset=False, **SETTINGS) as worlds:
-        worlds.reset(first)
-        return float(episode(worlds, best(weights))["scores"].mean())
-
-
 def batches(count: int, size: int, random: np.random.Generator) -> Iterator[Array]:
     """The numbers below ``count`` in a random order, in parts of ``size``; a smaller rest is left out."""
     order = random.permutation(count)
@@ -125,14 +119,19 @@ class Keeper:
         self.folder = folder
         self.begun = time.process_time()
         self.before = 0.0
+        self.rounds = 0
 
     def minutes(self) -> float:
         """Of processor time, those before a checkpoint included."""
         return self.before + (time.process_time() - self.begun) / 60
 
-    def note(self, **row: Any) -> None:
-        """Adds a row to ``curve.csv``, and prints it."""
-        row = {"minutes": round(self.minutes(), 2), **row}
+    def keep(self, learned: dict[str, Any], **row: Any) -> None:
+        """Ends a round: writes the checkpoint, ``actor`` as ``policy.onnx``, and a row of ``curve.csv``."""
+        self.rounds += 1
+        arrays = {jax.tree_util.keystr(path): np.asarray(leaf) for path, leaf in jax.tree_util.tree_leaves_with_path(learned)}
+        np.savez(self.folder / "checkpoint.npz", minutes=self.minutes(), rounds=self.rounds, **arrays)
+        onnx_file.write_views(self.folder / "policy.onnx", [np.asarray(w) for w in learned["actor"]])
+        row = {"round": self.rounds, "minutes": round(self.minutes(), 2), **row}
         file = self.folder / "curve.csv"
         new = not file.exists()
         with file.open("a", newline="", encoding="utf-8") as out:
@@ -142,40 +141,31 @@ class Keeper:
             writer.writerow(row)
         print(", ".join(f"{name} {value}" for name, value in row.items()), flush=True)
 
-    def save(self, **networks: Weights) -> None:
-        """Writes a checkpoint, and the network ``actor`` as ``policy.onnx``."""
-        arrays = {f"{name}:{i}": np.asarray(w) for name, weights in networks.items() for i, w in enumerate(weights)}
-        np.savez(self.folder / "checkpoint.npz", minutes=self.minutes(), **arrays)
-        onnx_file.write_views(self.folder / "policy.onnx", [np.asarray(w) for w in networks["actor"]])
-
-    def resume(self) -> dict[str, Weights]:
-        """The networks of the checkpoint; none if there is none."""
+    def resume(self, learned: dict[str, Any]) -> dict[str, Any]:
+        """What the checkpoint has in place of what begins a training; the same if there is none."""
         file = self.folder / "checkpoint.npz"
         if not file.exists():
-            return {}
+            return learned
         with np.load(file) as kept:
-            self.before = float(kept["minutes"])
-            return networks_of(kept)
-
-
-def networks_of(kept: Any) -> dict[str, Weights]:
-    """The networks of a checkpoint, by name."""
-    names = [name.split(":") for name in kept.files if ":" in name]
-    counts = {name: sum(other == name for other, _ in names) for name, _ in names}
-    return {name: [jnp.asarray(kept[f"{name}:{i}"]) for i in range(count)] for name, count in counts.items()}
+            self.before, self.rounds = float(kept["minutes"]), int(kept["rounds"])
+            found: dict[str, Any] = jax.tree_util.tree_map_with_path(
+                lambda path, leaf: jnp.asarray(kept[jax.tree_util.keystr(path)]), learned
+            )
+        return found
 
 
 def actor_of(folder: pathlib.Path) -> Weights:
     """The actor of another training, to go on from."""
     with np.load(folder / "checkpoint.npz") as kept:
-        return networks_of(kept)["actor"]
+        count = sum(name.startswith("['actor']") for name in kept.files)
+        return [jnp.asarray(kept[f"['actor'][{i}]"]) for i in range(count)]
 
 
-def reads(description: str, minutes: float) -> argparse.ArgumentParser:
+def reads(description: str, rounds: int) -> argparse.ArgumentParser:
     """The options that all recipes have."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tasks", nargs="+", default=hificamsim.tasks(), help="that one network learns")
-    parser.add_argument("--minutes", type=float, default=minutes, help="of processor time")
+    parser.add_argument("--rounds", type=int, default=rounds, help="of episodes of every task, those before included")
     parser.add_argument("--seed", type=int, default=0, help="of the training")
     parser.add_argument("--hidden", type=int, default=32, help="units of each of two layers")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("nets"), help="folder of the training")
