@@ -7,48 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import org.hificamsim.core.Texts;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Tests {@code place}: plans, their check, instances, and errors. */
-class PlaceCommandTest {
-  private static final String WALL = "<wall x1=\"10\" y1=\"0\" x2=\"10\" y2=\"20\"/>";
-  private static final String DOOR =
-      "<zone name=\"door\" points=\"1,1 6,6\" detection=\"dori-2014:level=identify\" k=\"2\"/>";
-
-  @TempDir private Path folder;
-
-  /** Writes a site of two rooms, each with a camera of its own kind. */
-  private Path site(String walls, String zones) throws IOException {
-    return Files.writeString(
-        folder.resolve("rooms.xml"),
-        """
-        <root>
-          <simulation min_x="0" max_x="20" min_y="0" max_y="20" order="coverage"
-              detection="dori-2014:level=recognise" steps="5">
-            <obstacles>%s</obstacles>
-            <zones>%s</zones>
-            <cameras>
-              <optics name="wide" hfov="90 40" pixels="1920"/>
-              <optics name="turns" hfov="40" pixels="1920" pan="-60:60:30"/>
-              <camera name="A" x="1" y="1" heading="45" optics="wide"/>
-              <camera name="B" x="19" y="19" heading="225" optics="turns"/>
-            </cameras>
-            <objects><object x="5" y="5" heading="0" speed="1" features="1"/></objects>
-          </simulation>
-        </root>
-        """
-            .formatted(walls, zones));
-  }
-
-  private Cli place(Path site, String words) {
-    return Cli.run(
-        (Object[])
-            ("place " + site + " --cells 12 --candidates every=4 --threads 1 " + words).split(" "));
-  }
-
+class PlaceCommandTest extends RoomsTest {
   @Test
   void plansRunAndPassTheCheck() throws IOException {
     Path site = site(WALL, DOOR + "<zone name=\"all\" shape=\"field\"/>");
@@ -169,77 +131,6 @@ class PlaceCommandTest {
     assertTrue(Files.readString(compared.resolve("metrics.csv")).contains(",zones_met,"));
     Cli plain = Cli.run("run", site("", ""), "--policy", "fixed", "--out", folder.resolve("none"));
     assertFalse(plain.out().contains("zones met"), plain.out());
-  }
-
-  private static String value(Path json, String name) throws IOException {
-    return Files.readString(json).replaceAll("(?s).*?\"" + name + "\" : ([-0-9.E]+).*", "$1");
-  }
-
-  @Test
-  void evaluationAgreesWithPlan() throws IOException {
-    Path plan = folder.resolve("plan");
-    Cli placed = place(site(WALL, DOOR), "--cameras 2 --out " + plan);
-    Cli evaluated = Cli.run("place", "--evaluate", plan, "--cells", 12);
-    assertEquals(0, evaluated.exit(), evaluated.err());
-    String zone = placed.out().lines().filter(line -> line.contains("zone door")).findFirst().get();
-    assertTrue(evaluated.out().contains(zone), evaluated.out());
-    String price = placed.out().replaceAll("(?s).*price ([0-9.]+):.*", "$1");
-    assertTrue(evaluated.out().contains("2 cameras, price " + price + ":"), evaluated.out());
-    for (String row : Files.readAllLines(plan.resolve("cameras.csv")).subList(1, 3)) {
-      String[] cells = row.split(",");
-      double without = 100 * Double.parseDouble(cells[cells.length - 1]);
-      String failure = Texts.format("if %s fails: %.2f %%", cells[0], without);
-      assertTrue(evaluated.out().contains(failure), failure + evaluated.out());
-    }
-  }
-
-  @Test
-  void comparesEditedPlanWithPlan() throws IOException {
-    Path plan = folder.resolve("plan");
-    place(site(WALL, DOOR), "--cameras 2 --out " + plan);
-    String text = Files.readString(plan.resolve("plan.xml"));
-    Path edited = folder.resolve("edited.xml");
-    String pillar = "<pillar x=\"3.5\" y=\"3.5\" radius=\"0.6\"/></obstacles>";
-    Files.writeString(
-        edited, text.replace("</obstacles>", pillar).replaceAll("<camera name=\"P2\".*\n", ""));
-    Cli compared = Cli.run("place", "--compare", plan, edited, "--cells", 12);
-    assertEquals(0, compared.exit(), compared.err());
-    assertTrue(row(compared, "").matches(" +" + plan + "/plan.xml  +" + edited), compared.out());
-    assertTrue(row(compared, "cameras").matches("cameras +2 +1"), compared.out());
-    String[] met = row(compared, "demand met").split("  +");
-    assertTrue(percent(met[1]) > percent(met[2]), compared.out());
-    assertTrue(row(compared, "camera P2").endsWith("  -"), compared.out());
-    assertFalse(compared.out().contains("camera P1"), "is in both");
-  }
-
-  private static String row(Cli compared, String name) {
-    return compared
-        .out()
-        .lines()
-        .filter(line -> line.startsWith(name + "  "))
-        .findFirst()
-        .orElseThrow(() -> new AssertionError(compared.out()));
-  }
-
-  private static double percent(String text) {
-    return Double.parseDouble(text.replace(" %", ""));
-  }
-
-  @Test
-  void keptCamerasKeepTheirPrice() throws IOException {
-    Path plan = folder.resolve("plan");
-    place(site("", DOOR), "--cover --out " + plan);
-    List<String> cameras = Files.readAllLines(plan.resolve("cameras.csv"));
-    Path again = folder.resolve("again");
-    Cli kept = place(plan.resolve("plan.xml"), "--cover --keep all --out " + again);
-    assertEquals(0, kept.exit(), kept.err());
-    assertTrue(kept.out().contains("price 0.00:"), "of new cameras: " + kept.out());
-    assertTrue(kept.out().contains("no plan costs less than 0.00"), kept.out());
-    assertEquals(cameras, Files.readAllLines(again.resolve("cameras.csv")));
-    Path wrong = folder.resolve("wrong.xml");
-    String text = Files.readString(plan.resolve("plan.xml"));
-    Files.writeString(wrong, text.replaceAll(" price=\"[0-9.]+\"", " price=\"-1\""));
-    refuses(wrong, "--cover", "price is '-1', expected a number from 0 to 1e9");
   }
 
   @Test
@@ -377,7 +268,7 @@ class PlaceCommandTest {
     refuses(plain, "--cameras 1 --forbid yard", "no zone 'yard'");
     Path table =
         Files.writeString(folder.resolve("c.csv"), "name,resolution,hfov,price\na,1920,60,dear\n");
-    refuses(plain, "--cameras 1 --catalogue " + table, "c.csv:2:16: price is 'dear'");
+    refuses(plain, "--cameras 1 --catalogue " + table, "c.csv:2:11: price is 'dear'");
     Path far = site(WALL, DOOR);
     Files.writeString(folder.resolve("p.csv"), "x,y\n15,15\n");
     refuses(
@@ -397,12 +288,5 @@ class PlaceCommandTest {
     Path broken = Files.writeString(folder.resolve("scp.txt"), "3 4\n1 1 1 3\n2 1 9\n");
     Cli refused = Cli.run("place", "--instance", broken);
     assertTrue(refused.err().contains("scp.txt:3:5: '9', expected a candidate"), refused.err());
-  }
-
-  private static void refuses(Path site, String words, String message) {
-    Cli refused = Cli.run((Object[]) ("place " + site + " " + words).strip().split(" "));
-    assertEquals(2, refused.exit(), refused.out());
-    assertTrue(refused.err().contains(message), refused.err());
-    assertFalse(refused.err().strip().contains("\n"), refused.err());
   }
 }

@@ -150,13 +150,13 @@ final class PlaceCommand implements Callable<Integer> {
     Optional<Refinement> refinement =
         refine ? Optional.of(refinement(problem.demand().site(), interrupt)) : Optional.empty();
     SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
-    note("measuring the area, drawing and writing");
+    note("bounds the curve of coverage");
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(
           output,
           plan,
           Catalogue.load(),
-          new PlanFiles.Content(floor, files.title(currency), screen.words()));
+          new PlanFiles.Content(floor, files.title(currency), screen.words(), this::note));
       copyFloorplan(plan, output);
       files.write(output, plan);
       if (form.isPresent()) {
@@ -269,7 +269,10 @@ final class PlaceCommand implements Callable<Integer> {
   private PlanCover cover(Path plan, Catalogue catalogue) {
     Demand demanded = demand(plan, catalogue);
     PointSight sight = new PointSight(demanded, catalogue);
-    return PlanCover.of(demanded, sight, demanded.site().cameras(), demand.reading());
+    try (Progress measuring = screen.progress("measures", " zones", demanded.zones().size())) {
+      return PlanCover.of(
+          demanded, sight, demanded.site().cameras(), demand.reading(), measuring::advance);
+    }
   }
 
   /** Prints the score of the plan and the bound when they change, as shares or as numbers. */
@@ -310,6 +313,7 @@ final class PlaceCommand implements Callable<Integer> {
         demanded.cells().width(),
         seconds());
     PlanReview.printZones(screen, plan.cover());
+    PlanFiles.omission(plan).ifPresent(reason -> screen.say("  %s", reason));
     screen.say(
         "%s/index.html, plan.pdf; under policies: ./hificamsim compare %s",
         folder, folder.resolve(PlanFiles.SCENARIO));

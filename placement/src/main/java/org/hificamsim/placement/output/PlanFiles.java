@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Spelling;
@@ -23,6 +25,7 @@ import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.PlacementProblem;
 import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.SitePlan.CurvePoint;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.ResultFolder;
@@ -45,8 +48,15 @@ public final class PlanFiles {
    *
    * @param floor the floor plan of the site
    * @param command the words of the command that made the plan
+   * @param progress is told what is done next
    */
-  public record Content(List<Setup.Floor> floor, TitleBlock title, List<String> command) {}
+  public record Content(
+      List<Setup.Floor> floor, TitleBlock title, List<String> command, Consumer<String> progress) {}
+
+  /** Returns the reason why a picture is missing; empty if all are drawn. */
+  public static Optional<String> omission(SitePlan plan) {
+    return PlanSheet.omission(plan);
+  }
 
   /** Adds the files to a folder. */
   public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
@@ -54,7 +64,10 @@ public final class PlanFiles {
     String command = "./hificamsim " + String.join(" ", content.command);
     CameraSectors sectors = new CameraSectors(plan, catalogue);
     PlanSheet.Content sheet = new PlanSheet.Content(content.floor, content.title, command);
-    new PlanSheet(plan, catalogue, sectors, sheet).write(folder);
+    List<CurvePoint> curve = plan.curve();
+    content.progress.accept("draws the plan");
+    new PlanSheet(plan, catalogue, sectors, curve, sheet).write(folder);
+    content.progress.accept("writes its tables");
     PlanTables.ORDER.write(folder, PlanOrder.of(plan, content.title.currency()).stream());
     try (Writer dxf = folder.open(DXF)) {
       PlanDxf.write(dxf, plan, sectors);
@@ -78,7 +91,7 @@ public final class PlanFiles {
                   ZoneDemand zone = demand.zones().get(point.zone());
                   return new PointRow(zone, point, counts[number], multipliers[number]);
                 }));
-    PlanTables.CURVE.write(folder, plan.curve().stream());
+    PlanTables.CURVE.write(folder, curve.stream());
   }
 
   /** Adds {@link #CANDIDATES}, which is large. */

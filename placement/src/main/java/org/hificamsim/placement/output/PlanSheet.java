@@ -58,14 +58,19 @@ final class PlanSheet {
   private final Figure curve;
   private final List<Section> sections;
 
-  PlanSheet(SitePlan plan, Catalogue catalogue, CameraSectors sectors, Content content) {
+  PlanSheet(
+      SitePlan plan,
+      Catalogue catalogue,
+      CameraSectors sectors,
+      List<CurvePoint> points,
+      Content content) {
     this.plan = plan;
     this.content = content;
     this.floor = new PlanDrawing(plan, CellClasses.coverage(plan), sectors.all(), content.floor);
     this.detectionLevels =
         CellClasses.levels(plan, catalogue)
             .map(classes -> new PlanDrawing(plan, classes, List.of(), content.floor));
-    this.curve = curve();
+    this.curve = curve(points);
     this.sections = new PlanSections(plan, content.title.currency()).sections();
   }
 
@@ -73,8 +78,12 @@ final class PlanSheet {
     return "Camera plan of " + plan.demand().site().name();
   }
 
-  private Figure curve() {
-    List<CurvePoint> points = plan.curve();
+  /** The reason why a picture is missing; empty if all are drawn. */
+  static Optional<String> omission(SitePlan plan) {
+    return CellClasses.asksForTwoStandards(plan) ? Optional.of(TWO_STANDARDS) : Optional.empty();
+  }
+
+  private static Figure curve(List<CurvePoint> points) {
     double[] cameras = points.stream().mapToDouble(CurvePoint::cameras).toArray();
     double[] shares = points.stream().mapToDouble(point -> 100 * point.share()).toArray();
     double[] bounds = points.stream().mapToDouble(point -> 100 * point.bound()).toArray();

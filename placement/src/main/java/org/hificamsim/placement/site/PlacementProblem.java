@@ -36,6 +36,9 @@ public record PlacementProblem(
     CoverInstance instance,
     int[] keptCounts) {
 
+  /** The parts that a plan's multipliers have in those that bound the shares of lower prices. */
+  private static final List<Double> PARTS_OF_PLAN = List.of(0.0, 0.25, 0.5, 0.75, 1.0);
+
   /**
    * What is asked for.
    *
@@ -181,17 +184,30 @@ public record PlacementProblem(
   }
 
   /**
-   * By price: a bound on the share that candidates can meet, by the multipliers of a plan. Those of
-   * full cover are prices and not worths, so that the unit worths take their place.
+   * By price: a bound on the share that candidates can meet. Any multipliers prove one. Those of a
+   * plan are tight at its own price, the unit worths at low prices, and means of both in between.
+   * Those of full cover are prices and not worths, so that the unit worths alone count there.
    */
   DoubleUnaryOperator shareBound(CoverPlan plan) {
     CoverInstance undominated = instance.remaining(keptCounts).undominated();
-    double[] multipliers =
-        goal().isFullCover() ? undominated.unitWorths() : plan.multiplierBound().multipliers();
+    double[] worths = undominated.unitWorths();
+    double[] ofPlan = goal().isFullCover() ? worths : plan.multiplierBound().multipliers();
+    List<double[]> multipliers =
+        PARTS_OF_PLAN.stream().map(part -> mean(ofPlan, worths, part)).toList();
     return price -> {
-      double worth = LagrangianBound.value(undominated, new Goal(price), multipliers);
+      double worth =
+          multipliers.stream()
+              .mapToDouble(proof -> LagrangianBound.value(undominated, new Goal(price), proof))
+              .min()
+              .orElseThrow();
       return Math.min(1, (keptWorth() + worth) / instance.totalWorth());
     };
+  }
+
+  private static double[] mean(double[] values, double[] others, double part) {
+    return IntStream.range(0, values.length)
+        .mapToDouble(i -> part * values[i] + (1 - part) * others[i])
+        .toArray();
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.hificamsim.placement.site;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.spec.CameraSpec;
@@ -16,9 +17,27 @@ public record PlanArea(List<Double> shares) {
   /** Measures the cameras of a plan. */
   public static PlanArea of(
       Demand demand, PointSight sight, List<CameraSpec> cameras, CoverageReading reading) {
+    return of(demand, sight, cameras, reading, () -> {});
+  }
+
+  /**
+   * Measures the cameras of a plan.
+   *
+   * @param measured is told of each zone that has been measured
+   */
+  static PlanArea of(
+      Demand demand,
+      PointSight sight,
+      List<CameraSpec> cameras,
+      CoverageReading reading,
+      Runnable measured) {
     NetworkView network = sight.network(cameras);
-    return new PlanArea(
-        demand.zones().stream().map(zone -> share(demand.area(zone), network, reading)).toList());
+    List<Double> shares = new ArrayList<>();
+    for (ZoneDemand zone : demand.zones()) {
+      shares.add(share(demand.area(zone), network, reading));
+      measured.run();
+    }
+    return new PlanArea(List.copyOf(shares));
   }
 
   private static double share(ZoneArea area, NetworkView network, CoverageReading reading) {

@@ -16,11 +16,25 @@ public record PlanCover(Demand demand, List<CameraSpec> cameras, int[][] covered
   /** Measures cameras. */
   public static PlanCover of(
       Demand demand, PointSight sight, List<CameraSpec> cameras, CoverageReading reading) {
+    return of(demand, sight, cameras, reading, () -> {});
+  }
+
+  /**
+   * Measures cameras.
+   *
+   * @param measured is told of each zone that has been measured
+   */
+  public static PlanCover of(
+      Demand demand,
+      PointSight sight,
+      List<CameraSpec> cameras,
+      CoverageReading reading,
+      Runnable measured) {
     return new PlanCover(
         demand,
         cameras,
         sight.covered(cameras, reading),
-        PlanArea.of(demand, sight, cameras, reading));
+        PlanArea.of(demand, sight, cameras, reading, measured));
   }
 
   /** By point, the number of cameras that cover it. */

@@ -1,0 +1,110 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.core.Texts;
+import org.junit.jupiter.api.Test;
+
+/** Plans that are evaluated, edited, compared and kept. */
+class PlaceReviewTest extends RoomsTest {
+  @Test
+  void evaluationAgreesWithPlan() throws IOException {
+    Path plan = folder.resolve("plan");
+    Cli placed = place(site(WALL, DOOR), "--cameras 2 --out " + plan);
+    Cli evaluated = Cli.run("place", "--evaluate", plan, "--cells", 12);
+    assertEquals(0, evaluated.exit(), evaluated.err());
+    String zone = placed.out().lines().filter(line -> line.contains("zone door")).findFirst().get();
+    assertTrue(evaluated.out().contains(zone), evaluated.out());
+    String price = placed.out().replaceAll("(?s).*price ([0-9.]+):.*", "$1");
+    assertTrue(evaluated.out().contains("2 cameras, price " + price + ":"), evaluated.out());
+    for (String row : Files.readAllLines(plan.resolve("cameras.csv")).subList(1, 3)) {
+      String[] cells = row.split(",");
+      double without = 100 * Double.parseDouble(cells[cells.length - 1]);
+      String failure = Texts.format("if %s fails: %.2f %%", cells[0], without);
+      assertTrue(evaluated.out().contains(failure), failure + evaluated.out());
+    }
+  }
+
+  @Test
+  void comparesEditedPlanWithPlan() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site(WALL, DOOR), "--cameras 2 --out " + plan);
+    String text = Files.readString(plan.resolve("plan.xml"));
+    Path edited = folder.resolve("edited.xml");
+    String pillar = "<pillar x=\"3.5\" y=\"3.5\" radius=\"0.6\"/></obstacles>";
+    Files.writeString(
+        edited, text.replace("</obstacles>", pillar).replaceAll("<camera name=\"P2\".*\n", ""));
+    Cli compared = Cli.run("place", "--compare", plan, edited, "--cells", 12);
+    assertEquals(0, compared.exit(), compared.err());
+    assertTrue(row(compared, "").matches(" +" + plan + "/plan.xml  +" + edited), compared.out());
+    assertTrue(row(compared, "cameras").matches("cameras +2 +1"), compared.out());
+    String[] met = row(compared, "demand met").split("  +");
+    assertTrue(percent(met[1]) > percent(met[2]), compared.out());
+    assertTrue(row(compared, "camera P2").endsWith("  -"), compared.out());
+    assertFalse(compared.out().contains("camera P1"), "is in both");
+  }
+
+  private static String row(Cli compared, String name) {
+    return compared
+        .out()
+        .lines()
+        .filter(line -> line.startsWith(name + "  "))
+        .findFirst()
+        .orElseThrow(() -> new AssertionError(compared.out()));
+  }
+
+  private static double percent(String text) {
+    return Double.parseDouble(text.replace(" %", ""));
+  }
+
+  @Test
+  void keptCamerasKeepTheirPrice() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site("", DOOR), "--cover --out " + plan);
+    List<String> cameras = Files.readAllLines(plan.resolve("cameras.csv"));
+    Path again = folder.resolve("again");
+    Cli kept = place(plan.resolve("plan.xml"), "--cover --keep all --out " + again);
+    assertEquals(0, kept.exit(), kept.err());
+    assertTrue(kept.out().contains("price 0.00:"), "of new cameras: " + kept.out());
+    assertTrue(kept.out().contains("no plan costs less than 0.00"), kept.out());
+    assertEquals(cameras, Files.readAllLines(again.resolve("cameras.csv")));
+    Path wrong = folder.resolve("wrong.xml");
+    String text = Files.readString(plan.resolve("plan.xml"));
+    Files.writeString(wrong, text.replaceAll(" price=\"[0-9.]+\"", " price=\"-1\""));
+    refuses(wrong, "--cover", "price is '-1', expected a number from 0 to 1e9");
+  }
+
+  @Test
+  void saysWhyLevelsAreNotDrawn() throws IOException {
+    String second =
+        DOOR.replace("door", "shelf").replace("dori-2014:level=identify", "oodpcvs-2025");
+    Cli mixed = place(site("", DOOR + second), "--cameras 2 --out " + folder.resolve("mixed"));
+    assertEquals(0, mixed.exit(), mixed.err());
+    assertTrue(mixed.out().contains("levels are not drawn"), mixed.out());
+    assertFalse(Files.exists(folder.resolve("mixed/levels.svg")));
+  }
+
+  @Test
+  void boundsSharesOfLowerPrices() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site(WALL, ""), "--cameras 6 --out " + plan);
+    List<String> rows = Files.readAllLines(plan.resolve("curve.csv"));
+    assertEquals("cameras,price,share,bound", rows.get(0));
+    double[] bounds = rows.stream().skip(1).mapToDouble(row -> cell(row, 3)).toArray();
+    double[] shares = rows.stream().skip(1).mapToDouble(row -> cell(row, 2)).toArray();
+    assertTrue(bounds[1] < 0.9, "one camera cannot see all: " + bounds[1]);
+    for (int i = 1; i < bounds.length; i++) {
+      assertTrue(shares[i] <= bounds[i] + 1e-9 && bounds[i - 1] <= bounds[i] + 1e-9, rows.get(i));
+    }
+  }
+
+  private static double cell(String row, int column) {
+    return Double.parseDouble(row.split(",")[column]);
+  }
+}
