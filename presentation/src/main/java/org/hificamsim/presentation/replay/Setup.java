@@ -36,8 +36,7 @@ import org.hificamsim.runs.cells.UsualTarget;
  * @param slow the numbers of cameras that need time to turn
  * @param obstacles in the order of the scenario
  * @param floor pictures under the field, at most one
- * @param zones each with the detection and number of cameras that it demands; without those that
- *     ask for faces
+ * @param zones each with the detection and number of cameras that it demands
  * @param following whether frames say which camera has each target
  */
 public record Setup(
@@ -59,12 +58,29 @@ public record Setup(
     @IfAny List<DemandingZone> zones,
     @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY)
         boolean following) {
-  /** A zone that demands something: what the page shows of {@link Zone}. */
+  /**
+   * A zone that demands something: what the page shows of {@link Zone}.
+   *
+   * @param faces whether it matters from where cameras look, which a heat map does not know
+   */
   public record DemandingZone(
-      String name, Zone.Shape shape, List<Point> points, String detection, int k, double weight) {
+      String name,
+      Zone.Shape shape,
+      List<Point> points,
+      String detection,
+      int k,
+      double weight,
+      @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY)
+          boolean faces) {
     private static DemandingZone of(Zone zone) {
       return new DemandingZone(
-          zone.name(), zone.shape(), zone.points(), zone.detection(), zone.k(), zone.weight());
+          zone.name(),
+          zone.shape(),
+          zone.points(),
+          zone.detection(),
+          zone.k(),
+          zone.weight(),
+          zone.asksForFaces());
     }
   }
 
@@ -121,7 +137,6 @@ public record Setup(
         obstacles,
         floor,
         world.scenario().zones().stream()
-            .filter(zone -> !zone.asksForFaces()) // a heat map does not know where cameras are
             .map(zone -> zone.withDefaults(detection.name(), world.scenario().objective()))
             .map(DemandingZone::of)
             .toList(),

@@ -53,9 +53,10 @@ export function zoneCard(shares, detection) {
           {},
           `${zone.k} camera${zone.k === 1 ? '' : 's'}, `,
           tipped(spelled(zone.detection), zone.detection),
+          zone.faces ? ', of faces' : null,
         ),
-        cell(covered, zone.k === 1),
-        cell(twice, zone.k === 2),
+        cell(covered, zone.k === 1 && !zone.faces),
+        cell(twice, zone.k === 2 && !zone.faces),
         cell(never),
       ),
     ),
@@ -70,6 +71,9 @@ export function zoneCard(shares, detection) {
         ? `, all by the run’s ${spelled(detection)}: ` +
             'place --verify has them by what each zone asks for.'
         : '.',
+      shares.some(({zone}) => zone.faces)
+        ? ' From where faces are seen counts in zones_met, place --evaluate and view, not here.'
+        : '',
     ),
   );
   return card;
