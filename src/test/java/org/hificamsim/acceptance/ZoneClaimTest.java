@@ -9,27 +9,15 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Zone;
-import org.hificamsim.core.world.World;
 import org.hificamsim.placement.site.SitePlanner;
 import org.hificamsim.presentation.view.Planner;
-import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,8 +26,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that what a plan claims of zones holds of their area, and is the same in all commands. */
 class ZoneClaimTest {
-  private static final Pattern ZONE = Pattern.compile("zone ([^:]+): ([0-9.]+) %");
-  private static final double RASTER = 0.1;
   private static final Catalogue CATALOGUE = Catalogue.load();
 
   @TempDir private Path folder;
@@ -76,84 +62,25 @@ class ZoneClaimTest {
     plan = folder.resolve("plan");
     Cli placed = Cli.run("place", shop, "--cameras", 3, "--candidates", "every=3", "--out", plan);
     assertEquals(0, placed.exit(), placed.err());
-    claimed = zones(placed.out());
+    claimed = ZoneRaster.claims(placed.out());
     assertEquals(List.of("aisle", "door"), claimed.keySet().stream().sorted().toList());
     assertTrue(
         claimed.values().stream().anyMatch(share -> share > 1 && share < 99.9), placed.out());
-  }
-
-  private static Map<String, Double> zones(String output) {
-    return ZONE.matcher(output)
-        .results()
-        .collect(Collectors.toMap(line -> line.group(1), line -> Double.valueOf(line.group(2))));
   }
 
   @Test
   void claimHoldsOnFineRasterOfPeople() {
     Scenario planned = read();
     for (Zone zone : planned.zones()) {
-      assertEquals(100 * rasterShare(planned, zone), claimed.get(zone.name()), 1, zone.name());
+      assertEquals(100 * ZoneRaster.share(planned, zone), claimed.get(zone.name()), 1, zone.name());
     }
-  }
-
-  /** Puts a person on each point of a raster, and counts those that enough cameras detect. */
-  private static double rasterShare(Scenario planned, Zone zone) {
-    Zone asked = zone.withDefaults("oodpcvs-2025:level=perceive", planned.objective());
-    TargetSpec person = planned.targets().get(0);
-    List<TargetSpec> people = new ArrayList<>();
-    for (double x = zone.points().get(0).x() + RASTER / 4; x < zone.points().get(1).x(); ) {
-      for (double y = zone.points().get(0).y() + RASTER / 4; y < zone.points().get(1).y(); ) {
-        people.add(
-            person
-                .with(TargetSpec.FEATURES, (double) people.size())
-                .with(TargetSpec.X, x)
-                .with(TargetSpec.Y, y)
-                .with(TargetSpec.SPEED, 0.0));
-        y += RASTER;
-      }
-      x += RASTER;
-    }
-    Simulation simulation =
-        new Simulation(
-            new World(planned.with(Scenario.TARGETS, people), CATALOGUE.movements(), 0),
-            detection(asked.detection()),
-            CATALOGUE.policies().create("fixed"),
-            0,
-            List.of());
-    simulation.step();
-    double met = 0;
-    for (int target = 0; target < people.size(); target++) {
-      int number = target;
-      TargetSpec face = people.get(target);
-      long cameras =
-          IntStream.range(0, planned.cameras().size())
-              .filter(camera -> simulation.network().sees(camera, number))
-              .filter(camera -> isFaced(face, planned.cameras().get(camera), zone))
-              .count();
-      met += Math.min(1, cameras / (double) asked.k());
-    }
-    return met / people.size();
-  }
-
-  /** Compares angles by scalar products of directions, not by headings. */
-  private static boolean isFaced(TargetSpec face, CameraSpec camera, Zone zone) {
-    if (zone.facing() == null) {
-      return true;
-    }
-    Vector3D toCamera =
-        new Vector3D(camera.x() - face.x(), camera.y() - face.y(), 3 - face.height());
-    Vector3D level = new Vector3D(toCamera.getX(), toCamera.getY(), 0);
-    double heading = Math.toRadians(zone.facing());
-    Vector3D look = new Vector3D(Math.sin(heading), Math.cos(heading), 0);
-    return Math.toDegrees(Vector3D.angle(look, level)) <= zone.facingTolerance()
-        && Math.toDegrees(Vector3D.angle(level, toCamera)) <= zone.maxDepression();
   }
 
   @Test
   void allCommandsSayTheSame() throws IOException {
     Cli verified = Cli.run("place", "--verify", plan);
     assertEquals(0, verified.exit(), verified.err());
-    assertEquals(claimed, zones(verified.out()));
+    assertEquals(claimed, ZoneRaster.claims(verified.out()));
 
     Path out = folder.resolve("run");
     Cli run = Cli.run("run", plan.resolve("plan.xml"), "--policy", "fixed:0", "--out", out);
@@ -162,9 +89,29 @@ class ZoneClaimTest {
     double least = claimed.values().stream().mapToDouble(share -> share).min().orElseThrow();
     assertEquals(least, 100 * metrics.findValue("least_zone_met").asDouble(), 0.01);
 
+    Path compared = folder.resolve("compared");
+    Cli comparison =
+        Cli.run(
+            "compare",
+            plan.resolve("plan.xml"),
+            "--policies",
+            "fixed:0,zoom-out",
+            "--repeat",
+            1,
+            "--out",
+            compared);
+    assertEquals(0, comparison.exit(), comparison.err());
+    List<String> rows =
+        Files.readAllLines(compared.resolve("metrics.csv")).stream()
+            .filter(row -> row.contains(",least_zone_met,") && row.contains(",fixed:0,"))
+            .toList();
+    assertEquals(1, rows.size(), () -> Cli.text(compared.resolve("metrics.csv")));
+    String value = rows.get(0).substring(rows.get(0).lastIndexOf(',') + 1);
+    assertEquals(least, 100 * Double.parseDouble(value), 0.01);
+
     List<Planner.Share> shown =
-        new SitePlanner(CATALOGUE, ZoneClaimTest::detection)
-            .shares(read(), detection("oodpcvs-2025:level=perceive"));
+        new SitePlanner(CATALOGUE, ZoneRaster::detection)
+            .shares(read(), ZoneRaster.detection("oodpcvs-2025:level=perceive"));
     for (Planner.Share share : shown) {
       assertEquals(claimed.get(share.zone()), 100 * share.met(), 0.01, share.zone());
     }
@@ -205,8 +152,9 @@ class ZoneClaimTest {
         asked,
         Files.readString(other.resolve("plan.xml"))
             .replace("name=\"door\"", "name=\"door\" facing=\"0\" max_depression=\"20\""));
-    double faces = zones(Cli.run("place", "--evaluate", asked).out()).get("door");
-    assertTrue(faces < 50 && zones(placed.out()).get("door") > 90, faces + placed.out());
+    double faces = ZoneRaster.claims(Cli.run("place", "--evaluate", asked).out()).get("door");
+    assertTrue(
+        faces < 50 && ZoneRaster.claims(placed.out()).get("door") > 90, faces + placed.out());
   }
 
   @ParameterizedTest
@@ -243,9 +191,5 @@ class ZoneClaimTest {
 
   private Scenario read() {
     return ScenarioReader.read(plan.resolve("plan.xml"), name -> true, warning -> {});
-  }
-
-  private static Detection detection(String name) {
-    return DetectionSpec.parse(name, CATALOGUE::detection).detection(Settings.NONE);
   }
 }
