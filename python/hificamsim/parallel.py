@@ -15,7 +15,7 @@ from . import spaces
 from .errors import InputError, NoEpisode, shown
 from .remade import Remade, State
 from .screen import Screen
-from .worlds import MEASURES, Array, rendered
+from .worlds import DETAILS, MEASURES, Array, rendered
 
 
 class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
@@ -25,7 +25,8 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
     it may do; what it forbids leaves the camera as it is. An action is an int from 0 on, or two with
     ``actions="steps"``, or two rates in [-1, 1], without a mask, with ``actions="rates"``; every camera needs one.
-    ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``.
+    ``infos`` also have ``coverage`` in [0, 1], ``k_min`` and ``score``; with ``details=True`` also ``seen``, ``added`` and
+    ``sent``, how many targets the camera detected, how many of them no other one did, and the bits it sent.
 
     :param max_cycles: ``steps`` as PettingZoo's environments name it
     :param equal_spaces: whether all cameras get the action space and the masks of the one with most views, as libraries
@@ -129,10 +130,14 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
     def _infos(self) -> dict[str, dict[str, Any]]:
         masks = self.worlds.masks[0].astype(np.int8)
         measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
-        return {
+        infos: dict[str, dict[str, Any]] = {
             agent: {**({} if self.worlds.kind == "rates" else {"action_mask": self._mask(i, masks[i])}), **measured}
             for i, agent in enumerate(self.possible_agents)
         }
+        if self.worlds.detailed():
+            for info, contributed in zip(infos.values(), self.worlds.details[0].tolist()):
+                info |= zip(DETAILS, contributed)
+        return infos
 
     def _space(self, camera: int) -> Any:
         return spaces.action(self.worlds, None if self._equal else camera)

@@ -14,7 +14,7 @@ from gymnasium.vector.utils import batch_space
 from . import spaces
 from .errors import InputError, NoEpisode, shown, whole
 from .remade import Remade, State
-from .worlds import MEASURES, Array, rendered
+from .worlds import DETAILS, MEASURES, Array, rendered
 
 
 class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
@@ -37,6 +37,7 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
     - actions: (B, C x A), and (B x C,) or (B x C, 2); float32 in [-1, 1] with ``actions="rates"``
     - rewards: (B,), and (B x C,)
     - ``infos``: ``action_mask``, (B, C x M) and (B x C, M), but for rates; ``coverage``, ``k_min`` and ``score`` of each environment;
+      with ``details=True`` also ``seen``, ``added`` and ``sent`` of each camera, (B, C) and (B x C,);
       where episodes ended ``final_obs`` and ``final_info``, with ``_final_obs`` and ``_final_info``
     """
 
@@ -164,6 +165,9 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
         infos: dict[str, Any] = {} if self.worlds.kind == "rates" else {"action_mask": self._own(masks)}
         for name, values in zip(MEASURES, self.worlds.measures.T):
             infos[name] = self._own(self._spread(values))
+        if self.worlds.detailed():
+            details = self.worlds.details.reshape(-1, len(DETAILS)) if self.per == "camera" else self.worlds.details
+            infos |= {name: self._own(details[..., i]) for i, name in enumerate(DETAILS)}
         return infos
 
     def _add_finals(self, infos: dict[str, Any], ends: Array) -> None:

@@ -17,6 +17,7 @@ from .remade import Remade, State
 
 Array = npt.NDArray[Any]
 
+DETAILS = ("seen", "added", "sent")  # what ``details`` has, by name
 MEASURES = ("coverage", "k_min", "score")  # what ``measures`` has, by name
 
 SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
@@ -74,6 +75,8 @@ class Worlds(Remade):
     - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
     - ``advice`` int32 (B, C): with an ``expert``, the view that it chose at the decision before; -1 for a camera that
       was offline or on its way, and did not decide
+    - ``details`` float32 (B, C, 3), with the setting of that name, else 0: of the last step how many targets a camera
+      detected, how many of them no other one did, and how many bits it sent
     - ``states`` float32 (B, S): written by ``state``
 
     Settings are given by name; the simulator checks them and has their defaults:
@@ -90,6 +93,7 @@ class Worlds(Remade):
       call that follows, whose actions do not count; False or ``disabled``: after a ``reset``
     - expert: a policy, as ``cooperative``, that is asked in each step what it would do: ``advice``; an action of -1
       does it
+    - details: whether ``details`` are measured; environments have them in ``infos``
     - paints: whether ``picture`` will be asked for
     - saves: whether ``save`` will be asked for; by default, with at most 1,000 worlds
 
@@ -150,9 +154,14 @@ class Worlds(Remade):
         self.ends = arrays["ends"]
         self.measures = arrays["measures"]
         self.advice = arrays["advice"]
+        self.details = arrays["details"]
         self.states = arrays["states"]
         #: Steps every world by one: reads ``actions`` and writes all but ``states``.
         self.step: Callable[[], None] = self._backend.step
+
+    def detailed(self) -> bool:
+        """Whether ``details`` are measured."""
+        return bool(self.settings.get("details"))
 
     def _array(self, section: dict[str, Any]) -> Array:
         count = int(np.prod(section["shape"]))

@@ -70,6 +70,7 @@ record Request(Settings asked, Environment own) {
    * @param neighbours the number of neighbours that an observation has space for
    * @param belief whether an observation says what each view promises
    * @param paints whether pictures of worlds may be requested
+   * @param details whether it is measured what each camera sees, adds and sends
    * @param saves whether worlds may be saved; by default if they are at most 1,000
    * @param expert the policy whose advice is written; null for none
    * @param task the task, if {@code scenario} is a file of tasks; null for a scenario
@@ -85,6 +86,7 @@ record Request(Settings asked, Environment own) {
       boolean belief,
       String autoReset,
       boolean paints,
+      boolean details,
       Boolean saves,
       String expert,
       String task) {

@@ -40,12 +40,15 @@ public final class Session implements AutoCloseable {
     if (request.own().saves()) {
       worlds.keepHistories();
     }
+    if (request.own().details()) {
+      worlds.measureDetails();
+    }
     for (int i = 0; request.own().paints() && i < request.own().worlds(); i++) {
       int world = i;
       painters.add(new EpisodePainter(() -> setup(worlds.seed(world)), settings.detection()));
       worlds.listen(i, painters.get(i));
     }
-    if (!painters.isEmpty()) {
+    if (!painters.isEmpty() || request.own().details()) {
       worlds.reset(seed, true);
     }
   }

@@ -54,6 +54,7 @@ public record Block(List<Section> sections) {
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
     builder.add("advice", "i4", cameras);
+    builder.add("details", "f4", cameras, CameraDetails.COUNT);
     builder.add("states", "f4", OneWorld.stateSize(first.network(), settings.layout()));
     return new Block(builder.sections);
   }

@@ -43,6 +43,9 @@ final class OneWorld implements StepListener {
   /** The actions of the current episode; null if they are not kept. */
   private EpisodeHistory history;
 
+  /** What each camera contributed; null if nobody asks. */
+  private CameraDetails details;
+
   private Simulation simulation;
   private CameraObserver observer;
 
@@ -109,6 +112,9 @@ final class OneWorld implements StepListener {
     simulation =
         new Simulation(world, settings.detection(), driver, episodeSeed, List.of(this, listener));
     step = 0;
+    if (details != null) {
+      details.begin(simulation.countMessages());
+    }
     simulation.phases().runUntil(StepPhase.DECIDE);
     observer = observer();
     policy.observeWith(observer);
@@ -170,6 +176,9 @@ final class OneWorld implements StepListener {
     measures[0] = (float) Rewards.covered(coverage);
     measures[1] = coverage.kMin();
     measures[2] = (float) coverage.score();
+    if (details != null) {
+      details.measure(network);
+    }
   }
 
   /** Adds a listener to the episodes that begin from now on. */
@@ -184,6 +193,16 @@ final class OneWorld implements StepListener {
 
   boolean keepsHistory() {
     return history != null;
+  }
+
+  /** Measures what each camera contributes, in episodes that begin from now on. */
+  void measureDetails() {
+    details = new CameraDetails(rewards.length);
+  }
+
+  /** What each camera contributed in the last step; null if it is not measured. */
+  CameraDetails details() {
+    return details;
   }
 
   /** The number of bytes that {@link #save} writes. */

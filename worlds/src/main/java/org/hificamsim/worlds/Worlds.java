@@ -40,6 +40,7 @@ public final class Worlds implements AutoCloseable {
   private final FloatBuffer measures;
   private final FloatBuffer states;
   private final IntBuffer advice;
+  private final FloatBuffer details;
   private final int[] choices;
   private final int[] maskedRevision;
   private final boolean maskOften;
@@ -112,6 +113,7 @@ public final class Worlds implements AutoCloseable {
     ends = block.slice(memory, "ends");
     measures = block.slice(memory, "measures").asFloatBuffer();
     advice = block.slice(memory, "advice").asIntBuffer();
+    details = block.slice(memory, "details").asFloatBuffer();
     states = block.slice(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
@@ -186,6 +188,7 @@ public final class Worlds implements AutoCloseable {
     } else {
       worlds[i].next();
     }
+    writeDetails(i, worlds[i].details());
     observe(i, observations, worker);
     writeMasks(i);
   }
@@ -211,6 +214,7 @@ public final class Worlds implements AutoCloseable {
     rewards.put(i * world.rewards().length, world.rewards());
     measures.put(i * OneWorld.MEASURES, world.measures());
     advice.put(i * world.advice().length, world.advice());
+    writeDetails(i, world.details());
     ends.put(i, (byte) (world.isOver() ? 1 : 0));
     if (world.isOver() && settings.autoReset() == AutoReset.SAME_STEP) {
       observe(i, finals, worker);
@@ -229,6 +233,7 @@ public final class Worlds implements AutoCloseable {
     rewards.put(i * zeros.length, zeros);
     ends.put(i, (byte) 0);
     worlds[i].next();
+    writeDetails(i, worlds[i].details());
     observe(i, observations, worker);
     writeMasks(i);
   }
@@ -240,6 +245,12 @@ public final class Worlds implements AutoCloseable {
     float[] out = observationsByWorker[worker];
     worlds[i].observe(pairsByWorker[worker], out);
     into.put(i * out.length, out);
+  }
+
+  private void writeDetails(int i, CameraDetails measured) {
+    if (measured != null) {
+      details.put(i * measured.values().length, measured.values());
+    }
   }
 
   private void writeMasks(int i) {
@@ -293,6 +304,13 @@ public final class Worlds implements AutoCloseable {
     observations.get(i * observationsByWorker[worker].length, observationsByWorker[worker]);
     worlds[i].writeState(observationsByWorker[worker], stateByWorker[worker]);
     states.put(i * stateByWorker[worker].length, stateByWorker[worker]);
+  }
+
+  /** Measures what each camera contributes; to be called before episodes are reset. */
+  public void measureDetails() {
+    for (OneWorld world : worlds) {
+      world.measureDetails();
+    }
   }
 
   /**

@@ -8,11 +8,13 @@ public final class RadioLog {
   public static final RadioLog NONE = new RadioLog(0);
 
   private final long[] sent;
+  private final long[] everSent;
   private final long[] received;
 
   /** Creates a log of a number of cameras. */
   public RadioLog(int cameras) {
     sent = new long[cameras];
+    everSent = new long[cameras];
     received = new long[cameras];
   }
 
@@ -25,6 +27,7 @@ public final class RadioLog {
   public void send(int from, long bits) {
     if (counts()) {
       sent[from] += bits;
+      everSent[from] += bits;
     }
   }
 
@@ -47,6 +50,11 @@ public final class RadioLog {
   /** The bits that a camera has sent since the last {@link #clear}. */
   public long sent(int camera) {
     return sent[camera];
+  }
+
+  /** The bits that a camera has sent so far, whatever was cleared. */
+  public long everSent(int camera) {
+    return everSent[camera];
   }
 
   /** The bits that a camera has received since the last {@link #clear}. */

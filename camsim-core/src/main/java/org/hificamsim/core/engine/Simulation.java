@@ -47,6 +47,7 @@ public final class Simulation {
   private final Sight sight;
   private final LateDetections late;
   private final Observation observation;
+  private final ObservedNetwork known;
   private final OracleNetwork oracle;
   private final NetworkView policyView;
   private final StepCoverage coverage;
@@ -108,7 +109,9 @@ public final class Simulation {
       known.connect(channel);
       oracle.connect(channel);
     }
-    this.energy = energyMeter(known);
+    this.known = known;
+    this.energy =
+        world.scenario().energy().isNone() ? null : new EnergyMeter(world, countMessages());
     this.policyView = policy instanceof OraclePolicy ? oracle : known;
     this.byChance = !detection.certain();
     this.policyJumps = policy.jumps();
@@ -127,14 +130,14 @@ public final class Simulation {
         : new LateDetections(world, budget);
   }
 
-  private EnergyMeter energyMeter(ObservedNetwork known) {
-    if (world.scenario().energy().isNone()) {
-      return null;
+  /** Counts the bits that cameras send from now on, if nobody has asked for it before. */
+  public RadioLog countMessages() {
+    if (!known.radio().counts()) {
+      RadioLog radio = new RadioLog(world.cameras().count());
+      known.count(radio);
+      oracle.count(radio);
     }
-    RadioLog radio = new RadioLog(world.cameras().count());
-    known.count(radio);
-    oracle.count(radio);
-    return new EnergyMeter(world, radio);
+    return known.radio();
   }
 
   /**
