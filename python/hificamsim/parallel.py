@@ -134,7 +134,7 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
             agent: {**({} if self.worlds.kind == "rates" else {"action_mask": self._mask(i, masks[i])}), **measured}
             for i, agent in enumerate(self.possible_agents)
         }
-        if self.worlds.detailed():
+        if self.worlds.detailed:
             for info, contributed in zip(infos.values(), self.worlds.details[0].tolist()):
                 info |= zip(DETAILS, contributed)
         return infos

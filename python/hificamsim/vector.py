@@ -165,7 +165,7 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
         infos: dict[str, Any] = {} if self.worlds.kind == "rates" else {"action_mask": self._own(masks)}
         for name, values in zip(MEASURES, self.worlds.measures.T):
             infos[name] = self._own(self._spread(values))
-        if self.worlds.detailed():
+        if self.worlds.detailed:
             details = self.worlds.details.reshape(-1, len(DETAILS)) if self.per == "camera" else self.worlds.details
             infos |= {name: self._own(details[..., i]) for i, name in enumerate(DETAILS)}
         return infos

@@ -155,13 +155,11 @@ class Worlds(Remade):
         self.measures = arrays["measures"]
         self.advice = arrays["advice"]
         self.details = arrays["details"]
+        #: Whether ``details`` are measured.
+        self.detailed = bool(self.settings.get("details"))
         self.states = arrays["states"]
         #: Steps every world by one: reads ``actions`` and writes all but ``states``.
         self.step: Callable[[], None] = self._backend.step
-
-    def detailed(self) -> bool:
-        """Whether ``details`` are measured."""
-        return bool(self.settings.get("details"))
 
     def _array(self, section: dict[str, Any]) -> Array:
         count = int(np.prod(section["shape"]))
