@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import hashlib
 import json
 import pathlib
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 
 import hificamsim
-from hificamsim.worlds import TESTING
+from hificamsim.worlds import TESTING, scenario_file
 
 TASK = "bench/passage-v1"
 GREEDY = """
@@ -51,6 +52,21 @@ def test_file_scores_like_the_same_function_and_is_verified(tmp_path: pathlib.Pa
     assert (entry / "policy-mine.py").read_text() == GREEDY
     code, found = verify(entry)
     assert code == 0 and found["reproduced"]
+
+
+def test_file_is_row_of_comparison_with_same_bytes(tmp_path: pathlib.Path) -> None:
+    file = tmp_path / "first.py"
+    file.write_text("def policy(observations, masks):\n    return masks.argmax(-1)\n")
+    spec = f"python:{file}"
+    for out in ("one", "other"):
+        options = ["--policies", f"zoom-out,{spec}", "--steps", "20", "--repeat", "2", "--quiet"]
+        hificamsim.execute("compare", scenario_file("ring-random"), *options, "--out", str(tmp_path / out))
+    tables = [(tmp_path / out / "results.csv").read_bytes() for out in ("one", "other")]
+    assert tables[0] == tables[1]
+    rows = list(csv.DictReader((tmp_path / "one" / "summary.csv").open()))
+    scores = [row for row in rows if row["metric"] == "mean_score" and row["policy"].startswith("python:")]
+    assert [row["detection"] for row in scores] == ["camsim-range", "hifi:orb-lin"]
+    assert all(row["runs"] == "2" for row in scores)
 
 
 def test_policy_that_knows_testing_episodes_by_heart_is_not_verified(tmp_path: pathlib.Path) -> None:

@@ -31,8 +31,16 @@ class CompareStatisticsTest {
   @BeforeAll
   static void compare() {
     out = folder.resolve("compared");
-    compare = run(out, SEEDS, "zoom-out,epsilon-greedy,sarsa", "--steps", 60);
+    compare = run(out, SEEDS, "zoom-out,epsilon-greedy,sarsa", "--details", "--steps", 60);
     assertEquals(0, compare.exit(), compare.err());
+  }
+
+  @Test
+  void printsShareOfLeadingYardstickUnlessAskedForDetails() {
+    Cli plain = run(folder.resolve("plain"), 2, "zoom-out,sarsa", "--steps", 20);
+    assertTrue(plain.out().contains("of the optimum [95%]"), plain.out());
+    assertFalse(plain.out().contains("over best-fixed"), plain.out());
+    assertFalse(plain.out().contains("interquartile mean"), plain.out());
   }
 
   @Test
@@ -203,7 +211,7 @@ class CompareStatisticsTest {
   @Test
   void latexTablesEqualPrintedTables() throws IOException {
     Path paper = folder.resolve("paper");
-    Cli cli = run(paper, 3, "zoom-out,one-hop:nodes=50", "--steps", 60, "--latex");
+    Cli cli = run(paper, 3, "zoom-out,one-hop:nodes=50", "--details", "--steps", 60, "--latex");
     List<String> lines = Files.readAllLines(paper.resolve("summary.tex"));
     assertEquals(
         2,

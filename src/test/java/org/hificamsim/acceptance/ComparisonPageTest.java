@@ -130,14 +130,19 @@ class ComparisonPageTest {
   }
 
   @Test
-  void remembersOrderForResearchers() {
+  void opensForResearchersAndRemembersPlanners() {
     open();
-    new Select(browser.find("#reader")).selectByValue("researcher");
-    open();
-    assertEquals("Score over time", browser.text("section.card h2"));
+    assertEquals("Score over time", secondCard());
     new Select(browser.find("#reader")).selectByValue("planner");
-    assertEquals("Side by side", browser.text("section.card h2"));
+    open();
+    assertEquals("Pictures", secondCard());
+    new Select(browser.find("#reader")).selectByValue("researcher");
+    assertEquals("Score over time", secondCard());
     browser.assertQuietConsole();
+  }
+
+  private static String secondCard() {
+    return browser.findAll("section.card h2").get(1).getText();
   }
 
   @Test

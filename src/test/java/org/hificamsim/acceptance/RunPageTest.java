@@ -1,6 +1,7 @@
 package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -128,6 +129,24 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
     assertEquals(
         "step %s: %s".formatted(STEPS - 1, last),
         browser.findAll(".chart .value").get(0).getText());
+  }
+
+  @Test
+  void opensInMiddleOfRun() {
+    browser.open(address(run));
+    assertEquals(Integer.toString(STEPS / 2), browser.text("[data-name=step]"));
+  }
+
+  @Test
+  void hidesZoomAndPolicyOfCamerasThatNeverMove() throws IOException {
+    String scenario = Files.readString(Cli.scenario("ring-random"));
+    Path still = folder.resolve("still.xml");
+    Files.writeString(still, scenario.replaceAll("<zoom>.*?</zoom>", "<zoom>7.5</zoom>"));
+    open(record("still", still, "--steps", 5));
+    assertFalse(browser.find(".zooms").isDisplayed());
+    assertEquals(0, browser.findAll("h1 small").size());
+    open(run);
+    assertTrue(browser.find(".zooms").isDisplayed());
   }
 
   @Test
@@ -373,8 +392,10 @@ return [[1, 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(
     return run.resolve("report.html").toUri().toString();
   }
 
+  /** Opens a page, and shows its first step. */
   private static void open(Path run) {
     browser.open(address(run));
+    browser.run("hificamsim.playhead.show(0)");
   }
 
   private static void scrubTo(int step) {

@@ -62,6 +62,9 @@ final class CompareCommand implements Callable<Integer> {
   @Option(names = "--latex")
   private boolean latex;
 
+  @Option(names = "--details")
+  private boolean details;
+
   @Spec private CommandSpec command;
 
   @Mixin private ScenarioOptions scenarioOptions;
@@ -172,21 +175,30 @@ final class CompareCommand implements Callable<Integer> {
     return plans;
   }
 
-  private static void print(PrintWriter out, List<CaseResult> cases) {
+  private void print(PrintWriter out, List<CaseResult> cases) {
     SummaryTables.meanings(cases).forEach(out::println);
-    SummaryTables.cases(cases).print(out);
+    (details ? SummaryTables.casesInFull(cases) : SummaryTables.cases(cases)).print(out);
     if (cases.stream().allMatch(result -> result.mean(Metric.SCORE).mean() == 0)) {
       printCoverage(out, cases);
     }
-    List<PolicyScores> policies =
-        PolicyScores.of(cases.stream().filter(result -> !result.isOptimum()).toList());
     SummaryTables.atLeast(cases).forEach(out::println);
+    if (details) {
+      printDetails(out, cases);
+    }
+  }
+
+  /** Prints what each detection chooses, and all scenarios together. */
+  private static void printDetails(PrintWriter out, List<CaseResult> cases) {
     List<Choice> choices = Choice.of(cases);
     if (!choices.isEmpty()) {
       out.println();
-      out.println("what the policy that each detection chooses achieves, mean score of a step:");
+      out.println(
+          "what the policy that each detection chooses achieves, mean score of a step (of k_min by"
+              + " chance: the expected one):");
       Choice.table(choices).print(out);
     }
+    List<PolicyScores> policies =
+        PolicyScores.of(cases.stream().filter(result -> !result.isOptimum()).toList());
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     if (yardstick.isPresent() && policies.stream().anyMatch(policy -> policy.cases().size() > 1)) {
       out.println();

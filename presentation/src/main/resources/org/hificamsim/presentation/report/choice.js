@@ -2,6 +2,7 @@
 import {el, setText} from './dom.js';
 import {spelled} from './names.js';
 import {decimals} from './numbers.js';
+import {isStill} from './views.js';
 
 let formCount = 0;
 
@@ -39,6 +40,7 @@ export class ChoiceForm {
       step: 'any',
     });
     this.mean = el('output', {class: 'recent'});
+    this.ofPolicy = [labelled('policy', this.policy), labelled('options', this.options)];
     this.policy.addEventListener('change', () => (this.options.value = ''));
     this.detection.addEventListener('change', () => (this.threshold.value = ''));
     this.element = el(
@@ -50,8 +52,7 @@ export class ChoiceForm {
       },
       labelled('detection', this.detection),
       labelled('threshold', this.threshold),
-      labelled('policy', this.policy),
-      labelled('options', this.options),
+      ...this.ofPolicy,
       this.mean,
     );
   }
@@ -66,6 +67,7 @@ export class ChoiceForm {
     show(this.detection, listed ? setup.detection : model);
     this.threshold.disabled = rule !== undefined; // the rule has its own
     show(this.threshold, rule === undefined ? decimals(setup.threshold, 6) : '');
+    this.ofPolicy.forEach(label => (label.hidden = isStill(setup)));
     show(this.policy, name);
     show(this.options, options);
   }

@@ -14,6 +14,8 @@ const DASHES = [
   {line: [2, 4], piece: 'dotted'},
   {line: [10, 3, 2, 3], piece: 'double'},
 ];
+const ALL = 'all';
+const MOST_LINES = 12;
 const DECIMALS = 4;
 const HEIGHT = 26; // rem
 
@@ -27,13 +29,19 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
     'aria-label': 'score over time by case; the tables have the numbers',
   });
   const detections = distinct(cases, 'detection');
+  const detection = detectionChoice(cases, detections, () => draw());
   const banded = cases.some(({parts}) => parts[0].low !== '');
   let plot;
 
   function draw() {
-    const shown = cases.filter(entry => entry.scenario === scenario.value);
+    const isShown = name => [ALL, name].includes(detection.value);
+    const shown = cases.filter(
+      entry => entry.scenario === scenario.value && isShown(entry.detection),
+    );
     const bands = shown.map(({parts}) => bandOf(parts));
-    const lines = yardstickLines(yardsticks, settings, scenario.value, detections);
+    const lines = yardstickLines(yardsticks, settings, scenario.value, detections).filter(
+      line => isShown(line.detection),
+    );
     const greatest = Math.max(
       ...bands.flatMap(band => band?.high ?? []),
       ...lines.map(({score}) => score),
@@ -102,10 +110,19 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
     'Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
   return card(
     'Score over time',
-    el('p', {class: 'pick'}, scenario.label),
+    el('p', {class: 'pick'}, scenario.label, detections.length > 1 ? detection.label : null),
     box,
     el('p', {class: 'note'}, note),
   );
+}
+
+/** Chooses a detection, or all where their lines can be told apart; the last is the most real. */
+function detectionChoice(cases, detections, draw) {
+  const lines = cases.length / distinct(cases, 'scenario').length;
+  const areFew = detections.length <= DASHES.length && lines <= MOST_LINES;
+  const choices = areFew ? [ALL, ...detections] : detections;
+  const name = value => (value === ALL ? value : spelled(value));
+  return labelledSelect('detection', choices, areFew ? ALL : detections.at(-1), draw, name);
 }
 
 /** Groups rows by their case; those of a case follow each other. */
@@ -164,6 +181,7 @@ function yardstickLines(yardsticks, settings, scenario, detections) {
       const reached = meanScore(own.filter(row => row.is !== 'at most')) / steps;
       return {
         name,
+        detection,
         score: Number.isNaN(bounds) ? reached : bounds,
         reached,
         dash: DASHES[detections.indexOf(detection) % DASHES.length].line,

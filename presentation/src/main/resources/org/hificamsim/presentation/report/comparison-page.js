@@ -6,6 +6,7 @@ import {sideBySide} from './comparison-cases.js';
 import {scoreOverTime} from './comparison-curves.js';
 import {fileTable, pictureCard, settingsCard, titleOf} from './comparison-tables.js';
 import {el} from './dom.js';
+import {ladderMaps} from './ladder-map.js';
 import {useLabels} from './names.js';
 import {Readers} from './readers.js';
 import {distinct, rowsOf} from './table.js';
@@ -16,7 +17,8 @@ export async function comparisonPage(root, data) {
   useLabels(data.labels);
   const cases = data.summary && sideBySide(data);
   const curves = data.levels?.rows.length && scoreOverTime(data);
-  const tables = data.tables.map(table => card(titleOf(table.name), fileTable(table, data.names)));
+  const kind = kindOf(data);
+  const tables = kind === 'Ladder' ? ladderCards(data) : data.tables.map(table => tableCard(table, data));
   const pictures = data.pictures.length && (await pictureCard(data.pictures));
   const rest = [
     data.results &&
@@ -24,16 +26,15 @@ export async function comparisonPage(root, data) {
     data.settings && settingsCard(data.settings),
     madeWith(data),
   ];
-  const kind = kindOf(data);
   const readers = new Readers(
     kind === 'Ladder'
       ? {
+          researcher: [...tables, pictures, cases, curves, ...rest],
           planner: [pictures, ...tables, cases, curves, ...rest],
-          researcher: [...tables, pictures, curves, cases, ...rest],
         }
       : {
+          researcher: [cases, curves, ...tables, pictures, ...rest],
           planner: [cases, pictures, ...tables, curves, ...rest],
-          researcher: [curves, cases, ...tables, pictures, ...rest],
         },
   );
   root.append(
@@ -44,9 +45,24 @@ export async function comparisonPage(root, data) {
   root.dataset.ready = '';
 }
 
+const tableCard = (table, {names}) => card(titleOf(table.name), fileTable(table, names));
+
+/** The order of the policies by rung as heat maps; the tables that these show are folded. */
+function ladderCards(data) {
+  const maps = ['ladder.csv', 'rungs.csv'].map(name => tableOf(data, name));
+  return [
+    ladderMaps(...maps),
+    ...data.tables.map(table =>
+      maps.includes(table)
+        ? foldedCard(titleOf(table.name), () => fileTable(table, data.names))
+        : tableCard(table, data),
+    ),
+  ];
+}
+
 /** The kind of a comparison, by its tables. */
 function kindOf(data) {
-  if (tableOf(data, 'rungs.csv')) return 'Ladder';
+  if (tableOf(data, 'rungs.csv') && tableOf(data, 'ladder.csv')) return 'Ladder';
   if (tableOf(data, 'sensitivity.csv')) return 'Sensitivity';
   return tableOf(data, 'table-8.1.csv') ? 'Reproduction' : 'Comparison';
 }
@@ -70,12 +86,13 @@ function badges({summary, settings}) {
   const counted = (length, one, many = `${one}s`) => `${length} ${length === 1 ? one : many}`;
   const count = (name, noun) => counted(distinct(rows, name).length, noun);
   const policies = distinct(rows, 'policy').filter(name => !YARDSTICKS.includes(name));
+  const steps = distinct(settings ?? [], 'steps');
   const facts = [
     count('scenario', 'scenario'),
     count('detection', 'detection model'),
     counted(policies.length, 'policy', 'policies'),
     counted(Math.max(...rows.map(row => Number(row.runs))), 'seed'),
-    settings && counted(settings[0].steps, 'step'),
+    steps.length === 1 && counted(steps[0], 'step'),
   ];
   return el('p', {class: 'badges'}, ...facts.filter(Boolean).map(fact => el('span', {}, fact)));
 }

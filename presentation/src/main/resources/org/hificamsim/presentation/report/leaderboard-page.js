@@ -1,10 +1,17 @@
-// The page of the benchmark's leaderboard: one sortable table of all entries.
+// The page of the benchmark's leaderboard: the entries with their scores as bars, and all numbers.
+import {foldedCard, svg} from './cards.js';
 import {el} from './dom.js';
 import {rowsOf, sortable} from './table.js';
 
+const MISSING = '-';
+const SUMMARIES = ['IQM', 'Mean'];
+const BAR = {width: 9, gap: 2, height: 34};
+
 /** The page; `data` is what LeaderboardReport wrote. */
 export async function leaderboardPage(root, data) {
-  const columns = data.columns.map(name => ({name}));
+  const rows = rowsOf(data);
+  const isKnown = name => rows.some(row => row[name] !== MISSING);
+  const tasks = data.columns.slice(2 + SUMMARIES.length);
   root.append(
     el('header', {}, el('h1', {}, 'Cameras that zoom and turn: the leaderboard')),
     el(
@@ -18,17 +25,86 @@ export async function leaderboardPage(root, data) {
           ' interval by a bootstrap within tasks. Every entry was checked: its actions were' +
           ' played again, and scored the same.',
       ),
-      el(
-        'div',
-        {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Scores'},
-        sortable('Scores', columns, rowsOf(data), 'unseen'),
-      ),
+      scores(rows, tasks),
+      el('p', {class: 'note'}, `Tasks from left to right: ${tasks.join(', ')}.`),
       el(
         'p',
         {class: 'note'},
         `HiFi-CamSim ${data.version}, ${data.episodes} episodes for each task.`,
       ),
     ),
+    foldedCard('All numbers', () => numbers(data.columns.filter(isKnown), rows)),
   );
   root.dataset.ready = '';
 }
+
+/** A row for each entry: its name, its score in all tasks, and a bar for each task. */
+function scores(rows, tasks) {
+  const line = row =>
+    el(
+      'tr',
+      {},
+      el(
+        'th',
+        {scope: 'row'},
+        row.Entry,
+        el('small', {class: 'note'}, ` verified by ${row['Verified by']}`),
+      ),
+      el('td', {}, row.IQM === MISSING ? placeOf(row, tasks) : row.IQM),
+      el('td', {}, bars(row, tasks)),
+    );
+  const heads = ['entry', 'IQM of all tasks', 'each task'];
+  return el(
+    'div',
+    {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Scores'},
+    el(
+      'table',
+      {class: 'board'},
+      el('thead', {}, el('tr', {}, ...heads.map(head => el('th', {scope: 'col'}, head)))),
+      el('tbody', {}, ...rows.map(line)),
+    ),
+  );
+}
+
+/** Why an entry has no score in all tasks. */
+function placeOf(row, tasks) {
+  const count = tasks.filter(task => row[task] !== MISSING).length;
+  return el('span', {class: 'note'}, `none: played ${count} of ${tasks.length} tasks`);
+}
+
+/** A bar for each task, from 0 to 1; a dot where the entry lacks the task. */
+function bars(row, tasks) {
+  const width = tasks.length * (BAR.width + BAR.gap);
+  const label = tasks.map(task => `${task} ${row[task]}`).join(', ');
+  const parts = tasks.map((task, i) => bar(task, row[task], i * (BAR.width + BAR.gap)));
+  const axis = svg('line', {x1: 0, x2: width, y1: BAR.height, y2: BAR.height, class: 'rail'});
+  return svg(
+    'svg',
+    {viewBox: `0 0 ${width} ${BAR.height + 1}`, width, class: 'bars', role: 'img', 'aria-label': label},
+    axis,
+    ...parts,
+  );
+}
+
+function bar(task, text, x) {
+  const title = svg('title', {}, `${task}: ${text === MISSING ? 'not played' : text}`);
+  if (text === MISSING)
+    return svg('circle', {cx: x + BAR.width / 2, cy: BAR.height - 4, r: 1.5, class: 'none'}, title);
+  const share = Math.min(1, Math.max(0, parseFloat(text)));
+  const height = Math.max(1, share * BAR.height);
+  const frame = svg('rect', {x, width: BAR.width, y: 0, height: BAR.height, class: 'frame'});
+  const filled = svg('rect', {x, width: BAR.width, y: BAR.height - height, height, class: 'score'});
+  return svg('g', {}, title, frame, filled);
+}
+
+const numbers = (columns, rows) =>
+  el(
+    'div',
+    {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'All numbers'},
+    sortable(
+      'All numbers',
+      columns.map(name => ({name})),
+      rows,
+      'unseen',
+    ),
+  );

@@ -57,6 +57,10 @@ export const isShare = unit => /^share\b/.test(unit);
 export const unitAfterPercent = (unit = '') =>
   isShare(unit) ? unit.replace(/^share ?/, '') : unit;
 
+/** A number of a setting with at most six significant digits. */
+const shortNumber = value =>
+  Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
+
 /** The value of a setting, a list or object included, in words. */
 export function settingText(value) {
   if (Array.isArray(value))
@@ -69,7 +73,7 @@ export function settingText(value) {
     return Object.entries(value)
       .map(([name, part]) => `${words(name)} ${settingText(part)}`)
       .join(', ');
-  return String(value ?? '–');
+  return typeof value === 'number' ? shortNumber(value) : String(value ?? '–');
 }
 
 /** A text with the raw name in its tooltip, if that differs. */

@@ -5,6 +5,9 @@ export function decimals(number, most = 2) {
   return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
 }
 
+/** A number with three significant digits, such as a threshold. */
+export const significant = number => String(Number(number.toPrecision(3)));
+
 /** A length in metres, to the millimetre. */
 export const metres = number => `${number.toFixed(3)} m`;
 

@@ -4,7 +4,7 @@ import {el} from './dom.js';
 import {blindSpots, zoneShares} from './heat-areas.js';
 import {unpackHeat} from './heat.js';
 import {scoreNumber, spelled, tipped} from './names.js';
-import {decimals} from './numbers.js';
+import {significant} from './numbers.js';
 import {Player} from './player.js';
 import {Playhead} from './playhead.js';
 import {Readers} from './readers.js';
@@ -12,6 +12,7 @@ import {unpack} from './recording.js';
 import {blindSpotCard, zoneCard} from './run-areas.js';
 import {details} from './run-details.js';
 import {thinned} from './run.js';
+import {isStill} from './views.js';
 
 const ALL_ZERO =
   'k_min is 0 at every step shown: there was always a target that no camera covered. ' +
@@ -63,7 +64,8 @@ export async function runPage(root, data) {
     place.replaceChildren(player.element);
     curves.replaceChildren(player.timeline.element);
     window.hificamsim = {run, playhead, player};
-    const step = Number(location.hash.slice(1)) || 0; // report.html#120 opens at step 120
+    // report.html#120 opens at step 120; without a step in the middle, where cameras have learned
+    const step = /^#\d+$/.test(location.hash) ? Number(location.hash.slice(1)) : run.steps / 2;
     playhead.show(run.frameAt(step));
     root.dataset.ready = String(index);
     if (!run.highestKMin && data.objective.kMin) place.prepend(notice(ALL_ZERO));
@@ -86,7 +88,12 @@ const header = ({replay: {setup}}, reader) =>
   el(
     'header',
     {},
-    el('h1', {}, setup.scenario, el('small', {title: setup.policy}, spelled(setup.policy))),
+    el(
+      'h1',
+      {},
+      setup.scenario,
+      isStill(setup) ? null : el('small', {title: setup.policy}, spelled(setup.policy)),
+    ),
     reader,
   );
 
@@ -114,7 +121,7 @@ function facts({replay: {setup, runs, repeat}}, open) {
   const badges = [
     tipped(spelled(setup.detection), setup.detection),
     `${/@(chance|probability)/.test(setup.detection) ? 'half of the time at' : 'threshold'} ` +
-      decimals(setup.threshold, 6),
+      significant(setup.threshold),
     `${runs[0].steps} steps`,
     `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
     `targets move ${setup.order === 'camsim' ? 'before' : 'after'} cameras look`,

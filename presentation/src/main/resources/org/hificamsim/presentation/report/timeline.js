@@ -6,6 +6,7 @@ import {scoreNumber} from './names.js';
 import {COVER} from './palette.js';
 import {smoothed} from './smooth.js';
 import {TargetStrip} from './target-strip.js';
+import {isStill} from './views.js';
 import {ZoomStrip} from './zoom-strip.js';
 
 export class Timeline {
@@ -92,6 +93,7 @@ export class Timeline {
       share.map((value, j) => shares.slice(0, i + 1).reduce((sum, list) => sum + list[j], 0)),
     );
     this.cover.load([steps, ...stacked.reverse()]);
+    this.zooms.element.hidden = isStill(run.setup);
     this.zooms.load(run);
     this.lives?.load(run);
   }

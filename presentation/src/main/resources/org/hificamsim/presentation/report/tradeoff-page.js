@@ -2,7 +2,8 @@
 // verdicts on statements of papers.
 import {card, madeWith} from './cards.js';
 import {el} from './dom.js';
-import {rowsOf, sortable} from './table.js';
+import {spelled} from './names.js';
+import {distinct, rowsOf, sortable} from './table.js';
 import {networkLegend, networkPlot} from './tradeoff-plot.js';
 
 const SCHEDULES = {A: 'Active', P: 'Passive', HA: 'HistActive', HP: 'HistPassive'};
@@ -37,11 +38,12 @@ function scenarioCard(data, networks, fronts) {
     .split(' ')
     .map(name => networks.find(row => row.network === name))
     .filter(Boolean);
+  const title = row => shortStrategy(row, data.cameras[row.scenario] ?? []);
   const buttons = front.map(row =>
-    el('button', {type: 'button', onclick: () => show(row)}, row.network),
+    el('button', {type: 'button', title: row.network, onclick: () => show(row)}, title(row)),
   );
   return card(
-    `${networks[0].scenario}, ${networks[0].detection}`,
+    `${networks[0].scenario}, ${spelled(networks[0].detection)}`,
     networkPlot(networks, front, show),
     networkLegend(networks),
     el('p', {class: 'networks'}, 'On the front, by rising cost: ', ...buttons),
@@ -49,28 +51,59 @@ function scenarioCard(data, networks, fronts) {
   );
 }
 
-const frontCard = fronts =>
-  card(
+/** A network of the front in words; one whose cameras differ by its short name. */
+const shortStrategy = (row, cameras) =>
+  row.network.includes('-')
+    ? row.network
+    : strategiesOf(row, cameras).replace('all cameras: ', `${row.network}, `);
+
+/** The fronts, those that are the same in one row. */
+function frontCard(fronts) {
+  const columns = [
+    {name: 'scenario'},
+    {name: 'detection', show: spelled},
+    {name: 'networks'},
+    {name: 'count'},
+    {name: 'on_front', label: 'on the front'},
+    {name: 'hypervolume', show: (text, row) => estimate(row, 'hypervolume', 3)},
+    {
+      name: 'gain',
+      show: (text, row) => (row.homogeneous ? '–' : estimate(row, 'gain', 3)),
+    },
+  ];
+  const isVaried = ({name}) =>
+    !['scenario', 'detection'].includes(name) || distinct(fronts, name).length > 1;
+  return card(
     'Fronts',
     el(
       'div',
       {class: 'scroll'},
       sortable(
         'hypervolume and what it gains on the homogeneous networks, ' +
-          'with 95 % intervals over seeds',
-        [
-          {name: 'scenario'},
-          {name: 'detection'},
-          {name: 'networks'},
-          {name: 'count'},
-          {name: 'on_front', label: 'on the front'},
-          {name: 'hypervolume', show: (text, row) => estimate(row, 'hypervolume', 3)},
-          {name: 'gain', show: (text, row) => estimate(row, 'gain', 3)},
-        ],
-        fronts,
+          'with 95 % intervals over seeds; sets of networks with the same front share a row',
+        columns.filter(isVaried),
+        merged(fronts),
       ),
     ),
   );
+}
+
+/** The rows of sets of networks; sets whose fronts are the same become one row. */
+function merged(fronts) {
+  const rows = new Map();
+  for (const row of fronts) {
+    const key = [row.scenario, row.detection, row.front].join(';');
+    const homogeneous = row.networks === 'homogeneous';
+    const other = rows.get(key);
+    rows.set(key, {
+      ...row,
+      homogeneous: homogeneous || other?.homogeneous,
+      networks: other ? `${other.networks}, ${row.networks}` : row.networks,
+      count: String(Math.max(Number(row.count), Number(other?.count ?? 0))),
+    });
+  }
+  return [...rows.values()];
+}
 
 const verdictCard = verdicts =>
   card(

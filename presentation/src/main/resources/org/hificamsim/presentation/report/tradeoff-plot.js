@@ -12,6 +12,9 @@ const SIZE = {width: 640, height: 460, left: 74, right: 28, top: 14, bottom: 48}
 const BOTTOM = SIZE.height - SIZE.bottom;
 const RIGHT = SIZE.width - SIZE.right;
 const INK = 'currentColor';
+const MARGIN = 14;
+const LETTER = {width: 7, height: 13};
+const MOST_NAMES = 3;
 const TICK_GAPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2];
 const MOST_GAPS = 5;
 
@@ -26,7 +29,9 @@ export function networkPlot(networks, front, show) {
   const across = axis(networks, 'cost_share', SIZE.left, RIGHT);
   const up = axis(networks, 'utility_share', BOTTOM, SIZE.top);
   const [x, y] = [across.placeOf, up.placeOf];
-  const steps = front.map((row, i) => (i ? `H ${x(row)} V ${y(row)}` : `M ${x(row)} ${y(row)}`));
+  const steps = front.map((row, i) =>
+    i ? `H ${x(row)} V ${y(row)}` : `M ${x(row)} ${BOTTOM} V ${y(row)}`,
+  );
   const points = [...KINDS]
     .sort(([, , r], [, , otherR]) => r - otherR)
     .flatMap(([kind, colour, r]) =>
@@ -47,21 +52,42 @@ export function networkPlot(networks, front, show) {
     ...titles(),
     ...points,
     svg('path', {
-      d: steps.join(' '),
+      d: front.length ? `${steps.join(' ')} H ${RIGHT}` : '',
       fill: 'none',
       stroke: INK,
       'stroke-width': 1.5,
       'pointer-events': 'none',
     }),
+    ...labels(front.map(row => ({name: row.network, x: x(row), y: y(row)}))),
   );
 }
+
+/** The names of the front's points above them; names that would overlap share one label. */
+function labels(points) {
+  const groups = [];
+  for (const {name, x, y} of points) {
+    const last = groups.at(-1);
+    const isNear = last && x - last.x < widthOf(name) && last.y - y < LETTER.height;
+    if (isNear) Object.assign(last, {names: [...last.names, name], y});
+    else groups.push({names: [name], x, y});
+  }
+  return groups.map(({names, x, y}) => {
+    const name = names.length > MOST_NAMES ? `${names.length} networks` : names.join(', ');
+    const fits = x - widthOf(name) > SIZE.left;
+    const place = {x: fits ? x - 7 : x + 8, y: Math.max(y - 7, SIZE.top + LETTER.height)};
+    return text({...place, 'text-anchor': fits ? 'end' : 'start', class: 'front-name'}, name);
+  });
+}
+
+const widthOf = name => LETTER.width * name.length;
 
 /** An axis of round shares, which ends at 1 and begins below the least share. */
 function axis(networks, share, from, to) {
   const span = 1 - Math.min(...networks.map(row => Number(row[share])));
   const gap = TICK_GAPS.find(width => span / width <= MOST_GAPS) ?? 0.2;
   const count = Math.min(Math.ceil(span / gap + 0.1), Math.round(1 / gap));
-  const place = value => to - ((1 - Number(value)) / (gap * count)) * (to - from);
+  const end = to + (to > from ? -MARGIN : MARGIN); // points and names at 1 are whole
+  const place = value => end - ((1 - Number(value)) / (gap * count)) * (end - from);
   return {
     place,
     placeOf: row => place(row[share]),

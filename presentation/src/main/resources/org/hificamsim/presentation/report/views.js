@@ -6,6 +6,9 @@ import {DENSITY_ZONES} from './palette.js';
 /** The number of views that a camera in this pose can choose. */
 export const viewCount = ({levels, pans}) => levels.length * (pans?.length || 1);
 
+/** Whether the cameras have one view each, as those of a plan: a policy changes nothing. */
+export const isStill = ({cameras}) => cameras.every(({pose}) => viewCount(pose) === 1);
+
 /** Returns what a camera has in one of its views; angles in radians. */
 export function viewOf(pose, view) {
   const zoom = view % pose.levels.length;

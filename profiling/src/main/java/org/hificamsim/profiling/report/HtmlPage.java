@@ -8,25 +8,39 @@ import org.hificamsim.profiling.dataset.TableLayout;
 final class HtmlPage {
   private static final String STYLE =
       """
-body { font: 16px/1.5 sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
-table { border-collapse: collapse; margin: 1rem 0; font-size: 0.9rem }
-th, td { border-bottom: 1px solid #ddd; padding: 0.25rem 0.7rem; text-align: right }
-th { border-bottom: 2px solid #888; background: #f6f6f6 }
+:root { --ink: #222; --faint: #555; --paper: #fff; --line: #ccd; --head: #f3f4f6; --link: #0067a3; color-scheme: light dark }
+@media (prefers-color-scheme: dark) { :root { --ink: #e8edf2; --faint: #a3b0bd; --paper: #10161c; --line: #34404c; --head: #1d2731; --link: #8ab4ff } }
+body { font: 16px/1.5 sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; color: var(--ink); background: var(--paper); overflow-wrap: break-word }
+a { color: var(--link) }
+.table { overflow-x: auto; margin: 1rem 0 } .table td:last-child:not(:first-child) { min-width: 4rem }
+table { border-collapse: collapse; font-size: 0.9rem }
+th, td { border-bottom: 1px solid var(--line); padding: 0.25rem 0.7rem; text-align: right }
+th { border-bottom: 2px solid var(--faint); background: var(--head) }
 td:first-child, th:first-child { text-align: left }
-figure { margin: 1.5rem 0 } figcaption { color: #555; font-size: 0.9rem }
-img { max-width: 100%; border: 1px solid #eee }
+figure { margin: 1.5rem 0; overflow-x: auto } figcaption { color: var(--faint); font-size: 0.9rem }
+img { max-width: 100%; background: #fff }
+@media (prefers-color-scheme: dark) { img { filter: invert(0.9) hue-rotate(180deg) } }
 """;
 
+  private final StringBuilder contents = new StringBuilder();
   private final StringBuilder body = new StringBuilder();
   private final String title;
+  private int headings;
 
   HtmlPage(String title) {
     this.title = title;
-    body.append("<h1>").append(escaped(title)).append("</h1>\n");
   }
 
+  /** Adds a heading, which the contents at the top of the page link to. */
   void heading(String text) {
-    body.append("<h2>").append(escaped(text)).append("</h2>\n");
+    String id = "part-" + ++headings;
+    contents
+        .append("<li><a href=\"#")
+        .append(id)
+        .append("\">")
+        .append(escaped(text))
+        .append("</a></li>\n");
+    body.append("<h2 id=\"").append(id).append("\">").append(escaped(text)).append("</h2>\n");
   }
 
   void paragraph(String text) {
@@ -34,10 +48,10 @@ img { max-width: 100%; border: 1px solid #eee }
   }
 
   <R> void table(TableLayout<R> layout, List<R> rows) {
-    body.append("<table>\n");
+    body.append("<div class=\"table\" tabindex=\"0\"><table>\n");
     row("th", layout.names());
     rows.forEach(row -> row("td", layout.cells(row)));
-    body.append("</table>\n");
+    body.append("</table></div>\n");
   }
 
   /** Adds a picture that is embedded, so that the page is one file. */
@@ -52,13 +66,18 @@ img { max-width: 100%; border: 1px solid #eee }
   }
 
   String text() {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>"
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+        + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>"
         + escaped(title)
         + "</title>\n<style>\n"
         + STYLE
-        + "</style></head><body>\n"
+        + "</style></head><body><main>\n<h1>"
+        + escaped(title)
+        + "</h1>\n<nav aria-label=\"Contents\"><ul>\n"
+        + contents
+        + "</ul></nav>\n"
         + body
-        + "</body></html>\n";
+        + "</main></body></html>\n";
   }
 
   private void row(String tag, List<String> cells) {

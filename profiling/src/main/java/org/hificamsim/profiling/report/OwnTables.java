@@ -65,7 +65,9 @@ final class OwnTables {
             .with("R2", row -> fixed(row.value().scores().r2(), 3))
             .with("R2, unseen", row -> fixed(row.value().unseen().r2(), 3))
             .with("RMSE, unseen", row -> fixed(row.value().unseen().rmse(), 4))
-            .with("", row -> row.value().equals(onMeasuredPip(row.detector())) ? "chosen" : "")
+            .with(
+                "",
+                row -> row.value().equals(onMeasuredPip(row.detector())) ? "on measured PIP" : "")
             .with("curve", row -> row.value().g().equation()),
         result.detectors().stream().flatMap(ofDetector).toList());
   }
@@ -124,10 +126,20 @@ final class OwnTables {
             .with("R2", scores -> fixed(scores.fit().scores().r2(), 3))
             .with("R2, unseen", scores -> fixed(scores.fit().unseen().r2(), 3))
             .with("detect or not, unseen", scores -> fixed(scores.accuracy(), 3))
-            .with("", scores -> scores.rejected() ? "refused" : ""),
+            .with("", this::verdict),
         result.detectors().stream()
             .flatMap(detector -> ModelScores.of(result, detector).stream())
             .toList());
+  }
+
+  private String verdict(ModelScores scores) {
+    boolean take =
+        recommended().stream()
+            .anyMatch(
+                model ->
+                    model.detector().equals(scores.detector())
+                        && model.f().name().equals(scores.model()));
+    return scores.rejected() ? "refused" : take ? "take" : "";
   }
 
   /** A row of a table: a scatter of a model, and the reliability of its chances. */

@@ -31,7 +31,6 @@ final class ReportFigures {
   private static final int HEIGHT = 230;
   private static final int PANELS_PER_ROW = 3;
   private static final int BINS = 30;
-  private static final int MAX_NAMED = 16;
   private static final int CURVE_POINTS = 60;
   private static final int DENSITY_POINTS = 200;
 
@@ -186,16 +185,19 @@ final class ReportFigures {
         line::confidence);
   }
 
-  /** Draws a detector's confidence by measured PIP, coloured by object, with the chosen g. */
+  /**
+   * Draws a detector's confidence by measured PIP with g on it; objects have colours if these are
+   * enough for all.
+   */
   Figure objects(String detector) {
     XyPanel panel = panel("", "PIP (logarithmic)", "confidence");
     panel.getStyler().setXAxisLogarithmic(true);
     Map<String, List<Measurement>> objects = result.byObject();
     List<LegendEntry> legend = new ArrayList<>();
+    boolean isColored = objects.size() <= Palette.LINES.size();
     objects.forEach(
         (name, photos) -> {
-          float hue = legend.size() / (float) objects.size();
-          Color color = Color.getHSBColor(hue, 0.7f, 0.8f);
+          Color color = isColored ? Palette.LINES.get(legend.size()) : DOTS;
           legend.add(new LegendEntry(name, color, LegendEntry.Mark.DOT));
           panel.dots(
               Curve.of(photos, Measurement::pip, photo -> photo.confidence(detector)), color);
@@ -206,7 +208,7 @@ final class ReportFigures {
     return new Figure(
         detector + " by object",
         "Dots: photos. Line: g.",
-        legend.size() <= MAX_NAMED ? legend : List.of(),
+        isColored ? legend : List.of(),
         List.of(panel),
         1,
         2 * WIDTH,

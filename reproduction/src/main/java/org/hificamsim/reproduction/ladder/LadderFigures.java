@@ -3,6 +3,7 @@ package org.hificamsim.reproduction.ladder;
 import java.awt.Color;
 import java.util.List;
 import java.util.function.Function;
+import org.hificamsim.presentation.figures.FigureStyle;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.LegendEntry;
@@ -36,16 +37,22 @@ final class LadderFigures {
 
   LadderFigures(LadderResult result) {
     this.result = result;
-    this.names = result.of(RungResult.ALL).stream().map(row -> row.rung().name()).toList();
+    this.names =
+        result.of(RungResult.ALL).stream()
+            .map(row -> FigureStyle.DEFAULT.name(row.rung().name()))
+            .toList();
   }
 
-  /** Tau and regret in each scenario, and their means over all scenarios. */
+  /** Tau and regret in each scenario. */
   Figure byScenario() {
     return figure(
         "How far each rung can be trusted, judged by " + top(),
         INTERVALS,
         legend(),
-        result.scenarios().stream().map(this::panel).toList());
+        result.scenarios().stream()
+            .filter(scenario -> !scenario.equals(RungResult.ALL))
+            .map(this::panel)
+            .toList());
   }
 
   /** The means of tau, regret and cost over the scenarios, in three panels. */

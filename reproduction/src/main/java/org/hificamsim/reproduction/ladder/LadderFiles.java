@@ -17,6 +17,7 @@ import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
@@ -142,7 +143,9 @@ public final class LadderFiles {
                 new PolicyRow(
                     variant,
                     ladder.policies().get(policy),
-                    Estimate.mean(scores.score()[policy]),
+                    Metric.MEAN_SCORE.mean(
+                        variant.plan(ladder.policies().get(policy), Settings.NONE),
+                        scores.score()[policy]),
                     ranks[policy]));
   }
 

@@ -46,8 +46,14 @@ public final class SummaryTables {
     return new Figure(yardstick.title(), "%.3f", yardstick.share());
   }
 
-  /** A row for each case, with its score compared with the yardsticks. */
+  /** A row for each case, with its score and its share of the leading yardstick. */
   public static TextTable cases(List<CaseResult> cases) {
+    List<Figure> figures = shown(cases);
+    return table(cases, figures.subList(0, Math.min(2, figures.size())), true);
+  }
+
+  /** The same with its shares of all yardsticks. */
+  public static TextTable casesInFull(List<CaseResult> cases) {
     return table(cases, shown(cases), true);
   }
 
