@@ -39,8 +39,8 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
       entry => entry.scenario === scenario.value && isShown(entry.detection),
     );
     const bands = shown.map(({parts}) => bandOf(parts));
-    const lines = yardstickLines(yardsticks, settings, scenario.value, detections).filter(
-      line => isShown(line.detection),
+    const lines = yardstickLines(yardsticks, settings, scenario.value, detections).filter(line =>
+      isShown(line.detection),
     );
     const greatest = Math.max(
       ...bands.flatMap(band => band?.high ?? []),

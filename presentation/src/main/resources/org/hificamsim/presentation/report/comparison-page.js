@@ -18,7 +18,8 @@ export async function comparisonPage(root, data) {
   const cases = data.summary && sideBySide(data);
   const curves = data.levels?.rows.length && scoreOverTime(data);
   const kind = kindOf(data);
-  const tables = kind === 'Ladder' ? ladderCards(data) : data.tables.map(table => tableCard(table, data));
+  const tables =
+    kind === 'Ladder' ? ladderCards(data) : data.tables.map(table => tableCard(table, data));
   const pictures = data.pictures.length && (await pictureCard(data.pictures));
   const rest = [
     data.results &&

@@ -55,7 +55,13 @@ function map(scenario, ranks, losses) {
   const heads = [el('td'), ...policies.map(head), el('th', {scope: 'col'}, 'lost')];
   const caption = el('caption', {}, scenario);
   const body = el('tbody', {}, ...lines);
-  const table = el('table', {class: 'ranks'}, caption, el('thead', {}, el('tr', {}, ...heads)), body);
+  const table = el(
+    'table',
+    {class: 'ranks'},
+    caption,
+    el('thead', {}, el('tr', {}, ...heads)),
+    body,
+  );
   return el(
     'div',
     {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Order of policies, ${scenario}`},

@@ -80,7 +80,13 @@ function bars(row, tasks) {
   const axis = svg('line', {x1: 0, x2: width, y1: BAR.height, y2: BAR.height, class: 'rail'});
   return svg(
     'svg',
-    {viewBox: `0 0 ${width} ${BAR.height + 1}`, width, class: 'bars', role: 'img', 'aria-label': label},
+    {
+      viewBox: `0 0 ${width} ${BAR.height + 1}`,
+      width,
+      class: 'bars',
+      role: 'img',
+      'aria-label': label,
+    },
     axis,
     ...parts,
   );
