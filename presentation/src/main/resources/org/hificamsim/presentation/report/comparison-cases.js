@@ -54,14 +54,14 @@ export function sideBySide({summary, settings, colours, names}) {
         row => row.metric === metric.value && isChosen(row, scenario) && isChosen(row, detection),
       ),
     );
-    const {title, unit, meaning} =
-      metric.value === 'mean_score' && settings?.[0]?.score_words
-        ? scoreInWords(distinct(shown, 'scenario'), settings, names)
-        : (names[metric.value] ?? {title: metric.value, unit: ''});
+    const inWords = metric.value === 'mean_score' && settings?.[0]?.score_words;
+    const {title, unit, meaning, units} = inWords
+      ? scoreInWords(distinct(shown, 'scenario'), settings, names)
+      : (names[metric.value] ?? {title: metric.value, unit: ''});
     const shownUnit = isShare(unit) ? `% ${unitAfterPercent(unit)}`.trim() : unit;
     const caption = `${title}${unit ? ` (${shownUnit})` : ''}: mean and 95 % interval over seeds`;
     place.replaceChildren(
-      sortable(caption, caseColumns(shown, colours, unit, more.checked), shown),
+      sortable(caption, caseColumns(shown, colours, units ?? unit, more.checked), shown),
     );
     place.title = `${metric.value}: ${meaning ?? ''}`;
   }
@@ -100,6 +100,10 @@ function scoreInWords(scenarios, settings, names) {
     ...names.mean_score,
     title: `score, mean of the steps: ${distinct(plans, 'score_words').join('; ')}`,
     unit: plans.every(plan => plan.score_unit === 'share') ? 'share' : '',
+    units:
+      distinct(plans, 'score_words').length > 1
+        ? Object.fromEntries(plans.map(plan => [plan.scenario, plan.score_unit]))
+        : null, // scores of different objectives have a scale for each scenario
   };
 }
 
@@ -120,14 +124,21 @@ function allZeroNotice(rows, metric, names) {
   );
 }
 
-/** The policy, its mean and its interval as a bar; with `all` also what differs less often. */
-function caseColumns(rows, colours, unit, all) {
-  const numbers = rows
-    .flatMap(row => [row.mean, row.low, row.high])
-    .filter(text => text !== '')
-    .map(Number);
-  const scale = [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
-  const show = numberText(Math.max(...numbers.map(Math.abs), 1), unit);
+/**
+ * The policy, its mean and its interval as a bar; with `all` also what differs less often.
+ * @param units the unit, or that of each scenario, which has a scale of its own then
+ */
+function caseColumns(rows, colours, units, all) {
+  const unitOf = ({scenario}) => (typeof units === 'object' ? units[scenario] : units);
+  const scales = new Map();
+  const scaleOf = ({scenario}) => {
+    const name = typeof units === 'object' ? scenario : '';
+    if (!scales.has(name))
+      scales.set(name, scale(name ? rows.filter(row => row.scenario === name) : rows));
+    return scales.get(name);
+  };
+  const show = (text, row) =>
+    numberText(Math.max(...scaleOf(row).map(Math.abs), 1), unitOf(row))(text);
   const differs = name => all || distinct(rows, name).length > 1;
   return [
     differs('scenario') && {name: 'scenario'},
@@ -141,10 +152,19 @@ function caseColumns(rows, colours, unit, all) {
       name: 'mean',
       label: 'interval',
       show: (text, row) =>
-        whisker(row, scale, row.policy === OPTIMAL ? 'currentColor' : colours[row.policy]),
+        whisker(row, scaleOf(row), row.policy === OPTIMAL ? 'currentColor' : colours[row.policy]),
     },
-    ...(all ? differenceColumns(rows, unit, show) : []),
+    ...(all ? differenceColumns(rows, rows.length ? unitOf(rows[0]) : '', show) : []),
   ].filter(Boolean);
+}
+
+/** The least and the greatest number of rows, 0 included. */
+function scale(rows) {
+  const numbers = rows
+    .flatMap(row => [row.mean, row.low, row.high])
+    .filter(text => text !== '')
+    .map(Number);
+  return [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
 }
 
 /** The difference to the first detection, in points if it is one of shares. */

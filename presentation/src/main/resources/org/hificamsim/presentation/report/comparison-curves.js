@@ -86,12 +86,14 @@ export function scoreOverTime({levels, colours, settings, yardsticks}) {
     );
   }
 
-  const dashOf = detection => DASHES[Math.max(0, detections.indexOf(detection)) % DASHES.length];
-  const series = ({policy, detection}, share) => ({
-    label: `${spelled(policy)}; ${spelled(detection)}`,
+  const isSingle = () => detections.length === 1 || detection.value !== ALL;
+  const dashOf = name =>
+    DASHES[isSingle() ? 0 : Math.max(0, detections.indexOf(name)) % DASHES.length];
+  const series = ({policy, detection: name}, share) => ({
+    label: isSingle() ? spelled(policy) : `${spelled(policy)}; ${spelled(name)}`,
     stroke: policy === OPTIMAL ? () => style('--ink') : colours[policy],
     width: 0.12 * rem(),
-    dash: dashOf(detection).line,
+    dash: dashOf(name).line,
     points: {show: false},
     value: (chart, value) =>
       value == null ? '' : share ? percent(value) : decimals(value, DECIMALS),

@@ -3,7 +3,7 @@ import {card} from './cards.js';
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
 import {settingText, spelled, words} from './names.js';
-import {decimals, percent} from './numbers.js';
+import {percent, rounded} from './numbers.js';
 import {rowsOf, sortable} from './table.js';
 
 const TITLES = {
@@ -22,6 +22,7 @@ const TITLES = {
 
 /** The labels of a ladder's columns, whose scores are those of each scenario's objective. */
 const LABELS = {
+  judge: 'judged by',
   mean_k_min: 'mean score of a step',
   regret: 'score lost',
   regret_low: 'low',
@@ -38,10 +39,10 @@ const STATISTICS = {iqm: 'interquartile mean', optimality_gap: 'optimality gap'}
 
 /** The columns whose texts are shown in words. */
 const OVER_TIME = /^(k_min|score)-(.+)\.svg$/;
-const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung)$/;
+const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung|judge|chosen)$/;
+const SEVERAL = ' | '; // between policies that tie
 const SHARE = /^share(_|$)/;
-const LONG_NUMBER = /^-?\d+\.(\d{5,}|\d+E-\d+)$/;
-const DECIMALS = 4;
+const FRACTION = /^-?\d+\.\d+(E-\d+)?$/;
 const LEVEL = 0.05;
 const WIDE_PICTURE = 800; // points; too small to be read next to another picture
 
@@ -70,8 +71,8 @@ export function fileTable(table, names = {}) {
 
 function cellText(column, text, names) {
   if (SHARE.test(column) && text !== '') return percent(Number(text));
-  if (SPELLED.test(column)) return spelled(text);
-  if (LONG_NUMBER.test(text)) return decimals(Number(text), DECIMALS);
+  if (SPELLED.test(column)) return text.split(SEVERAL).map(spelled).join(' or ');
+  if (FRACTION.test(text)) return rounded(Number(text));
   return names[text]?.title ?? STATISTICS[text] ?? text;
 }
 

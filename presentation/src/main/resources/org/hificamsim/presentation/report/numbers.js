@@ -8,6 +8,16 @@ export function decimals(number, most = 2) {
 /** A number with three significant digits, such as a threshold. */
 export const significant = number => String(Number(number.toPrecision(3)));
 
+/**
+ * A number of a table: three decimals, fewer from ten on, and one significant digit below a
+ * thousandth.
+ */
+export function rounded(number) {
+  const size = Math.abs(number);
+  if (size > 0 && size < 5e-4) return String(Number(number.toPrecision(1)));
+  return number.toFixed(size < 10 ? 3 : size < 1000 ? 1 : 0);
+}
+
 /** A length in metres, to the millimetre. */
 export const metres = number => `${number.toFixed(3)} m`;
 
