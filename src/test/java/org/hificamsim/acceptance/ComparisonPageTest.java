@@ -138,6 +138,7 @@ class ComparisonPageTest {
     assertEquals("Pictures", secondCard());
     new Select(browser.find("#reader")).selectByValue("researcher");
     assertEquals("Score over time", secondCard());
+    browser.run("localStorage.clear()"); // other pages have it, too
     browser.assertQuietConsole();
   }
 
@@ -273,12 +274,13 @@ class ComparisonPageTest {
     List<String> titles =
         browser.findAll("section.card h2").stream().map(WebElement::getText).limit(4).toList();
     assertEquals(
-        List.of(
-            "Pictures",
-            "What is lost where each rung chooses the policy",
-            "What each rung predicts of the policies",
-            "Side by side"),
+        List.of("The order of the policies by rung", "Pictures", "Side by side", "Score over time"),
         titles);
+    assertEquals(
+        List.of(
+            "What is lost where each rung chooses the policy",
+            "What each rung predicts of the policies"),
+        browser.findAll("details summary").stream().map(WebElement::getText).limit(2).toList());
     double loss =
         Files.readAllLines(ladder.resolve("rungs.csv")).stream()
             .map(line -> line.split(",", -1))

@@ -5,14 +5,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
- * The names of policies and detections as people read them, in pictures as on pages ({@code
- * names.js}).
+ * The names of policies and detections as people read them, in pictures; pages put the same words
+ * together ({@code names.js}).
  */
-final class SpokenNames {
+public final class SpokenNames {
   private static final Pattern RULE = Pattern.compile("(.*?)(?:@([a-z0-9.].*))?");
   private static final Pattern FITTED = Pattern.compile("([^-]+)-(.*?)(-gt)?");
   private static final Map<String, String> RULES =
@@ -27,6 +29,18 @@ final class SpokenNames {
           "pinhole", "pinhole law");
 
   private SpokenNames() {}
+
+  /** The words of rules and laws as an object of a script, by the name in files. */
+  public static String script() {
+    return "const WORDS = {rules: {%s}, laws: {%s}};\n".formatted(entries(RULES), entries(LAWS));
+  }
+
+  private static String entries(Map<String, String> words) {
+    return new TreeMap<>(words)
+        .entrySet().stream()
+            .map(entry -> "'%s': '%s'".formatted(entry.getKey(), entry.getValue()))
+            .collect(Collectors.joining(", "));
+  }
 
   /** The name of a policy or detection, such as {@code hifi:orb-lin@chance}, in words. */
   static String of(String spec) {

@@ -1,16 +1,7 @@
-// The words that people read for names in files; tooltips have the names themselves.
+// The words that people read for names in files; tooltips have the names themselves. SpokenNames
+// writes WORDS.
 import {el} from './dom.js';
 import {decimals, percent} from './numbers.js';
-
-const RULES = {chance: 'by chance', probability: 'by probability', threshold: 'by threshold'};
-const LAWS = {
-  lin: 'linear',
-  sr: 'symbolic',
-  'svr-lin': 'linear support vectors',
-  'svr-rbf': 'RBF support vectors',
-  power: 'power law',
-  pinhole: 'pinhole law',
-};
 
 /** The user's own words for policies and detections. */
 let labels = {};
@@ -27,7 +18,7 @@ export function spelled(spec) {
   const [name, options = ''] = what.split(/:(.*)/);
   const parts = [
     ...(/^(hifi|lab)$/.test(name) ? [fitted(name, options)] : [name, ...options.split(',')]),
-    ...(rule ? rule.split(/[:,]/).map(part => RULES[part] ?? part) : []),
+    ...(rule ? rule.split(/[:,]/).map(part => WORDS.rules[part] ?? part) : []),
   ];
   return parts
     .filter(Boolean)
@@ -40,7 +31,7 @@ function fitted(family, text) {
   const [, detector, law, line] = /^([^-]+)-(.*?)(-gt)?$/.exec(text) ?? [null, text, ''];
   const chapter = line ? ', chapter 5' : '';
   const origin = family === 'lab' ? ', from the laboratory' : '';
-  return `${detector.toUpperCase()} ${LAWS[law] ?? law}${chapter}${origin}`;
+  return `${detector.toUpperCase()} ${WORDS.laws[law] ?? law}${chapter}${origin}`;
 }
 
 /** A number with its unit: shares as percentages. */
