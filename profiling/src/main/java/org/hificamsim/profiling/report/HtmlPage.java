@@ -12,7 +12,7 @@ final class HtmlPage {
 @media (prefers-color-scheme: dark) { :root { --ink: #e8edf2; --faint: #a3b0bd; --paper: #10161c; --line: #34404c; --head: #1d2731; --link: #8ab4ff } }
 body { font: 16px/1.5 sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; color: var(--ink); background: var(--paper); overflow-wrap: break-word }
 a { color: var(--link) }
-.table { overflow-x: auto; margin: 1rem 0 } .table td:last-child:not(:first-child) { min-width: 4rem }
+.table { overflow-x: auto; margin: 1rem 0 } td { white-space: nowrap } td:last-child { white-space: normal; min-width: 8rem }
 table { border-collapse: collapse; font-size: 0.9rem }
 th, td { border-bottom: 1px solid var(--line); padding: 0.25rem 0.7rem; text-align: right }
 th { border-bottom: 2px solid var(--faint); background: var(--head) }
