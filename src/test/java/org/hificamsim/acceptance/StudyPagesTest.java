@@ -24,13 +24,13 @@ class StudyPagesTest {
         "tradeoff",
         Cli.scenario("tutorial-camsim"),
         "--heterogeneous",
-        "sample:5",
+        "sample:15",
         "--bandits",
         "UCB1",
         "--steps",
-        30,
+        60,
         "--repeat",
-        2,
+        3,
         "--out",
         out);
     Browser browser = Browser.shared();
