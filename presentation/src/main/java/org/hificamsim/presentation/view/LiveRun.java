@@ -43,9 +43,8 @@ public final class LiveRun {
   private final List<Setup.Floor> floor;
   private final Map<String, Integer> held = new HashMap<>();
   private final Optional<Planner> planner;
+  private final Optional<MeasuredZones> zones;
   private List<LiveSide> sides = new ArrayList<>();
-  private List<ShownZone> zones = List.of();
-  private Scenario scenarioOfZones; // null if the shares of the zones are out of date
   private long seed;
   private long next;
   private boolean recordsHeat;
@@ -63,6 +62,7 @@ public final class LiveRun {
       long seed,
       Optional<Planner> planner) {
     this.planner = planner;
+    this.zones = planner.map(MeasuredZones::new);
     this.floor = List.copyOf(shown.floor());
     this.catalogue = catalogue;
     this.scenario = new EditedScenario(shown.scenario());
@@ -203,20 +203,9 @@ public final class LiveRun {
 
   /** The zones, with the share of each that the cameras can see from where they are. */
   List<ShownZone> zones() {
-    if (planner.isPresent() && !scenario.current().equals(scenarioOfZones)) {
-      scenarioOfZones = scenario.current();
-      Detection usual = detection(choices.get(0));
-      zones = ShownZone.of(scenarioOfZones, usual, shares(usual));
-    }
-    return zones;
-  }
-
-  private List<Planner.Share> shares(Detection usual) {
-    try {
-      return planner().shares(scenarioOfZones, usual);
-    } catch (InputException e) {
-      return List.of(); // detection is by chance
-    }
+    return zones
+        .map(measured -> measured.of(scenario.current(), detection(choices.get(0))))
+        .orElse(List.of());
   }
 
   /** Undoes the last change of cameras, targets or walls; learning begins again. */
@@ -316,7 +305,7 @@ public final class LiveRun {
     }
     sides.set(side, newSide(sides.get(side).world(), choice));
     choices.set(side, choice);
-    scenarioOfZones = null;
+    zones.ifPresent(MeasuredZones::forget);
   }
 
   /**
@@ -364,21 +353,10 @@ public final class LiveRun {
   }
 
   private LiveSide newSide(World world, LiveChoice choice) {
-    LiveSide.Shared shared = new LiveSide.Shared(catalogue, seed, next, floor(), held);
+    LiveSide.Shared shared = new LiveSide.Shared(catalogue, seed, next, floor, held);
     LiveSide side = new LiveSide(world, detection(choice), choice.policy(), shared);
     side.recordHeat(recordsHeat);
     return side;
-  }
-
-  /** The pictures of the floor, where the scenario has them now. */
-  private List<Setup.Floor> floor() {
-    return scenario
-        .current()
-        .floorplan()
-        .map(
-            plan ->
-                floor.stream().map(shown -> new Setup.Floor(plan.area(), shown.data())).toList())
-        .orElse(floor);
   }
 
   private Detection detection(LiveChoice choice) {

@@ -12,6 +12,7 @@ import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.PackedHeat;
@@ -35,7 +36,17 @@ final class LiveSide {
       long seed,
       long next,
       List<Setup.Floor> floor,
-      Map<String, Integer> held) {}
+      Map<String, Integer> held) {
+    /** The pictures of the floor, where a scenario has them, whose scale may have changed. */
+    private List<Setup.Floor> floorOf(Scenario scenario) {
+      return scenario
+          .floorplan()
+          .map(
+              plan ->
+                  floor.stream().map(shown -> new Setup.Floor(plan.area(), shown.data())).toList())
+          .orElse(floor);
+    }
+  }
 
   private final World world;
   private final Setup setup;
@@ -63,7 +74,8 @@ final class LiveSide {
       throw InputException.of(
           "policy '%s' turns cameras to any angle: it cannot be viewed live", policySpec);
     }
-    this.setup = Setup.of(world, detection, policySpec, shared.seed(), shared.floor());
+    this.setup =
+        Setup.of(world, detection, policySpec, shared.seed(), shared.floorOf(world.scenario()));
     this.snapshots = new Snapshots(setup, detection, policy);
     snapshots.forgetPoses(); // pages may have those of another simulation
     this.simulation =
