@@ -50,6 +50,11 @@ public sealed interface Objective {
     return false;
   }
 
+  /** Whether the score of a step is the least k of a target. */
+  default boolean isLeast() {
+    return byLeast() || countsCoverableOnly();
+  }
+
   /**
    * An upper bound of the score.
    *

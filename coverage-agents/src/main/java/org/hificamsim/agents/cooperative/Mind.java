@@ -54,6 +54,11 @@ final class Mind {
     }
   }
 
+  /** Whether a camera chose this very way in a step, as far as it is known. */
+  boolean knowsChoice(int camera, int[] way, long step) {
+    return lastChoiceSteps[camera] == step && Arrays.equals(lastWays[camera], way);
+  }
+
   /** Sorts the reports that have arrived by the step in which they were sent, then by camera. */
   void sortReports() {
     inbox.sort(IN_ORDER_SENT);

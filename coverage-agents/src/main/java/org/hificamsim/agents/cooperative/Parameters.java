@@ -10,6 +10,8 @@ import org.hificamsim.core.registry.Options;
  * @param search weight of targets that no camera sees, compared with known ones
  * @param rounds number of times that cameras choose in turn at most, 1 or more
  * @param lead worth of a target that is covered by one camera fewer than it needs
+ * @param further worth of one more camera on a target, as a part of that of the one before, where
+ *     the least k counts
  * @param hold a camera keeps its view unless another one is worth more by this share
  * @param decay weight of a track, compared with the step before, while no camera sees its target
  * @param memory number of steps after which a target that no camera sees is forgotten
@@ -25,6 +27,7 @@ record Parameters(
     double search,
     int rounds,
     double lead,
+    double further,
     double hold,
     double decay,
     int memory,
@@ -42,9 +45,10 @@ record Parameters(
     return new Parameters(
         options.integer("horizon", 6, 1, MAX_HORIZON, "steps that views are compared by"),
         options.number("discount", 0.9, 0, 1, "weight of a step, compared with the one before"),
-        options.number("search", 0.15, 0, MAX, "weight of targets that nobody sees"),
+        options.number("search", 0.4, 0, MAX, "weight of targets that nobody sees"),
         options.integer("rounds", 2, 1, MAX_HORIZON, "how often cameras choose in turn at most"),
         options.number("lead", 0.1, 0, 1, "worth of a target with one camera less than it needs"),
+        options.number("further", 0.2, 0, 1, "worth of one more camera where the least k counts"),
         options.number("hold", 0.02, 0, MAX, "share by which another view must be worth more"),
         options.number("decay", 0.97, 0, 1, "weight of a target that was seen a step ago"),
         options.integer("memory", 30, 0, (int) MAX, "steps until a target is forgotten"),

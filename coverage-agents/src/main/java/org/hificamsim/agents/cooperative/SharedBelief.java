@@ -12,12 +12,15 @@ import org.hificamsim.core.registry.Options;
  * <p>In each step, call {@link #update} before the decision and {@link #learnChoices} after it.
  */
 public final class SharedBelief {
+  /** Stays as it is when the policy's defaults change: trained networks depend on it. */
+  private static final String PARAMETERS = "search=0.15,further=0.5";
+
   private final BeliefExchange exchange;
   private final ViewOutlook[] outlooks;
 
   /** Creates the belief of a network at the start of a run. */
   public SharedBelief(NetworkView network) {
-    Parameters parameters = Parameters.from(Options.none("belief"));
+    Parameters parameters = Parameters.from(Options.parse("belief", PARAMETERS));
     exchange = new BeliefExchange(parameters, network, network.obstacles(), false);
     outlooks = new ViewOutlook[network.cameras()];
     Arrays.setAll(outlooks, camera -> new ViewOutlook());

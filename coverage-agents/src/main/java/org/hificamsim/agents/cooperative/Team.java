@@ -55,7 +55,7 @@ final class Team {
     messagesInStep = new int[cameras];
     bidHasArrived = new boolean[shared ? 0 : cameras * cameras];
     messageArrived = new boolean[bidHasArrived.length];
-    Worth worth = new Worth(network.objective(), parameters.lead());
+    Worth worth = new Worth(network.objective(), parameters.lead(), parameters.further());
     minds = new Mind[shared ? Math.min(1, cameras) : cameras];
     Arrays.setAll(minds, camera -> new Mind(parameters, worth, site, network));
   }
@@ -137,7 +137,7 @@ final class Team {
   }
 
   /**
-   * Lets a camera choose a view, and send its choice to the others if it is a new one.
+   * Lets a camera choose a view, and tell the others its way unless they know it already.
    *
    * @return whether the camera did not choose this view in this step before
    */
@@ -145,8 +145,9 @@ final class Team {
     boolean changed = chosenViews[camera] != view;
     chosenViews[camera] = view;
     int[] way = plan(camera).wayTo(network, camera, view);
+    boolean told = mind(camera).knowsChoice(camera, way, network.step());
     mind(camera).learnChoice(camera, way, network.step(), network.step());
-    if (changed) {
+    if (!told) {
       sendChoice(network, camera, way);
     }
     return changed;

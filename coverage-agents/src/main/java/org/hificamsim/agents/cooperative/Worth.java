@@ -1,12 +1,14 @@
 package org.hificamsim.agents.cooperative;
 
+import java.util.Arrays;
 import org.hificamsim.core.metrics.Objective;
 
 /**
  * The worth of a target that k cameras detect. It stands in for the objective by a sum over
  * targets, which cameras can divide among themselves. What a further camera adds is the objective's
  * {@link Objective#share share}. If a target needs several cameras to count, those before the last
- * one add a part in advance. If the least k counts, the worth is a harmonic sum.
+ * one add a part in advance. If the least k counts, each further camera is worth a part of the one
+ * before, so that targets which few cameras detect come first.
  */
 final class Worth {
   /** No more cameras than these count, unless a target needs more. */
@@ -17,8 +19,19 @@ final class Worth {
 
   /**
    * @param lead worth of a target with one camera fewer than it needs, if it needs several
+   * @param further worth of a camera as a part of that of the one before, if the least k counts
    */
-  Worth(Objective objective, double lead) {
+  Worth(Objective objective, double lead, double further) {
+    added = objective.isLeast() ? falling(further) : shares(objective, lead);
+  }
+
+  private static double[] falling(double further) {
+    double[] added = new double[MAX_COUNTED];
+    Arrays.setAll(added, k -> Math.pow(further, k));
+    return added;
+  }
+
+  private static double[] shares(Objective objective, double lead) {
     int needed = 1;
     while (needed < Integer.MAX_VALUE && objective.share(needed) == 0) {
       needed++;
@@ -27,13 +40,14 @@ final class Worth {
     while (last < MAX_COUNTED && objective.share(last + 1) > 0) {
       last++;
     }
-    added = new double[last];
+    double[] added = new double[last];
     // If several are needed, they share a worth of 1: the last one 1 - lead, those before it lead.
     for (int k = 1; k <= last; k++) {
       boolean enough = k > needed || needed == 1;
       double before = lead / Math.max(1, needed - 1);
       added[k - 1] = enough ? objective.share(k) : k < needed ? before : 1 - lead;
     }
+    return added;
   }
 
   /** The number of cameras from which on a further one adds nothing. */

@@ -26,7 +26,7 @@ final class PricedStep {
     this.problem = problem;
     this.nodes = nodes;
     priced = new PricedCameras(problem);
-    byLeast = StepGuide.isByLeast(problem.objective());
+    byLeast = problem.objective().isLeast();
     isShare = problem.objective().isShare();
     scoreWorth = byLeast ? null : StepGuide.worth(problem.objective(), problem.cameras());
     trial = new int[problem.cameras()];

@@ -20,16 +20,11 @@ final class StepGuide {
   StepGuide(WayProblem problem) {
     this.problem = problem;
     Objective objective = problem.objective();
-    byLeast = isByLeast(objective);
+    byLeast = objective.isLeast();
     isShare = objective.isShare();
     score = byLeast ? null : worth(objective, problem.cameras());
     progress = byLeast ? falling() : progress(score);
     added = new int[problem.momentCount()];
-  }
-
-  /** Whether the score is the least k of a target. */
-  static boolean isByLeast(Objective objective) {
-    return objective.byLeast() || objective.countsCoverableOnly();
   }
 
   /** The worth of a target in the sum of a step's score, before the division for a share. */

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.SplittableRandom;
 import org.hificamsim.core.metrics.Objective;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PlannedCoverageTest {
   @Test
@@ -36,11 +38,21 @@ class PlannedCoverageTest {
     assertEquals(0, coverage.added(0), 1e-12);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"kmin", "lexicographic"})
+  void furtherCameraIsWorthLessWhereTheLeastKCounts(String objective) {
+    PlannedCoverage coverage = coverage(objective);
+    for (double expected : new double[] {1, 0.5, 0.25, 0.125, 0}) {
+      assertEquals(expected, coverage.added(0), 1e-12);
+      coverage.add(0, 1);
+    }
+  }
+
   /** Compares with the sum over all combinations of cameras that detect the target. */
   @Test
   void equalsTheSumOverAllOutcomes() {
     SplittableRandom random = new SplittableRandom(3);
-    Worth worth = new Worth(Objective.parse("sum:cap=3"), 0.2);
+    Worth worth = new Worth(Objective.parse("sum:cap=3"), 0.2, 0.5);
     for (int trial = 0; trial < 100; trial++) {
       PlannedCoverage coverage = new PlannedCoverage(worth);
       coverage.clear(1);
@@ -70,7 +82,7 @@ class PlannedCoverageTest {
   }
 
   private static PlannedCoverage coverage(String objective) {
-    PlannedCoverage coverage = new PlannedCoverage(new Worth(Objective.parse(objective), 0.2));
+    PlannedCoverage coverage = new PlannedCoverage(new Worth(Objective.parse(objective), 0.2, 0.5));
     coverage.clear(2);
     return coverage;
   }

@@ -120,7 +120,7 @@ class SequentialGreedyTest {
   }
 
   private static Plan plan(RandomSets network) {
-    Worth worth = new Worth(network.objective(), PARAMETERS.lead());
+    Worth worth = new Worth(network.objective(), PARAMETERS.lead(), PARAMETERS.further());
     Belief belief = new Belief(PARAMETERS, worth, site(network), network);
     seeAll(network, belief);
     Plan plan = new Plan(PARAMETERS, worth, network.cameras());

@@ -90,11 +90,12 @@ class BeliefFeaturesTest {
   }
 
   /**
-   * A lone camera has nobody to agree with: the greatest gain is what {@code cooperative} takes.
+   * A lone camera has nobody to agree with: the greatest gain is what {@code cooperative} takes, if
+   * unseen targets count as much to it.
    */
   @Test
   void greatestGainOfLoneCameraIsChoiceOfCooperative() {
-    ZoomPolicy cooperative = new CooperativeZoomPolicy(Options.none("cooperative"));
+    ZoomPolicy cooperative = new CooperativeZoomPolicy(Options.parse("cooperative", "search=0.15"));
     Playing playing = new Playing(cooperative);
     RealWorld.run(OPTICS + camera("a", -6, 0) + TARGETS, playing, 3).run(300);
     int changes = 0;
