@@ -133,7 +133,7 @@ class FollowingTest {
   }
 
   @Test
-  void networkTradesByWhatItsCamerasProcess() throws IOException {
+  void tightProcessingBudgetChangesUtilityOfNetwork() throws IOException {
     JsonNode free = summary("--network", "camsim:strategies=A0");
     JsonNode wide = summary("--network", "camsim:strategies=A0", "--processing", "100");
     JsonNode narrow = summary("--network", "camsim:strategies=A0", "--processing", "1");

@@ -173,7 +173,7 @@ class ProfileCommandTest {
             folder.resolve("out")));
   }
 
-  /** The detector takes its name from the table. */
+  /** The detector is named after the CSV file. */
   @Test
   void alignsColumnsForLongNames() throws IOException {
     Cli fit = assertDone(fitted(confidences("a-detector-with-a-long-name")));

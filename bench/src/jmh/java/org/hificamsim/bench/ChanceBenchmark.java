@@ -30,8 +30,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Nanoseconds of a step for each pair of a camera and a target, all of them within reach, by rule:
- * what chance costs is the difference to {@code threshold}. {@code expect} also measures what was
- * to be expected, as {@code run} and {@code compare} do.
+ * what chance costs is the difference to {@code threshold}.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

@@ -36,7 +36,7 @@ public class NetworkGrowthBenchmark {
   private ScheduleKind schedule;
 
   @Param({"0"})
-  private int comm;
+  private int communicationPolicy;
 
   private NetworkRun run;
   private long messages;
@@ -46,7 +46,7 @@ public class NetworkGrowthBenchmark {
   @Setup
   public void start() {
     RandomField field = new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1);
-    run = AuctionRun.of(field.scenario(), schedule, comm);
+    run = AuctionRun.of(field.scenario(), schedule, communicationPolicy);
   }
 
   /** Says how many messages a step took. */

@@ -65,7 +65,7 @@ record OptimumInstance(int targets, long[][] sets) {
   }
 
   /** A problem with room for any instance. */
-  static CoverageProblem room() {
+  static CoverageProblem emptyProblem() {
     return new CoverageProblem(CAMERAS, CAMERAS * RADII.length, TARGETS);
   }
 

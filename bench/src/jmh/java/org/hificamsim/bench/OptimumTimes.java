@@ -32,7 +32,7 @@ public final class OptimumTimes {
   public static void main(String[] args) throws IOException {
     Path folder = Files.createDirectories(Path.of(args[0]));
     long nodes = args.length > 1 ? Long.parseLong(args[1]) : 1_000_000;
-    CoverageProblem problem = OptimumInstance.room();
+    CoverageProblem problem = OptimumInstance.emptyProblem();
     StepSolver solver = new StepSolver(Objective.kMin(), problem, nodes);
     for (int seed = 0; seed < WARM_UP; seed++) {
       OptimumInstance.random(Density.CLUSTER, SEEDS + seed).fill(problem);

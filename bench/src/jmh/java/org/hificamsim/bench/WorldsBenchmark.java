@@ -30,8 +30,8 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Microseconds per step of one world among {@value #WORLDS}, with random actions, observations,
- * rewards and episodes of 1,000 steps, one after the other; one thread.
+ * Microseconds per step of one world among {@value #WORLDS} on one thread. Actions are random;
+ * observations and rewards are computed, and episodes of 1,000 steps follow each other.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -55,7 +55,7 @@ public class WorldsBenchmark {
   private Worlds worlds;
   private ByteBuffer actions;
   private final SplittableRandom random = new SplittableRandom(1);
-  private int most;
+  private int choices;
 
   /** Reads the scenario and makes the worlds. */
   @Setup
@@ -80,7 +80,7 @@ public class WorldsBenchmark {
     Block.Section section = worlds.block().sections().get(0);
     actions = worlds.memory().slice(section.offset(), section.bytes());
     actions.order(ByteOrder.nativeOrder());
-    most = worlds.choices().get(0);
+    choices = worlds.choices().get(0);
   }
 
   /** One step of every world. */
@@ -88,7 +88,7 @@ public class WorldsBenchmark {
   @OperationsPerInvocation(WORLDS)
   public void step() {
     for (int at = 0; at < actions.capacity(); at += Integer.BYTES) {
-      actions.putInt(at, random.nextInt(most));
+      actions.putInt(at, random.nextInt(choices));
     }
     worlds.step();
   }

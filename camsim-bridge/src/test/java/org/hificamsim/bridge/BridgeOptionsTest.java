@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class BridgeOptionsTest {
   @Test
-  void readsAllOptions() {
+  void readsDetectionPolicyAndOutput() {
     BridgeSettings settings =
         parse(
             "detection=hifi:orb-lin,policy=sarsa:gamma=0.9;epsilon=0.1,threshold=0.0441,size=1.5,"

@@ -55,7 +55,7 @@ final class DetectorBoxesOptions {
             .toList();
   }
 
-  /** Prints what each detection expects of the detector. */
+  /** Prints how well each detection predicts what the detector found. */
   void print(PrintWriter terminal) {
     if (expected.isEmpty()) {
       return;
@@ -64,7 +64,7 @@ final class DetectorBoxesOptions {
     terminal.println(
         Texts.format(
             "detector: %.3f of %d boxes found, %d without a place on the ground left out",
-            all.detected(), all.photos(), withoutPlace));
+            all.detected(), all.count(), withoutPlace));
     int width = expected.stream().mapToInt(row -> row.detection().length()).max().orElse(0);
     String column = "%-" + Math.max(10, width) + "s";
     terminal.println(

@@ -22,7 +22,7 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private static final Duration BETWEEN_UPDATES = Duration.ofMillis(10);
 
   /** The time in which nothing is shown. */
-  static final Duration QUIET = TERMINAL ? Duration.ofSeconds(2) : Duration.ofSeconds(10);
+  static final Duration INITIAL_DELAY = TERMINAL ? Duration.ofSeconds(2) : Duration.ofSeconds(10);
 
   /** Longer than any run, for quiet commands. */
   static final Duration NEVER = Duration.ofDays(10_000);

@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The output of a command on the terminal, with {@code --quiet}: no output except errors. */
+/** The terminal output of a command; with {@code --quiet}, only errors. */
 final class Screen {
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command;
@@ -55,7 +55,7 @@ final class Screen {
         unit,
         total,
         err(),
-        quiet ? Progress.NEVER : Progress.QUIET);
+        quiet ? Progress.NEVER : Progress.INITIAL_DELAY);
   }
 
   /** A folder to write into, in which the inputs of the command are protected. */

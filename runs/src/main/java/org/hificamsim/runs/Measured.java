@@ -102,7 +102,7 @@ public record Measured(
     return proof.isPresent() ? coverage.score() + proof.get().gap() : Double.NaN;
   }
 
-  /** The most that cameras could have scored in time; NaN if the policy does not bound it. */
+  /** The most that cameras whose moves take time could have scored; NaN if not bounded. */
   double reachableBound() {
     return coverage.score() + reachableGap;
   }

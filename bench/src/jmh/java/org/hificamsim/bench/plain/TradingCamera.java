@@ -67,8 +67,8 @@ final class TradingCamera {
     if (distance > range) {
       return 0;
     }
-    double straight = Math.sin(heading) * (dx / distance) + Math.cos(heading) * (dy / distance);
-    double off = Math.acos(straight);
+    double cosOffAxis = Math.sin(heading) * (dx / distance) + Math.cos(heading) * (dy / distance);
+    double off = Math.acos(cosOffAxis);
     if (!(off < angle / 2)) {
       return 0;
     }
@@ -189,7 +189,7 @@ final class TradingCamera {
     return tracked;
   }
 
-  /** The mean over these targets. */
+  /** The mean relative confidence of the tracked targets. */
   double relativeConfidence() {
     double sum = 0;
     for (Target target : owned) {

@@ -38,10 +38,10 @@ class PlainRunTest {
     Path table = folder.resolve("plain.csv");
     PlainRun.main(
         new String[] {FILE.toString(), "camsim-range@0.3", plain, "0", "" + STEPS, "" + table});
-    assertEquals(Files.readString(ours(policy)), Files.readString(table));
+    assertEquals(Files.readString(engineTable(policy)), Files.readString(table));
   }
 
-  private Path ours(String policy) throws IOException {
+  private Path engineTable(String policy) throws IOException {
     Catalogue catalogue = Catalogue.load();
     Scenario scenario =
         ScenarioReader.read(FILE, catalogue.movements().names()::contains, warning -> {});

@@ -52,7 +52,7 @@ class PlainSimulationTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"epsilon-greedy", "sarsa"})
-  void exploringDetectsAsManyTargetsOnAverage(String policy) {
+  void exploringDetectsAsManyTargetsAsTheEngine(String policy) {
     double expected = mean(seed -> engine(policy, seed));
     assertEquals(expected, mean(seed -> plain(policy, 0.1, seed)), 0.03 * expected);
   }

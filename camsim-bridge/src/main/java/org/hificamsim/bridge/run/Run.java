@@ -224,7 +224,7 @@ final class Run {
     return settings.policy().map(given -> given.maker().get()).orElseGet(NoPolicy::new);
   }
 
-  /** The messages that the cameras have sent for the policy. */
+  /** The traffic of the policies so far. */
   private Traffic traffic() {
     return earlierTraffic.plus(new Traffic(policy.messages(), policy.bits(), Double.NaN));
   }

@@ -58,7 +58,7 @@ final class Sight {
     this.field = world.scenario().field();
     DetectionModel model = visibility.detection().model();
     this.obstruction = new Obstruction(world, model);
-    lines.require(model);
+    lines.applyRuleOf(model);
     this.bodies = new TargetBodies(targets, lines.flat());
     this.levels = new LevelTable(cameras, visibility, bodies, obstruction.open());
     this.grid = Double.isNaN(side) ? chosenGrid() : over(side);

@@ -124,9 +124,9 @@ public final class CoveredShare {
       return Math.min(1, standing.area());
     }
     for (int piece = 0; piece < standing.count(); piece++) {
-      if (standing.line(piece) != 0 || standing.slope(piece) != 0) {
+      if (standing.intercept(piece) != 0 || standing.slope(piece) != 0) {
         double end = standing.end(piece);
-        keep(standing.start(piece), end, 0, 0, standing.line(piece), standing.slope(piece));
+        keep(standing.start(piece), end, 0, 0, standing.intercept(piece), standing.slope(piece));
       }
     }
     return union();

@@ -8,11 +8,11 @@ import java.util.Arrays;
  */
 final class Skyline {
   private static final int START = 0;
-  private static final int LINE = 1;
+  private static final int INTERCEPT = 1;
   private static final int SLOPE = 2;
   private static final int VALUES = 3;
 
-  /** By piece, ascending from 0: where it begins, and its line, of at most 1. */
+  /** By piece, ascending from 0: where it begins, and its intercept, of at most 1. */
   private double[] pieces = new double[16 * VALUES];
 
   private double[] otherPieces = new double[16 * VALUES];
@@ -23,7 +23,7 @@ final class Skyline {
   void clear() {
     count = 1;
     pieces[START] = 0;
-    pieces[LINE] = 0;
+    pieces[INTERCEPT] = 0;
     pieces[SLOPE] = 0;
   }
 
@@ -41,8 +41,8 @@ final class Skyline {
   }
 
   /** The height of the piece's line at x = 0. */
-  double line(int piece) {
-    return pieces[piece * VALUES + LINE];
+  double intercept(int piece) {
+    return pieces[piece * VALUES + INTERCEPT];
   }
 
   double slope(int piece) {
@@ -51,43 +51,43 @@ final class Skyline {
 
   /** Whether the whole square is covered. */
   boolean full() {
-    return count == 1 && pieces[LINE] == 1 && pieces[SLOPE] == 0;
+    return count == 1 && pieces[INTERCEPT] == 1 && pieces[SLOPE] == 0;
   }
 
   /**
    * Adds a shape within the unit square under a straight line.
    *
-   * @param line the line's height at x = 0
+   * @param intercept the line's height at x = 0
    */
-  void add(double from, double to, double line, double slope) {
-    int first = firstLower(from, to, line, slope);
+  void add(double from, double to, double intercept, double slope) {
+    int first = firstLower(from, to, intercept, slope);
     if (first < count) {
-      raise(first, from, to, line, slope);
+      raise(first, from, to, intercept, slope);
     }
   }
 
   /** The first piece that is lower somewhere between two places; the count if there is none. */
-  private int firstLower(double from, double to, double line, double slope) {
+  private int firstLower(double from, double to, double intercept, double slope) {
     for (int piece = 0; piece < count && start(piece) < to; piece++) {
-      if (isLower(piece, from, to, line, slope)) {
+      if (isLower(piece, from, to, intercept, slope)) {
         return piece;
       }
     }
     return count;
   }
 
-  private boolean isLower(int piece, double from, double to, double line, double slope) {
+  private boolean isLower(int piece, double from, double to, double intercept, double slope) {
     double left = Math.max(start(piece), from);
     double right = Math.min(end(piece), to);
     return left < right
-        && (above(piece, line, slope, left) > 0 || above(piece, line, slope, right) > 0);
+        && (above(piece, intercept, slope, left) > 0 || above(piece, intercept, slope, right) > 0);
   }
 
-  private double above(int piece, double line, double slope, double x) {
-    return line - line(piece) + (slope - slope(piece)) * x;
+  private double above(int piece, double intercept, double slope, double x) {
+    return intercept - intercept(piece) + (slope - slope(piece)) * x;
   }
 
-  private void raise(int first, double from, double to, double line, double slope) {
+  private void raise(int first, double from, double to, double intercept, double slope) {
     if (otherPieces.length < 3 * (count + 1) * VALUES) {
       pieces = Arrays.copyOf(pieces, 2 * otherPieces.length);
       otherPieces = new double[pieces.length];
@@ -95,42 +95,44 @@ final class Skyline {
     System.arraycopy(pieces, 0, otherPieces, 0, first * VALUES);
     filled = first;
     for (int piece = first; piece < count; piece++) {
-      if (isLower(piece, from, to, line, slope)) {
-        raisePiece(piece, from, to, line, slope);
+      if (isLower(piece, from, to, intercept, slope)) {
+        raisePiece(piece, from, to, intercept, slope);
       } else {
-        append(start(piece), line(piece), slope(piece));
+        append(start(piece), intercept(piece), slope(piece));
       }
     }
     swap();
   }
 
-  private void raisePiece(int piece, double from, double to, double line, double slope) {
+  private void raisePiece(int piece, double from, double to, double intercept, double slope) {
     double left = Math.max(start(piece), from);
     double right = Math.min(end(piece), to);
     if (start(piece) < from) {
-      append(start(piece), line(piece), slope(piece));
+      append(start(piece), intercept(piece), slope(piece));
     }
-    double atLeft = above(piece, line, slope, left);
-    double atRight = above(piece, line, slope, right);
+    double atLeft = above(piece, intercept, slope, left);
+    double atRight = above(piece, intercept, slope, right);
     double meeting = left + (right - left) * (atLeft / (atLeft - atRight));
     if (atLeft < 0) {
-      append(left, line(piece), slope(piece));
-      append(meeting, line, slope);
+      append(left, intercept(piece), slope(piece));
+      append(meeting, intercept, slope);
     } else {
-      append(left, line, slope);
+      append(left, intercept, slope);
     }
     if (atRight < 0) {
-      append(meeting, line(piece), slope(piece));
+      append(meeting, intercept(piece), slope(piece));
     } else if (end(piece) > to) {
-      append(to, line(piece), slope(piece));
+      append(to, intercept(piece), slope(piece));
     }
   }
 
-  private void append(double start, double line, double slope) {
+  private void append(double start, double intercept, double slope) {
     int last = (filled - 1) * VALUES;
-    if (filled == 0 || otherPieces[last + LINE] != line || otherPieces[last + SLOPE] != slope) {
+    if (filled == 0
+        || otherPieces[last + INTERCEPT] != intercept
+        || otherPieces[last + SLOPE] != slope) {
       otherPieces[filled * VALUES + START] = start;
-      otherPieces[filled * VALUES + LINE] = line;
+      otherPieces[filled * VALUES + INTERCEPT] = intercept;
       otherPieces[filled * VALUES + SLOPE] = slope;
       filled++;
     }
@@ -149,7 +151,7 @@ final class Skyline {
     for (int piece = 0; piece < count; piece++) {
       double start = start(piece);
       double end = end(piece);
-      area += (end - start) * (line(piece) + slope(piece) * ((start + end) / 2));
+      area += (end - start) * (intercept(piece) + slope(piece) * ((start + end) / 2));
     }
     return area;
   }

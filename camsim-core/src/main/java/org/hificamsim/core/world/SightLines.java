@@ -127,8 +127,11 @@ public final class SightLines {
         : 1;
   }
 
-  /** Sets what a model must see of a target, unless the scenario says so, and its size. */
-  public void require(DetectionModel model) {
+  /**
+   * Sets which part of a target must be seen, by the scenario or else by the model, and whether its
+   * size or its height counts.
+   */
+  public void applyRuleOf(DetectionModel model) {
     targets.setRule(
         scenario.find(Scenario.SEEN).orElse(model.seen()),
         scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE,

@@ -212,7 +212,7 @@ public final class Targets {
     return movesFirst;
   }
 
-  /** Whether no obstacle is on the straight way from the target to a point. */
+  /** Whether the target can walk straight to a point: glass and raised obstacles do not stop it. */
   public boolean canWalk(int target, double toX, double toY) {
     return obstacles.isEmpty() || obstacles.clear(x[target], y[target], toX, toY);
   }

@@ -86,7 +86,7 @@ class EnergyMeterTest {
             .world();
     Simulation simulation = simulation(world, new WidestPolicy());
     simulation.run(200);
-    // 8 steps; and 1 + .25 J in two steps, so that 12 J last past 12 steps and 13 take 8.25.
+    // 8 steps; and 1 + .25 J in two steps, so that 12 steps take 7.5 J of the 8 J, and 13 take 8.5.
     assertEquals(8, simulation.energy().firstEmpty());
     assertEquals(13, simulation.energy().halfEmpty());
   }
@@ -118,9 +118,9 @@ class EnergyMeterTest {
     assertEquals(33 * 0.1, meter.joules(1, EnergyFigure.SLEEP), 0.11);
   }
 
-  /** In every step, what each camera has taken for its parts is missing in its battery. */
+  /** Adds up the parts of each camera after every step. */
   @Test
-  void batteriesHoldWhatCamerasDidNotTakeInEachStep() {
+  void batteryChargeFallsByTheEnergyTaken() {
     World world =
         scenario("idle=0.3W,sleep=0.1W,sense=0.7J,detection=0.9J,zoom=0.11J,battery=1kJ")
             .with(Scenario.PROCESSING, new ProcessingBudget(1))
@@ -162,7 +162,7 @@ class EnergyMeterTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"0/5", "6/5", "1/0", "-1/5", "1/5@5", "1/5@-1", "1", "", "x/5", "1.5/5"})
-  void rejectsDutyCyclesThatAreNone(String text) {
+  void rejectsInvalidDutyCycles(String text) {
     assertThrows(IllegalArgumentException.class, () -> DutyCycle.parse(text));
   }
 }

@@ -45,7 +45,7 @@ class SightTest {
     }
   }
 
-  /** The same model, declared to depend on the bearing. */
+  /** The same model, which is evaluated for each target in place of tabulated. */
   private record InFull(DetectionModel model) implements DetectionModel {
     @Override
     public String name() {

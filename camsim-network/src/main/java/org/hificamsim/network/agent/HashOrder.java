@@ -103,8 +103,11 @@ final class HashOrder {
     return capacity == FIRST_CAPACITY;
   }
 
-  /** Makes this list the order of a hash map that is filled in the order of another. */
-  void copy(HashOrder other) {
+  /**
+   * Refills this list with the items of another one, in its order, as Java copies a hash map; the
+   * order may change.
+   */
+  void refillFrom(HashOrder other) {
     clear();
     for (int i = 0; i < other.size; i++) {
       append(other.items[i], other.hashes[i]);

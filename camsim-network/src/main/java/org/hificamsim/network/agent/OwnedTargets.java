@@ -33,7 +33,7 @@ public final class OwnedTargets {
 
   private void updateCopy() {
     if (!order.isOrderOfCopy()) {
-      copy.copy(order);
+      copy.refillFrom(order);
     }
   }
 

@@ -20,7 +20,8 @@ import org.hificamsim.network.statistics.StepFigures;
  */
 public final class SummaryRows {
   /**
-   * The columns. CamSim takes those without CUMULATIVE from a step that never began: they are 0.
+   * The columns. CamSim takes GLOBAL_UTILITY, COMMUNICATION, HANDOVER and VISIBLE from a step that
+   * never began: they are 0.
    */
   private static final String HEADER =
       "SEED,TIME,GLOBAL_UTILITY,CUMULATIVE_UTILITY,COMMUNICATION,CUMULATIVE_COMM,HANDOVER,"
@@ -42,7 +43,10 @@ public final class SummaryRows {
     }
   }
 
-  /** Returns the default path of the summary: the folder of the output (quirk Q20 is fixed). */
+  /**
+   * Returns the default path of the summary: {@code summary.csv} beside the output (quirk Q20 is
+   * fixed).
+   */
   static Path defaultPath(Path output) {
     return output.resolveSibling("summary.csv");
   }

@@ -79,7 +79,7 @@ public final class StudyResults {
     }
   }
 
-  /** The networks, in the order in which they were run. */
+  /** The networks, in the order in which they were given. */
   public List<StudyPlan> plans() {
     return plans;
   }

@@ -37,7 +37,7 @@ final class ExpectedSolver extends Solver implements BranchAndBound.Tree {
   /** By camera, the row to try next. */
   private final int[] nextRows;
 
-  /** By camera, the greatest weighted sums of its rows and of all later cameras' rows. */
+  /** By camera, the total of the greatest weighted row sums of it and of all later cameras. */
   private final double[] restBounds;
 
   private final BranchAndBound search = new BranchAndBound();

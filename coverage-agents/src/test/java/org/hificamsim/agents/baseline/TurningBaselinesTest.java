@@ -191,7 +191,7 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void greedyStaysAmongEqualsAndThenTakesTheWidestAndTheNearest() {
+  void greedyBreaksTiesByStayingThenWidestThenNearest() {
     assertViews("greedy", LENS, "5 5", at(2, 10));
     assertViews("greedy", LENS, "7 7", at(47, 10));
     assertViews("greedy:among=all", LENS, "7 7", at(47, 10));

@@ -138,8 +138,8 @@ public final class DensityDetections {
   }
 
   /** Returns the name of a model; the default choice is left out. */
-  private static String qualified(String name, String key, Enum<?> chosen, Enum<?> standard) {
-    return chosen == standard ? name : name + ":" + key + "=" + Spelling.of(chosen);
+  private static String qualified(String name, String key, Enum<?> chosen, Enum<?> usual) {
+    return chosen == usual ? name : name + ":" + key + "=" + Spelling.of(chosen);
   }
 
   /** Returns the optics for scenarios that name no lens. */

@@ -89,8 +89,11 @@ class HiFiDetectionsTest {
   }
 
   @Test
-  void everyModelHasTheThresholdOfItsOwnLine() {
-    double pip = (0.0441 - 0.026) / 0.571;
+  void everyThresholdIsTheConfidenceAtTheReferencePip() {
+    double threshold = 0.0441;
+    double intercept = 0.026;
+    double slope = 0.571;
+    double pip = (threshold - intercept) / slope;
     for (String name : registry.names()) {
       if (registry.create(name) instanceof HiFiDetection model) {
         assertEquals(model.g().confidence(pip), model.defaultThreshold(), 1e-15, name);

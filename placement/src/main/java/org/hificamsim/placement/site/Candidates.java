@@ -16,8 +16,8 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 
 /**
  * The cameras that could be mounted, with the points of the demand that each covers: every kind at
- * every mount point in every heading and, if the fixed view counts, at every zoom level. Cameras
- * that cover nothing are left out.
+ * every mount point in every heading and tilt and, by {@code CoverageReading.FIXED}, at every zoom
+ * level. Cameras that cover nothing are left out.
  *
  * @param list in the order of mount points
  * @param covered by candidate, the points that it covers, rising

@@ -184,9 +184,10 @@ public record PlacementProblem(
   }
 
   /**
-   * By price: a bound on the share that candidates can meet. Any multipliers prove one. Those of a
-   * plan are tight at its own price, the unit worths at low prices, and means of both in between.
-   * Those of full cover are prices and not worths, so that the unit worths alone count there.
+   * Returns a bound on the share that candidates can meet, as a function of the budget. Any
+   * multipliers prove one: those of a plan are tight at its own price, the unit worths at low prices,
+   * and means of both in between. Those of full cover are prices and not worths, so that the unit
+   * worths alone count there.
    */
   DoubleUnaryOperator shareBound(CoverPlan plan) {
     CoverInstance undominated = instance.remaining(keptCounts).undominated();
@@ -194,10 +195,10 @@ public record PlacementProblem(
     double[] ofPlan = goal().isFullCover() ? worths : plan.multiplierBound().multipliers();
     List<double[]> multipliers =
         PARTS_OF_PLAN.stream().map(part -> mean(ofPlan, worths, part)).toList();
-    return price -> {
+    return budget -> {
       double worth =
           multipliers.stream()
-              .mapToDouble(proof -> LagrangianBound.value(undominated, new Goal(price), proof))
+              .mapToDouble(proof -> LagrangianBound.value(undominated, new Goal(budget), proof))
               .min()
               .orElseThrow();
       return Math.min(1, (keptWorth() + worth) / instance.totalWorth());
@@ -248,7 +249,7 @@ public record PlacementProblem(
     return found.replacedBy(chosen, remaining.worth(remaining.counts(chosen)));
   }
 
-  /** The share that the cameras of the site meet as it is: of the area, or of where targets are. */
+  /** The share that the present cameras of the site meet: of the area, or of demand points. */
   private double shareOfSite() {
     List<CameraSpec> cameras = demand().site().cameras();
     return demand().isForArea()

@@ -12,8 +12,9 @@ import org.hificamsim.core.detection.ZoomLevel;
  * @param viewingAngle full opening angle, radians, (0, 2 pi]; that of the narrowest level if the
  *     levels differ
  * @param levels the zoom levels, the narrowest first
- * @param pans the pan angles, radians from the heading to the right; empty if it cannot turn
- * @param tilts the tilt at each pan angle, radians below the horizon; empty if it has only one
+ * @param pans by direction, which is each pan angle at each tilt: radians from the heading to the
+ *     right; empty if it cannot turn
+ * @param tilts by direction: radians below the horizon; empty if it has only one
  * @param lenses by level; empty unless the levels differ in angle or have a pixel density
  * @param visible the corners of the region that no solid obstacle hides, x and y in turn, metres;
  *     empty if the scenario has no solid obstacles

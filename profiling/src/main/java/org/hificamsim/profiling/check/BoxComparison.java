@@ -23,7 +23,7 @@ record BoxComparison(
     return new BoxComparison(
         sighting,
         SizeModel.distance(camera, sighting.foot()),
-        camera.project(sighting.foot()).distance(sighting.stand()),
+        camera.project(sighting.foot()).distance(sighting.footPixel()),
         predicted);
   }
 

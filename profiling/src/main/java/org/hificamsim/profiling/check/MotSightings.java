@@ -25,7 +25,7 @@ public final class MotSightings {
     }
 
     /** Returns the middle of the lower edge of the box. */
-    Pixel stand() {
+    Pixel footPixel() {
       return new Pixel(box.footX(), box.footY());
     }
   }
@@ -41,15 +41,15 @@ public final class MotSightings {
   /**
    * Reads a file.
    *
-   * @param metres the length of a unit of its world positions, metres
-   * @throws InputException with line and column, when the file is wrong or has no box to compare
+   * @param metresPerUnit the length of a unit of its world positions, metres
+   * @throws InputException if the file is wrong, with line and column, or has no box to compare
    */
-  public MotSightings(Path file, Calibration camera, double metres) {
+  public MotSightings(Path file, Calibration camera, double metresPerUnit) {
     this.camera = camera;
     MotFile.read(file, this::classify);
     inWorld = uncutBoxes.stream().anyMatch(MotFile.Row::isInWorld);
     for (MotFile.Row row : uncutBoxes) {
-      Vector3D foot = foot(row, metres);
+      Vector3D foot = foot(row, metresPerUnit);
       if (Double.isNaN(foot.getX())) {
         withoutPlace++;
       } else {

@@ -23,7 +23,7 @@ public record Reliability(double[] chances, double[] detected) {
    * @param expected the mean of their chances
    * @param detected the share that is detected
    */
-  public record Part(int photos, double expected, double detected) {
+  public record Part(int count, double expected, double detected) {
     /** Returns the expected minus the detected share. */
     public double error() {
       return expected - detected;

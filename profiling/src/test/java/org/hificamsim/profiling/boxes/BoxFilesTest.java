@@ -131,7 +131,7 @@ class BoxFilesTest {
   }
 
   @Test
-  void refusesFramesThatDoNotMatch() {
+  void refusesDetectionsMostlyOutsideLabelledFrames() {
     assertRefused(
         MOT,
         MOT_BOXES.replace("1,-1,11", "900,-1,11").replace("2,-1,1", "901,-1,1"),

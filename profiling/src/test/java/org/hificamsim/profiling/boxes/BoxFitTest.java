@@ -110,7 +110,7 @@ class BoxFitTest {
   }
 
   @Test
-  void refusesNoiseByName() {
+  void rejectsNoiseAndNamesTheDetector() {
     int refused = 0;
     for (int seed = 0; seed < 10; seed++) {
       BoxFit fit = BoxFit.of(drawn(NOISE, 30, 20, seed));

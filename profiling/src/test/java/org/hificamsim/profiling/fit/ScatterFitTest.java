@@ -90,7 +90,7 @@ class ScatterFitTest {
     assertEquals(0.15, all.fifths().get(0).expected(), 1e-12);
     assertEquals(0, all.fifths().get(0).detected());
     assertEquals(0.85, all.fifths().get(4).expected(), 1e-12);
-    assertEquals(2, all.fifths().get(4).photos());
+    assertEquals(2, all.fifths().get(4).count());
     double loss = -Math.log(0.9) * 2 - Math.log(0.8) * 2 - Math.log(0.5) * 2 - Math.log(0.7) * 2;
     loss -= Math.log(0.4) + Math.log(0.6);
     assertEquals(loss / 10, all.logLoss(), 1e-12);

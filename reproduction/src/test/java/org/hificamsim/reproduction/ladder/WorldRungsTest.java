@@ -94,7 +94,7 @@ class WorldRungsTest {
   }
 
   @Test
-  void roundRungHasRadiiOfFirstLensByEq32() {
+  void roundRungHasRadiiFromMountHeight() {
     Scenario round = world("round");
     assertTrue(optics(round).stream().allMatch(spec -> spec.law() == OpticsLaw.ROUND));
     assertTrue(round.everyCamera().allMatch(camera -> camera.viewingAngle() == 360));

@@ -78,8 +78,9 @@ public final class EnergyExperiment {
           Contender.strategy("P2"));
 
   /**
-   * What a contender has under a duty cycle.
+   * The energy and score of a contender under a duty cycle.
    *
+   * @param awake steps of a period in which cameras are awake
    * @param joules of a camera in a step, mean over seeds
    * @param share of the score of the optimum of cameras that are always awake
    */

@@ -1,5 +1,6 @@
 package org.hificamsim.runs.benchmark;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -14,12 +15,16 @@ import org.hificamsim.runs.output.JsonOutput;
 /**
  * What a maintainer found who played the policy of an entry on fresh seeds.
  *
- * @param entry the SHA-256 of the entry's file
- * @param secret the SHA-256 of the secret from which seeds were drawn
+ * @param entryHash the SHA-256 of the entry's file
+ * @param secretHash the SHA-256 of the secret from which seeds were drawn
  * @param tasks by name, what was found
  * @param all the same over all tasks
  */
-public record Verification(String entry, String secret, Map<String, Finding> tasks, Finding all) {
+public record Verification(
+    @JsonProperty("entry") String entryHash,
+    @JsonProperty("secret") String secretHash,
+    Map<String, Finding> tasks,
+    Finding all) {
   /** The file in a folder of 'benchmark verify'. */
   public static final String FILE = "verified.json";
 
@@ -34,7 +39,9 @@ public record Verification(String entry, String secret, Map<String, Finding> tas
    * @param reproduced whether the policy scores in testing episodes what the entry says
    */
   public record Finding(double claimed, double fresh, double margin, boolean reproduced) {
-    /** Whether the score is the policy's, and no higher than on fresh seeds but for chance. */
+    /**
+     * Whether the policy reproduces the claimed score, and fresh seeds are lower only by chance.
+     */
     boolean holds() {
       return reproduced && claimed - fresh <= margin;
     }
@@ -56,10 +63,10 @@ public record Verification(String entry, String secret, Map<String, Finding> tas
 
   /** Whether this is of an entry, given its folder or file. */
   public boolean isOf(Path path) {
-    return Io.get(() -> Sha256.of(BenchmarkEntry.file(path))).equals(entry);
+    return Io.get(() -> Sha256.of(BenchmarkEntry.file(path))).equals(entryHash);
   }
 
-  /** Adds the file to a folder's. */
+  /** Writes {@value #FILE} into a folder. */
   public void write(OutputFolder folder) throws IOException {
     JsonOutput.write(folder, FILE, MAPPER.valueToTree(this));
   }

@@ -22,16 +22,17 @@ public final class UsualTarget {
 
   /** Returns a target of the most frequent size; a person if there are none. */
   public static TargetSpec of(Scenario scenario) {
-    return among(scenario.everyTarget().toList())
+    return mostFrequent(scenario.everyTarget().toList())
         .orElseGet(() -> new TargetSpec(0, 0, 0).withExtent(Extent.PERSON));
   }
 
   /**
-   * The most frequent size of a world's targets as a detection model takes it, metres; the first if
-   * several are as frequent.
+   * The size, or height, as a detection model takes it, of the first target of the most frequent
+   * size in a world; metres.
    */
   public static double size(World world, DetectionModel model) {
-    return among(IntStream.range(0, world.targets().count()).mapToObj(world::targetSpec).toList())
+    return mostFrequent(
+            IntStream.range(0, world.targets().count()).mapToObj(world::targetSpec).toList())
         .map(target -> size(target, model))
         .orElse(TargetSpec.DEFAULT_SIZE);
   }
@@ -41,14 +42,15 @@ public final class UsualTarget {
   }
 
   /** The first target of the most frequent size. */
-  private static Optional<TargetSpec> among(List<TargetSpec> targets) {
+  private static Optional<TargetSpec> mostFrequent(List<TargetSpec> targets) {
     Map<Double, Long> counts =
         targets.stream().collect(Collectors.groupingBy(TargetSpec::size, Collectors.counting()));
     return targets.stream().max(Comparator.comparingLong(target -> counts.get(target.size())));
   }
 
   /**
-   * Returns what a detection must see of the target: the target's rule, the scenario's or its own.
+   * Returns what a detection must see of the target: by the target's rule, else the scenario's,
+   * else the detection model's.
    */
   static Body body(Scenario scenario, Detection detection) {
     TargetSpec target = of(scenario);

@@ -86,7 +86,7 @@ public final class ZoneArea {
     return freeCells.length == 0;
   }
 
-  /** The weight of the zone, which is that of its parts times its free area. */
+  /** The weight of the zone: its attribute times its free area in square metres. */
   double weight() {
     return zone.weight() * freeCells.length * views.cells().width() * views.cells().height();
   }

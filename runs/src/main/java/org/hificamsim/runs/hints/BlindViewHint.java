@@ -25,7 +25,7 @@ final class BlindViewHint {
       return Optional.empty();
     }
     World world = new World(scenario, catalogue.movements(), 0);
-    world.sightLines().require(detection.model());
+    world.sightLines().applyRuleOf(detection.model());
     List<Body> bodies =
         IntStream.range(0, world.targets().count())
             .mapToObj(world.targets()::body)
@@ -44,7 +44,7 @@ final class BlindViewHint {
         : Optional.of(
             Texts.format(
                 "no target can be seen anywhere by camera %s: expected another tilt or height, or"
-                    + " less of a target that has to be seen",
+                    + " a smaller part of targets that has to be seen",
                 String.join("; ", blind)));
   }
 
