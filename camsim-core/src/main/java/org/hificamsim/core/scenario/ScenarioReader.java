@@ -361,7 +361,8 @@ public final class ScenarioReader {
 
   private void warnOfSite(Scenario scenario, Consumer<String> warnings) {
     if (lacksCameras(scenario)) {
-      warnings.accept(simulation().place().line(NO_CAMERA + " for a run; place needs none"));
+      warnings.accept(
+          simulation().place().line(NO_CAMERA + " for a run; place and view need none"));
     }
     if (lacksTargets(scenario)) {
       warnings.accept(

@@ -185,9 +185,9 @@ public record PlacementProblem(
 
   /**
    * Returns a bound on the share that candidates can meet, as a function of the budget. Any
-   * multipliers prove one: those of a plan are tight at its own price, the unit worths at low prices,
-   * and means of both in between. Those of full cover are prices and not worths, so that the unit
-   * worths alone count there.
+   * multipliers prove one: those of a plan are tight at its own price, the unit worths at low
+   * prices, and means of both in between. Those of full cover are prices and not worths, so that
+   * the unit worths alone count there.
    */
   DoubleUnaryOperator shareBound(CoverPlan plan) {
     CoverInstance undominated = instance.remaining(keptCounts).undominated();

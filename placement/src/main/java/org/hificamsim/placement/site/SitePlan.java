@@ -26,6 +26,8 @@ import org.hificamsim.runs.cells.UsualTarget;
  */
 public record SitePlan(
     PlacementProblem problem, PlanCover cover, CoverPlan coverPlan, Shares shares) {
+  /** A smaller gap is 0 as it is shown. */
+  private static final double LEAST_SHOWN_GAP = 0.00005;
 
   /**
    * Shares of the demand, in [0, 1].
@@ -50,9 +52,9 @@ public record SitePlan(
     List<String> facts = new ArrayList<>();
     facts.add(
         Texts.format(
-            "%s, %d of them kept, price %.2f: %.2f %% of the demand is met",
+            "%s%s, price %.2f: %.2f %% of the demand is met",
             Texts.counted(cameras().size(), "camera"),
-            problem.kept().size(),
+            keptFact(),
             price(),
             100 * cover.claimedShare()));
     if (demand().isForArea()) {
@@ -65,15 +67,14 @@ public record SitePlan(
     facts.add(problem.request().reading().words() + refinementFact());
     if (problem.goal().isFullCover()) {
       facts.add(
-          Texts.format(
-              "no plan costs less than %.2f: gap %.2f %%",
-              coverPlan.bound(), 100 * coverPlan.gap()));
+          Texts.format("no plan costs less than %.2f", coverPlan.bound())
+              + gapFact(coverPlan.gap()));
       facts.add(Texts.format("all candidates together meet %.2f %%", 100 * shares.bound));
     } else {
       double found = shares.unrefined.orElse(cover.share());
       facts.add(
-          Texts.format("no plan of these candidates meets more than %.2f %%", 100 * shares.bound));
-      facts.add(Texts.format("gap %.2f %%", 100 * (1 - found / shares.bound)));
+          Texts.format("no plan of these candidates meets more than %.2f %%", 100 * shares.bound)
+              + gapFact(1 - found / shares.bound));
     }
     if (coverPlan.isProven()) {
       facts.add("proven: no plan of these candidates is better");
@@ -83,6 +84,16 @@ public record SitePlan(
             "the site's own cameras (%d) meet %.2f %%",
             demand().site().cameras().size(), 100 * shares.ofSite));
     return facts;
+  }
+
+  private String keptFact() {
+    int kept = problem.kept().size();
+    return kept == 0 ? "" : Texts.format(", %d of them kept", kept);
+  }
+
+  /** How far the plan is from its bound; nothing if it reaches it. */
+  private static String gapFact(double gap) {
+    return gap < LEAST_SHOWN_GAP ? "" : Texts.format(": a gap of %.2f %%", 100 * gap);
   }
 
   private String refinementFact() {
