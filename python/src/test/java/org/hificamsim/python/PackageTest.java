@@ -117,7 +117,7 @@ class PackageTest {
     }
     Process python = builder.start();
     try {
-      assertTrue(python.waitFor(15, TimeUnit.MINUTES), "no end after 15 minutes");
+      assertTrue(python.waitFor(30, TimeUnit.MINUTES), "no end after 30 minutes");
     } finally {
       python.destroyForcibly();
     }
