@@ -21,6 +21,7 @@ import numpy as np
 import optax
 
 import hificamsim
+from hificamsim.worlds import TASKS
 
 WORLDS, BATCH, PASSES, RATE = 4, 1024, 2, 3e-4
 GAMMA, TRACE, CLIP, ENTROPY = 0.9, 0.9, 0.2, 0.003
@@ -97,7 +98,7 @@ def main() -> None:
             with hificamsim.Worlds(task, WORLDS, auto_reset=False, reward=asked.reward, **learners.SETTINGS) as worlds:
                 worlds.reset(int(random.integers(0, learners.SEEDS)))
                 seen = learners.episode(worlds, learners.drawing(learned["actor"], random))
-            scores[task.removeprefix("bench/")] = round(float(seen.pop("scores").mean()), 4)
+            scores[task.removeprefix(TASKS)] = round(float(seen.pop("scores").mean()), 4)
             data = prepared(learned, asked.method, seen)
             for _ in range(PASSES):
                 for part in learners.batches(len(data["actions"]), BATCH, random):

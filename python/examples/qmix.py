@@ -24,6 +24,7 @@ import numpy as np
 import optax
 
 import hificamsim
+from hificamsim.worlds import TASKS
 
 WORLDS, KEPT, BATCH, UPDATES, RATE = 2, 6, 32, 60, 1e-3
 GAMMA, AHEAD, SLOWLY, MIXED = 0.9, 4, 0.02, 16
@@ -134,7 +135,7 @@ def main() -> None:
         scores, scales = {}, np.array(learned["scales"])
         for i, task in enumerate(asked.tasks):
             seen = played(task, exploring(learned, share, random), random)
-            scores[task.removeprefix("bench/")] = round(float(seen.pop("scores").mean()), 4)
+            scores[task.removeprefix(TASKS)] = round(float(seen.pop("scores").mean()), 4)
             scales[i] = scales[i] or seen["returns"].mean() * (1 - GAMMA) + 1e-3
             kept[i] = [*kept[i], seen][-KEPT:]
         learned["scales"] = jnp.asarray(scales, jnp.float32)

@@ -117,7 +117,7 @@ final class PlaceCommand implements Callable<Integer> {
   private final SettingOptions settings =
       SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.SEED);
 
-  private String currency; // of the catalogue
+  private String catalogueCurrency;
 
   private final Instant started = Instant.now();
 
@@ -156,7 +156,7 @@ final class PlaceCommand implements Callable<Integer> {
           output,
           plan,
           Catalogue.load(),
-          new PlanFiles.Content(floor, files.title(currency), screen.words(), this::note));
+          new PlanFiles.Content(floor, files.title(catalogueCurrency), screen.words(), this::note));
       copyFloorplan(plan, output);
       files.write(output, plan);
       if (form.isPresent()) {
@@ -227,7 +227,7 @@ final class PlaceCommand implements Callable<Integer> {
     Scenario site = demanded.site();
     List<Point> positions = mounts.positions(site, 1);
     PriceList prices = PriceList.named(kinds, site);
-    currency = prices.currency();
+    catalogueCurrency = prices.currency();
     PlacementProblem.Request request =
         new PlacementProblem.Request(
             demanded,

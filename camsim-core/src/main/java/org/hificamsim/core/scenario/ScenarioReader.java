@@ -172,8 +172,7 @@ public final class ScenarioReader {
   private void refuseDepression() {
     for (XmlElement zone : all(Zone.ELEMENT)) {
       if (zone.attributes().containsKey(Zone.MAX_DEPRESSION)) {
-        throw zone.invalid(
-            Zone.MAX_DEPRESSION, "none in a flat world: give cameras a z, or obstacles heights");
+        throw zone.invalid(Zone.MAX_DEPRESSION, Zone.NO_DEPRESSION);
       }
     }
   }

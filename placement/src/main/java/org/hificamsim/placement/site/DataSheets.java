@@ -56,7 +56,7 @@ record DataSheets(Path file, boolean withHeights) {
       throw new Place(file.toString(), 1, 1)
           .error("the table has no camera, expected one at least");
     }
-    return new PriceList(kinds, currency.orElse(PriceList.USUAL_CURRENCY));
+    return new PriceList(List.copyOf(kinds), currency.orElse(PriceList.USUAL_CURRENCY));
   }
 
   private void checkColumns(List<String> names) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.data.CsvRow;
 
 /**
@@ -51,10 +52,7 @@ record LensSteps(List<Double> values, boolean isRange) {
   /** Returns the angles of view of focal lengths on a sensor of this width, both in millimetres. */
   LensSteps onSensor(double width) {
     List<Double> angles =
-        values.stream()
-            .map(focal -> Math.toDegrees(2 * Math.atan(width / (2 * focal))))
-            .sorted()
-            .toList();
+        values.stream().map(focal -> OpticsSpec.angleOfView(width, focal)).sorted().toList();
     return new LensSteps(angles, isRange);
   }
 

@@ -1,12 +1,11 @@
 package org.hificamsim.placement.site;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Io;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
@@ -36,16 +35,23 @@ public record PriceList(List<CameraKind> kinds, String currency) {
     };
   }
 
-  /** Returns the built-in list. */
+  /** The built-in list. */
   static PriceList generic() {
-    try (InputStream in = PriceList.class.getResourceAsStream("cameras.csv")) {
+    return Generic.LIST;
+  }
+
+  /** Keeps the built-in list, which is read when it is first asked for. */
+  private static final class Generic {
+    private static final PriceList LIST = Io.get(Generic::read);
+
+    private static PriceList read() throws IOException {
       Path copy = Files.createTempFile("cameras", ".csv");
-      Files.write(copy, in.readAllBytes());
-      PriceList list = DataSheets.read(copy, false);
-      Files.delete(copy);
-      return list;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      try {
+        Files.write(copy, Io.resource(PriceList.class, "cameras.csv"));
+        return DataSheets.read(copy, false);
+      } finally {
+        Files.delete(copy);
+      }
     }
   }
 

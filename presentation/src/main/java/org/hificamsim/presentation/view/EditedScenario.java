@@ -183,8 +183,8 @@ final class EditedScenario {
       throw InputException.of("name is '%s', expected one that no other zone has", named.name());
     }
     if (named.maxDepression() != null && !current.hasHeights()) {
-      throw new InputException(
-          "max_depression is " + named.maxDepression() + ", expected none in a flat world");
+      throw InputException.of(
+          "%s is %s, expected %s", Zone.MAX_DEPRESSION, named.maxDepression(), Zone.NO_DEPRESSION);
     }
     named.points().forEach(point -> checkInField(point.x(), point.y()));
     List<Zone> zones = new ArrayList<>(current.zones());

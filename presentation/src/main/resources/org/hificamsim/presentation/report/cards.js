@@ -4,6 +4,10 @@ import {el} from './dom.js';
 export const card = (title, ...children) =>
   el('section', {class: 'card'}, el('h2', {}, title), ...children);
 
+/** A part that scrolls where it is too wide for the page; a label tells what it is. */
+export const scrollBox = (label, ...children) =>
+  el('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': label}, ...children);
+
 /** The command that made a page, and the version. */
 export const madeWith = ({command, version}) =>
   card(

@@ -3,7 +3,7 @@ import {card} from './cards.js';
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
 import {settingText, spelled, words} from './names.js';
-import {percent, rounded} from './numbers.js';
+import {percent, tableNumber} from './numbers.js';
 import {rowsOf, sortable} from './table.js';
 
 const TITLES = {
@@ -72,7 +72,7 @@ export function fileTable(table, names = {}) {
 function cellText(column, text, names) {
   if (SHARE.test(column) && text !== '') return percent(Number(text));
   if (SPELLED.test(column)) return text.split(SEVERAL).map(spelled).join(' or ');
-  if (FRACTION.test(text)) return rounded(Number(text));
+  if (FRACTION.test(text)) return tableNumber(Number(text));
   return names[text]?.title ?? STATISTICS[text] ?? text;
 }
 

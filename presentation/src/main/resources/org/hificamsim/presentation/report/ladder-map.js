@@ -1,5 +1,5 @@
 // The order of the policies under each rung of a ladder as a heat map, one for each scenario.
-import {card} from './cards.js';
+import {card, scrollBox} from './cards.js';
 import {el} from './dom.js';
 import {spelled} from './names.js';
 import {decimals, percent} from './numbers.js';
@@ -62,11 +62,7 @@ function map(scenario, ranks, losses) {
     el('thead', {}, el('tr', {}, ...heads)),
     body,
   );
-  return el(
-    'div',
-    {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `Order of policies, ${scenario}`},
-    table,
-  );
+  return scrollBox(`Order of policies, ${scenario}`, table);
 }
 
 function rankCell({rank, mean_k_min: score}, count) {

@@ -1,5 +1,5 @@
 // The page of the benchmark's leaderboard: the entries with their scores as bars, and all numbers.
-import {foldedCard, svg} from './cards.js';
+import {foldedCard, scrollBox, svg} from './cards.js';
 import {el} from './dom.js';
 import {rowsOf, sortable} from './table.js';
 
@@ -54,9 +54,8 @@ function scores(rows, tasks) {
       el('td', {}, bars(row, tasks)),
     );
   const heads = ['entry', 'IQM of all tasks', 'each task'];
-  return el(
-    'div',
-    {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Scores'},
+  return scrollBox(
+    'Scores',
     el(
       'table',
       {class: 'board'},
@@ -104,9 +103,8 @@ function bar(task, text, x) {
 }
 
 const numbers = (columns, rows) =>
-  el(
-    'div',
-    {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'All numbers'},
+  scrollBox(
+    'All numbers',
     sortable(
       'All numbers',
       columns.map(name => ({name})),

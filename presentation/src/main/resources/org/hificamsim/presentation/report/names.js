@@ -1,7 +1,7 @@
 // The words that people read for names in files; tooltips have the names themselves. SpokenNames
 // writes WORDS.
 import {el} from './dom.js';
-import {decimals, percent} from './numbers.js';
+import {decimals, percent, significant} from './numbers.js';
 
 /** The user's own words for policies and detections. */
 let labels = {};
@@ -48,10 +48,6 @@ export const isShare = unit => /^share\b/.test(unit);
 export const unitAfterPercent = (unit = '') =>
   isShare(unit) ? unit.replace(/^share ?/, '') : unit;
 
-/** A number of a setting with at most six significant digits. */
-const shortNumber = value =>
-  Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
-
 /** The value of a setting, a list or object included, in words. */
 export function settingText(value) {
   if (Array.isArray(value))
@@ -64,7 +60,8 @@ export function settingText(value) {
     return Object.entries(value)
       .map(([name, part]) => `${words(name)} ${settingText(part)}`)
       .join(', ');
-  return typeof value === 'number' ? shortNumber(value) : String(value ?? '–');
+  const isFraction = typeof value === 'number' && !Number.isInteger(value);
+  return isFraction ? significant(value, 6) : String(value ?? '–');
 }
 
 /** A text with the raw name in its tooltip, if that differs. */

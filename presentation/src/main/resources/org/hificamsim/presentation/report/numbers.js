@@ -5,16 +5,16 @@ export function decimals(number, most = 2) {
   return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
 }
 
-/** A number with three significant digits, such as a threshold. */
-export const significant = number => String(Number(number.toPrecision(3)));
+/** A number with so many significant digits at most; three suit a threshold. */
+export const significant = (number, digits = 3) => String(Number(number.toPrecision(digits)));
 
 /**
  * A number of a table: three decimals, fewer from ten on, and one significant digit below a
  * thousandth.
  */
-export function rounded(number) {
+export function tableNumber(number) {
   const size = Math.abs(number);
-  if (size > 0 && size < 5e-4) return String(Number(number.toPrecision(1)));
+  if (size > 0 && size < 5e-4) return significant(number, 1);
   return number.toFixed(size < 10 ? 3 : size < 1000 ? 1 : 0);
 }
 

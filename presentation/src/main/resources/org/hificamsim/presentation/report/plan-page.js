@@ -1,5 +1,5 @@
 // The page of a plan of cameras: the floor plan, what the plan achieves, and its tables.
-import {card, madeWith} from './cards.js';
+import {card, madeWith, scrollBox} from './cards.js';
 import {el} from './dom.js';
 import {rowsOf, sortable} from './table.js';
 
@@ -61,11 +61,7 @@ export async function planPage(root, data) {
     root.append(
       card(
         table.title,
-        el(
-          'div',
-          {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': table.title},
-          sortable(table.title, columns, rowsOf(table), 'unseen'),
-        ),
+        scrollBox(table.title, sortable(table.title, columns, rowsOf(table), 'unseen')),
       ),
     );
   }

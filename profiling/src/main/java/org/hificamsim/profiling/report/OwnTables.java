@@ -119,6 +119,7 @@ final class OwnTables {
 
   /** Adds every model g(f), after those of CamSim. */
   void models(HtmlPage page) {
+    List<FittedModel> recommended = recommended();
     page.table(
         new TableLayout<ModelScores>()
             .with("model", scores -> scores.detector() + "-" + scores.model())
@@ -126,15 +127,15 @@ final class OwnTables {
             .with("R2", scores -> fixed(scores.fit().scores().r2(), 3))
             .with("R2, unseen", scores -> fixed(scores.fit().unseen().r2(), 3))
             .with("detect or not, unseen", scores -> fixed(scores.accuracy(), 3))
-            .with("", this::verdict),
+            .with("", scores -> verdict(scores, recommended)),
         result.detectors().stream()
             .flatMap(detector -> ModelScores.of(result, detector).stream())
             .toList());
   }
 
-  private String verdict(ModelScores scores) {
+  private static String verdict(ModelScores scores, List<FittedModel> recommended) {
     boolean take =
-        recommended().stream()
+        recommended.stream()
             .anyMatch(
                 model ->
                     model.detector().equals(scores.detector())

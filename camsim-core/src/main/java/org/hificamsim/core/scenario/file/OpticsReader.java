@@ -108,9 +108,6 @@ public final class OpticsReader {
   }
 
   private static List<Double> angles(List<Double> lengths, double width) {
-    return lengths.stream()
-        .map(length -> 2 * Math.toDegrees(StrictMath.atan(width / (2 * length))))
-        .sorted()
-        .toList();
+    return lengths.stream().map(length -> OpticsSpec.angleOfView(width, length)).sorted().toList();
   }
 }

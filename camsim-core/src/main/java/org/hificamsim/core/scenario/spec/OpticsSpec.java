@@ -127,6 +127,14 @@ moving: what is seen on the way: `blind` nothing, `sees` the nearest of its view
   }
 
   /**
+   * Returns the angle of view in degrees of a focal length on a sensor of this width, both above 0
+   * and in the same unit (Eq 3.1).
+   */
+  public static double angleOfView(double sensorWidth, double focalLength) {
+    return 2 * Math.toDegrees(StrictMath.atan(sensorWidth / (2 * focalLength)));
+  }
+
+  /**
    * The angle of view in degrees of a picture that is smaller by a factor than that of an angle.
    */
   private static double angleOver(double angle, double factor) {

@@ -60,6 +60,10 @@ public record Zone(
   /** The attribute that needs a world with heights. */
   public static final String MAX_DEPRESSION = "max_depression";
 
+  /** The value of {@link #MAX_DEPRESSION} that is expected without heights, for messages. */
+  public static final String NO_DEPRESSION =
+      "none in a flat world: give cameras a z, or obstacles heights";
+
   public static final Element<Zone> ELEMENT =
       Element.ofRecord(
           "zone",
