@@ -49,7 +49,7 @@ function outline(path, {shape, points}, map) {
 
 function label(context, {name, met, points, facing}, map, colours, unit) {
   const text = met === undefined ? name : `${name} ${decimals(100 * met, 1)} %`;
-  const middle = list => (Math.min(...list) + Math.max(...list)) / 2;
+  const middle = list => (Math.min.apply(null, list) + Math.max.apply(null, list)) / 2;
   const [x, y] = [
     middle(points.map(point => map.x(point.x))),
     middle(points.map(point => map.y(point.y))),
