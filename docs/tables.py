@@ -460,6 +460,17 @@ def trained(*files):
     put("trained", ["", *columns, *others], lines)
 
 
+def curves(*folders):
+    """The curves of trainings, beside the script that draws them."""
+    with open(DOCS / "img" / "recipe-curves.csv", "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["method", "training", "round", "minutes", "score"])
+        for folder in folders:
+            training = pathlib.Path(folder).name
+            for row in rows(folder, "curve.csv"):
+                writer.writerow([training.rsplit("-", 1)[0], training, row["round"], row["minutes"], row["score"]])
+
+
 def intervals(scores, tasks):
     """The interquartile mean and each task's mean of scores (trainings, tasks, testing seeds), with 95 % intervals by a
     bootstrap over trainings, and within each task over testing seeds."""
@@ -486,5 +497,5 @@ def intervals(scores, tasks):
 
 
 if __name__ == "__main__":
-    parts = (benchmark, trained, reproduce, sensitivity, sites, adapting, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
+    parts = (benchmark, trained, curves, reproduce, sensitivity, sites, adapting, realism, ranks, arenas, turning, ratios, ladder, rungs, studies, saso, search, placement)
     {part.__name__: part for part in parts}[sys.argv[1]](*sys.argv[2:])

@@ -6,7 +6,8 @@
 DAgger (Ross et al. 2011, https://arxiv.org/abs/1011.0686): the expert plays the first round and the network all others,
 in which the expert says what it would do. Each round plays new episodes of every task, with training seeds, and learns
 from all so far by the cross entropy of the expert's views, at a rate that falls to nothing; every task counts as much as
-any other. Called again with more rounds, it goes on from its checkpoint.
+any other. The curve has what was played scored in each round: the expert in the first, and the network of the round before
+in all others. Called again with more rounds, it goes on from its checkpoint.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ def loss(actor: learners.Weights, batch: list[tuple[Any, Any, Any]]) -> Any:
     return jnp.stack(errors).mean()
 
 
-def decisions(task: str, actor: learners.Weights | None, random: np.random.Generator) -> tuple[Any, Any, Any]:
-    """What cameras saw that had a choice, and what the expert chose there: views, masks and actions.
+def decisions(task: str, actor: learners.Weights | None, random: np.random.Generator) -> tuple[Any, Any]:
+    """What cameras saw that had a choice, and what the expert chose there: views, masks and actions; and the scores.
 
     :param actor: plays; the expert does if there is none
     """
@@ -45,7 +46,7 @@ def decisions(task: str, actor: learners.Weights | None, random: np.random.Gener
         worlds.reset(int(random.integers(0, learners.SEEDS)))
         seen = learners.episode(worlds, choose)
     free = (seen["advice"] >= 0) & (seen["masks"].sum(-1) > 1)
-    return seen["views"][free], seen["masks"][free], seen["advice"][free]
+    return (seen["views"][free], seen["masks"][free], seen["advice"][free]), seen["scores"]
 
 
 def agreement(actor: learners.Weights, seen: tuple[Any, Any, Any]) -> float:
@@ -80,7 +81,8 @@ def main() -> None:
     while keeper.rounds < asked.rounds:
         random = np.random.default_rng([asked.seed, keeper.rounds])
         player = learned["actor"] if keeper.rounds else None
-        new = {task: decisions(task, player, random) for task in asked.tasks}
+        played = {task: decisions(task, player, random) for task in asked.tasks}
+        new = {task: found for task, (found, _) in played.items()}
         same = np.mean([agreement(learned["actor"], found) for found in new.values()])
         for task, found in new.items():
             seen[task].append(found)
@@ -90,7 +92,8 @@ def main() -> None:
             batch = [drawn(kept[random.integers(len(kept))], random) for kept in seen.values()]
             learned, error = step(learned, rate, batch)
             errors.append(float(error))
-        keeper.keep(learned, loss=round(float(np.mean(errors)), 4), agreement=round(float(same), 4))
+        row = learners.row_of({task: scores for task, (_, scores) in played.items()})
+        keeper.keep(learned, loss=round(float(np.mean(errors)), 4), agreement=round(float(same), 4), **row)
 
 
 if __name__ == "__main__":

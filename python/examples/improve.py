@@ -5,8 +5,10 @@
 
 The critic of IPPO (de Witt et al. 2020, https://arxiv.org/abs/2011.09533) values what a camera's own views promise; that
 of MAPPO (Yu et al. 2022, https://arxiv.org/abs/2103.01955) also what those of all cameras do, in training alone. Both
-are sums over views and cameras, so that they fit any site. Episodes have training seeds; called again with more rounds,
-it goes on from its checkpoint.
+are sums over views and cameras, so that they fit any site. Every round plays new episodes of all tasks, with training seeds;
+each update has as many decisions of each task. In the first round the critic learns alone, and the actor stays near the
+one that it started from (kickstarting: Schmitt et al. 2018, https://arxiv.org/abs/1803.03835). Called again with more
+rounds, it goes on from its checkpoint.
 """
 
 from __future__ import annotations
@@ -21,10 +23,9 @@ import numpy as np
 import optax
 
 import hificamsim
-from hificamsim.worlds import TASKS
 
-WORLDS, BATCH, PASSES, RATE = 4, 1024, 2, 3e-4
-GAMMA, TRACE, CLIP, ENTROPY = 0.9, 0.9, 0.2, 0.003
+WORLDS, BATCH, UPDATES, RATE, ALONE = 4, 64, 150, 3e-4, 1
+GAMMA, TRACE, CLIP, ENTROPY, NEAR = 0.9, 0.9, 0.2, 0.002, 0.02
 
 
 def known(method: str, views: Any) -> Any:
@@ -36,15 +37,25 @@ def known(method: str, views: Any) -> Any:
     return jnp.concatenate([own, every], -1)
 
 
-def loss(networks: Any, data: dict[str, Any]) -> Any:
-    """PPO's clipped objective, the error of the critic and the entropy (Schulman et al. 2017)."""
-    logits = jnp.where(data["masks"], learners.apply(networks["actor"], data["views"])[..., 0], -1e9)
-    logs = jax.nn.log_softmax(logits)
+def loss(networks: Any, start: Any, data: dict[str, Any], acts: Any) -> Any:
+    """PPO's clipped objective (Schulman et al. 2017), the entropy, and how far the actor is from the one at the start; and
+    the error of the critic.
+
+    :param acts: 1, or 0 while the critic learns alone
+    """
+    logs = _logs(networks["actor"], data)
     ratio = jnp.exp(jnp.take_along_axis(logs, data["actions"][:, None], 1)[:, 0] - data["logs"])
     gain = jnp.minimum(ratio * data["advantages"], jnp.clip(ratio, 1 - CLIP, 1 + CLIP) * data["advantages"])
     error = (learners.apply(networks["critic"], data["known"])[..., 0] - data["returns"]) ** 2
-    entropy = -(jnp.exp(logs) * jnp.where(data["masks"], logs, 0)).sum(-1)
-    return 0.5 * error.mean() - gain.mean() - ENTROPY * entropy.mean()
+    chances = jnp.exp(logs)
+    entropy = -(chances * jnp.where(data["masks"], logs, 0)).sum(-1)
+    begun = _logs(start, data)
+    away = (jnp.exp(begun) * jnp.where(data["masks"], begun - logs, 0)).sum(-1)
+    return 0.5 * error.mean() + acts * (NEAR * away.mean() - gain.mean() - ENTROPY * entropy.mean())
+
+
+def _logs(actor: learners.Weights, data: dict[str, Any]) -> Any:
+    return jax.nn.log_softmax(learners.values(actor, data["views"], data["masks"]))
 
 
 def advantages(rewards: Any, values: Any) -> tuple[Any, Any]:
@@ -59,16 +70,22 @@ def advantages(rewards: Any, values: Any) -> tuple[Any, Any]:
 
 def prepared(networks: Any, method: str, seen: dict[str, Any]) -> dict[str, Any]:
     """The decisions of an episode of several worlds, one row each, but for cameras that had no choice."""
-    logs = np.asarray(jax.nn.log_softmax(learners.values(networks["actor"], seen["views"], seen["masks"])))
+    logs = np.asarray(_logs(networks["actor"], seen))
     about = np.asarray(known(method, seen["views"]))
     values = np.asarray(learners.apply(networks["critic"], about))[..., 0]
-    scale = seen["rewards"].std() + 1e-6
-    gained, returns = advantages(seen["rewards"] / scale, values)
+    rewards = (seen["rewards"] - seen["rewards"].mean()) / (seen["rewards"].std() + 1e-6)
+    gained, returns = advantages(rewards, values)
     logs = np.take_along_axis(logs, seen["actions"][..., None], -1)[..., 0]
     rows = {"views": seen["views"], "masks": seen["masks"], "actions": seen["actions"], "known": about}
     rows |= {"logs": logs, "advantages": gained, "returns": returns}
     free = seen["masks"].sum(-1) > 1
     return {name: array[free] for name, array in rows.items()}
+
+
+def drawn(rows: dict[str, Any], random: np.random.Generator) -> dict[str, Any]:
+    """Some of the decisions, at random."""
+    chosen = random.integers(0, len(rows["actions"]), BATCH)
+    return {name: array[chosen] for name, array in rows.items()}
 
 
 def main() -> None:
@@ -83,27 +100,31 @@ def main() -> None:
     width = 2 * learners.NUMBERS * (2 if asked.method == "mappo" else 1)
     networks = {"actor": actor, "critic": learners.network([width, *sizes], begun)}
     optimizer = optax.chain(optax.clip_by_global_norm(0.5), optax.adam(RATE))
-    learned = keeper.resume({**networks, "memory": optimizer.init(networks)})
+    learned = keeper.resume({**networks, "start": actor, "memory": optimizer.init(networks)})
 
     @jax.jit
-    def step(learned: dict[str, Any], data: dict[str, Any]) -> dict[str, Any]:
+    def step(learned: dict[str, Any], batch: list[dict[str, Any]], acts: Any) -> dict[str, Any]:
         networks = {name: learned[name] for name in ("actor", "critic")}
-        changes, memory = optimizer.update(jax.grad(loss)(networks, data), learned["memory"])
-        return {**optax.apply_updates(networks, changes), "memory": memory}
+
+        def error(networks: Any) -> Any:
+            return jnp.stack([loss(networks, learned["start"], data, acts) for data in batch]).mean()
+
+        changes, memory = optimizer.update(jax.grad(error)(networks), learned["memory"])
+        return {**learned, **optax.apply_updates(networks, changes), "memory": memory}
 
     while keeper.rounds < asked.rounds:
         random = np.random.default_rng([asked.seed, keeper.rounds])
-        scores = {}
+        scores, rows = {}, []
         for task in asked.tasks:
             with hificamsim.Worlds(task, WORLDS, auto_reset=False, reward=asked.reward, **learners.SETTINGS) as worlds:
                 worlds.reset(int(random.integers(0, learners.SEEDS)))
                 seen = learners.episode(worlds, learners.drawing(learned["actor"], random))
-            scores[task.removeprefix(TASKS)] = round(float(seen.pop("scores").mean()), 4)
-            data = prepared(learned, asked.method, seen)
-            for _ in range(PASSES):
-                for part in learners.batches(len(data["actions"]), BATCH, random):
-                    learned = step(learned, {name: array[part] for name, array in data.items()})
-        keeper.keep(learned, **scores)
+            scores[task] = seen.pop("scores")
+            rows.append(prepared(learned, asked.method, seen))
+        acts = float(keeper.rounds >= ALONE or asked.start is None)
+        for _ in range(UPDATES):
+            learned = step(learned, [drawn(of_task, random) for of_task in rows], acts)
+        keeper.keep(learned, **learners.row_of(scores))
 
 
 if __name__ == "__main__":

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import argparse
 import csv
+import json
 import os
 import pathlib
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1")
@@ -24,6 +25,7 @@ import numpy as np
 import onnx_file
 
 import hificamsim
+from hificamsim.worlds import TASKS, shipped
 
 Array = Any
 Weights = list[Array]
@@ -89,6 +91,21 @@ def episode(worlds: hificamsim.Worlds, choose: Callable[[Array, Array], Array]) 
     return {name: np.stack(arrays) for name, arrays in parts.items()}
 
 
+def scale(task: str) -> tuple[Array, Array]:
+    """The scores of a task's testing episodes that stand for 0, cameras that zoom out, and for 1, the optimum."""
+    declared = json.loads((shipped() / "benchmark.json").read_text(encoding="utf-8"))[task.removeprefix(TASKS)]
+    return np.array(declared["zoomOut"]), np.array(declared["best"])
+
+
+def row_of(scores: dict[str, Array]) -> dict[str, float]:
+    """The columns of a curve: what the played episodes of each task scored, on the mean scale of its testing episodes."""
+    row = {}
+    for task, found in scores.items():
+        least, most = (array.mean() for array in scale(task))
+        row[task.removeprefix(TASKS)] = round(float((found.mean() - least) / (most - least)), 4)
+    return {"score": round(float(np.mean(list(row.values()))), 4), **row}
+
+
 def best(weights: Weights) -> Callable[[Array, Array], Array]:
     """Takes the view of the greatest value."""
     return lambda views, masks: np.asarray(values(weights, views, masks)).argmax(-1)
@@ -102,13 +119,6 @@ def drawing(weights: Weights, random: np.random.Generator) -> Callable[[Array, A
         return (valued + random.gumbel(size=valued.shape)).argmax(-1)
 
     return choose
-
-
-def batches(count: int, size: int, random: np.random.Generator) -> Iterator[Array]:
-    """The numbers below ``count`` in a random order, in parts of ``size``; a smaller rest is left out."""
-    order = random.permutation(count)
-    size = min(size, count)
-    return (order[i : i + size] for i in range(0, count - size + 1, size))
 
 
 class Keeper:

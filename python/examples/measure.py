@@ -10,11 +10,9 @@ from __future__ import annotations
 
 import argparse
 import csv
-import json
 import pathlib
 
 import learners
-import numpy as np
 
 import hificamsim
 from hificamsim.worlds import TASKS, TESTING
@@ -25,8 +23,7 @@ def scores(actor: learners.Weights, task: str) -> learners.Array:
     with hificamsim.Worlds(task, len(TESTING), auto_reset=False, testing=True, **learners.SETTINGS) as worlds:
         worlds.reset(TESTING[0])
         played = learners.episode(worlds, learners.best(actor))["scores"].mean(0)
-    scale = json.loads((hificamsim.worlds.shipped() / "benchmark.json").read_text())[task.removeprefix(TASKS)]
-    least, most = np.array(scale["zoomOut"]), np.array(scale["best"])
+    least, most = learners.scale(task)
     return (played - least) / (most - least)
 
 

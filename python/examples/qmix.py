@@ -24,7 +24,6 @@ import numpy as np
 import optax
 
 import hificamsim
-from hificamsim.worlds import TASKS
 
 WORLDS, KEPT, BATCH, UPDATES, RATE = 2, 6, 32, 60, 1e-3
 GAMMA, AHEAD, SLOWLY, MIXED = 0.9, 4, 0.02, 16
@@ -135,7 +134,7 @@ def main() -> None:
         scores, scales = {}, np.array(learned["scales"])
         for i, task in enumerate(asked.tasks):
             seen = played(task, exploring(learned, share, random), random)
-            scores[task.removeprefix(TASKS)] = round(float(seen.pop("scores").mean()), 4)
+            scores[task] = seen.pop("scores")
             scales[i] = scales[i] or seen["returns"].mean() * (1 - GAMMA) + 1e-3
             kept[i] = [*kept[i], seen][-KEPT:]
         learned["scales"] = jnp.asarray(scales, jnp.float32)
@@ -143,7 +142,7 @@ def main() -> None:
         for i in random.permutation(np.repeat(np.arange(len(asked.tasks)), UPDATES)):
             learned, wrong = step(learned, batch_of(kept[i], float(scales[i]), random))
             errors.append(float(wrong))
-        keeper.keep(learned, error=round(float(np.mean(errors)), 4), **scores)
+        keeper.keep(learned, error=round(float(np.mean(errors)), 4), **learners.row_of(scores))
 
 
 if __name__ == "__main__":
