@@ -90,12 +90,11 @@ class BeliefFeaturesTest {
   }
 
   /**
-   * A lone camera has nobody to agree with: the greatest gain is what {@code cooperative} takes, if
-   * unseen targets count as much to it.
+   * A lone camera has nobody to agree with: the greatest gain is what {@code cooperative} takes.
    */
   @Test
   void greatestGainOfLoneCameraIsChoiceOfCooperative() {
-    ZoomPolicy cooperative = new CooperativeZoomPolicy(Options.parse("cooperative", "search=0.15"));
+    ZoomPolicy cooperative = new CooperativeZoomPolicy(Options.none("cooperative"));
     Playing playing = new Playing(cooperative);
     RealWorld.run(OPTICS + camera("a", -6, 0) + TARGETS, playing, 3).run(300);
     int changes = 0;
