@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pathlib
 
 import pytest
 
@@ -15,3 +16,12 @@ BACKENDS = ["jvm", "process"]
 def backend(request: pytest.FixtureRequest) -> str:
     """Either way across."""
     return str(request.param)
+
+
+@pytest.fixture
+def onnx_runtime(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What plays networks, beside the jars of the package."""
+    installed = pathlib.Path(__file__).resolve().parents[2] / "onnx/build/install/onnx"
+    if not installed.exists():
+        pytest.skip("no ONNX Runtime: gradle :onnx:libraries")
+    monkeypatch.setenv("CLASSPATH", f"{installed}/*")

@@ -32,11 +32,14 @@ def enter(folder: pathlib.Path, text: str, name: str = "mine", **settings: objec
     return folder / name
 
 
-def verify(entry: pathlib.Path) -> tuple[int, dict[str, object]]:
+def verify(entry: pathlib.Path, **limits: int) -> tuple[int, dict[str, object]]:
     out = entry.parent / "verified"
+    said = [word for name, value in limits.items() for word in (f"--{name}", str(value))]
+    code = 0
     try:
-        hificamsim.execute("benchmark", "verify", str(entry), "--secret", "correct horse", "--out", str(out))
-        code = 0
+        hificamsim.execute("benchmark", "verify", str(entry), "--secret", "correct horse", "--out", str(out), *said)
+    except hificamsim.InputError:
+        raise
     except hificamsim.Error:
         code = 1
     return code, json.loads((out / "verified.json").read_text())["tasks"]["passage-v1"]
@@ -120,10 +123,118 @@ def test_prints_do_not_disturb_and_environment_is_empty(tmp_path: pathlib.Path, 
     assert (enter(tmp_path, text, **BELIEF) / "entry.json").exists()
 
 
-def test_file_sees_no_network_and_no_other_process(tmp_path: pathlib.Path) -> None:
+def replace(entry: pathlib.Path, name: str, content: bytes) -> None:
+    """Puts another policy in the place of the one that was played, with its hash."""
+    (entry / f"policy-{name}").write_bytes(content)
+    told = json.loads((entry / "entry.json").read_text())
+    told["files"][name] = hashlib.sha256(content).hexdigest()
+    (entry / "entry.json").write_text(json.dumps(told))
+
+
+SLEEPS = "import time\ndef policy(observations, masks): time.sleep(10 ** 6)\n"
+WORKS = "def policy(observations, masks):\n    while True: pass\n"
+GROWS = "def policy(observations, masks): return bytearray(3 * 10 ** 9)\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"), [(SLEEPS, "out of time or memory"), (WORKS, "out of time or memory"), (GROWS, "MemoryError")]
+)
+def test_verified_file_has_limits(text: str, reason: str, tmp_path: pathlib.Path) -> None:
+    entry = enter(tmp_path, GREEDY, **BELIEF)
+    replace(entry, "mine.py", text.encode())
+    with pytest.raises(hificamsim.InputError) as said:
+        verify(entry, seconds=8, memory=2000)
+    assert reason in str(said.value) and "task passage-v1" in str(said.value)
+    assert len(str(said.value).splitlines()) == 1
+
+
+def network(file: pathlib.Path, repeats: int = 1, size: int = 1) -> pathlib.Path:
+    """A network that values views by what they add (the last of their numbers), with a sum over as many numbers as ``size``,
+    as often as ``repeats``.
+    """
+    onnx = pytest.importorskip("onnx")
+    from onnx import TensorProto, helper, numpy_helper
+
+    def value(name: str, shape: list[object]) -> object:
+        return helper.make_tensor_value_info(name, TensorProto.FLOAT, shape)
+
+    kept = {"last": np.array([9]), "axes": np.array([-1]), "count": np.array(repeats), "shape": np.array([size])}
+    kept["go"], kept["zero"] = np.array(True), np.zeros(1, np.float32)
+    body = helper.make_graph(
+        [
+            helper.make_node("Expand", ["carried", "shape"], ["many"]),
+            helper.make_node("ReduceSum", ["many"], ["sum"], keepdims=0),
+            helper.make_node("Mul", ["sum", "zero"], ["next"]),
+            helper.make_node("Identity", ["go_on"], ["goes"]),
+        ],
+        "body",
+        [
+            helper.make_tensor_value_info("i", TensorProto.INT64, []),
+            helper.make_tensor_value_info("go_on", TensorProto.BOOL, []),
+            value("carried", [1]),
+        ],
+        [helper.make_tensor_value_info("goes", TensorProto.BOOL, []), value("next", [1])],
+    )
+    nodes = [
+        helper.make_node("Gather", ["views", "last"], ["column"], axis=2),
+        helper.make_node("Squeeze", ["column", "axes"], ["promised"]),
+        helper.make_node("ReduceSum", ["promised"], ["seed"], keepdims=0),
+        helper.make_node("Mul", ["seed", "zero"], ["begun"]),
+        helper.make_node("Loop", ["count", "go", "begun"], ["nothing"], body=body),
+        helper.make_node("Add", ["promised", "nothing"], ["values"]),
+    ]
+    graph = helper.make_graph(
+        nodes,
+        "policy",
+        [value("views", ["cameras", "views", 10])],
+        [value("values", ["cameras", "views"])],
+        [numpy_helper.from_array(array, name) for name, array in kept.items()],
+    )
+    model = helper.make_model(graph, opset_imports=[helper.make_opsetid("", 13)], ir_version=8)
+    onnx.checker.check_model(model)
+    onnx.save(model, file)
+    return file
+
+
+def enter_network(file: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
+    out = folder / "network"
+    words = ["--policy", f"onnx:{file}", "--name", "network", "--tasks", "passage-v1", "--out", str(out)]
+    hificamsim.execute("benchmark", "run", *words)
+    return out
+
+
+def test_network_is_verified_and_has_its_own_score(onnx_runtime: None, tmp_path: pathlib.Path) -> None:
+    entry = enter_network(network(tmp_path / "views.onnx"), tmp_path)
+    scores = [json.loads((folder / "entry.json").read_text())["tasks"]["passage-v1"]["scores"]
+              for folder in (entry, enter(tmp_path, GREEDY, **BELIEF))]
+    assert scores[0] == scores[1], "the same views by the same numbers"
+    code, found = verify(entry)
+    assert code == 0 and found["reproduced"]
+
+
+@pytest.mark.parametrize("costs", [{"repeats": 2**62}, {"repeats": 2, "size": 10**9}])
+def test_verified_network_has_limits(costs: dict[str, int], onnx_runtime: None, tmp_path: pathlib.Path) -> None:
+    entry = enter_network(network(tmp_path / "views.onnx"), tmp_path)
+    replace(entry, "views.onnx", network(tmp_path / "costly.onnx", **costs).read_bytes())
+    with pytest.raises(hificamsim.InputError) as said:
+        verify(entry, seconds=8, memory=2000)
+    assert "task passage-v1" in str(said.value) and len(str(said.value).splitlines()) == 1
+
+
+def test_file_sees_no_network_and_no_process_and_writes_nowhere(tmp_path: pathlib.Path) -> None:
     namespaces = ["unshare", "--user", "--map-root-user", "--net", "--pid", "--fork", "--mount-proc", "true"]
     if subprocess.run(namespaces, capture_output=True, check=False).returncode:
         pytest.skip("this system gives no namespaces to its users")
     text = "import os\nassert len([name for name in os.listdir('/proc') if name.isdigit()]) == 1\n"
     text += "assert [line.split(':')[0].strip() for line in open('/proc/net/dev')][2:] == ['lo']\n"
+    text += f"""
+import errno, subprocess
+open("scratch", "w").write("its own folder")
+subprocess.run(["mount", "-o", "remount,bind,rw", "/"], stderr=subprocess.DEVNULL)
+try:
+    open({str(tmp_path / "forged")!r}, "w")
+    raise SystemExit("it wrote a file")
+except OSError as fault:
+    assert fault.errno == errno.EROFS
+"""
     assert (enter(tmp_path, text + GREEDY, **BELIEF) / "entry.json").exists()

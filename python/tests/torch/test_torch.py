@@ -9,7 +9,7 @@ import pytest
 
 import hificamsim
 
-torch = pytest.importorskip("torch")
+torch = pytest.importorskip("torch", reason="no torch, 6 GB from PyPI: gradle :python:torchTest fetches it and runs these")
 torch.set_num_threads(1)
 
 

@@ -158,6 +158,31 @@ class BenchmarkEntryTest {
                 "no visible name",
                 new Broken("name has 1 characters", json(root -> root.put("name", " ")))),
             Map.entry(
+                "a name in letters that look like others",
+                new Broken(
+                    "Latin letters and those of CYRILLIC",
+                    json(root -> root.put("name", "c\u043e\u043eperative")))),
+            Map.entry("no score", new Broken("something is missing", json(score(null)))),
+            Map.entry(
+                "a score that is no number",
+                new Broken("score NaN, expected", json(score(Double.NaN)))),
+            Map.entry("a negative score", new Broken("score -1.0, expected", json(score(-1.0)))),
+            Map.entry("a huge score", new Broken("score 1.0E300, expected", json(score(1e300)))),
+            Map.entry(
+                "fewer steps",
+                new Broken(
+                    "no step 90 of seed 1000010",
+                    csv(text -> text.replaceAll("\n1000010,9\\d,[^\n]*", "")))),
+            Map.entry(
+                "a link in place of actions",
+                new Broken("is a link or no file", path -> link(path.resolve(TASK + ".csv.gz")))),
+            Map.entry(
+                "a link in place of an entry",
+                new Broken("is a link or no file", path -> link(path.resolve("entry.json")))),
+            Map.entry(
+                "an endless entry",
+                new Broken("has more than", json(root -> root.put("name", "x".repeat(2_000_000))))),
+            Map.entry(
                 "two results of a task",
                 new Broken("Duplicate field 'tasks'", BenchmarkEntryTest::repeatTasks)),
             Map.entry("no task", new Broken("no task", json(root -> root.putObject("tasks")))),
@@ -220,6 +245,28 @@ class BenchmarkEntryTest {
         throw new AssertionError(e);
       }
     };
+  }
+
+  private static Consumer<ObjectNode> score(Double score) {
+    return root -> {
+      ArrayNode scores = (ArrayNode) task(root).get("scores");
+      if (score != null && score.isNaN()) {
+        scores.set(0, "NaN");
+      } else {
+        scores.set(0, score);
+      }
+    };
+  }
+
+  /** Moves a file elsewhere, with a link to it in its place. */
+  private static void link(Path file) {
+    try {
+      Path target = Files.createTempDirectory(folder, "elsewhere").resolve("file");
+      Files.move(file, target);
+      Files.createSymbolicLink(file, target);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
   }
 
   private static ObjectNode task(ObjectNode root) {
@@ -312,7 +359,9 @@ class BenchmarkEntryTest {
     Cli cli = Cli.run("benchmark", "leaderboard", entry, greedy, tracker, "--out", page);
     assertEquals(0, cli.exit(), cli.err());
     List<String> lines = cli.out().lines().toList();
-    assertTrue(lines.get(0).matches("0\\.\\d+ \\[0\\.\\d+, 0\\.\\d+\\]  <tracker>"), cli.out());
+    assertTrue(
+        lines.get(0).matches("0\\.\\d+ \\[0\\.\\d+, 0\\.\\d+\\]  actions      <tracker>"),
+        cli.out());
     String bound = "-  independent-greedy (a bound, out of competition): 0.6";
     assertTrue(lines.get(1).startsWith(bound), cli.out());
     String partly = "-  cooperative, no place without all tasks: passage-v1 0.";

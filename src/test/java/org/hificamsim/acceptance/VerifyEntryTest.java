@@ -87,22 +87,14 @@ class VerifyEntryTest {
   /** One episode of another policy is spliced in, with its actions and its score. */
   @Test
   void marksSplicedEpisodes() throws IOException {
-    double score =
-        MAPPER
-            .readTree(better.resolve("entry.json").toFile())
-            .at("/tasks/" + TASK + "/scores/0")
-            .asDouble();
+    double score = score(better, 0);
     Path cheat = copy(honest, root -> ((ArrayNode) task(root).get("scores")).set(0, score));
     String spliced =
         Stream.concat(
                 rows(better).filter(row -> row.startsWith("1000001,")),
                 rows(honest).skip(1).filter(row -> !row.startsWith("1000001,")))
             .collect(Collectors.joining("\n", rows(honest).findFirst().orElseThrow() + "\n", "\n"));
-    try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(cheat.resolve(ACTIONS)))) {
-      out.write(spliced.getBytes(StandardCharsets.UTF_8));
-    }
-    String hash = Sha256.of(cheat.resolve(ACTIONS));
-    edit(cheat, root -> task(root).put("actions", hash));
+    enterRows(cheat, spliced);
     Cli checked = Cli.run("benchmark", "check", cheat);
     assertEquals(0, checked.exit(), checked.err());
     Cli cli = verify(cheat, folder.resolve("spliced-verified"));
@@ -115,12 +107,58 @@ class VerifyEntryTest {
     rejects(copy(honest, root -> root.put("policy", "played")), "a list of actions");
     rejects(copy(honest, root -> root.put("policy", "onnx:file={seed}.onnx")), "has {seed}");
     rejects(better, "independent-greedy is a bound");
+    rejects(copy(better, root -> root.put("policy", "greedy")), "greedy is a bound");
+    rejects(copy(honest, root -> root.put("policy", "optimal")), "optimal is a bound");
     Path files = copy(honest, root -> root.putObject("files").put("a.onnx", "0"));
     rejects(files, "policy-a.onnx: no such file");
     Files.writeString(files.resolve("policy-a.onnx"), "changed");
     rejects(files, "policy-a.onnx: SHA-256");
     rejects(
         copy(honest, root -> root.putObject("files").put("../entry.json", "0")), "no such file");
+  }
+
+  @Test
+  void rejectsPolicyThatReadsFilesOfOthers() throws IOException {
+    Path others = Files.writeString(folder.resolve("others.py"), "policy = print");
+    Path entry = copy(honest, root -> root.put("policy", "python:" + others));
+    rejects(entry, "others.py, expected files of the entry alone");
+    Files.createSymbolicLink(entry.resolve("policy-others.py"), others);
+    edit(entry, root -> root.putObject("files").put("others.py", hash(others)));
+    rejects(entry, "policy-others.py is a link or no file");
+  }
+
+  @Test
+  void ranksEachEntryOnceInItsOwnName() throws IOException {
+    Path alike = copy(honest, root -> root.put("name", "Tr\u00e0cker"));
+    Path greek = copy(honest, root -> root.put("name", "tr\u03b1cker"));
+    for (Path other : List.of(honest, alike, greek)) {
+      Cli cli =
+          Cli.run("benchmark", "leaderboard", honest, other, "--out", folder.resolve("twice"));
+      assertEquals(2, cli.exit(), cli.out());
+      assertTrue(cli.err().contains("names of two entries look alike, 'tracker'"), cli.err());
+    }
+  }
+
+  /** Of two policies that were played, the better episode of each seed is entered. */
+  @Test
+  void marksBestOfManyRuns() throws IOException {
+    Path other = play("epsilon-greedy");
+    Path cheat = copy(honest, root -> {});
+    StringBuilder rows = new StringBuilder(rows(honest).findFirst().orElseThrow()).append('\n');
+    for (int i = 0; i < 10; i++) {
+      boolean isBetter = score(other, i) > score(honest, i);
+      double score = Math.max(score(other, i), score(honest, i));
+      int episode = i;
+      edit(cheat, root -> ((ArrayNode) task(root).get("scores")).set(episode, score));
+      rows(isBetter ? other : honest)
+          .filter(row -> row.startsWith(1_000_001 + episode + ","))
+          .forEach(row -> rows.append(row).append('\n'));
+    }
+    enterRows(cheat, rows.toString());
+    assertEquals(0, Cli.run("benchmark", "check", cheat).exit());
+    Cli cli = verify(cheat, folder.resolve("best-verified"));
+    assertEquals(1, cli.exit(), cli.out());
+    assertTrue(cli.out().contains("the policy scores otherwise in testing"), cli.out());
   }
 
   @Test
@@ -136,6 +174,30 @@ class VerifyEntryTest {
     assertEquals(2, cli.exit(), cli.out());
     assertEquals(1, cli.err().lines().count(), cli.err());
     assertTrue(cli.err().contains(reason), cli.err());
+  }
+
+  private static double score(Path entry, int episode) throws IOException {
+    return MAPPER
+        .readTree(entry.resolve("entry.json").toFile())
+        .at("/tasks/" + TASK + "/scores/" + episode)
+        .asDouble();
+  }
+
+  /** Writes other actions into an entry, with their hash. */
+  private static void enterRows(Path entry, String rows) throws IOException {
+    Path actions = entry.resolve(ACTIONS);
+    try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(actions))) {
+      out.write(rows.getBytes(StandardCharsets.UTF_8));
+    }
+    edit(entry, root -> task(root).put("actions", hash(actions)));
+  }
+
+  private static String hash(Path file) {
+    try {
+      return Sha256.of(file);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
   }
 
   private static Stream<String> rows(Path entry) throws IOException {

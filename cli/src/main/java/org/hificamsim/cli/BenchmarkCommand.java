@@ -20,6 +20,7 @@ import org.hificamsim.runs.benchmark.BenchmarkEntry;
 import org.hificamsim.runs.benchmark.BenchmarkTask;
 import org.hificamsim.runs.benchmark.EntryCheck;
 import org.hificamsim.runs.benchmark.EntryVerifier;
+import org.hificamsim.runs.benchmark.EpisodeLimits;
 import org.hificamsim.runs.benchmark.Leaderboard;
 import org.hificamsim.runs.benchmark.Verification;
 import org.hificamsim.tracks.mate.MateArena;
@@ -104,13 +105,19 @@ final class BenchmarkCommand {
       @Parameters(paramLabel = "DIR", description = "Folder of 'benchmark run'.") Path path,
       @Option(names = "--secret", required = true, paramLabel = "TEXT") String secret,
       @Option(names = "--episodes", paramLabel = "N") int episodes,
+      @Option(names = "--seconds", paramLabel = "S") int seconds,
+      @Option(names = "--memory", paramLabel = "MB") int memory,
       @Option(names = "--out", required = true, paramLabel = "DIR") Path out,
       @Mixin ThreadsOption threads,
       @Mixin Screen screen)
       throws IOException {
     Numbers.inRange("--episodes", episodes, 2, 1_000);
+    Numbers.inRange("--seconds", seconds, 1, 86_400);
+    Numbers.inRange("--memory", memory, 512, 1_000_000);
     Benchmark benchmark = ShippedScenarios.tasks();
-    EntryVerifier verifier = new EntryVerifier(benchmark, secret, episodes, threads.count());
+    EpisodeLimits limits = new EpisodeLimits(seconds, memory);
+    EntryVerifier verifier =
+        new EntryVerifier(benchmark, secret, episodes, limits, threads.count());
     BenchmarkEntry entry = new EntryCheck(benchmark, threads.count()).check(path);
     try (OutputFolder folder = screen.folder(out);
         Progress progress = screen.progress("", " episodes", verifier.episodes(entry))) {

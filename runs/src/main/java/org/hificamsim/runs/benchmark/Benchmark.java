@@ -98,10 +98,29 @@ public final class Benchmark {
     return task(name).plan(catalogue, task(name).drawFresh(site(name), seed), policy, seed);
   }
 
+  /**
+   * Rejects a task whose declaration, scale or site is not that of its hash.
+   *
+   * @param name of the task
+   */
+  void requireUnchanged(String name) {
+    String found = task(name).digest(site(name));
+    if (!found.equals(task(name).hash())) {
+      throw InputException.of(
+          "%s: task %s was changed: its hash is %s, expected %s",
+          file, name, found, task(name).hash());
+    }
+  }
+
   /** Whether a policy is a bound, which plays out of competition; false for an unknown one. */
   public boolean isBound(String policy) {
     String name = policy.split(":", 2)[0];
-    return catalogue.policies().names().contains(name) && catalogue.isBound(name);
+    return catalogue.policies().knows(name) && catalogue.isBound(name);
+  }
+
+  /** The file of the tasks. */
+  Path file() {
+    return file;
   }
 
   /** The catalogue of policies, models and movements. */

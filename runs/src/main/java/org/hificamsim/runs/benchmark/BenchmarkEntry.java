@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -44,7 +45,8 @@ public record BenchmarkEntry(
 
   private static final String PLAYED = "played";
   private static final String SEED = "{seed}";
-  private static final int MAX_NAME = 80;
+  private static final int MAX_POLICY = 2_000;
+  private static final long MAX_BYTES = 1 << 20;
   private static final ObjectMapper MAPPER =
       JsonMapper.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
 
@@ -60,45 +62,23 @@ public record BenchmarkEntry(
     /** Rejects missing values. */
     public TaskScores {
       requireAll("task, actions, seeds, scores", task, actions, seeds, scores);
+      requireAll("a number for each seed", seeds.toArray());
+      requireAll("a number for each score", scores.toArray());
     }
   }
 
   /** Rejects missing values, and texts that could forge lines of output. */
   public BenchmarkEntry {
     requireAll("version, name, policy, files, tasks", version, name, policy, files, tasks);
-    requireName(name);
-    requireVisible("policy", policy);
-    files.keySet().forEach(file -> requireVisible("file", file));
-  }
-
-  private static void requireName(String name) {
-    requireVisible("name", name);
-    if (name.isBlank() || name.length() > MAX_NAME) {
+    requireAll("a result of each task", tasks.values().toArray());
+    requireAll("the SHA-256 of each file", files.values().toArray());
+    EntryName.require(name);
+    EntryName.requireVisible("policy", policy);
+    if (policy.length() > MAX_POLICY) {
       throw InputException.of(
-          "name has %s characters, expected 1 to %s and not only blanks", name.length(), MAX_NAME);
+          "policy has %s characters, expected at most %s", policy.length(), MAX_POLICY);
     }
-  }
-
-  private static void requireVisible(String what, String text) {
-    if (text.codePoints().anyMatch(BenchmarkEntry::isInvisible)) {
-      throw InputException.of(
-          "%s has an invisible character, such as a line feed, expected none", what);
-    }
-  }
-
-  /** Whether a character is not shown, or changes how others are shown. */
-  private static boolean isInvisible(int character) {
-    return switch (Character.getType(character)) {
-      case Character.CONTROL,
-              Character.FORMAT,
-              Character.LINE_SEPARATOR,
-              Character.PARAGRAPH_SEPARATOR,
-              Character.SURROGATE,
-              Character.UNASSIGNED,
-              Character.PRIVATE_USE ->
-          true;
-      default -> false;
-    };
+    files.keySet().forEach(file -> EntryName.requireVisible("file", file));
   }
 
   private static void requireAll(String names, Object... values) {
@@ -118,7 +98,7 @@ public record BenchmarkEntry(
   public record Application(String name, String policy, List<String> tasks) {
     /** Rejects a name that cannot be shown, and a policy that knows the seeds. */
     public Application {
-      requireName(name);
+      EntryName.require(name);
       if (knowsSeeds(policy) && !isPlayed(policy)) {
         throw InputException.of(
             "policy %s has %s, expected one policy for all episodes of a task", policy, SEED);
@@ -139,6 +119,7 @@ public record BenchmarkEntry(
       OutputFolder folder)
       throws IOException {
     List<String> tasks = application.tasks();
+    tasks.forEach(benchmark::requireUnchanged);
     List<RunPlan> plans = plans(benchmark, application);
     Map<String, byte[]> copies = new TreeMap<>();
     Map<String, String> files = files(plans, copies);
@@ -254,7 +235,11 @@ public record BenchmarkEntry(
    * @throws InputException when the file is not an entry
    */
   static BenchmarkEntry read(Path path) {
+    requireRegular(path);
     try {
+      if (Files.size(path) > MAX_BYTES) {
+        throw InputException.of("%s has more than %s bytes, expected an entry", path, MAX_BYTES);
+      }
       return MAPPER.readValue(path.toFile(), BenchmarkEntry.class);
     } catch (JsonProcessingException e) {
       String problem =
@@ -265,6 +250,17 @@ public record BenchmarkEntry(
       throw new InputException(path + ": " + fault + ", expected what 'benchmark run' writes", e);
     } catch (IOException e) {
       throw new InputException(path + " cannot be read, expected what 'benchmark run' writes", e);
+    }
+  }
+
+  /**
+   * Rejects a link, and what is no file: an entry is the content of its folder. A missing file is
+   * left to its reader.
+   */
+  static void requireRegular(Path file) {
+    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)
+        && !Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
+      throw InputException.of("%s is a link or no file, expected a regular file", file);
     }
   }
 

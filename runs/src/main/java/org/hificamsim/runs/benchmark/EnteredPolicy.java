@@ -8,6 +8,9 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.Sha256;
+import org.hificamsim.core.policy.OraclePolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.runs.output.PolicyFiles;
 
 /** The policy of an entry, with the files that lie in the entry's folder. */
 final class EnteredPolicy {
@@ -41,10 +44,26 @@ final class EnteredPolicy {
           "%s: %s is a bound, expected a policy that cameras can run", folder, entry.policy());
     }
     entry.files().forEach(this::requireSame);
+    entry.tasks().keySet().forEach(task -> requireOwn(benchmark, of(task)));
+  }
+
+  /** Rejects a policy that plays what no camera can, or reads what does not lie in the folder. */
+  private void requireOwn(Benchmark benchmark, String policy) {
+    ZoomPolicy made = benchmark.catalogue().policies().create(policy);
+    if (made instanceof OraclePolicy || made.jumps()) {
+      throw InputException.of("%s: %s, expected a policy that cameras can run", folder, policy);
+    }
+    for (Path file : new PolicyFiles().of(policy)) {
+      if (!entry.files().keySet().stream().map(this::copy).toList().contains(file.toString())) {
+        throw InputException.of(
+            "%s: policy %s reads %s, expected files of the entry alone", folder, policy, file);
+      }
+    }
   }
 
   private void requireSame(String name, String hash) {
     Path file = folder.resolve(PREFIX + name);
+    BenchmarkEntry.requireRegular(file);
     if (name.contains("/") || name.contains("\\") || !Files.isRegularFile(file)) {
       throw InputException.of("%s: no such file, expected the policy's", file);
     }

@@ -66,10 +66,12 @@ public final class EntryCheck {
           "%s: task '%s', expected one of %s", file, name, String.join(", ", benchmark.names()));
     }
     BenchmarkTask task = benchmark.task(name);
+    benchmark.requireUnchanged(name);
     require(where, "task has hash", scores.task(), task.hash());
     require(where, "seeds", scores.seeds(), BenchmarkTask.TESTING);
     require(where, "number of scores", scores.scores().size(), scores.seeds().size());
     Path actions = file.resolveSibling(RecordedActions.file(name));
+    BenchmarkEntry.requireRegular(actions);
     List<int[][]> views = RecordedActions.read(actions, name, benchmark);
     require(actions, "SHA-256", Io.get(() -> Sha256.of(actions)), scores.actions());
     return IntStream.range(0, views.size())

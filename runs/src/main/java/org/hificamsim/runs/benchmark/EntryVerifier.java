@@ -2,6 +2,7 @@ package org.hificamsim.runs.benchmark;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +10,6 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.parallel.Parallel;
-import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.benchmark.Verification.Finding;
 import org.hificamsim.runs.compare.RunProgress;
 
@@ -24,17 +24,21 @@ public final class EntryVerifier {
   private final Benchmark benchmark;
   private final FreshSeeds seeds;
   private final int episodes;
+  private final EpisodeLimits limits;
   private final int threads;
 
   /**
    * @param secret from which fresh seeds are drawn
    * @param episodes of each task that are fresh, 2 or more
-   * @param threads that share the episodes, 1 or more
+   * @param limits of what a policy may take
+   * @param threads that share the tasks, 1 or more
    */
-  public EntryVerifier(Benchmark benchmark, String secret, int episodes, int threads) {
+  public EntryVerifier(
+      Benchmark benchmark, String secret, int episodes, EpisodeLimits limits, int threads) {
     this.benchmark = benchmark;
     seeds = new FreshSeeds(secret);
     this.episodes = episodes;
+    this.limits = limits;
     this.threads = threads;
   }
 
@@ -51,44 +55,46 @@ public final class EntryVerifier {
   public Verification verify(BenchmarkEntry entry, Path path, RunProgress progress) {
     Path file = BenchmarkEntry.file(path);
     EnteredPolicy policy = new EnteredPolicy(benchmark, file.toAbsolutePath().getParent(), entry);
-    List<RunPlan> plans = new ArrayList<>();
-    entry.tasks().keySet().forEach(task -> plans.addAll(plans(task, policy.of(task))));
-    List<Double> scores =
-        Parallel.map(
-            plans,
-            threads,
-            plan -> {
-              double score = Episode.play(benchmark, plan).score();
-              progress.advance();
-              return score;
-            });
+    List<String> tasks = List.copyOf(entry.tasks().keySet());
+    List<List<Double>> scores =
+        Parallel.map(tasks, threads, task -> scores(task, policy.of(task), progress));
     return verification(entry, Io.get(() -> Sha256.of(file)), scores);
   }
 
-  /** The testing episodes of a task, then the fresh ones. */
-  private List<RunPlan> plans(String task, String policy) {
-    List<RunPlan> plans = new ArrayList<>();
-    BenchmarkTask.TESTING.forEach(seed -> plans.add(benchmark.plan(task, policy, seed)));
-    seeds.of(task, episodes).forEach(seed -> plans.add(benchmark.freshPlan(task, policy, seed)));
-    return plans;
+  private List<Double> scores(String task, String policy, RunProgress progress) {
+    List<Trial> trials = trials(task, policy);
+    List<Double> scores = new ArrayList<>();
+    try (EpisodeProgram program = new EpisodeProgram(benchmark, limits, trials.size())) {
+      for (Trial trial : trials) {
+        scores.add(program.play(trial).score());
+        progress.advance();
+      }
+    }
+    return scores;
   }
 
-  private Verification verification(BenchmarkEntry entry, String hash, List<Double> scores) {
+  /** The testing episodes of a task, then the fresh ones. */
+  private List<Trial> trials(String task, String policy) {
+    List<Trial> trials = new ArrayList<>();
+    BenchmarkTask.TESTING.forEach(seed -> trials.add(new Trial(task, policy, seed, false)));
+    seeds.of(task, episodes).forEach(seed -> trials.add(new Trial(task, policy, seed, true)));
+    return trials;
+  }
+
+  private Verification verification(BenchmarkEntry entry, String hash, List<List<Double>> scores) {
     Map<String, Finding> findings = new LinkedHashMap<>();
     List<Claim> claims = new ArrayList<>();
     double alpha = ALPHA / entry.tasks().size();
-    int first = 0;
+    int testing = BenchmarkTask.TESTING.size();
+    Iterator<List<Double>> ofTask = scores.iterator();
     for (String task : entry.tasks().keySet()) {
-      int firstFresh = first + BenchmarkTask.TESTING.size();
-      int end = firstFresh + episodes;
+      List<Double> played = ofTask.next();
       double[] claimed = scaled(task, entry.tasks().get(task).scores());
-      double[] fresh = scaled(task, scores.subList(firstFresh, end));
+      double[] fresh = scaled(task, played.subList(testing, played.size()));
       Claim claim = Claim.of(claimed, fresh);
-      boolean reproduced =
-          entry.tasks().get(task).scores().equals(scores.subList(first, firstFresh));
+      boolean reproduced = entry.tasks().get(task).scores().equals(played.subList(0, testing));
       claims.add(claim);
       findings.put(task, finding(claim, StatUtils.mean(fresh), alpha, reproduced));
-      first = end;
     }
     double fresh = findings.values().stream().mapToDouble(Finding::fresh).average().orElse(0);
     boolean reproduced = findings.values().stream().allMatch(Finding::reproduced);

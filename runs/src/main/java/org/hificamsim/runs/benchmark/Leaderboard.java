@@ -5,10 +5,13 @@ import static java.util.stream.Collectors.joining;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.output.Table;
@@ -22,7 +25,6 @@ import org.hificamsim.runs.statistics.Strata;
 public final class Leaderboard {
   private static final String MEAN = "mean";
   private static final String FORMAT = "%.3f";
-  private static final String VERIFIED = " (verified on fresh seeds)";
 
   /** A figure of an entry: of one task, or of all if the task is empty. */
   private record Figure(
@@ -47,11 +49,13 @@ public final class Leaderboard {
    * Ranks the entries.
    *
    * @param verified by entry, whether its scores held on fresh seeds
+   * @throws InputException when names of entries look alike
    */
   public Leaderboard(
       Benchmark benchmark, List<BenchmarkEntry> entries, Map<BenchmarkEntry, Boolean> verified) {
     this.benchmark = benchmark;
     this.verified = Map.copyOf(verified);
+    requireDistinctNames(entries);
     this.entries =
         entries.stream()
             .sorted(
@@ -61,6 +65,18 @@ public final class Leaderboard {
                     .thenComparing(entry -> -Aggregate.interquartileMean(strata(entry)))
                     .thenComparing(BenchmarkEntry::name))
             .toList();
+  }
+
+  private static void requireDistinctNames(List<BenchmarkEntry> entries) {
+    Map<String, String> names = new HashMap<>();
+    for (BenchmarkEntry entry : entries) {
+      String other = names.put(EntryName.skeleton(entry.name()), entry.name());
+      if (other != null) {
+        throw InputException.of(
+            "the names of two entries look alike, '%s' and '%s', expected each in its own name",
+            other, entry.name());
+      }
+    }
   }
 
   /** Whether an entry scored more in testing than its policy does on fresh seeds. */
@@ -102,7 +118,7 @@ public final class Leaderboard {
       String score = text(figures, "", Aggregate.IQM.label());
       return isBound(entry) || failed(entry)
           ? "-  " + marked(entry) + ": " + score
-          : score + "  " + entry.name() + (verified.containsKey(entry) ? VERIFIED : "");
+          : Texts.format("%s  %-11s  %s", score, verification(entry), entry.name());
     }
     return figures.stream()
         .map(figure -> figure.task + " " + figure.value.text(FORMAT))

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Objects;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.Io;
@@ -29,6 +30,17 @@ public record Verification(
   public static final String FILE = "verified.json";
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  /** Rejects missing parts. */
+  public Verification {
+    if (entryHash == null || secretHash == null || all == null || isIncomplete(tasks)) {
+      throw new InputException("something is missing, expected entry, secret, tasks and all");
+    }
+  }
+
+  private static boolean isIncomplete(Map<String, Finding> tasks) {
+    return tasks == null || tasks.isEmpty() || tasks.values().stream().anyMatch(Objects::isNull);
+  }
 
   /**
    * What was found of a score, on the scale of the benchmark.

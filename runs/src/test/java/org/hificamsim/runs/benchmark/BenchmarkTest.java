@@ -2,8 +2,10 @@ package org.hificamsim.runs.benchmark;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,6 +13,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
@@ -63,6 +66,19 @@ class BenchmarkTest {
                 camera ->
                     camera.with(
                         org.hificamsim.core.scenario.spec.CameraSpec.X, camera.x() + 1e-9))));
+  }
+
+  @Test
+  void rejectsTaskWhoseScaleWasEdited() throws IOException {
+    String tasks = Files.readString(SCENARIOS.resolve(Benchmark.FILE));
+    Double best = BENCHMARK.task("junction-v1").best().get(0);
+    Files.copy(SCENARIOS.resolve("junction.xml"), folder.resolve("junction.xml"));
+    Path file = folder.resolve(Benchmark.FILE);
+    Files.writeString(file, tasks.replace(best.toString(), Double.toString(best / 2)));
+    Benchmark edited = Benchmark.read(file, Catalogue.load());
+    InputException fault =
+        assertThrows(InputException.class, () -> edited.requireUnchanged("junction-v1"));
+    assertTrue(fault.getMessage().contains("task junction-v1 was changed"), fault.getMessage());
   }
 
   /** Computes the scale of a task again. */

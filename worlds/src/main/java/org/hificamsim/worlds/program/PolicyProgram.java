@@ -1,32 +1,26 @@
 package org.hificamsim.worlds.program;
 
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.program.LimitedProgram;
+import org.hificamsim.core.program.Sandbox;
 
 /** A running program of Python that decides for cameras. */
 final class PolicyProgram implements AutoCloseable {
   private static final String PYTHON = "HIFICAMSIM_PYTHON";
   private static final String SCRIPT = "decide.py";
   private static final String COPY = "policy.py";
-  private static final String ERRORS = "errors";
+  private static final String LIMITED = "out of its processor time or memory, expected less";
 
   private final Path file;
-  private final Path folder;
-  private final Process process;
-  private final OutputStream out;
-  private final DataInputStream in;
+  private final LimitedProgram program;
 
   /**
    * Starts the program in a folder of its own, with a copy of the file.
@@ -36,16 +30,14 @@ final class PolicyProgram implements AutoCloseable {
   PolicyProgram(Path file, String header, Sandbox sandbox) {
     this.file = file;
     try {
-      folder = Files.createTempDirectory("policy");
+      Path folder = Files.createTempDirectory("policy");
       Files.copy(file, folder.resolve(COPY));
       try (InputStream script = PolicyProgram.class.getResourceAsStream(SCRIPT)) {
         Files.copy(script, folder.resolve(SCRIPT));
       }
       String caller = System.getProperty("hificamsim.python", "python3");
       String python = System.getenv().getOrDefault(PYTHON, caller);
-      process = sandbox.start(List.of(python, "-I", SCRIPT, COPY), folder, folder.resolve(ERRORS));
-      out = process.getOutputStream();
-      in = new DataInputStream(process.getInputStream());
+      program = new LimitedProgram(folder, List.of(python, "-I", SCRIPT, COPY), sandbox);
       send(header.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new InputException(
@@ -63,50 +55,20 @@ final class PolicyProgram implements AutoCloseable {
     byte[] answer = new byte[Integer.BYTES * actions.length];
     try {
       send(told.array());
-      in.readFully(answer);
+      program.in().readFully(answer);
     } catch (IOException e) {
-      throw new InputException(file + " ended: " + reason(), e);
+      throw new InputException(file + " ended: " + program.reason(LIMITED), e);
     }
     ByteBuffer.wrap(answer).order(ByteOrder.LITTLE_ENDIAN).asIntBuffer().get(actions);
   }
 
   private void send(byte[] data) throws IOException {
-    out.write(data);
-    out.flush();
-  }
-
-  /** The last line that the program wrote to its errors, or how it ended. */
-  private String reason() {
-    try {
-      process.waitFor(1, TimeUnit.SECONDS);
-      List<String> lines =
-          Files.readAllLines(folder.resolve(ERRORS)).stream()
-              .filter(line -> !line.isBlank() && !line.startsWith(Sandbox.PROGRAM))
-              .toList();
-      return lines.isEmpty()
-          ? "out of its processor time or memory, expected less"
-          : lines.get(lines.size() - 1);
-    } catch (IOException e) {
-      return "no reason";
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return "interrupted";
-    }
+    program.out().write(data);
+    program.out().flush();
   }
 
   @Override
   public void close() {
-    process.destroyForcibly();
-    try {
-      for (String name : List.of(COPY, SCRIPT, ERRORS)) {
-        Files.deleteIfExists(folder.resolve(name));
-      }
-      Files.deleteIfExists(folder);
-    } catch (DirectoryNotEmptyException e) {
-      // The program has left files of its own, which the system's cleaner of temporary files takes.
-      return;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    program.close();
   }
 }

@@ -10,6 +10,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.program.Sandbox;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.Masks;

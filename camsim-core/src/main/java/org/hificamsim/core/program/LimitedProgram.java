@@ -1,0 +1,116 @@
+package org.hificamsim.core.program;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.core.file.Io;
+
+/**
+ * A running program in a {@link Sandbox}, with a folder of its own that is deleted at the end. It
+ * is talked to by its input and output; what it writes to its errors says why it ended.
+ */
+public final class LimitedProgram implements AutoCloseable {
+  private static final String ERRORS = "errors";
+
+  private final Path folder;
+  private final Process process;
+  private final DataOutputStream out;
+  private final DataInputStream in;
+  private Future<?> deadline = CompletableFuture.completedFuture(null);
+
+  /**
+   * Starts a program.
+   *
+   * @param folder of its own, in which it runs
+   * @param command words, the first of which is found on the path
+   * @throws IOException when the system cannot start it
+   */
+  public LimitedProgram(Path folder, List<String> command, Sandbox sandbox) throws IOException {
+    this.folder = folder;
+    process = sandbox.start(command, folder, folder.resolve(ERRORS));
+    out = new DataOutputStream(process.getOutputStream());
+    in = new DataInputStream(process.getInputStream());
+  }
+
+  /** What the program reads; flush it. */
+  public DataOutputStream out() {
+    return out;
+  }
+
+  /** What the program writes. */
+  public DataInputStream in() {
+    return in;
+  }
+
+  /**
+   * Ends the program unless this is called again, or the program closed, before some seconds have
+   * gone by; reads of what it writes then fail.
+   */
+  public void limit(long seconds) {
+    deadline.cancel(false);
+    deadline =
+        CompletableFuture.runAsync(
+            process::destroyForcibly, CompletableFuture.delayedExecutor(seconds, TimeUnit.SECONDS));
+  }
+
+  /**
+   * Why the program ended: the last line of its errors.
+   *
+   * @param otherwise where it wrote none, as a program that was killed
+   */
+  public String reason(String otherwise) {
+    try {
+      process.waitFor(1, TimeUnit.SECONDS);
+      List<String> lines =
+          Files.readAllLines(folder.resolve(ERRORS)).stream()
+              .filter(line -> !line.isBlank() && !line.startsWith(Sandbox.PROGRAM))
+              .toList();
+      return lines.isEmpty() ? otherwise : lines.get(lines.size() - 1);
+    } catch (IOException e) {
+      return "no reason";
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return "interrupted";
+    }
+  }
+
+  /** Ends the program and deletes its folder. */
+  @Override
+  public void close() {
+    deadline.cancel(false);
+    process.destroyForcibly();
+    Io.run(() -> Files.walkFileTree(folder, new Deletion()));
+  }
+
+  /** Deletes files and folders; what is gone already, or still used, is left to the system. */
+  private static final class Deletion extends SimpleFileVisitor<Path> {
+    @Override
+    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+      return delete(file);
+    }
+
+    @Override
+    public FileVisitResult visitFileFailed(Path file, IOException e) {
+      return FileVisitResult.CONTINUE;
+    }
+
+    @Override
+    public FileVisitResult postVisitDirectory(Path folder, IOException e) {
+      return delete(folder);
+    }
+
+    private static FileVisitResult delete(Path file) {
+      file.toFile().delete();
+      return FileVisitResult.CONTINUE;
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** Programs that run in processes of their own, with limits. */
+package org.hificamsim.core.program;

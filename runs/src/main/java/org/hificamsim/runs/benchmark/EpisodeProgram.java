@@ -1,0 +1,116 @@
+package org.hificamsim.runs.benchmark;
+
+import java.io.DataInputStream;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.NamedSetting;
+import org.hificamsim.core.program.LimitedProgram;
+import org.hificamsim.core.program.Sandbox;
+
+/**
+ * Plays episodes of entered policies in a process of its own, with limits ({@link EpisodeServer}).
+ * It is believed which views the policy chose, and nothing else: the score is computed here.
+ */
+final class EpisodeProgram implements AutoCloseable {
+  private static final String PYTHON = "hificamsim.python";
+  private static final int HEAP_SHARE = 4;
+
+  private final Benchmark benchmark;
+  private final EpisodeLimits limits;
+  private final LimitedProgram program;
+
+  /**
+   * Starts the process.
+   *
+   * @param episodes that it will play at most
+   */
+  EpisodeProgram(Benchmark benchmark, EpisodeLimits limits, int episodes) {
+    this.benchmark = benchmark;
+    this.limits = limits;
+    long seconds = (long) episodes * limits.seconds();
+    try {
+      Path folder = Files.createTempDirectory("episodes");
+      program =
+          new LimitedProgram(folder, command(folder), new Sandbox(seconds, limits.megabytes()));
+    } catch (IOException e) {
+      throw new InputException("Java cannot be run (" + e.getMessage() + "), expected it", e);
+    }
+  }
+
+  private List<String> command(Path folder) {
+    List<String> command =
+        new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin/java").toString()));
+    command.add("-Xmx" + limits.megabytes() / HEAP_SHARE + "m");
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:-UsePerfData", "-XX:-CreateCoredumpOnCrash"));
+    command.addAll(List.of("-XX:CompressedClassSpaceSize=64m", "-XX:ReservedCodeCacheSize=64m"));
+    command.add("-XX:ErrorFile=/dev/null");
+    command.add("-Djava.io.tmpdir=" + folder);
+    command.add("-D" + PYTHON + "=" + python());
+    command.addAll(List.of("-cp", classPath(), EpisodeServer.class.getName()));
+    command.add(benchmark.file().toAbsolutePath().toString());
+    return command;
+  }
+
+  /** The interpreter of policies in Python; the process does not get this one's environment. */
+  private static String python() {
+    String caller = System.getProperty(PYTHON, "python3");
+    return System.getenv().getOrDefault("HIFICAMSIM_PYTHON", caller);
+  }
+
+  private static String classPath() {
+    return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+        .map(entry -> Path.of(entry).toAbsolutePath().toString())
+        .collect(Collectors.joining(File.pathSeparator));
+  }
+
+  /**
+   * Plays an episode.
+   *
+   * @throws InputException when the policy fails, or takes more than it may
+   */
+  Episode play(Trial trial) {
+    String where = "policy " + trial.policy() + ", task " + trial.task();
+    try {
+      program.limit(limits.seconds());
+      trial.write(program.out());
+      program.out().flush();
+      int[][] views = views(benchmark.task(trial.task()).steps(), cameras(trial));
+      return Episode.replay(benchmark, trial.plan(benchmark), views, where);
+    } catch (IOException e) {
+      throw new InputException(where + " ended: " + program.reason(exceeded()), e);
+    }
+  }
+
+  private int cameras(Trial trial) {
+    return (int) benchmark.site(trial.task()).everyCamera().count();
+  }
+
+  private int[][] views(int steps, int cameras) throws IOException {
+    DataInputStream in = program.in();
+    int[][] views = new int[steps][cameras];
+    for (int[] chosen : views) {
+      for (int camera = 0; camera < cameras; camera++) {
+        chosen[camera] = in.readInt();
+      }
+    }
+    return views;
+  }
+
+  private String exceeded() {
+    String seconds = NamedSetting.setting("seconds", Integer.toString(limits.seconds()));
+    String memory = NamedSetting.setting("memory", Integer.toString(limits.megabytes()));
+    return "out of time or memory, expected less than " + seconds + " and " + memory;
+  }
+
+  @Override
+  public void close() {
+    program.close();
+  }
+}
