@@ -18,6 +18,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the statistics that {@code compare} computes over many runs. */
 class CompareStatisticsTest {
@@ -256,6 +258,37 @@ class CompareStatisticsTest {
     String page = Files.readString(own.resolve("report.html"));
     assertTrue(page.contains("#123456") && page.contains("#654321"));
     assertTrue(page.contains("{\"sarsa\":\"Our method\"}"));
+  }
+
+  @Test
+  void editedStyleFileDrawsFiguresAgain() throws IOException {
+    Path out = folder.resolve("edited");
+    String label = "sarsa=Our method";
+    assertEquals(0, run(out, 2, "zoom-out,sarsa", "--steps", 30, "--label", label).exit());
+    Path style = folder.resolve("edited.json");
+    String text = Files.readString(out.resolve("style.json"));
+    Files.writeString(style, text.replace("Our method", "Theirs").replaceFirst("#\\w+", "#123456"));
+    Cli cli = run(out, 2, "zoom-out,sarsa", "--steps", 30, "--resume", "--style", style);
+    assertEquals(0, cli.exit(), cli.err());
+    String svg = Files.readString(out.resolve("profile.svg"));
+    assertTrue(svg.contains("Theirs") && !svg.contains("Our method"));
+    assertTrue(Files.readString(out.resolve("report.html")).contains("#123456"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          {"colours": ["red"]} | :1:14: colour is 'red', expected one such as #0072b2
+          {"labels": {"sarsa": 3}} | :1:22: sarsa is '3', expected a text
+          {"labels": []} | :1:12: expected texts by name
+          {"fonts": 9} | :1:11: fonts is unknown, expected labels or colours
+          {"labels": | the file ends too early
+          """)
+  void rejectsWrongStyleFile(String text, String message) throws IOException {
+    Path style = Files.writeString(folder.resolve("wrong.json"), text);
+    assertRejected(message, "--style", style.toString());
   }
 
   @Test

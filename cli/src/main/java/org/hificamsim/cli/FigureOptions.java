@@ -1,5 +1,6 @@
 package org.hificamsim.cli;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -13,6 +14,9 @@ import picocli.CommandLine.Option;
 final class FigureOptions {
   @Option(names = "--figure-width", paramLabel = "MMmm")
   private Optional<String> width;
+
+  @Option(names = "--style", paramLabel = "FILE.json")
+  private Optional<Path> style;
 
   @Option(names = "--palette", paramLabel = "NAME|#C,#D")
   private String palette;
@@ -28,7 +32,8 @@ final class FigureOptions {
   /**
    * The style of the pictures of some plans.
    *
-   * @throws org.hificamsim.core.InputException if an option names nothing
+   * @throws org.hificamsim.core.InputException if an option names nothing, or the file of a style is
+   *     wrong
    */
   FigureStyle style(List<RunPlan> plans) {
     Set<String> names = new TreeSet<>();
@@ -36,6 +41,6 @@ final class FigureOptions {
       names.add(plan.policy());
       names.add(plan.detection().name());
     }
-    return FigureStyle.parse(palette, labels, names);
+    return style.map(FigureStyle::read).orElse(FigureStyle.DEFAULT).with(palette, labels, names);
   }
 }

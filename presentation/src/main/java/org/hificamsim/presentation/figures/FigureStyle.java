@@ -2,7 +2,7 @@ package org.hificamsim.presentation.figures;
 
 import static org.hificamsim.core.NamedSetting.setting;
 
-import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.awt.Color;
@@ -19,6 +19,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.data.JsonStream;
 import org.hificamsim.presentation.plot.Palette;
 
 /**
@@ -45,17 +46,17 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
   private static final Pattern COLOR = Pattern.compile("#[0-9a-fA-F]{6}");
 
   /**
-   * Reads the colours and words that a user asks for.
+   * Returns this style with the colours and words that a user asks for in place of its own.
    *
-   * @param palette a name, or colours such as {@code #0072b2} with commas between; null for the
-   *     default
-   * @param labels each {@code name=Text}
-   * @param names of the policies and detections, which labels are for
+   * @param palette a name, or colours such as {@code #0072b2} with commas between; null for those
+   *     of this style
+   * @param newLabels each {@code name=Text}
+   * @param names of the policies and detections, which the new labels are for
    * @throws InputException if a palette, colour or name does not exist
    */
-  public static FigureStyle parse(String palette, List<String> labels, Set<String> names) {
-    Map<String, String> texts = new LinkedHashMap<>();
-    for (String label : labels) {
+  public FigureStyle with(String palette, List<String> newLabels, Set<String> names) {
+    Map<String, String> texts = new LinkedHashMap<>(labels);
+    for (String label : newLabels) {
       String name =
           names.stream()
               .filter(known -> label.startsWith(known + "=") && label.length() > known.length() + 1)
@@ -67,7 +68,7 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
                           setting("label"), label, String.join(", ", names)));
       texts.put(name, label.substring(name.length() + 1));
     }
-    return new FigureStyle(texts, palette == null ? Palette.LINES : colors(palette));
+    return new FigureStyle(texts, palette == null ? colors : colors(palette));
   }
 
   private static List<Color> colors(String palette) {
@@ -102,19 +103,47 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
   }
 
   /** Reads the style of a folder; the default if it has none. */
-  public static FigureStyle read(Path folder) throws IOException {
+  public static FigureStyle ofFolder(Path folder) {
     Path file = folder.resolve(FILE);
-    if (!Files.exists(file)) {
-      return DEFAULT;
-    }
-    JsonNode json = new ObjectMapper().readTree(file.toFile());
+    return Files.exists(file) ? read(file) : DEFAULT;
+  }
+
+  /**
+   * Reads a file as {@link #write} makes it; what it lacks is as by default.
+   *
+   * @throws InputException with line and column, if it is not such a file
+   */
+  public static FigureStyle read(Path file) {
     Map<String, String> labels = new LinkedHashMap<>();
-    json.path("labels")
-        .fields()
-        .forEachRemaining(label -> labels.put(label.getKey(), label.getValue().asText()));
-    List<String> colors = new ArrayList<>();
-    json.path("colours").forEach(color -> colors.add(color.asText()));
-    return new FigureStyle(
-        labels, colors.isEmpty() ? Palette.LINES : colors(String.join(",", colors)));
+    List<Color> colors = new ArrayList<>();
+    try (JsonStream json = JsonStream.open(file)) {
+      json.next();
+      json.object(
+          "an object with labels and colours",
+          property -> {
+            switch (property) {
+              case "labels" ->
+                  json.object("texts by name", name -> labels.put(name, text(json, name)));
+              case "colours" ->
+                  json.array("a list of colours", () -> colors.add(color(json)));
+              default -> throw json.error(property + " is unknown, expected labels or colours");
+            }
+          });
+    }
+    return new FigureStyle(labels, colors.isEmpty() ? Palette.LINES : colors);
+  }
+
+  private static String text(JsonStream json, String name) {
+    if (json.token() != JsonToken.VALUE_STRING || json.text().isBlank()) {
+      throw json.invalid(name, "a text");
+    }
+    return json.text();
+  }
+
+  private static Color color(JsonStream json) {
+    if (json.token() != JsonToken.VALUE_STRING || !COLOR.matcher(json.text()).matches()) {
+      throw json.invalid("colour", "one such as #0072b2");
+    }
+    return Color.decode(json.text());
   }
 }

@@ -130,7 +130,7 @@ final class ComparisonReport {
   private void addColors(CsvRows summary) throws IOException {
     List<String> policies =
         summary.rows().stream().map(row -> row.text("policy")).distinct().toList();
-    FigureStyle style = FigureStyle.read(folder);
+    FigureStyle style = FigureStyle.ofFolder(folder);
     PolicyColors colors = new PolicyColors(policies, style);
     data.putPOJO("labels", style.labels());
     ObjectNode node = data.putObject("colours");

@@ -63,6 +63,13 @@ class AggregateTest {
   }
 
   @Test
+  void intervalsOfLowScoresStayWithinWhatIsPossible() {
+    Strata low = Strata.of(List.of(new double[] {0, 0, 0, 0.05, 0.9}));
+    assertEquals(0, Aggregate.MEAN.of(low).low());
+    assertEquals(1, Aggregate.OPTIMALITY_GAP.of(low).high());
+  }
+
+  @Test
   void singleScenarioHasMeanOfTablesAndNoMedian() {
     double[] scores = {0.38, 0.41, 0.42, 0.42, 0.42, 0.42, 0.42, 0.42, 0.42, 0.43};
     Map<Aggregate, Estimate> estimates = Aggregate.estimates(Strata.of(List.of(scores)));
