@@ -14,11 +14,11 @@ import java.util.Arrays;
 public final class WaySolver {
   private static final long STEP_NODES = 6_000;
   private static final double MEMORY = 0.7;
-  private static final int PATIENCE = 8;
+  private static final int PATIENCE = 4;
   private static final double FIRST_PACE = 0.15;
   private static final double SLOWDOWN = 0.6;
   private static final double SPEEDUP = 1.1;
-  private static final int PLAN_INTERVAL = 20;
+  private static final int PLAN_INTERVAL = 5;
   private static final int ORDERS = 8;
   private static final double ROUNDING = 1e-9;
 
