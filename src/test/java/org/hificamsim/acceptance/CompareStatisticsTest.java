@@ -267,7 +267,7 @@ class CompareStatisticsTest {
     assertEquals(0, run(out, 2, "zoom-out,sarsa", "--steps", 30, "--label", label).exit());
     Path style = folder.resolve("edited.json");
     String text = Files.readString(out.resolve("style.json"));
-    Files.writeString(style, text.replace("Our method", "Theirs").replaceFirst("#\\w+", "#123456"));
+    Files.writeString(style, text.replace("Our method", "Theirs").replace("#d55e00", "#123456"));
     Cli cli = run(out, 2, "zoom-out,sarsa", "--steps", 30, "--resume", "--style", style);
     assertEquals(0, cli.exit(), cli.err());
     String svg = Files.readString(out.resolve("profile.svg"));
@@ -280,7 +280,8 @@ class CompareStatisticsTest {
       delimiter = '|',
       textBlock =
           """
-          {"colours": ["red"]} | :1:14: colour is 'red', expected one such as #0072b2
+          {"colours": {"sarsa": "red"}} | :1:23: sarsa is 'red', expected a colour such as #0072b2
+          {"colours": ["#0072b2"]} | :1:13: expected colours by policy
           {"labels": {"sarsa": 3}} | :1:22: sarsa is '3', expected a text
           {"labels": []} | :1:12: expected texts by name
           {"fonts": 9} | :1:11: fonts is unknown, expected labels or colours

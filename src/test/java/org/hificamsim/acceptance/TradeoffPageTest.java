@@ -10,6 +10,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.WebElement;
 
 /** The page of a study of strategies in a browser. */
@@ -91,6 +93,46 @@ return [...document.querySelectorAll('svg circle[data-network]')].filter(point =
       }
     }
     browser.assertQuietConsole();
+  }
+
+  @Test
+  void answersFirstHowMuchTheFrontSaves() {
+    open();
+    List<WebElement> answers = browser.findAll(".answer");
+    assertEquals(2, answers.size(), "a sentence for each scenario");
+    for (WebElement answer : answers) {
+      String text = answer.getText();
+      assertTrue(text.matches(".*: \\d+ of \\d+ networks (is|are) on the front.*"), text);
+      assertTrue(text.matches(".* with \\S+ % of the utility for \\S+ % of the cost.*"), text);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {400, 1400})
+  void namesOfFrontAreReadableAndDoNotOverlap(int width) {
+    browser.size(width, 1000);
+    open();
+    Object faults =
+        browser.run(
+            """
+const overlap = (a, b) =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+return [...document.querySelectorAll('svg.tradeoff')].flatMap(plot => {
+  const frame = plot.getBoundingClientRect();
+  const names = [...plot.querySelectorAll('.front-name')];
+  const boxes = names.map(name => name.getBoundingClientRect());
+  return names
+    .filter((name, i) => {
+      const box = boxes[i];
+      const isOutside = box.left < frame.left || box.right > frame.right || box.top < frame.top;
+      return isOutside || box.height < 9 || boxes.slice(0, i).some(other => overlap(box, other));
+    })
+    .map(name => name.textContent);
+});
+""");
+    assertEquals(List.of(), faults);
+    assertTrue(browser.findAll("svg .front-name").size() > 1);
+    browser.size(1280, 1000);
   }
 
   @Test

@@ -103,7 +103,8 @@ final class CompareCommand implements Callable<Integer> {
           List<CaseResult> asked = results.subList(0, plans.size());
           ComparisonFiles.write(folder, asked, results);
           Choice.write(folder, asked);
-          style.write(folder);
+          style.write(
+              folder, asked.stream().map(result -> result.plan().policy()).distinct().toList());
           ComparisonFigures.write(folder, results, width, style, batch.threads());
           AggregateFiles.write(folder, asked, compared, batch.threads());
           if (latex) {

@@ -32,8 +32,8 @@ final class FigureOptions {
   /**
    * The style of the pictures of some plans.
    *
-   * @throws org.hificamsim.core.InputException if an option names nothing, or the file of a style is
-   *     wrong
+   * @throws org.hificamsim.core.InputException if an option names nothing, or the file of a style
+   *     is wrong
    */
   FigureStyle style(List<RunPlan> plans) {
     Set<String> names = new TreeSet<>();

@@ -59,16 +59,33 @@ public final class ComparisonFigures {
             (name, group) ->
                 figures.put(
                     scoreName(group) + "-" + name,
-                    () ->
-                        KMinPanel.figure(scoreName(group) + " over time, " + name, group, colors)));
+                    () -> KMinPanel.figure(title(group) + " over time, " + name, group, colors)));
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     yardstick.ifPresent(
-        measure -> figures.put("proportion", () -> ProportionFigure.of(cases, colors, measure)));
+        measure ->
+            figures.put(
+                "proportion",
+                () -> ProportionFigure.of(measured(cases, measure), colors, measure)));
     figures.put("coverage", () -> coverage(cases, colors));
     if (yardstick.isPresent() && cases.stream().anyMatch(result -> !result.isOptimum())) {
-      figures.put("profile", () -> ProfileFigure.of(cases, colors, yardstick.get()));
+      figures.put(
+          "profile",
+          () -> ProfileFigure.of(measured(cases, yardstick.get()), colors, yardstick.get()));
     }
     return figures;
+  }
+
+  /** The cases with a share of the yardstick; all if none has one. */
+  private static List<CaseResult> measured(List<CaseResult> cases, Yardstick yardstick) {
+    List<CaseResult> measured =
+        cases.stream()
+            .filter(result -> !Double.isNaN(result.mean(yardstick.share()).mean()))
+            .toList();
+    return measured.isEmpty() ? cases : measured;
+  }
+
+  private static String title(List<CaseResult> cases) {
+    return scoreName(cases).equals("score") ? "Score" : "k_min";
   }
 
   private static String scoreName(List<CaseResult> cases) {

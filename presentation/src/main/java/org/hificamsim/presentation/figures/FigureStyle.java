@@ -10,7 +10,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -27,14 +26,16 @@ import org.hificamsim.presentation.plot.Palette;
  * page of a folder.
  *
  * @param labels texts by name in files; other names are spelled
- * @param colors in the order of the policies
+ * @param colors by policy
+ * @param palette the colours of all other policies, in their order
  */
-public record FigureStyle(Map<String, String> labels, List<Color> colors) {
+public record FigureStyle(
+    Map<String, String> labels, Map<String, Color> colors, List<Color> palette) {
   /** The file with a style in the folder of a comparison. */
   public static final String FILE = "style.json";
 
   /** No words of the user's, and the default colours. */
-  public static final FigureStyle DEFAULT = new FigureStyle(Map.of(), Palette.LINES);
+  public static final FigureStyle DEFAULT = new FigureStyle(Map.of(), Map.of(), Palette.LINES);
 
   private static final Map<String, List<Color>> PALETTES =
       Map.of(
@@ -48,13 +49,13 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
   /**
    * Returns this style with the colours and words that a user asks for in place of its own.
    *
-   * @param palette a name, or colours such as {@code #0072b2} with commas between; null for those
-   *     of this style
+   * @param newPalette a name, or colours such as {@code #0072b2} with commas between; null for the
+   *     colours of this style
    * @param newLabels each {@code name=Text}
    * @param names of the policies and detections, which the new labels are for
    * @throws InputException if a palette, colour or name does not exist
    */
-  public FigureStyle with(String palette, List<String> newLabels, Set<String> names) {
+  public FigureStyle with(String newPalette, List<String> newLabels, Set<String> names) {
     Map<String, String> texts = new LinkedHashMap<>(labels);
     for (String label : newLabels) {
       String name =
@@ -68,7 +69,9 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
                           setting("label"), label, String.join(", ", names)));
       texts.put(name, label.substring(name.length() + 1));
     }
-    return new FigureStyle(texts, palette == null ? colors : colors(palette));
+    return newPalette == null
+        ? new FigureStyle(texts, colors, palette)
+        : new FigureStyle(texts, Map.of(), colors(newPalette));
   }
 
   private static List<Color> colors(String palette) {
@@ -89,14 +92,20 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
     return labels.getOrDefault(spec, SpokenNames.of(spec));
   }
 
-  /** Adds {@code style.json} to a folder's files, if the user chose anything. */
-  public void write(OutputFolder folder) throws IOException {
+  /**
+   * Adds {@code style.json} to a folder's files, if the user chose anything.
+   *
+   * @param policies whose colours are written
+   */
+  public void write(OutputFolder folder, List<String> policies) throws IOException {
     if (equals(DEFAULT)) {
       return;
     }
     ObjectNode json = new ObjectMapper().createObjectNode();
     json.putPOJO("labels", labels);
-    json.putPOJO("colours", colors.stream().map(Palette::hex).toList());
+    PolicyColors assigned = new PolicyColors(policies, this);
+    ObjectNode hex = json.putObject("colours");
+    policies.forEach(policy -> hex.put(policy, Palette.hex(assigned.of(policy))));
     try (OutputStream out = folder.stream(FILE)) {
       out.write(new ObjectMapper().writerWithDefaultPrettyPrinter().writeValueAsBytes(json));
     }
@@ -115,7 +124,7 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
    */
   public static FigureStyle read(Path file) {
     Map<String, String> labels = new LinkedHashMap<>();
-    List<Color> colors = new ArrayList<>();
+    Map<String, Color> colors = new LinkedHashMap<>();
     try (JsonStream json = JsonStream.open(file)) {
       json.next();
       json.object(
@@ -125,12 +134,12 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
               case "labels" ->
                   json.object("texts by name", name -> labels.put(name, text(json, name)));
               case "colours" ->
-                  json.array("a list of colours", () -> colors.add(color(json)));
+                  json.object("colours by policy", name -> colors.put(name, color(json, name)));
               default -> throw json.error(property + " is unknown, expected labels or colours");
             }
           });
     }
-    return new FigureStyle(labels, colors.isEmpty() ? Palette.LINES : colors);
+    return new FigureStyle(labels, colors, Palette.LINES);
   }
 
   private static String text(JsonStream json, String name) {
@@ -140,9 +149,9 @@ public record FigureStyle(Map<String, String> labels, List<Color> colors) {
     return json.text();
   }
 
-  private static Color color(JsonStream json) {
+  private static Color color(JsonStream json, String name) {
     if (json.token() != JsonToken.VALUE_STRING || !COLOR.matcher(json.text()).matches()) {
-      throw json.invalid("colour", "one such as #0072b2");
+      throw json.invalid(name, "a colour such as #0072b2");
     }
     return Color.decode(json.text());
   }

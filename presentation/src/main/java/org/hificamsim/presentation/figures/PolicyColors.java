@@ -44,9 +44,13 @@ public final class PolicyColors {
   public PolicyColors(List<String> policies, FigureStyle style) {
     this.style = style;
     List<String> names = policies.stream().distinct().toList();
-    List<Color> free = new ArrayList<>(style.colors());
-    Map<String, Color> colors = new LinkedHashMap<>();
-    names.forEach(policy -> colors.put(policy, fixed(policy, free)));
+    List<Color> free = new ArrayList<>(style.palette());
+    free.removeAll(style.colors().values());
+    Map<String, Color> colors = new LinkedHashMap<>(style.colors());
+    for (String policy : names) {
+      colors.computeIfAbsent(policy, unseen -> fixed(unseen, free));
+    }
+    List<Color> palette = style.palette();
     int next = 0;
     for (String policy : names) {
       Color color = colors.get(policy);
@@ -55,7 +59,7 @@ public final class PolicyColors {
         continue;
       }
       if (color == null) {
-        color = free.isEmpty() ? style.colors().get(next % style.colors().size()) : free.remove(0);
+        color = free.isEmpty() ? palette.get(next % palette.size()) : free.remove(0);
       }
       looks.put(policy, LineLook.of(next++, color));
     }

@@ -19,6 +19,14 @@ public final class SpokenNames {
   private static final Pattern FITTED = Pattern.compile("([^-]+)-(.*?)(-gt)?");
   private static final Map<String, String> RULES =
       Map.of("chance", "by chance", "probability", "by probability", "threshold", "by threshold");
+  private static final Map<String, String> MODELS =
+      Map.of(
+          "camsim-range", "CamSim range",
+          "camsim-standard", "CamSim standard",
+          "camsim-visibility", "CamSim visibility",
+          "dori-2014", "EN 62676-4:2014",
+          "oodpcvs-2025", "IEC 62676-4:2025",
+          "ttpf", "TTPF");
   private static final Map<String, String> LAWS =
       Map.of(
           "lin", "linear",
@@ -30,9 +38,10 @@ public final class SpokenNames {
 
   private SpokenNames() {}
 
-  /** The words of rules and laws as an object of a script, by the name in files. */
+  /** The words of rules, models and laws as an object of a script, by the name in files. */
   public static String script() {
-    return "const WORDS = {rules: {%s}, laws: {%s}};\n".formatted(entries(RULES), entries(LAWS));
+    return "const WORDS = {rules: {%s}, models: {%s}, laws: {%s}};\n"
+        .formatted(entries(RULES), entries(MODELS), entries(LAWS));
   }
 
   private static String entries(Map<String, String> words) {
@@ -54,7 +63,7 @@ public final class SpokenNames {
     if (name[0].equals("hifi") || name[0].equals("lab")) {
       words.add(fitted(name[0], options));
     } else {
-      words.add(name[0]);
+      words.add(MODELS.getOrDefault(name[0], name[0]));
       words.addAll(Arrays.asList(options.split(",")));
     }
     if (parts.group(2) != null) {

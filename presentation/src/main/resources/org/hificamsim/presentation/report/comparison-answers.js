@@ -7,7 +7,9 @@ import {YARDSTICKS} from './yardsticks.js';
 
 const MOST_ANSWERS = 4;
 const MOST_WINNERS = 3;
+const MOST_PROMISES = 2;
 const NEGLIGIBLE_LOSS = 0.01;
+const MISLEADING = 0.1;
 
 /** The shares of yardsticks in words, the leading yardstick first. */
 const SHARES = {
@@ -79,19 +81,34 @@ function shareText(rows) {
     : '';
 }
 
-/** What the first detection promises of its choice, if that is not the best policy. */
+/** What the other detections promise of their choices, where these reach something else. */
 function misleading(best, number, tables) {
   const table = tables.find(({name}) => name === 'choices.csv');
-  const first = table && rowsOf(table).find(({scenario}) => scenario === best.scenario);
-  const choices = first?.chosen.split(' | ') ?? [];
-  if (!first || first.achieved === first.predicted || choices.includes(best.policy)) return null;
-  if (Math.abs(first.achieved - best.mean) < NEGLIGIBLE_LOSS * best.mean) return null;
-  const chosen = choices.map(spelled).join(' or ');
-  return (
-    ` ${spelled(first.detection)} would choose ${chosen}` +
-    ` and promise ${number(first.predicted)}; that policy reaches ${number(first.achieved)}.`
-  );
+  const choices = table
+    ? rowsOf(table).filter(
+        ({scenario, detection}) => scenario === best.scenario && detection !== best.detection,
+      )
+    : [];
+  return choices
+    .slice(0, MOST_PROMISES)
+    .map(choice => promise(choice, best, number))
+    .join('');
 }
+
+function promise({detection, chosen, predicted, achieved}, best, number) {
+  const choices = chosen.split(' | ');
+  const isBest = choices.includes(best.policy) || isNear(achieved, best.mean, NEGLIGIBLE_LOSS);
+  if (!isBest)
+    return (
+      ` ${spelled(detection)} would choose ${choices.map(spelled).join(' or ')}` +
+      ` and promise ${number(predicted)}; that policy reaches ${number(achieved)}.`
+    );
+  return isNear(predicted, best.mean, MISLEADING)
+    ? ''
+    : ` With ${spelled(detection)} it would seem to be ${number(predicted)}.`;
+}
+
+const isNear = (value, other, share) => Math.abs(value - other) <= share * other;
 
 const greatest = (rows, name) =>
   rows.reduce((most, row) => (Number(row[name]) > Number(most[name]) ? row : most));

@@ -3,7 +3,7 @@ import {card} from './cards.js';
 import {el} from './dom.js';
 import {inflate} from './inflate.js';
 import {settingText, spelled, words} from './names.js';
-import {percent, tableNumber} from './numbers.js';
+import {decimals, percent, tableNumber} from './numbers.js';
 import {rowsOf, sortable} from './table.js';
 
 const TITLES = {
@@ -42,6 +42,7 @@ const OVER_TIME = /^(k_min|score)-(.+)\.svg$/;
 const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung|judge|chosen)$/;
 const SEVERAL = ' | '; // between policies that tie
 const SHARE = /^share(_|$)/;
+const WHOLE = /^seeds_needed$/;
 const FRACTION = /^-?\d+\.\d+(E-\d+)?$/;
 const LEVEL = 0.05;
 const WIDE_PICTURE = 800; // points; too small to be read next to another picture
@@ -52,7 +53,7 @@ export const titleOf = name =>
   OVER_TIME.exec(name)?.[2].replace(/^/, 'Each policy’s score over time in ') ??
   name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 
-/** A table as its file has it; `names` has the titles of metrics. */
+/** A table as its file has it, without rows of no run; `names` has the titles of metrics. */
 export function fileTable(table, names = {}) {
   const columns = table.columns.map(name => ({
     name,
@@ -65,13 +66,16 @@ export function fileTable(table, names = {}) {
     {class: 'scroll'},
     cutNotice(table),
     table.name === 'pairs.csv' ? seedsNotice(table) : null,
-    sortable(titleOf(table.name), columns, rowsOf(table), 'unseen'),
+    sortable(titleOf(table.name), columns, rowsOf(table).filter(hasRuns), 'unseen'),
   );
 }
+
+const hasRuns = ({runs, scenarios}) => runs !== '0' && scenarios !== '0';
 
 function cellText(column, text, names) {
   if (SHARE.test(column) && text !== '') return percent(Number(text));
   if (SPELLED.test(column)) return text.split(SEVERAL).map(spelled).join(' or ');
+  if (WHOLE.test(column) && text !== '') return decimals(Number(text), 0);
   if (FRACTION.test(text)) return tableNumber(Number(text));
   return names[text]?.title ?? STATISTICS[text] ?? text;
 }

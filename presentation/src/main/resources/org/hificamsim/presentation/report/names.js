@@ -17,7 +17,9 @@ export function spelled(spec) {
   const [, what, rule] = /^(.*?)(?:@([a-z0-9.].*))?$/.exec(spec);
   const [name, options = ''] = what.split(/:(.*)/);
   const parts = [
-    ...(/^(hifi|lab)$/.test(name) ? [fitted(name, options)] : [name, ...options.split(',')]),
+    ...(/^(hifi|lab)$/.test(name)
+      ? [fitted(name, options)]
+      : [WORDS.models[name] ?? name, ...options.split(',')]),
     ...(rule ? rule.split(/[:,]/).map(part => WORDS.rules[part] ?? part) : []),
   ];
   return parts

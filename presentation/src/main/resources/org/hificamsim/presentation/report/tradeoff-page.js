@@ -3,6 +3,7 @@
 import {card, madeWith} from './cards.js';
 import {el} from './dom.js';
 import {spelled} from './names.js';
+import {percent, significant} from './numbers.js';
 import {distinct, rowsOf, sortable} from './table.js';
 import {networkLegend, networkPlot} from './tradeoff-plot.js';
 
@@ -14,16 +15,46 @@ export async function tradeoffPage(root, data) {
   root.append(el('header', {}, el('h1', {}, 'Trade-off', el('small', {}, data.title))));
   const networks = rowsOf(data.networks);
   const fronts = rowsOf(data.fronts);
-  for (const scenario of new Set(networks.map(row => row.scenario))) {
+  const studies = distinct(networks, 'scenario').map(scenario => {
     const inScenario = row => row.scenario === scenario;
-    root.append(scenarioCard(data, networks.filter(inScenario), fronts.filter(inScenario)));
-  }
+    return [networks.filter(inScenario), fronts.filter(inScenario)];
+  });
+  root.append(...studies.map(study => answer(...study)));
+  root.append(...studies.map(study => scenarioCard(data, ...study)));
   root.append(frontCard(fronts));
   const verdicts = rowsOf(data.verdicts);
   if (verdicts.length) root.append(verdictCard(verdicts));
   root.append(madeWith(data));
   root.dataset.ready = '';
 }
+
+/** How much the front saves and costs, and what networks of different cameras add to it. */
+function answer(networks, fronts) {
+  const front = frontOf(networks, fronts);
+  const gain = Number(fronts.find(row => row.networks === 'static')?.gain ?? 0);
+  const part = row =>
+    `${row.network} with ${percent(Number(row.utility_share))} of the utility for ` +
+    `${percent(Number(row.cost_share))} of the cost`;
+  const ends = [...new Set([front[0], front.at(-1)])].filter(Boolean);
+  const range = ends.length > 1 ? `, from ${ends.map(part).join(' to ')}` : `: ${ends.map(part)}`;
+  const wider =
+    gain > 0 ? ` Networks whose cameras differ add ${significant(gain)} to its hypervolume.` : '';
+  return el(
+    'p',
+    {class: 'answer'},
+    `${networks[0].scenario}: `,
+    el('b', {}, `${front.length} of ${networks.length}`),
+    ` networks ${front.length === 1 ? 'is' : 'are'} on the front of utility over cost` +
+      `${range}.${wider}`,
+  );
+}
+
+/** The networks of a front, by rising cost. */
+const frontOf = (networks, fronts) =>
+  (fronts.find(row => row.networks === 'static')?.front ?? '')
+    .split(' ')
+    .map(name => networks.find(row => row.network === name))
+    .filter(Boolean);
 
 /** The networks of one scenario: a plot, the front, and what the chosen network is. */
 function scenarioCard(data, networks, fronts) {
@@ -33,11 +64,7 @@ function scenarioCard(data, networks, fronts) {
     'Choose a point, or a network of the front, to see the strategy of each camera.',
   );
   const show = row => chosen.replaceChildren(...details(data, row));
-  const names = fronts.find(row => row.networks === 'static')?.front ?? '';
-  const front = names
-    .split(' ')
-    .map(name => networks.find(row => row.network === name))
-    .filter(Boolean);
+  const front = frontOf(networks, fronts);
   const title = row => shortStrategy(row, data.cameras[row.scenario] ?? []);
   const buttons = front.map(row =>
     el('button', {type: 'button', title: row.network, onclick: () => show(row)}, title(row)),

@@ -1,6 +1,7 @@
 // The plot of a scenario's networks: utility against cost, with the front.
 import {svg} from './cards.js';
 import {el, style} from './dom.js';
+import {percent} from './numbers.js';
 
 /** The kinds of networks, with the colour and radius of their points. */
 const KINDS = [
@@ -8,7 +9,14 @@ const KINDS = [
   ['heterogeneous', '--twice', 3],
   ['homogeneous', '--cameras', 5.5],
 ];
-const SIZE = {width: 640, height: 460, left: 74, right: 28, top: 14, bottom: 48};
+const NARROW = 600; // pixels of a window, in which a large plot's words would be too small to read
+const SIZE = {
+  ...(innerWidth < NARROW ? {width: 360, height: 320} : {width: 640, height: 460}),
+  left: 74,
+  right: 28,
+  top: 14,
+  bottom: 48,
+};
 const BOTTOM = SIZE.height - SIZE.bottom;
 const RIGHT = SIZE.width - SIZE.right;
 const INK = 'currentColor';
@@ -17,8 +25,6 @@ const LETTER = {width: 7, height: 13};
 const MOST_NAMES = 3;
 const TICK_GAPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2];
 const MOST_GAPS = 5;
-
-const percent = share => `${Number((100 * share).toFixed(1))} %`;
 
 /**
  * Returns the plot.
@@ -156,7 +162,7 @@ export function networkLegend(networks) {
   return el(
     'p',
     {class: 'note'},
-    ...present.flatMap(([kind, colour]) => [mark(colour), `${kind} `]),
-    'The line is the front of strategies that never change.',
+    ...present.flatMap(([kind, colour]) => [mark(colour), `${kind}; `]),
+    'the line is the front of strategies that never change',
   );
 }

@@ -46,7 +46,7 @@ class PolicyColorsTest {
   void spellsNamesAsPagesDo() {
     assertEquals("ORB pinhole law", SpokenNames.of("hifi:orb-pinhole"));
     assertEquals("ORB linear, chapter 5, by chance", SpokenNames.of("hifi:orb-lin-gt@chance"));
-    assertEquals("camsim-range, 0.45", SpokenNames.of("camsim-range@0.45"));
+    assertEquals("CamSim range, 0.45", SpokenNames.of("camsim-range@0.45"));
     assertEquals("epsilon-greedy, epsilon 0.3", SpokenNames.of("epsilon-greedy:epsilon=0.3"));
   }
 }

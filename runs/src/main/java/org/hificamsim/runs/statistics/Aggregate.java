@@ -10,13 +10,16 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
-/** A number that aggregates the scores, 0 or more, of all runs of all scenarios; NaN without runs. */
+/**
+ * A number that aggregates the scores, 0 or more, of all runs of all scenarios; NaN without runs.
+ */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum Aggregate {
   /** The interquartile mean: without the lowest and the highest quarter of all runs. */
   IQM(strata -> drawn(Aggregate::interquartileMean, strata)),
   /** The mean distance of scores below 1; a score above 1 counts as 1. */
-  OPTIMALITY_GAP(strata -> strata.map(score -> Math.min(score, 1)).meanOfRuns().complement().within(0, 1)),
+  OPTIMALITY_GAP(
+      strata -> strata.map(score -> Math.min(score, 1)).meanOfRuns().complement().within(0, 1)),
   /** The mean of the scenarios' means. */
   MEAN(strata -> strata.mean().within(0, Double.POSITIVE_INFINITY)),
   /** The median of the scenarios' means; the mean if there are one or two. */
