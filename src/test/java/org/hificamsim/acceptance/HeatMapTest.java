@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -201,12 +203,25 @@ class HeatMapTest {
               .toList();
       double covered =
           cells.stream().mapToDouble(row -> 1 - number(row[7])).average().orElseThrow();
-      String shown = browser.text("[data-row=" + zone.name() + "] td:nth-child(3)");
+      String shown = browser.text("[data-row=" + zone.name() + "] td:nth-child(4)");
       assertEquals(100 * covered, number(shown.replace(" %", "")), 0.051, zone.name());
     }
     assertEquals(4, browser.findAll(".zones tbody tr").size());
     assertTrue(browser.text("[data-row=corner]").contains("2 cameras"));
-    assertTrue(browser.text(".zones .note").contains("place --verify"), "another detection");
+    assertTrue(browser.text(".zones .note").contains("as place and view count it"));
+  }
+
+  @Test
+  void pageShowsWhatOfZonesIsMet() throws IOException {
+    open();
+    JsonNode zones =
+        new ObjectMapper().readTree(run.resolve("summary.json").toFile()).path("zones");
+    assertEquals(4, zones.size());
+    for (JsonNode zone : zones) {
+      String name = zone.path("name").asText();
+      String shown = browser.text("[data-row=" + name + "] td:nth-child(3)").replace(" %", "");
+      assertEquals(100 * zone.path("met").asDouble(), number(shown), 0.051, name);
+    }
   }
 
   private static double number(String text) {

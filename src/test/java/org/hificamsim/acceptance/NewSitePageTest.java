@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -44,7 +45,10 @@ class NewSitePageTest {
   @Test
   void drawsSiteOnPicturePlansAndSavesIt() throws Exception {
     Path picture = Files.copy(Cli.ROOT.resolve("docs/img/shop.png"), folder.resolve("floor.png"));
-    open(picture);
+    Path catalogue =
+        Files.writeString(
+            folder.resolve("own.csv"), "name,resolution,hfov,price\nown-4mp,2560,30-105,410\n");
+    open(picture, "--catalogue", catalogue);
     assertEquals("scale", browser.run("return hificamsim.draw.tool.name"), "comes first");
     press(2, 2);
     press(12, 2);
@@ -67,7 +71,7 @@ class NewSitePageTest {
     choose("zone", Map.of("zone", "till", "level", "oodpcvs-2025:level=perceive", "facing", "180"));
     drag(13.5, 2.2, 17.5, 3.5);
     browser.until("return hificamsim.zones?.[0]?.name === 'till'");
-    choose("camera", Map.of("kind", "zoom-4mp", "angle", "60"));
+    choose("camera", Map.of("kind", "own-4mp", "angle", "60"));
     drag(15.5, 0.3, 15.5, 3);
     browser.until("return hificamsim.zones[0].met > 0");
     browser.find("#undo").click();
@@ -79,7 +83,7 @@ class NewSitePageTest {
     browser.find(".planning .plan").click();
     browser.until(SETUP + "cameras.length === 1 && hificamsim.zones[0].met > .5");
     browser.until("return document.querySelector('.planning .stop').hidden");
-    assertTrue(browser.text(".planning .note").startsWith("1 camera,"));
+    assertTrue(browser.text(".planning .note").startsWith("1 camera, price 410.00"));
     for (int width : new int[] {400, 1400}) {
       browser.dark(width == 400);
       browser.size(width, 1000);
@@ -112,8 +116,8 @@ class NewSitePageTest {
     browser.forgetConsole(); // Chromium logs the answer 400
   }
 
-  private void open(Path plan) {
-    view = new ViewProcess("--new", plan);
+  private void open(Path plan, Object... options) {
+    view = new ViewProcess(Stream.concat(Stream.of("--new", plan), Stream.of(options)).toArray());
     browser.open(view.address());
     browser.until("return hificamsim.zones?.length > 0");
   }

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
 /** Tests {@code place}: plans, their check, instances, and errors. */
@@ -48,6 +50,26 @@ class PlaceCommandTest extends RoomsTest {
     assertEquals(0, checked.exit(), checked.err());
     assertTrue(checked.out().contains("the bound is not checked"), checked.out());
     refusesWith(plan, "summary.json", "\"share\" : ", "\"share\" : 2", "share is");
+  }
+
+  @Test
+  void looksFromPlacesAllOverTheSiteIfTimeIsShort() throws IOException {
+    Path plan = folder.resolve("plan");
+    String words =
+        " --cameras 2 --candidates every=1 --threads 1 --time 0.001 --write-candidates --out ";
+    Cli placed = Cli.run((Object[]) ("place " + site("", "") + words + plan).split(" "));
+    assertEquals(0, placed.exit(), placed.err());
+    assertTrue(placed.out().contains("cameras looked from 8 of "), placed.out());
+    Cli checked = Cli.run("place", "--verify", plan);
+    assertEquals(0, checked.exit(), checked.err());
+    assertTrue(checked.out().contains("holds"), checked.out());
+    double[] xs =
+        Files.readAllLines(plan.resolve("candidates.xml")).stream()
+            .filter(line -> line.contains("<camera "))
+            .mapToDouble(line -> Double.parseDouble(line.replaceAll(".* x=\"([^\"]+)\".*", "$1")))
+            .toArray();
+    assertTrue(DoubleStream.of(xs).min().orElseThrow() < 4, Arrays.toString(xs));
+    assertTrue(DoubleStream.of(xs).max().orElseThrow() > 16, Arrays.toString(xs));
   }
 
   @Test

@@ -110,6 +110,7 @@ class ViewCommandTest {
         "--policy best-fixed | cannot be viewed live",
         "--policy fixed:9 | level of camera",
         "--detection nothing.json | nothing.json",
+        "--catalogue nothing.csv | nothing.csv",
         "--seed x | 'x'",
       })
   void rejectsWrongUsageInOneLine(String options, String expected) {

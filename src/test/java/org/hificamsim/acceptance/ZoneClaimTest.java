@@ -13,9 +13,11 @@ import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.spec.Zone;
+import org.hificamsim.placement.site.PriceList;
 import org.hificamsim.placement.site.SitePlanner;
 import org.hificamsim.presentation.view.Planner;
 import org.junit.jupiter.api.BeforeEach;
@@ -72,7 +74,11 @@ class ZoneClaimTest {
   void claimHoldsOnFineRasterOfPeople() {
     Scenario planned = read();
     for (Zone zone : planned.zones()) {
-      assertEquals(100 * ZoneRaster.share(planned, zone), claimed.get(zone.name()), 1, zone.name());
+      assertEquals(
+          100 * ZoneRaster.share(planned, zone, "oodpcvs-2025:level=perceive"),
+          claimed.get(zone.name()),
+          1,
+          zone.name());
     }
   }
 
@@ -88,6 +94,13 @@ class ZoneClaimTest {
     JsonNode metrics = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
     double least = claimed.values().stream().mapToDouble(share -> share).min().orElseThrow();
     assertEquals(least, 100 * metrics.findValue("least_zone_met").asDouble(), 0.01);
+    for (JsonNode zone : metrics.path("zones")) {
+      double claim = claimed.get(zone.path("name").asText());
+      assertEquals(claim, 100 * zone.path("met").asDouble(), 0.01, zone + "");
+      String line = Texts.format("zone %-11s %.2f %%", zone.path("name").asText(), claim);
+      assertTrue(run.out().contains(line), run.out());
+    }
+    assertEquals(2, metrics.path("zones").size());
 
     Path compared = folder.resolve("compared");
     Cli comparison =
@@ -110,7 +123,8 @@ class ZoneClaimTest {
     assertEquals(least, 100 * Double.parseDouble(value), 0.01);
 
     List<Planner.Share> shown =
-        new SitePlanner(CATALOGUE, ZoneRaster::detection)
+        new SitePlanner(
+                CATALOGUE, ZoneRaster::detection, PriceList.named(PriceList.GENERIC, read()))
             .shares(read(), ZoneRaster.detection("oodpcvs-2025:level=perceive"));
     for (Planner.Share share : shown) {
       assertEquals(claimed.get(share.zone()), 100 * share.met(), 0.01, share.zone());

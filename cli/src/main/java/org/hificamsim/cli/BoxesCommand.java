@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.hifi.boxes.BoxDetection;
@@ -70,8 +71,8 @@ final class BoxesCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Numbers.within("--overlap", overlap, Double.MIN_NORMAL, 1);
-    Numbers.within("--score", score, 0, 1);
+    Ranges.within("--overlap", overlap, Double.MIN_NORMAL, 1);
+    Ranges.within("--score", score, 0, 1);
     requireName();
     Optional<BoxDetection> given = model.map(BoxesCommand::read);
     MeasuredBoxes measured = MeasuredBoxes.of(recordings(), overlap);

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Texts;
 import org.hificamsim.profiling.check.Calibration;
 import org.hificamsim.profiling.check.Calibration.Size;
@@ -61,8 +62,8 @@ final class CheckCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MAX_METRES);
-    Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MAX_METRES);
+    Ranges.within("--assumed-height", height, Double.MIN_NORMAL, MAX_METRES);
+    Ranges.within("--assumed-width", width, Double.MIN_NORMAL, MAX_METRES);
     requireLength("--unit", unit);
     calibrationUnit.ifPresent(length -> requireLength("--calibration-unit", length));
     Calibration camera = Calibration.read(calibration, calibrationUnit, image.size());

@@ -8,6 +8,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.Sampling;
 import org.hificamsim.placement.site.Visits;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Settings;
@@ -45,20 +46,22 @@ final class DemandOptions {
    * @param usual the detection of zones that name none
    */
   Demand of(Scenario site, Detection usual, Catalogue catalogue) {
-    FieldCells grid =
-        FieldCells.of(
-            site.field(),
-            Numbers.inRange("--cells", cells.orElse(Demand.defaultCells(site)), 1, FieldCells.MAX));
     redundancy.ifPresent(k -> Numbers.inRange("--redundancy", k, 1, 100));
-    DemandSource source = Spelling.require(DemandSource.class, "--demand", demand);
+    boolean byTracks =
+        Spelling.require(DemandSource.class, "--demand", demand) == DemandSource.TRACKS;
+    FieldCells finest = sampling().finest(site);
     return Demand.of(
         site,
-        grid,
+        byTracks ? Sampling.equal(Math.max(finest.columns(), finest.rows())) : sampling(),
         redundancy,
         new Demand.Detections(usual, detections(catalogue)),
-        source == DemandSource.TRACKS
-            ? Optional.of(Visits.of(site, grid, catalogue))
-            : Optional.empty());
+        byTracks ? Optional.of(Visits.of(site, finest, catalogue)) : Optional.empty());
+  }
+
+  private Sampling sampling() {
+    return cells
+        .map(number -> Sampling.equal(Numbers.inRange("--cells", number, 1, FieldCells.MAX)))
+        .orElse(Sampling.BY_ZONE);
   }
 
   /** Finds the detections that zones name. */

@@ -1,14 +1,17 @@
 package org.hificamsim.cli;
 
 import java.lang.reflect.Proxy;
+import java.time.Duration;
+import java.time.Instant;
 
 /** Tells a search to end: after some time, or at the first Ctrl-C. A second ends the program. */
 final class Interrupt {
-  private final long start = System.nanoTime();
+  private final Instant start;
   private final double seconds;
   private volatile boolean interrupted;
 
-  Interrupt(double seconds) {
+  Interrupt(Instant start, double seconds) {
+    this.start = start;
     this.seconds = seconds;
     listen();
   }
@@ -20,7 +23,16 @@ final class Interrupt {
 
   /** Whether a part of the search is to end that has a share of the time. */
   boolean isDue(double share) {
-    return interrupted || System.nanoTime() - start > share * seconds * 1e9;
+    return interrupted || passed() > share * seconds;
+  }
+
+  /** The share of the time that has passed, 1 at most. */
+  double share() {
+    return Math.min(1, passed() / seconds);
+  }
+
+  private double passed() {
+    return Duration.between(start, Instant.now()).toNanos() / 1e9;
   }
 
   /** Uses reflection, because the compiler warns of the JDK's only class for signals. */

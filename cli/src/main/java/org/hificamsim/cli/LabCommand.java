@@ -3,6 +3,7 @@ package org.hificamsim.cli;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
 import org.hificamsim.profiling.opencv.OpenCv;
@@ -84,18 +85,18 @@ final class LabCommand implements Callable<Integer> {
 
   /** Checks every option before anything is written. */
   private LabSettings settings() {
-    Numbers.within("--scale", scale, 0.02, 1);
-    focalLengths.forEach(length -> Numbers.within("--focal-lengths", length, 0.001, 1));
-    distances.forEach(distance -> Numbers.within("--distances", distance, 0.2, 11));
+    Ranges.within("--scale", scale, 0.02, 1);
+    focalLengths.forEach(length -> Ranges.within("--focal-lengths", length, 0.001, 1));
+    distances.forEach(distance -> Ranges.within("--distances", distance, 0.2, 11));
     Numbers.inRange("--objects", objects, 1, MAX_OBJECTS);
-    Numbers.within("--aperture", aperture, 0, 64);
-    Numbers.within("--focus-error", focusError, 0, 0.2);
-    Numbers.within("--iso", iso, 0, 1e6);
-    Numbers.within("--vignetting", vignetting, 0, 1);
-    Numbers.within("--distortion", distortion, -3, 3);
-    Numbers.within("--pose", pose, 0, 20);
-    Numbers.within("--offset", offset, 0, 0.4);
-    Numbers.within("--lighting", lighting, 0, 0.3);
+    Ranges.within("--aperture", aperture, 0, 64);
+    Ranges.within("--focus-error", focusError, 0, 0.2);
+    Ranges.within("--iso", iso, 0, 1e6);
+    Ranges.within("--vignetting", vignetting, 0, 1);
+    Ranges.within("--distortion", distortion, -3, 3);
+    Ranges.within("--pose", pose, 0, 20);
+    Ranges.within("--offset", offset, 0, 0.4);
+    Ranges.within("--lighting", lighting, 0, 0.3);
     Numbers.inRange("--clutter", clutter, 0, MAX_CLUTTER);
     return new LabSettings(
         seed.settings().seed(),

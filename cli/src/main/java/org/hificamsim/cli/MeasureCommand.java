@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.detector.Detectors;
@@ -107,8 +108,8 @@ final class MeasureCommand implements Callable<Integer> {
   }
 
   private MeasureSettings settings() {
-    Numbers.within("--ratio", ratio, Double.MIN_NORMAL, 1);
-    Numbers.within("--false-alarms", falseAlarms, 0, 0.5);
+    Ranges.within("--ratio", ratio, Double.MIN_NORMAL, 1);
+    Ranges.within("--false-alarms", falseAlarms, 0, 0.5);
     List<String> names = detectors.stream().map(MeasureCommand::name).distinct().toList();
     names.forEach(Detectors::column);
     return new MeasureSettings(names, new RatioTest(metric, ratio), pip, falseAlarms);

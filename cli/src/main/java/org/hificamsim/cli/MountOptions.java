@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
@@ -39,7 +40,7 @@ final class MountOptions {
   List<Point> positions(Scenario site, int parts) {
     List<Zone> forbidden = named("--forbid", forbid, "zone", site.zones(), Zone::name);
     double longer = Math.max(site.field().width(), site.field().height());
-    Numbers.within("--clearance", clearance, MIN_CLEARANCE, longer);
+    Ranges.within("--clearance", clearance, MIN_CLEARANCE, longer);
     String text = candidates.orElse("every=" + longer / DEFAULT_POSITIONS);
     if (!text.startsWith("every=")) {
       return MountPoints.read(Path.of(text), site, forbidden);
@@ -48,7 +49,7 @@ final class MountOptions {
     String number = text.substring("every=".length()).replaceFirst(",ceiling$", "");
     try {
       double every =
-          Numbers.within("--candidates every", Double.parseDouble(number), longer / 1000, longer);
+          Ranges.within("--candidates every", Double.parseDouble(number), longer / 1000, longer);
       return MountPoints.of(
           site, new MountPoints.Rules(every / parts, clearance, ceiling, forbidden));
     } catch (NumberFormatException e) {

@@ -1,13 +1,11 @@
 package org.hificamsim.cli;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Floorplan;
-import org.hificamsim.tracks.SiteSettings;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.Drawing;
 import picocli.CommandLine.Mixin;
@@ -45,32 +43,36 @@ final class NewSiteOptions {
    */
   Scenario site() {
     Path file = plan.orElseThrow();
-    if (options.listsLayers() || options.floorplan().isPresent()) {
-      throw new InputException("--list-layers and --floorplan are for 'site', expected neither");
-    }
     PlanReader reader = new PlanReader(file, options);
     lacksScale = options.frame().isEmpty() && (reader.isPicture() || reader.isSvg());
     if (lacksScale) {
       options.assumeWidth(DRAFT_WIDTH);
     }
     Optional<Drawing> drawing = reader.drawing(new LocalProjection());
-    String fileName = file.getFileName().toString();
-    Optional<Floorplan> picture =
-        reader.isPicture()
-            ? Optional.of(new Floorplan(fileName, options.area(file)))
-            : Optional.empty();
-    SiteSettings settings =
-        new SiteSettings(
-            SiteOptions.safe(fileName.replaceFirst("\\.[^.]*$", "")),
-            file,
-            0,
-            OptionalDouble.empty(),
-            OptionalDouble.empty(),
-            List.of(),
-            Optional.empty());
+    Optional<Path> picture = reader.isPicture() ? plan : options.floorplan();
+    Optional<Floorplan> floorplan =
+        picture.map(image -> new Floorplan(fromPlan(image), options.area(image)));
+    String name = SiteOptions.safe(file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
     return reader
-        .site(settings, drawing, picture)
+        .site(name, 0, OptionalDouble.empty(), drawing, floorplan)
         .scenario()
         .with(Scenario.MOUNT_HEIGHT, MOUNT_HEIGHT);
+  }
+
+  /** The way to a picture from the folder of the plan, in which the scenario will be saved. */
+  private String fromPlan(Path image) {
+    Path folder = plan.orElseThrow().toAbsolutePath().getParent();
+    return folder.relativize(image.toAbsolutePath()).toString();
+  }
+
+  /** Whether only the layers of the plan are asked for. */
+  boolean listsLayers() {
+    return plan.isPresent() && options.listsLayers();
+  }
+
+  /** Prints the layers of the plan. */
+  void printLayers(PrintWriter terminal) {
+    PlanReader reader = new PlanReader(plan.orElseThrow(), options);
+    reader.printLayers(reader.drawing(new LocalProjection()), terminal);
   }
 }

@@ -33,14 +33,4 @@ final class Numbers {
     }
     throw new InputException("%s is '%s', expected %s".formatted(option, text, expected));
   }
-
-  /**
-   * @throws InputException naming the option when the value is not a number in [min, max]
-   */
-  static double within(String option, double value, double min, double max) {
-    if (!(value >= min && value <= max)) {
-      throw InputException.of("%s is %s, expected a number from %s to %s", option, value, min, max);
-    }
-    return value;
-  }
 }

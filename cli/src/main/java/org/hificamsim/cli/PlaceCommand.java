@@ -9,9 +9,12 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
+import java.util.function.DoubleFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.detection.Detection;
@@ -61,13 +64,23 @@ final class PlaceCommand implements Callable<Integer> {
   /** The number of rounds without a better plan after which a search ends. */
   private static final int ROUNDS = 60;
 
-  /** The shares of the time after which an exact method begins, and uses all candidates. */
-  private static final double SHARE_OF_SEARCH = 0.2;
+  /** The share of the time that cameras may look from mount points. */
+  private static final double SHARE_OF_LOOKING = 0.5;
+
+  /** The share of the time after which the plan is found, without what costs less or is refined. */
+  private static final double SHARE_OF_PLAN = 0.8;
+
+  private static final double SHARE_BEFORE_REFINEMENT = 0.7;
+
+  /** The share of the time after which the rest is for what is measured, drawn and written. */
+  private static final double SHARE_OF_ALL = 0.9;
+
+  /**
+   * The shares of the search's time after which an exact method begins, and uses all candidates.
+   */
+  private static final double SHARE_BEFORE_EXACT = 0.2;
 
   private static final double SHARE_OF_FEW_CANDIDATES = 0.8;
-
-  /** The share of the time after which cameras are moved to refine the plan. */
-  private static final double SHARE_BEFORE_REFINEMENT = 0.7;
 
   @Parameters(arity = "0..1", paramLabel = "SITE.xml", description = "The scenario of the site.")
   private Path file;
@@ -135,7 +148,7 @@ final class PlaceCommand implements Callable<Integer> {
               + " --compare PLAN.xml PLAN.xml");
     }
     Goal goal = goal();
-    Numbers.within("--time", time, 0, 1e9);
+    Ranges.within("--time", time, 0, 1e9);
     if (refine && (goal.isFullCover() || instance.isPresent())) {
       throw new InputException("--refine is for a site with --cameras N or --budget EUR");
     }
@@ -144,13 +157,14 @@ final class PlaceCommand implements Callable<Integer> {
     }
     String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
     Path folder = out.orElse(Path.of("out", name + "-plan"));
-    PlacementProblem problem = problem(goal);
+    Interrupt interrupt = new Interrupt(started, time);
+    PlacementProblem problem = problem(goal, interrupt);
     List<Setup.Floor> floor = FloorPictures.of(file, problem.demand().site());
-    Interrupt interrupt = new Interrupt(time);
     Optional<Refinement> refinement =
         refine ? Optional.of(refinement(problem.demand().site(), interrupt)) : Optional.empty();
-    SitePlan plan = problem.solve(effort(interrupt), watcher(!goal.isFullCover()), refinement);
-    note("bounds the curve of coverage");
+    SitePlan plan =
+        problem.solve(
+            effort(interrupt), new SearchProgress(this::note, !goal.isFullCover()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
       PlanFiles.write(
           output,
@@ -188,21 +202,25 @@ final class PlaceCommand implements Callable<Integer> {
 
   private Effort effort(Interrupt interrupt) {
     boolean exact = Spelling.require(Method.class, "--method", method) == Method.EXACT;
-    double share = refine ? SHARE_BEFORE_REFINEMENT : 1;
+    double begin = interrupt.share();
+    double end = refine ? SHARE_BEFORE_REFINEMENT : SHARE_OF_PLAN;
+    DoubleFunction<BooleanSupplier> isOver =
+        share -> () -> interrupt.isDue(begin + share * (end - begin));
     return new Effort(
         settings.settings().seed(),
         ROUNDS,
         exact ? Optional.of(ExactMethod.onClassPath()) : Optional.empty(),
         new Effort.Limits(
-            () -> interrupt.isDue(SHARE_OF_SEARCH * share),
-            () -> interrupt.isDue(SHARE_OF_FEW_CANDIDATES * share),
-            () -> interrupt.isDue(share)));
+            isOver.apply(exact ? SHARE_BEFORE_EXACT : 1),
+            isOver.apply(SHARE_OF_FEW_CANDIDATES),
+            isOver.apply(1),
+            () -> interrupt.isDue(SHARE_OF_ALL)));
   }
 
   private Refinement refinement(Scenario site, Interrupt interrupt) {
     List<List<Point>> denser =
         Stream.of(2, 4, 8).map(parts -> mounts.positions(site, parts)).toList();
-    return new Refinement(denser, threads.count(), interrupt::isDue);
+    return new Refinement(denser, threads.count(), () -> interrupt.isDue(SHARE_OF_ALL));
   }
 
   private Goal goal() {
@@ -210,7 +228,7 @@ final class PlaceCommand implements Callable<Integer> {
       throw new InputException("expected one of --cameras N, --budget EUR and --cover");
     }
     cameras.ifPresent(number -> Numbers.inRange("--cameras", number, 1, MAX_CAMERAS));
-    budget.ifPresent(price -> Numbers.within("--budget", price, 1e-9, 1e12));
+    budget.ifPresent(price -> Ranges.within("--budget", price, 1e-9, 1e12));
     return cameras
         .map(number -> new Goal(number))
         .or(() -> budget.map(Goal::new))
@@ -221,7 +239,7 @@ final class PlaceCommand implements Callable<Integer> {
     return (cameras.isPresent() ? 1 : 0) + (budget.isPresent() ? 1 : 0) + (cover ? 1 : 0);
   }
 
-  private PlacementProblem problem(Goal goal) throws IOException {
+  private PlacementProblem problem(Goal goal, Interrupt interrupt) throws IOException {
     Catalogue catalogue = Catalogue.load();
     Demand demanded = demand(file, catalogue);
     Scenario site = demanded.site();
@@ -236,7 +254,11 @@ final class PlaceCommand implements Callable<Integer> {
             mounts.kept(site),
             new PlacementProblem.SiteGoal(goal, cameras.isPresent()));
     try (Progress looking = screen.progress("looks", " places", positions.size())) {
-      return PlacementProblem.of(request, catalogue, threads.count(), looking::advance);
+      return PlacementProblem.of(
+          request,
+          catalogue,
+          new Candidates.Work(
+              threads.count(), () -> interrupt.isDue(SHARE_OF_LOOKING), looking::advance));
     }
   }
 
@@ -275,23 +297,6 @@ final class PlaceCommand implements Callable<Integer> {
     }
   }
 
-  /** Prints the score of the plan and the bound when they change, as shares or as numbers. */
-  private CoverSearch.Watcher watcher(boolean asShares) {
-    String unit = asShares ? " %%" : "";
-    String form = "plan %.2f" + unit + ", bound %.2f" + unit + ", gap %.2f %%";
-    String[] last = {""};
-    return (score, limit) -> {
-      double bound = asShares ? Math.min(1, limit) : limit;
-      double gap = Math.abs(bound - score) / Math.max(Math.abs(bound), Math.abs(score));
-      int factor = asShares ? 100 : 1;
-      String line = Texts.format(form, factor * score, factor * bound, 100 * gap);
-      if (!line.equals(last[0])) {
-        note(line);
-      }
-      last[0] = line;
-    };
-  }
-
   /** Says what happens, after the seconds since the start. */
   private void note(String event) {
     screen.note("%6.1f s: %s", seconds(), event);
@@ -307,16 +312,23 @@ final class PlaceCommand implements Callable<Integer> {
     screen.say("%s", facts.get(0));
     facts.stream().skip(1).forEach(fact -> screen.say("  %s", fact));
     screen.say(
-        "  %d candidates, %d samples, cells of %.2f m, %.1f s",
+        "  %d candidates at %d places, %d samples, cells of %s m, %.1f s",
         plan.problem().candidates().list().size(),
+        plan.problem().candidates().places(),
         demanded.points().size(),
-        demanded.cells().width(),
+        cellWidths(demanded),
         seconds());
     PlanReview.printZones(screen, plan.cover());
     PlanFiles.omission(plan).ifPresent(reason -> screen.say("  %s", reason));
     screen.say(
         "%s/index.html, plan.pdf; under policies: ./hificamsim compare %s",
         folder, folder.resolve(PlanFiles.SCENARIO));
+  }
+
+  private static String cellWidths(Demand demand) {
+    String finest = Texts.format("%.2f", demand.finestCells().width());
+    String widest = Texts.format("%.2f", demand.greatestCellWidth());
+    return finest.equals(widest) ? finest : finest + " to " + widest;
   }
 
   private InstanceFile.Form instanceForm() {
@@ -326,8 +338,8 @@ final class PlaceCommand implements Callable<Integer> {
   private int solve(Path path, Goal goal) throws IOException {
     CoverInstance whole = InstanceFile.read(path, instanceForm());
     CoverInstance solved = goal.isFullCover() ? whole.coverable() : whole;
-    Effort effort = effort(new Interrupt(time));
-    CoverPlan plan = CoverSearch.solve(solved, goal, effort, watcher(false));
+    Effort effort = effort(new Interrupt(started, time));
+    CoverPlan plan = CoverSearch.solve(solved, goal, effort, new SearchProgress(this::note, false));
     screen.say(
         "%d of %d candidates, price %.2f, see %.0f of %d samples",
         plan.chosen().length,
@@ -355,7 +367,7 @@ final class PlaceCommand implements Callable<Integer> {
             path -> scenarioOptions.readSite(path, Settings.NONE, catalogue, screen.err()),
             catalogue,
             DemandOptions.detections(catalogue),
-            effort(new Interrupt(time)));
+            effort(new Interrupt(started, time)));
     try (Progress simulating = screen.progress("simulates", " cameras", check.simulated())) {
       check.check(simulating::advance).forEach(line -> screen.out().println(line));
     }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Floorplan;
@@ -115,8 +116,8 @@ final class PlanOptions {
             : new PlanScale.Width(RecordingOptions.positive("--width", width).getAsDouble());
     double[] corner =
         at == null ? new double[2] : Numbers.pair("--at", at, "two numbers, as -3.5,12");
-    Numbers.within("--at", corner[0], -MAX_METRES, MAX_METRES);
-    Numbers.within("--at", corner[1], -MAX_METRES, MAX_METRES);
+    Ranges.within("--at", corner[0], -MAX_METRES, MAX_METRES);
+    Ranges.within("--at", corner[1], -MAX_METRES, MAX_METRES);
     return Optional.of(new PictureFrame(size, corner[0], corner[1]));
   }
 

@@ -1,9 +1,12 @@
 package org.hificamsim.cli;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Floorplan;
@@ -42,24 +45,45 @@ record PlanReader(Path file, PlanOptions options) {
   }
 
   /**
+   * Prints the layers of the plan with the numbers of their shapes.
+   *
+   * @param drawing that was read; empty for a picture
+   * @throws InputException if the plan is a picture
+   */
+  void printLayers(Optional<Drawing> drawing, PrintWriter terminal) {
+    Drawing listed =
+        drawing.orElseThrow(
+            () -> InputException.of("%s: a picture has no layers, expected a drawing", file));
+    PlanOptions.printLayers(file, listed, terminal);
+  }
+
+  /**
    * Makes the site.
    *
-   * @param settings without walls and floor plan
+   * @param name of the scenario
+   * @param cameras the number of draft cameras
+   * @param margin around what is drawn, metres
+   * @param drawing of the walls; empty if there is only a floor plan
    * @param floorplan under the site
    */
-  DrawnSite site(SiteSettings settings, Optional<Drawing> drawing, Optional<Floorplan> floorplan) {
-    SiteSettings whole =
+  DrawnSite site(
+      String name,
+      int cameras,
+      OptionalDouble margin,
+      Optional<Drawing> drawing,
+      Optional<Floorplan> floorplan) {
+    SiteSettings settings =
         new SiteSettings(
-            settings.name(),
+            name,
             file,
-            settings.cameras(),
-            settings.margin(),
-            settings.step(),
+            cameras,
+            margin,
+            OptionalDouble.empty(),
             drawing.map(read -> read.obstacles(options.walkable())).orElse(List.of()),
             floorplan);
     Field drawn = drawing.map(Drawing::field).orElseGet(() -> floorplan.orElseThrow().area());
     List<List<Point>> walkable =
         options.walkable() ? drawing.map(Drawing::walkableBorders).orElse(List.of()) : List.of();
-    return new DrawnSite(whole, drawn, walkable);
+    return new DrawnSite(settings, drawn, walkable);
   }
 }

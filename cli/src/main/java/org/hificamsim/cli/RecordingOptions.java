@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
@@ -65,8 +66,8 @@ final class RecordingOptions {
 
   /** How samples become tracks. */
   TrackSettings settings() {
-    double start = from == null ? 0 : Numbers.within("--from", from, 0, MAX);
-    double end = to == null ? MAX : Numbers.within("--to", to, start, MAX);
+    double start = from == null ? 0 : Ranges.within("--from", from, 0, MAX);
+    double end = to == null ? MAX : Ranges.within("--to", to, start, MAX);
     return new TrackSettings(positive("--gap", gap), start, end, edge(), extent());
   }
 
@@ -128,8 +129,8 @@ final class RecordingOptions {
       return new LocalProjection();
     }
     double[] degrees = Numbers.pair("--origin", origin, "latitude and longitude, as 48.2,16.37");
-    Numbers.within("--origin", degrees[0], -90, 90);
-    Numbers.within("--origin", degrees[1], -180, 180);
+    Ranges.within("--origin", degrees[0], -90, 90);
+    Ranges.within("--origin", degrees[1], -180, 180);
     return new LocalProjection(degrees[1], degrees[0]);
   }
 }

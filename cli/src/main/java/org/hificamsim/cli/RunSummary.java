@@ -56,6 +56,8 @@ final class RunSummary {
                     + plan.seed(plan.repeats() - 1)));
     table.sources(plan);
     table.figures(plan);
+    RunResult.zoneShares(results)
+        .forEach((zone, met) -> table.line("zone " + zone, Texts.format("%.2f %%", 100 * met)));
     RunResult.unprovenSteps(plan, results).ifPresent(steps -> table.line("not proven", steps));
     RunResult.unprovenExpectation(results).ifPresent(gap -> table.line("not proven", gap));
     table.uncovered(plan);

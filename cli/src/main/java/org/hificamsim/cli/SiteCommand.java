@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -18,7 +17,6 @@ import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.generate.FreePositions;
 import org.hificamsim.tracks.DrawnSite;
 import org.hificamsim.tracks.Plausibility;
-import org.hificamsim.tracks.SiteSettings;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.Drawing;
 import picocli.CommandLine.Command;
@@ -61,7 +59,8 @@ final class SiteCommand implements Callable<Integer> {
     PlanReader reader = new PlanReader(file, plan);
     Optional<Drawing> drawing = reader.drawing(projection);
     if (plan.listsLayers()) {
-      return listLayers(drawing);
+      reader.printLayers(drawing, spec.commandLine().getOut());
+      return 0;
     }
     Path folder =
         out.orElseThrow(() -> new InputException("expected --out DIR, a folder for the site"));
@@ -69,17 +68,8 @@ final class SiteCommand implements Callable<Integer> {
     Optional<Path> picture = reader.isPicture() ? Optional.of(file) : plan.floorplan();
     SiteOutput output = new SiteOutput(spec, name, picture);
     output.claim(folder, List.of());
-    SiteSettings settings =
-        new SiteSettings(
-            name,
-            file,
-            site.cameras(0),
-            site.margin(),
-            OptionalDouble.empty(),
-            List.of(),
-            Optional.empty());
     Optional<Floorplan> floorplan = picture.map(image -> plan.floorplan(name, image));
-    DrawnSite made = reader.site(settings, drawing, floorplan);
+    DrawnSite made = reader.site(name, site.cameras(0), site.margin(), drawing, floorplan);
     List<String> signs = Plausibility.of(made).signs(forceReading);
     Scenario empty = made.scenario();
     long seed = random.settings().seed();
@@ -91,14 +81,6 @@ final class SiteCommand implements Callable<Integer> {
     print(
         folder.resolve(output.scenarioFile()), made, drawing.flatMap(Drawing::leftOut), projection);
     signs.forEach(output::warn);
-    return 0;
-  }
-
-  private int listLayers(Optional<Drawing> drawing) {
-    Drawing listed =
-        drawing.orElseThrow(
-            () -> InputException.of("%s: a picture has no layers, expected a drawing", file));
-    PlanOptions.printLayers(file, listed, spec.commandLine().getOut());
     return 0;
   }
 

@@ -3,6 +3,7 @@ package org.hificamsim.cli;
 import java.nio.file.Path;
 import java.util.OptionalDouble;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import picocli.CommandLine.Option;
 
 /** The options for a scenario that is made of files: name, field and draft cameras. */
@@ -44,6 +45,6 @@ final class SiteOptions {
   OptionalDouble margin() {
     return margin == null
         ? OptionalDouble.empty()
-        : OptionalDouble.of(Numbers.within("--margin", margin, 0, MAX_METRES));
+        : OptionalDouble.of(Ranges.within("--margin", margin, 0, MAX_METRES));
   }
 }

@@ -12,6 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.Strategy;
@@ -144,7 +145,7 @@ final class TradeoffCommand implements Callable<Integer> {
 
   private NetworkChoice choice() {
     NameLists.requireDistinct("--of", strategies);
-    alphas.forEach(alpha -> Numbers.within("--alphas", alpha, 0, 1));
+    alphas.forEach(alpha -> Ranges.within("--alphas", alpha, 0, 1));
     List<Strategy> distinct =
         strategies.stream().map(Strategy::parse).flatMap(List::stream).distinct().toList();
     return new NetworkChoice(distinct, bandits(), alphas);

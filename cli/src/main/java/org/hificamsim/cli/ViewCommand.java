@@ -8,6 +8,7 @@ import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.placement.site.PriceList;
 import org.hificamsim.placement.site.SitePlanner;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.view.Browsers;
@@ -46,6 +47,9 @@ final class ViewCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
+  @Option(names = "--catalogue", paramLabel = "FILE.csv")
+  private String kinds;
+
   @Option(names = "--port", paramLabel = "N")
   private int port;
 
@@ -66,6 +70,10 @@ final class ViewCommand implements Callable<Integer> {
     if ((scenarioFile == null) == newSite.plan().isEmpty()) {
       throw new InputException("expected one of SCENARIO.xml and --new PLAN");
     }
+    if (newSite.listsLayers()) {
+      newSite.printLayers(spec.commandLine().getOut());
+      return 0;
+    }
     Path file = newSite.plan().orElse(scenarioFile);
     Scenario scenario = newSite.plan().isPresent() ? newSite.site() : read(asked, catalogue);
     DetectionSpec.of(
@@ -73,7 +81,9 @@ final class ViewCommand implements Callable<Integer> {
     String detection = asked.value(Setting.DETECTION, scenario);
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
     LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
-    SitePlanner planner = new SitePlanner(catalogue, DemandOptions.detections(catalogue));
+    SitePlanner planner =
+        new SitePlanner(
+            catalogue, DemandOptions.detections(catalogue), PriceList.named(kinds, scenario));
     LiveRun run =
         new LiveRun(
             catalogue,

@@ -1,5 +1,6 @@
 package org.hificamsim.runs;
 
+import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.engine.EnergySums;
 import org.hificamsim.core.engine.FollowingSums;
@@ -38,9 +39,15 @@ public record Measured(
     FollowingSums following,
     double identitySwitches,
     double reachableGap) {
-  /** The share that is seen of all zones, and of the zone with the least; NaN without zones. */
-  public record Zones(double met, double least) {
-    static final Zones NONE = new Zones(Double.NaN, Double.NaN);
+  /**
+   * What is seen of zones as they demand.
+   *
+   * @param met the share of all zones; NaN without zones
+   * @param least the share of the zone with the least; NaN without zones
+   * @param shares by name of a zone
+   */
+  public record Zones(double met, double least, Map<String, Double> shares) {
+    static final Zones NONE = new Zones(Double.NaN, Double.NaN, Map.of());
   }
 
   /** The sums of a repeat under a policy. */

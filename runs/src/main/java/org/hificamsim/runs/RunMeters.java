@@ -51,7 +51,9 @@ record RunMeters(RunCoverage coverage, ZoneRecorder zones, TargetFollowing follo
   }
 
   Measured.Zones zoneShares() {
-    return zones == null ? Measured.Zones.NONE : new Measured.Zones(zones.met(), zones.least());
+    return zones == null
+        ? Measured.Zones.NONE
+        : new Measured.Zones(zones.met(), zones.least(), zones.shares());
   }
 
   FollowingSums followingSums() {

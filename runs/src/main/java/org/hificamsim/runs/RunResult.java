@@ -2,6 +2,7 @@ package org.hificamsim.runs;
 
 import java.io.Serializable;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -13,18 +14,22 @@ import org.hificamsim.core.Texts;
  * @param values of the metrics that the run has on its own
  * @param gap the most that the score could gain in the steps whose configuration is not proven to
  *     be the best
+ * @param zoneShares by name of a zone, the share of it that is seen as it demands, the mean over
+ *     the steps; empty where results come from a table
  */
-public record RunResult(int run, long seed, EnumMap<Metric, Double> values, double gap)
+public record RunResult(
+    int run, long seed, EnumMap<Metric, Double> values, double gap, Map<String, Double> zoneShares)
     implements Serializable {
   /** The result of a repeat. */
   public static RunResult of(int run, long seed, Measured measured) {
     double gap = measured.proof().map(Proof::gap).orElse(0.0);
-    return new RunResult(run, seed, Metric.measure(measured), gap);
+    Map<String, Double> zones = measured.zones().shares();
+    return new RunResult(run, seed, Metric.measure(measured), gap, zones);
   }
 
   /** A result with known values of a policy that does not claim to be the best. */
   public static RunResult of(int run, long seed, Map<Metric, Double> values) {
-    return new RunResult(run, seed, new EnumMap<>(values), 0);
+    return new RunResult(run, seed, new EnumMap<>(values), 0, Map.of());
   }
 
   /** Whether the run has a metric. */
@@ -40,6 +45,17 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
   /** The mean of one metric over the repeats of a plan. */
   public static Estimate mean(RunPlan plan, List<RunResult> results, Metric metric) {
     return metric.mean(plan, results.stream().mapToDouble(run -> run.value(metric)).toArray());
+  }
+
+  /** By name of a zone, the share of it that is seen as it demands, the mean over repeats. */
+  public static Map<String, Double> zoneShares(List<RunResult> results) {
+    Map<String, Double> means = new LinkedHashMap<>();
+    for (String zone : results.get(0).zoneShares.keySet()) {
+      means.put(
+          zone,
+          results.stream().mapToDouble(run -> run.zoneShares.get(zone)).average().orElseThrow());
+    }
+    return means;
   }
 
   /** The sum of the steps' scores by the objective; the performance by default. */
@@ -92,6 +108,6 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
 
   /** The same result with another number: a seed may be any repeat of a plan. */
   public RunResult asRun(int repeat) {
-    return new RunResult(repeat, seed, values, gap);
+    return new RunResult(repeat, seed, values, gap, zoneShares);
   }
 }

@@ -108,11 +108,16 @@ public record CoverInstance(double[] unitWorths, int[] needs, int[][] covered, d
 
   /** Returns the instance without candidates that are {@linkplain Dominance dominated}. */
   public CoverInstance undominated() {
-    return with(Dominance.undominated(this));
+    return with(undominatedCandidates());
+  }
+
+  /** The candidates that are not {@linkplain Dominance dominated}, rising. */
+  public int[] undominatedCandidates() {
+    return Dominance.undominated(this);
   }
 
   /** Returns the instance with these candidates only. */
-  CoverInstance with(int[] candidates) {
+  public CoverInstance with(int[] candidates) {
     return new CoverInstance(
         unitWorths,
         needs,

@@ -1,5 +1,7 @@
 package org.hificamsim.placement.cover;
 
+import java.util.Arrays;
+
 /**
  * A plan, and how much better any other plan could be.
  *
@@ -20,6 +22,16 @@ public record CoverPlan(
    *     the candidates that are not {@linkplain Dominance dominated}
    */
   public record MultiplierBound(double value, double[] multipliers) {}
+
+  /**
+   * Returns the plan with other numbers for its candidates.
+   *
+   * @param numbers by present number, rising
+   */
+  public CoverPlan withNumbers(int[] numbers) {
+    int[] numbered = Arrays.stream(chosen).map(candidate -> numbers[candidate]).toArray();
+    return new CoverPlan(numbered, score, bound, multiplierBound, seconds);
+  }
 
   /** Returns other candidates of the same problem, which are at least as good. */
   public CoverPlan replacedBy(int[] others, double otherScore) {

@@ -73,12 +73,23 @@ public final class CoverSearch {
    * @param all the instance; for full cover it has to be {@link CoverInstance#coverable}
    */
   public static CoverPlan solve(CoverInstance all, Goal goal, Effort effort, Watcher watcher) {
+    int[] undominated = all.undominatedCandidates();
+    CoverPlan plan = solveUndominated(all.with(undominated), goal, effort, watcher);
+    return plan.withNumbers(undominated);
+  }
+
+  /**
+   * Searches for a plan.
+   *
+   * @param instance without dominated candidates; for full cover it has to be {@link
+   *     CoverInstance#coverable}
+   */
+  public static CoverPlan solveUndominated(
+      CoverInstance instance, Goal goal, Effort effort, Watcher watcher) {
     long started = System.nanoTime();
-    int[] undominated = Dominance.undominated(all);
-    CoverInstance instance = all.with(undominated);
     CoverSearch search = new CoverSearch(instance, goal, effort);
     search.makeFirstPlan();
-    LagrangianBound lagrangian = new LagrangianBound(instance, goal, instance.counts(search.best));
+    LagrangianBound lagrangian = LagrangianBound.of(instance, goal, instance.counts(search.best));
     watcher.improved(search.score, lagrangian.bound());
     search.improve(effort.idleRounds(), lagrangian, watcher);
     double bound = lagrangian.bound();
@@ -86,7 +97,7 @@ public final class CoverSearch {
       bound = search.closeGap(lagrangian, effort, watcher);
     }
     return new CoverPlan(
-        Arrays.stream(search.best).map(candidate -> undominated[candidate]).toArray(),
+        search.best,
         search.score,
         bound,
         new CoverPlan.MultiplierBound(lagrangian.bound(), lagrangian.bestMultipliers()),
@@ -109,7 +120,7 @@ public final class CoverSearch {
       watcher.improved(score, before);
       open = lagrangian.openCandidates(score, best);
     }
-    double exactBound = solveExactly(open, before, effort, effort.limits().all());
+    double exactBound = solveExactly(open, before, effort, effort.limits().exact());
     double bound = goal.tightened(exactBound, goal.scoreStep(instance));
     watcher.improved(score, bound);
     boolean scoreIsBetter = goal.isBetter(score, bound);

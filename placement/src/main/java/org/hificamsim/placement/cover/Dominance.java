@@ -1,6 +1,5 @@
 package org.hificamsim.placement.cover;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
@@ -10,18 +9,28 @@ import java.util.stream.IntStream;
  * Finds the candidates that a plan may need. A candidate is dominated, and left out, if it covers
  * nothing, or if enough others cover all its points at no higher price: as many as the greatest
  * number of times that any point counts.
+ *
+ * <p>Candidates are compared with all those kept so far at once: the sets of kept candidates that
+ * cover each of its points are intersected, as words of bits.
  */
 final class Dominance {
+  /**
+   * So many points, all over a candidate, are compared first: most intersections are empty then.
+   */
+  private static final int FIRST_POINTS = 16;
+
   private final CoverInstance instance;
   private final int dominatorsNeeded;
-  private final List<List<Integer>> keptByPoint = new ArrayList<>();
+
+  /** By point, the kept candidates that cover it, by the order in which they were kept. */
+  private final long[][] keptByPoint;
+
+  private int kept;
 
   private Dominance(CoverInstance instance) {
     this.instance = instance;
     this.dominatorsNeeded = Math.max(1, Arrays.stream(instance.needs()).max().orElse(1));
-    for (int point = 0; point < instance.points(); point++) {
-      keptByPoint.add(new ArrayList<>());
-    }
+    this.keptByPoint = new long[instance.points()][1];
   }
 
   /** Returns the candidates that are not dominated, rising. */
@@ -30,55 +39,60 @@ final class Dominance {
   }
 
   private int[] undominated() {
-    List<Integer> largestFirst =
+    List<Integer> dominatorsFirst =
         IntStream.range(0, instance.candidates())
             .boxed()
             .filter(candidate -> instance.covered()[candidate].length > 0)
             .sorted(
-                Comparator.<Integer>comparingInt(candidate -> -instance.covered()[candidate].length)
-                    .thenComparingDouble(candidate -> instance.prices()[candidate]))
+                Comparator.<Integer>comparingDouble(candidate -> instance.prices()[candidate])
+                    .thenComparingInt(candidate -> -instance.covered()[candidate].length))
             .toList();
-    IntStream.Builder kept = IntStream.builder();
-    for (int candidate : largestFirst) {
-      if (!isDominated(candidate)) {
-        kept.add(candidate);
-        for (int point : instance.covered()[candidate]) {
-          keptByPoint.get(point).add(candidate);
-        }
+    IntStream.Builder undominated = IntStream.builder();
+    for (int candidate : dominatorsFirst) {
+      if (!isDominated(instance.covered()[candidate])) {
+        undominated.add(candidate);
+        keep(instance.covered()[candidate]);
       }
     }
-    return kept.build().sorted().toArray();
+    return undominated.build().sorted().toArray();
   }
 
-  /** Compares with the candidates kept so far, which cover at least as many points. */
-  private boolean isDominated(int candidate) {
-    int[] points = instance.covered()[candidate];
-    List<Integer> fewestKept = keptByPoint.get(points[0]);
+  private void keep(int[] points) {
+    if (kept == Long.SIZE * keptByPoint[0].length) {
+      Arrays.setAll(
+          keptByPoint, point -> Arrays.copyOf(keptByPoint[point], 2 * keptByPoint[point].length));
+    }
     for (int point : points) {
-      List<Integer> kept = keptByPoint.get(point);
-      fewestKept = kept.size() < fewestKept.size() ? kept : fewestKept;
+      Bits.set(keptByPoint[point], kept);
     }
-    int dominators = 0;
-    for (int i = 0; i < fewestKept.size() && dominators < dominatorsNeeded; i++) {
-      int other = fewestKept.get(i);
-      boolean asCheap = instance.prices()[other] <= instance.prices()[candidate];
-      dominators += asCheap && includes(instance.covered()[other], points) ? 1 : 0;
-    }
-    return dominators >= dominatorsNeeded;
+    kept++;
   }
 
-  /** Compares the ends first, where most lists that are not included differ. */
-  private static boolean includes(int[] points, int[] part) {
-    if (part[0] < points[0] || part[part.length - 1] > points[points.length - 1]) {
-      return false;
-    }
-    int from = 0;
-    for (int point : part) {
-      from = Arrays.binarySearch(points, from, points.length, point);
-      if (from < 0) {
+  /** Compares with the candidates kept so far, which cost no more. */
+  private boolean isDominated(int[] points) {
+    long[] dominators = Arrays.copyOf(keptByPoint[points[0]], kept / Long.SIZE + 1);
+    int stride = Math.max(1, points.length / FIRST_POINTS);
+    for (int i = 0; i < points.length; i += stride) {
+      if (!intersect(dominators, keptByPoint[points[i]])) {
         return false;
       }
     }
-    return true;
+    for (int i = 1; i < points.length && stride > 1; i++) {
+      if (!intersect(dominators, keptByPoint[points[i]])) {
+        return false;
+      }
+    }
+    return Bits.count(dominators) >= dominatorsNeeded;
+  }
+
+  /** Removes what is not in another set; returns whether anything is left. */
+  private static boolean intersect(long[] bits, long[] others) {
+    long left = 0;
+    int words = Math.min(bits.length, others.length);
+    for (int word = 0; word < words; word++) {
+      bits[word] &= others[word];
+      left |= bits[word];
+    }
+    return left != 0;
   }
 }

@@ -14,19 +14,21 @@ public record Effort(long seed, int idleRounds, Optional<ExactMethod> exact, Lim
   /**
    * When each part of the work has to end.
    *
-   * @param search the search, if an exact method follows
+   * @param search the search; a plan is found even if this is true at once
    * @param kernel the exact method's work on the most promising candidates
-   * @param all everything; a plan is found even if this is true at once
+   * @param exact the exact method
+   * @param all everything
    */
-  public record Limits(BooleanSupplier search, BooleanSupplier kernel, BooleanSupplier all) {}
+  public record Limits(
+      BooleanSupplier search, BooleanSupplier kernel, BooleanSupplier exact, BooleanSupplier all) {}
 
   /** Returns the effort of a search without an exact method. */
   public static Effort searchOnly(long seed, int idleRounds, BooleanSupplier stop) {
-    return new Effort(seed, idleRounds, Optional.empty(), new Limits(stop, stop, stop));
+    return new Effort(seed, idleRounds, Optional.empty(), new Limits(stop, stop, stop, stop));
   }
 
   /** Whether the search has to end. */
   boolean searchEnds() {
-    return limits.all().getAsBoolean() || (exact.isPresent() && limits.search().getAsBoolean());
+    return limits.search().getAsBoolean();
   }
 }

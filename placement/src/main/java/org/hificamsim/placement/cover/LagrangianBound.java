@@ -42,20 +42,31 @@ public final class LagrangianBound {
   private int idleSteps;
 
   /**
-   * @param counts by point, how often a first plan covers it
+   * @param multipliers by point, to begin with
    */
-  LagrangianBound(CoverInstance instance, Goal goal, int[] counts) {
+  LagrangianBound(CoverInstance instance, Goal goal, double[] multipliers) {
     this.instance = instance;
     this.goal = goal;
     this.scoreStep = goal.scoreStep(instance);
     this.multiplierSums = new double[instance.candidates()];
-    this.multipliers = goal.isFullCover() ? cheapestShares() : openUnitWorths(counts);
+    this.multipliers = multipliers.clone();
     this.bestMultipliers = multipliers.clone();
     bound = updatedValue();
   }
 
+  /**
+   * Returns the bound that a first plan gives.
+   *
+   * @param counts by point, how often the plan covers it
+   */
+  static LagrangianBound of(CoverInstance instance, Goal goal, int[] counts) {
+    double[] multipliers =
+        goal.isFullCover() ? cheapestShares(instance) : openUnitWorths(instance, counts);
+    return new LagrangianBound(instance, goal, multipliers);
+  }
+
   /** By point, the least price per point of a candidate that covers it; 0 if it needs no cover. */
-  private double[] cheapestShares() {
+  private static double[] cheapestShares(CoverInstance instance) {
     double[] shares = new double[instance.points()];
     Arrays.fill(shares, Double.POSITIVE_INFINITY);
     for (int candidate = 0; candidate < instance.candidates(); candidate++) {
@@ -71,7 +82,7 @@ public final class LagrangianBound {
   }
 
   /** By point, the worth of covering it once more than a plan does. */
-  private double[] openUnitWorths(int[] counts) {
+  private static double[] openUnitWorths(CoverInstance instance, int[] counts) {
     double[] worths = new double[instance.points()];
     for (int point = 0; point < worths.length; point++) {
       boolean open = counts[point] < instance.needs()[point];

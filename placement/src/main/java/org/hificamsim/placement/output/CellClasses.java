@@ -3,12 +3,14 @@ package org.hificamsim.placement.output;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.hifi.density.DensityDetections;
-import org.hificamsim.placement.site.Demand.DemandPoint;
+import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.PointSight;
 import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.presentation.plot.Palette;
@@ -27,23 +29,39 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
    * zones ask.
    */
   static CellClasses coverage(SitePlan plan) {
-    FieldCells cells = plan.demand().cells();
+    FieldCells cells = plan.demand().finestCells();
     double[] classes = new double[cells.count()];
     Arrays.fill(classes, Double.NaN);
     int[] counts = plan.cover().counts();
-    for (int number = 0; number < counts.length; number++) {
-      DemandPoint point = plan.demand().points().get(number);
-      int k = plan.demand().zones().get(point.zone()).k();
-      int pointClass = counts[number] == 0 ? 0 : counts[number] < k ? 1 : 2;
-      int cell = cells.at(point.x(), point.y());
-      double before = classes[cell];
-      classes[cell] = Double.isNaN(before) ? pointClass : Math.min(before, pointClass);
-    }
+    forEachPoint(
+        plan.demand(),
+        (cell, zone, point) -> {
+          int pointClass = counts[point] == 0 ? 0 : counts[point] < zone.k() ? 1 : 2;
+          double before = classes[cell];
+          classes[cell] = Double.isNaN(before) ? pointClass : Math.min(before, pointClass);
+        });
     return new CellClasses(
         cells,
         classes,
         List.of(Palette.UNSEEN, Palette.SEEN_ONCE, Palette.SEEN_OFTEN),
         List.of("seen by no camera", "by fewer than asked for", "as asked for"));
+  }
+
+  /** Is told what a zone asks for in a cell. */
+  private interface CellPoint {
+    void accept(int cell, ZoneDemand zone, int point);
+  }
+
+  /** Passes, of each zone, all cells of the finest grid in which it asks for something. */
+  private static void forEachPoint(Demand demand, CellPoint receiver) {
+    for (ZoneDemand zone : demand.zones()) {
+      int[] points = demand.pointsByCell(zone, demand.finestCells());
+      for (int cell = 0; cell < points.length; cell++) {
+        if (points[cell] >= 0) {
+          receiver.accept(cell, zone, points[cell]);
+        }
+      }
+    }
   }
 
   /**
@@ -70,10 +88,12 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
       int[][] seen =
           new PointSight(plan.demand().with(detection), catalogue)
               .covered(plan.cameras(), plan.problem().request().reading());
-      for (int number : Arrays.stream(seen).flatMapToInt(Arrays::stream).toArray()) {
-        DemandPoint point = plan.demand().points().get(number);
-        reached[coverage.cells.at(point.x(), point.y())] = labels.size() - 1;
-      }
+      BitSet seenPoints = new BitSet();
+      Arrays.stream(seen).flatMapToInt(Arrays::stream).forEach(seenPoints::set);
+      int level = labels.size() - 1;
+      forEachPoint(
+          plan.demand(),
+          (cell, zone, point) -> reached[cell] = seenPoints.get(point) ? level : reached[cell]);
     }
     return Optional.of(new CellClasses(coverage.cells, reached, colors, labels));
   }

@@ -106,7 +106,7 @@ public final class PlanCheck {
     if (points.size() < rows.size()) {
       throw rows.get(points.size()).invalid("zone", "the zones of " + file + ", in their order");
     }
-    return new Demand(plan, null, zones, points);
+    return new Demand(plan, List.of(), zones, points);
   }
 
   /** The number of cameras that are simulated: those of the plan and all candidates. */
@@ -207,7 +207,8 @@ public final class PlanCheck {
 
   /** Solves the problem again, without the plan. */
   private String proveExactly(CoverInstance undominated, Goal goal, double bound) {
-    CoverPlan found = CoverSearch.solve(undominated, goal, effort, (newScore, newBound) -> {});
+    CoverPlan found =
+        CoverSearch.solveUndominated(undominated, goal, effort, (newScore, newBound) -> {});
     requireNoBetter("bound", bound, found.score(), "of a plan that is better", goal);
     double margin = MARGIN * Math.max(1, Math.abs(bound));
     boolean holds =

@@ -64,6 +64,7 @@ public final class PlanFiles {
     String command = "./hificamsim " + String.join(" ", content.command);
     CameraSectors sectors = new CameraSectors(plan, catalogue);
     PlanSheet.Content sheet = new PlanSheet.Content(content.floor, content.title, command);
+    content.progress.accept("bounds the curve of coverage");
     List<CurvePoint> curve = plan.curve();
     content.progress.accept("draws the plan");
     new PlanSheet(plan, catalogue, sectors, curve, sheet).write(folder);
@@ -128,7 +129,8 @@ public final class PlanFiles {
       prices.put(candidate.kind().name(), candidate.kind().price());
     }
     json.put("samples", counts.length);
-    json.put("cell", demand.cells().width());
+    json.put("cell", demand.finestCells().width());
+    json.put("largest_cell", demand.greatestCellWidth());
     json.put("candidates", problem.candidates().list().size());
     json.put("share", cover.share());
     json.put("share_of_area", cover.area().of(demand));

@@ -5,9 +5,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import org.hificamsim.core.Texts;
 import org.hificamsim.placement.site.Demand.DemandPoint;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
@@ -33,20 +31,17 @@ public record BlindSpot(String zone, double area, double x, double y) {
 
   private static void addSpots(
       Demand demand, int[] counts, ZoneDemand zone, List<BlindSpot> spots) {
-    FieldCells cells = demand.cells();
-    Map<Integer, DemandPoint> pointByCell = new HashMap<>();
+    FieldCells cells = demand.cells(zone);
+    int[] pointsByCell = demand.pointsByCell(zone, cells);
     BitSet blindCells = new BitSet();
-    for (int number = zone.first(); number < zone.end(); number++) {
-      if (counts[number] == 0) {
-        DemandPoint point = demand.points().get(number);
-        int cell = cells.at(point.x(), point.y());
-        pointByCell.put(cell, point);
-        blindCells.set(cell);
-      }
+    for (int cell = 0; cell < pointsByCell.length; cell++) {
+      blindCells.set(cell, pointsByCell[cell] >= 0 && counts[pointsByCell[cell]] == 0);
     }
     while (!blindCells.isEmpty()) {
       List<DemandPoint> points =
-          removeFirstPart(blindCells, cells.columns()).stream().map(pointByCell::get).toList();
+          removeFirstPart(blindCells, cells.columns()).stream()
+              .map(cell -> demand.points().get(pointsByCell[cell]))
+              .toList();
       spots.add(
           new BlindSpot(
               zone.name(),

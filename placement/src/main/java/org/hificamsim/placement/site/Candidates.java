@@ -1,10 +1,15 @@
 package org.hificamsim.placement.site;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Point;
@@ -13,18 +18,26 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.OpticsLaw;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.placement.cover.CoverInstance;
 
 /**
  * The cameras that could be mounted, with the points of the demand that each covers: every kind at
  * every mount point in every heading and tilt and, by {@code CoverageReading.FIXED}, at every zoom
- * level. Cameras that cover nothing are left out.
+ * level. Cameras that cover nothing are left out, and those that others on the same mount point
+ * make superfluous: for no higher price these cover the same and more.
  *
  * @param list in the order of mount points
  * @param covered by candidate, the points that it covers, rising
+ * @param places the number of mount points from which cameras looked
  */
-public record Candidates(List<Candidate> list, int[][] covered) {
+public record Candidates(List<Candidate> list, int[][] covered, int places) {
   /** Degrees from one heading to the next. */
   static final int HEADING_STEP = 15;
+
+  /** The number of mount points from which cameras look in any case. */
+  private static final int MIN_PLACES = 8;
+
+  private static final double GOLDEN_RATIO = (Math.sqrt(5) - 1) / 2;
 
   /** Degrees below the horizon, on sites with heights. */
   private static final List<Double> TILTS = List.of(0.0, 15.0, 30.0);
@@ -56,30 +69,68 @@ public record Candidates(List<Candidate> list, int[][] covered) {
    */
   public record Options(List<Point> points, List<CameraKind> kinds) {}
 
+  /**
+   * How candidates are found.
+   *
+   * @param stop leaves out the mount points that are not yet reached, if a few were
+   * @param finished is told of each mount point whose candidates are known
+   */
+  public record Work(int threads, BooleanSupplier stop, Runnable finished) {}
+
   private record CoveringCandidate(Candidate candidate, int[] covered) {}
 
   /**
-   * Returns all candidates of a site.
-   *
-   * @param finished is told of each point whose candidates are known
+   * Returns the candidates of a site. If the work is stopped, the mount points that were reached
+   * lie all over the site.
    */
   public static Candidates of(
-      Options options, CoverageReading reading, PointSight sight, int threads, Runnable finished) {
+      Options options, CoverageReading reading, PointSight sight, Work work) {
+    int[] needs = sight.demand().needs();
+    AtomicInteger places = new AtomicInteger();
+    Function<Integer, List<CoveringCandidate>> look =
+        number -> {
+          if (places.get() >= MIN_PLACES && work.stop.getAsBoolean()) {
+            return List.of();
+          }
+          places.incrementAndGet();
+          List<CoveringCandidate> there =
+              at(options.points.get(number), options.kinds, reading, sight);
+          work.finished.run();
+          return undominated(there, needs);
+        };
+    List<Integer> order = spread(options.points.size());
+    List<List<CoveringCandidate>> found = Parallel.map(order, work.threads, look);
     List<CoveringCandidate> candidates =
-        Parallel.map(
-                options.points,
-                threads,
-                point -> {
-                  List<CoveringCandidate> there = at(point, options.kinds, reading, sight);
-                  finished.run();
-                  return there;
-                })
-            .stream()
-            .flatMap(List::stream)
+        IntStream.range(0, order.size())
+            .boxed()
+            .sorted(Comparator.comparing(order::get))
+            .flatMap(i -> found.get(i).stream())
             .toList();
     return new Candidates(
         candidates.stream().map(CoveringCandidate::candidate).toList(),
-        candidates.stream().map(CoveringCandidate::covered).toArray(int[][]::new));
+        candidates.stream().map(CoveringCandidate::covered).toArray(int[][]::new),
+        places.get());
+  }
+
+  /**
+   * The numbers from 0 in an order whose first ones are spread over all, whatever their count: by
+   * the fractional parts of multiples of the golden ratio.
+   */
+  private static List<Integer> spread(int count) {
+    return IntStream.range(0, count)
+        .boxed()
+        .sorted(Comparator.comparingDouble(number -> number * GOLDEN_RATIO % 1))
+        .toList();
+  }
+
+  private static List<CoveringCandidate> undominated(List<CoveringCandidate> there, int[] needs) {
+    CoverInstance instance =
+        new CoverInstance(
+            new double[needs.length],
+            needs,
+            there.stream().map(CoveringCandidate::covered).toArray(int[][]::new),
+            there.stream().mapToDouble(covering -> covering.candidate.kind.price()).toArray());
+    return Arrays.stream(instance.undominatedCandidates()).mapToObj(there::get).toList();
   }
 
   /** By candidate, its price. */
@@ -89,7 +140,7 @@ public record Candidates(List<Candidate> list, int[][] covered) {
 
   private static List<CoveringCandidate> at(
       Point point, List<CameraKind> kinds, CoverageReading reading, PointSight sight) {
-    List<Candidate> scouts = scouts(point, kinds, reading, sight.site());
+    List<Candidate> scouts = scouts(point, kinds, reading, sight.demand().site());
     int[][][] seen =
         sight.seenByView(
             IntStream.range(0, scouts.size())

@@ -3,6 +3,9 @@ package org.hificamsim.placement.site;
 import static org.hificamsim.core.NamedSetting.setting;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -14,7 +17,6 @@ import org.hificamsim.core.detection.NothingHidden;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.runs.cells.FieldCells;
@@ -24,13 +26,11 @@ import org.hificamsim.runs.cells.ZoneArea;
  * What is to be covered: the centres of the cells of each zone. A cell in two zones counts as two
  * points. (Files and the command line call these points samples.)
  *
+ * @param cells of each zone; empty where nobody asks for them
  * @param points in the order of zones
  */
 public record Demand(
-    Scenario site, FieldCells cells, List<ZoneDemand> zones, List<DemandPoint> points) {
-  private static final int DEFAULT_CELLS = 60;
-  private static final int MIN_POINTS = 100;
-
+    Scenario site, List<FieldCells> cells, List<ZoneDemand> zones, List<DemandPoint> points) {
   /**
    * A zone with what it demands.
    *
@@ -106,47 +106,38 @@ public record Demand(
   }
 
   /**
-   * The number of cells along the longer side of a field by which each zone has at least {@value
-   * #MIN_POINTS} points, if {@link FieldCells#MAX} cells are enough; {@value #DEFAULT_CELLS} or
-   * more.
-   */
-  public static int defaultCells(Scenario site) {
-    Field field = site.field();
-    double needed =
-        site.zones().stream()
-            .filter(zone -> zone.weight() > 0)
-            .map(zone -> zone.bounds(field))
-            .mapToDouble(bounds -> Math.sqrt(MIN_POINTS / (bounds.width() * bounds.height())))
-            .max()
-            .orElse(0);
-    double longerSide = Math.max(field.width(), field.height());
-    return (int) Math.max(DEFAULT_CELLS, Math.min(FieldCells.MAX, Math.ceil(longerSide * needed)));
-  }
-
-  /**
-   * Returns the demand of a scenario.
+   * Returns the demand of a scenario. A point weighs as much as the area of its cell: 1 if its zone
+   * has the weight 1 and the smallest cells of all zones.
    *
    * @param redundancy number of cameras that each point needs, in place of what the zones say
-   * @param visits number of targets in each cell over time, as weights; empty for equal weights
+   * @param visits number of targets in each cell over time, as weights; empty for equal weights.
+   *     All zones must have the same cells then
    * @throws InputException if nothing is to be covered
    */
   public static Demand of(
       Scenario site,
-      FieldCells cells,
+      Sampling sampling,
       Optional<Integer> redundancy,
       Detections detections,
       Optional<double[]> visits) {
-    boolean[] free = freeCells(site, cells);
+    Obstacles obstacles = new Obstacles(site.obstacles());
+    double leastArea = cellArea(sampling.finest(site));
     int usualK = site.objective() instanceof Objective.Covered covered ? covered.k() : 1;
     List<Zone> zones = Zone.ofSite(site.zones());
+    List<FieldCells> cellsOfZones = new ArrayList<>();
     List<ZoneDemand> zoneDemands = new ArrayList<>();
     List<DemandPoint> points = new ArrayList<>();
     for (Zone zone : zones) {
+      FieldCells cells = sampling.cells(zone, site.field());
+      cellsOfZones.add(cells);
       int first = points.size();
-      for (int cell = 0; cell < free.length && zone.weight() > 0; cell++) {
-        double weight = zone.weight() * (visits.isPresent() ? visits.get()[cell] : 1);
-        if (free[cell] && weight > 0 && zone.contains(cells.x(cell), cells.y(cell))) {
-          points.add(new DemandPoint(cells.x(cell), cells.y(cell), zoneDemands.size(), weight));
+      double zoneWeight = zone.weight() * (cellArea(cells) / leastArea);
+      for (int cell = 0; cell < cells.count() && zone.weight() > 0; cell++) {
+        double x = cells.x(cell);
+        double y = cells.y(cell);
+        double weight = zoneWeight * (visits.isPresent() ? visits.get()[cell] : 1);
+        if (weight > 0 && zone.contains(x, y) && obstacles.containing(x, y).isEmpty()) {
+          points.add(new DemandPoint(x, y, zoneDemands.size(), weight));
         }
       }
       Detection detection = detections.of(zone);
@@ -161,16 +152,48 @@ public record Demand(
     if (points.isEmpty()) {
       throw new InputException("nothing is to be seen, expected a zone with a weight above 0");
     }
-    return new Demand(site, cells, zoneDemands, points);
+    return new Demand(site, cellsOfZones, zoneDemands, points);
   }
 
-  private static boolean[] freeCells(Scenario site, FieldCells cells) {
-    Obstacles obstacles = new Obstacles(site.obstacles());
-    boolean[] free = new boolean[cells.count()];
-    for (int cell = 0; cell < free.length; cell++) {
-      free[cell] = obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty();
+  private static double cellArea(FieldCells cells) {
+    return cells.width() * cells.height();
+  }
+
+  /** The cells of a zone. */
+  FieldCells cells(ZoneDemand zone) {
+    return cells.get(zones.indexOf(zone));
+  }
+
+  /** The smallest cells of all zones. */
+  public FieldCells finestCells() {
+    return Collections.min(cells, Comparator.comparingDouble(FieldCells::width));
+  }
+
+  /** The width of the largest cells, metres. */
+  public double greatestCellWidth() {
+    return cells.stream().mapToDouble(FieldCells::width).max().orElseThrow();
+  }
+
+  /**
+   * By cell of a field, the number of the zone's point in whose cell its centre is; -1 if nothing
+   * is asked for there.
+   */
+  public int[] pointsByCell(ZoneDemand zone, FieldCells grid) {
+    FieldCells own = cells(zone);
+    int[] points = new int[own.count()];
+    Arrays.fill(points, -1);
+    for (int number = zone.first(); number < zone.end(); number++) {
+      points[own.at(this.points.get(number).x(), this.points.get(number).y())] = number;
     }
-    return free;
+    Zone place = place(zone);
+    int[] pointsOfGrid = new int[grid.count()];
+    Arrays.setAll(
+        pointsOfGrid,
+        cell ->
+            place.contains(grid.x(cell), grid.y(cell))
+                ? points[own.at(grid.x(cell), grid.y(cell))]
+                : -1);
+    return pointsOfGrid;
   }
 
   /** Returns the demand for the same points by another detection in all zones. */

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.data.CsvRow;
 
@@ -25,28 +25,19 @@ record LensSteps(List<Double> values, boolean isRange) {
   static LensSteps read(CsvRow row, String column, String unit, double least, double greatest) {
     String text = row.text(column).strip();
     boolean isRange = text.matches("[^-–]+[-–][^-–]+");
-    double[] values;
-    try {
-      values =
-          Arrays.stream(text.split(isRange ? "[-–]" : "[\\s/]+"))
-              .mapToDouble(Double::parseDouble)
-              .sorted()
-              .toArray();
-    } catch (NumberFormatException e) {
-      throw wrong(row, column, unit, least, greatest).because(e);
-    }
+    double[] values =
+        Arrays.stream(text.split(isRange ? "[-–]" : "[\\s/]+"))
+            .map(String::strip)
+            .mapToDouble(Fields::value)
+            .sorted()
+            .toArray();
     if (!Arrays.stream(values).allMatch(value -> value >= least && value <= greatest)) {
-      throw wrong(row, column, unit, least, greatest);
+      throw row.invalid(
+          column,
+          "%s from %s to %s: one, a range as 33-105, or steps as 30 60 90"
+              .formatted(unit, least, greatest));
     }
     return new LensSteps(Arrays.stream(values).distinct().boxed().toList(), isRange);
-  }
-
-  private static InputException wrong(
-      CsvRow row, String column, String unit, double least, double greatest) {
-    return row.invalid(
-        column,
-        "%s from %s to %s: one, a range as 33-105, or steps as 30 60 90"
-            .formatted(unit, least, greatest));
   }
 
   /** Returns the angles of view of focal lengths on a sensor of this width, both in millimetres. */

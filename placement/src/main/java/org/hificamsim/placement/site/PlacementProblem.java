@@ -6,19 +6,19 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.placement.cover.CheaperPlan;
 import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.cover.CoverSearch;
+import org.hificamsim.placement.cover.CurveBounds;
 import org.hificamsim.placement.cover.Effort;
 import org.hificamsim.placement.cover.Goal;
-import org.hificamsim.placement.cover.LagrangianBound;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.SitePlan.Shares;
@@ -35,9 +35,6 @@ public record PlacementProblem(
     PointSight sight,
     CoverInstance instance,
     int[] keptCounts) {
-
-  /** The parts that a plan's multipliers have in those that bound the shares of lower prices. */
-  private static final List<Double> PARTS_OF_PLAN = List.of(0.0, 0.25, 0.5, 0.75, 1.0);
 
   /**
    * What is asked for.
@@ -60,18 +57,22 @@ public record PlacementProblem(
    */
   public record SiteGoal(Goal goal, boolean byNumber) {}
 
+  /** Is told how the search for a plan goes on. */
+  @FunctionalInterface
+  public interface Watcher extends CoverSearch.Watcher {
+    /** Receives the next part of the work, as "searches" with its object. */
+    default void begins(String part) {}
+  }
+
   /**
    * Returns the problem of a site.
    *
-   * @param finished is told of each point whose candidates are known
    * @throws InputException if a zone is seen from no point, or the budget pays no camera
    */
-  public static PlacementProblem of(
-      Request request, Catalogue catalogue, int threads, Runnable finished) {
+  public static PlacementProblem of(Request request, Catalogue catalogue, Candidates.Work looking) {
     requireAffordable(request);
     PointSight sight = new PointSight(request.demand, catalogue);
-    Candidates candidates =
-        Candidates.of(request.options, request.reading, sight, threads, finished);
+    Candidates candidates = Candidates.of(request.options, request.reading, sight, looking);
     double[] prices = candidates.prices();
     if (request.goal.byNumber) {
       Arrays.fill(prices, 1);
@@ -85,16 +86,34 @@ public record PlacementProblem(
     int[] possibleNeeds = instance.coverable().needs();
     for (ZoneDemand zone : request.demand.zones()) {
       if (zone.count() > 0 && !problem.isCoverable(zone, possibleNeeds)) {
-        throw InputException.of(
-            "zone '%s' is seen from none of %s places: %s; expected other %s,"
-                + " lenses or demands",
-            zone.name(),
-            request.options.points().size(),
-            problem.reasonUnseen(zone, catalogue, threads),
-            setting("candidates"));
+        throw problem.unseen(zone, catalogue, looking.threads());
       }
     }
     return problem;
+  }
+
+  private InputException unseen(ZoneDemand zone, Catalogue catalogue, int threads) {
+    if (isCutShort()) {
+      return InputException.of(
+          "zone '%s' is seen from none of the %s places from which cameras could look in this"
+              + " time, of %s; expected more %s, or fewer %s",
+          zone.name(),
+          candidates.places(),
+          request.options.points().size(),
+          setting("time"),
+          setting("candidates"));
+    }
+    return InputException.of(
+        "zone '%s' is seen from none of %s places: %s; expected other %s, lenses or demands",
+        zone.name(),
+        candidates.places(),
+        reasonUnseen(zone, catalogue, threads),
+        setting("candidates"));
+  }
+
+  /** Whether the time ended before cameras looked from all mount points. */
+  boolean isCutShort() {
+    return candidates.places() < request.options.points().size();
   }
 
   private static void requireAffordable(Request request) {
@@ -139,10 +158,14 @@ public record PlacementProblem(
 
   /** Whether any candidate sees the zone on a changed site. */
   private boolean isSeen(ZoneDemand zone, Scenario site, Catalogue catalogue, int threads) {
-    Demand changed = new Demand(site, demand().cells(), demand().zones(), demand().points());
+    Demand changed = new Demand(site, List.of(), demand().zones(), demand().points());
     PointSight changedSight = new PointSight(changed, catalogue);
     Candidates changedCandidates =
-        Candidates.of(request.options, request.reading, changedSight, threads, () -> {});
+        Candidates.of(
+            request.options,
+            request.reading,
+            changedSight,
+            new Candidates.Work(threads, () -> false, () -> {}));
     return Arrays.stream(changedCandidates.covered())
         .flatMapToInt(Arrays::stream)
         .anyMatch(point -> point >= zone.first() && point < zone.end());
@@ -184,30 +207,21 @@ public record PlacementProblem(
   }
 
   /**
-   * Returns a bound on the share that candidates can meet, as a function of the budget. Any
-   * multipliers prove one: those of a plan are tight at its own price, the unit worths at low
-   * prices, and means of both in between. Those of full cover are prices and not worths, so that
-   * the unit worths alone count there.
+   * Returns bounds on the shares that candidates can meet for some prices.
+   *
+   * @param searched the candidates that are not dominated
+   * @param prices rising
+   * @param shares that are met for these prices, rising
    */
-  DoubleUnaryOperator shareBound(CoverPlan plan) {
-    CoverInstance undominated = instance.remaining(keptCounts).undominated();
-    double[] worths = undominated.unitWorths();
-    double[] ofPlan = goal().isFullCover() ? worths : plan.multiplierBound().multipliers();
-    List<double[]> multipliers =
-        PARTS_OF_PLAN.stream().map(part -> mean(ofPlan, worths, part)).toList();
-    return budget -> {
-      double worth =
-          multipliers.stream()
-              .mapToDouble(proof -> LagrangianBound.value(undominated, new Goal(budget), proof))
-              .min()
-              .orElseThrow();
-      return Math.min(1, (keptWorth() + worth) / instance.totalWorth());
-    };
-  }
-
-  private static double[] mean(double[] values, double[] others, double part) {
-    return IntStream.range(0, values.length)
-        .mapToDouble(i -> part * values[i] + (1 - part) * others[i])
+  double[] shareBounds(CoverPlan plan, CoverInstance searched, double[] prices, double[] shares) {
+    double[] worths =
+        Arrays.stream(shares).map(share -> share * instance.totalWorth() - keptWorth()).toArray();
+    // the multipliers of full cover are prices
+    double[] multipliers =
+        goal().isFullCover() ? searched.unitWorths() : plan.multiplierBound().multipliers();
+    double[] bounds = new CurveBounds(searched, multipliers).bounds(prices, worths);
+    return Arrays.stream(bounds)
+        .map(worth -> Math.min(1, (keptWorth() + worth) / instance.totalWorth()))
         .toArray();
   }
 
@@ -215,15 +229,22 @@ public record PlacementProblem(
    * Searches for a plan, whose cameras may then be refined. Bounds are on plans of candidates; a
    * refined plan may exceed them.
    */
-  public SitePlan solve(
-      Effort effort, CoverSearch.Watcher watcher, Optional<Refinement> refinement) {
+  public SitePlan solve(Effort effort, Watcher watcher, Optional<Refinement> refinement) {
     CoverInstance remaining = remaining();
+    int[] numbers = remaining.undominatedCandidates();
+    CoverInstance searched = remaining.with(numbers);
+    watcher.begins(
+        Texts.format(
+            "searches among %d candidates that others do not make superfluous, of %d",
+            numbers.length, remaining.candidates()));
     CoverPlan found =
-        CoverSearch.solve(
-            remaining,
-            goal(),
-            effort,
-            (score, bound) -> watcher.improved(shownScore(score), shownScore(bound)));
+        CoverSearch.solveUndominated(
+                searched,
+                goal(),
+                effort,
+                (score, bound) -> watcher.improved(shownScore(score), shownScore(bound)))
+            .withNumbers(numbers);
+    watcher.begins("searches a plan that costs less");
     CoverPlan plan = goal().isFullCover() ? found : cheaper(found, remaining, effort);
     List<Candidate> chosen = Arrays.stream(plan.chosen()).mapToObj(candidates.list()::get).toList();
     List<Candidate> refined =
@@ -235,8 +256,9 @@ public record PlacementProblem(
             refinement.isPresent() ? Optional.of(share(unrefinedCounts)) : Optional.empty(),
             goal().isFullCover() ? coverableShare() : Math.min(1, shownScore(plan.bound())),
             shareOfSite());
+    watcher.begins("measures what the plan meets");
     PlanCover cover = PlanCover.of(demand(), sight, plannedCameras(refined), request.reading);
-    return new SitePlan(this, cover, plan, shares);
+    return new SitePlan(this, searched, cover, plan, shares);
   }
 
   /** Returns a plan that meets as much as another one for the lowest price that is found. */

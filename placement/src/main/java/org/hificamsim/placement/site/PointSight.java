@@ -58,9 +58,9 @@ public final class PointSight {
     }
   }
 
-  /** The scenario of the site. */
-  Scenario site() {
-    return demand.site();
+  /** What is to be seen. */
+  Demand demand() {
+    return demand;
   }
 
   /** Returns a network of these cameras in the views in which they start, without targets. */

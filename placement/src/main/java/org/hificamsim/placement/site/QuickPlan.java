@@ -3,8 +3,10 @@ package org.hificamsim.placement.site;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
@@ -23,7 +25,8 @@ record QuickPlan(Catalogue catalogue, Demand demand, List<Point> points, Planner
   /** The number of rounds without a better plan after which the search ends. */
   private static final int ROUNDS = 20;
 
-  private static final long MAX_SEARCH_SECONDS = 30;
+  private static final double MAX_LOOKING_SECONDS = 30;
+  private static final double MAX_SEARCH_SECONDS = 30;
 
   /** The share of the work that is done when all candidates are known. */
   private static final double SHARE_OF_CANDIDATES = 0.6;
@@ -48,29 +51,32 @@ record QuickPlan(Catalogue catalogue, Demand demand, List<Point> points, Planner
     int threads = Runtime.getRuntime().availableProcessors();
     PlacementProblem problem =
         PlacementProblem.of(
-            asked, catalogue, threads, () -> lookedFrom(looked.incrementAndGet(), watcher));
-    long end = System.nanoTime() + MAX_SEARCH_SECONDS * 1_000_000_000;
+            asked,
+            catalogue,
+            new Candidates.Work(
+                threads,
+                isOver(MAX_LOOKING_SECONDS),
+                () -> lookedFrom(looked.incrementAndGet(), watcher)));
+    BooleanSupplier searched = isOver(MAX_SEARCH_SECONDS);
     Effort effort =
-        Effort.searchOnly(0, ROUNDS, () -> watcher.isStopped() || System.nanoTime() > end);
+        Effort.searchOnly(0, ROUNDS, () -> watcher.isStopped() || searched.getAsBoolean());
     SitePlan plan =
         problem.solve(effort, (score, bound) -> improved(score, bound, watcher), Optional.empty());
     return new Planner.Plan(plan.cameras(), String.join("; ", plan.facts()));
   }
 
-  private Goal goal() {
-    return switch (request.goal()) {
-      case CAMERAS -> new Goal((int) checked("cameras", 1, MAX_CAMERAS));
-      case BUDGET -> new Goal(checked("budget", 1, 1e9));
-      case COVER -> Goal.FULL_COVER;
-    };
+  /** Returns whether seconds have passed since the call. */
+  private static BooleanSupplier isOver(double seconds) {
+    long end = System.nanoTime() + (long) (seconds * 1e9);
+    return () -> System.nanoTime() > end;
   }
 
-  private double checked(String name, double least, double most) {
-    if (!(request.amount() >= least && request.amount() <= most)) {
-      throw InputException.of(
-          "%s is %s, expected a number from %s to %s", name, request.amount(), least, most);
-    }
-    return request.amount();
+  private Goal goal() {
+    return switch (request.goal()) {
+      case CAMERAS -> new Goal((int) Ranges.within("cameras", request.amount(), 1, MAX_CAMERAS));
+      case BUDGET -> new Goal(Ranges.within("budget", request.amount(), 1, 1e9));
+      case COVER -> Goal.FULL_COVER;
+    };
   }
 
   private void lookedFrom(int places, Planner.Watcher watcher) {

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
@@ -13,6 +12,7 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.placement.cover.CoverInstance;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand.DemandPoint;
@@ -21,11 +21,17 @@ import org.hificamsim.runs.cells.UsualTarget;
 /**
  * Cameras for a site, and how good they are.
  *
+ * @param searched what new cameras have to cover, and the candidates that others do not make
+ *     superfluous
  * @param cover what the cameras that stay, then the new ones, cover
  * @param coverPlan what the search found: candidates of {@code problem}, before any refinement
  */
 public record SitePlan(
-    PlacementProblem problem, PlanCover cover, CoverPlan coverPlan, Shares shares) {
+    PlacementProblem problem,
+    CoverInstance searched,
+    PlanCover cover,
+    CoverPlan coverPlan,
+    Shares shares) {
   /** A smaller gap is 0 as it is shown. */
   private static final double LEAST_SHOWN_GAP = 0.00005;
 
@@ -78,6 +84,12 @@ public record SitePlan(
     }
     if (coverPlan.isProven()) {
       facts.add("proven: no plan of these candidates is better");
+    }
+    if (problem.isCutShort()) {
+      facts.add(
+          Texts.format(
+              "in this time cameras looked from %d of %d places, all over the site",
+              problem.candidates().places(), problem.request().options().points().size()));
     }
     facts.add(
         Texts.format(
@@ -138,11 +150,11 @@ public record SitePlan(
     int kept = problem.kept().size();
     int[] counts = problem.keptCounts().clone();
     List<Integer> rest = new ArrayList<>(IntStream.range(kept, cameras().size()).boxed().toList());
-    List<CurvePoint> curve = new ArrayList<>();
-    DoubleUnaryOperator boundAtPrice = problem.shareBound(coverPlan);
+    double[] prices = new double[rest.size()];
+    double[] met = new double[rest.size()];
+    double keptShare = cover.share(counts);
     double price = 0;
-    curve.add(new CurvePoint(0, 0, cover.share(counts), cover.share(counts)));
-    while (!rest.isEmpty()) {
+    for (int number = 0; number < prices.length; number++) {
       Integer next = rest.get(0);
       for (Integer camera : rest) {
         next = worthWith(counts, camera) > worthWith(counts, next) ? camera : next;
@@ -150,13 +162,27 @@ public record SitePlan(
       rest.remove(next);
       count(counts, next);
       price += problem.countedPrice(cameras().get(next).price());
-      boolean isWholePlan = rest.isEmpty() && !problem.goal().isFullCover();
-      double bound = isWholePlan ? shares.bound : boundAtPrice.applyAsDouble(price);
-      double leastBound = shares.unrefined.isPresent() ? 0 : cover.share(counts);
-      int number = cameras().size() - kept - rest.size();
-      curve.add(new CurvePoint(number, price, cover.share(counts), Math.max(leastBound, bound)));
+      prices[number] = price;
+      met[number] = cover.share(counts);
+    }
+    double[] bounds = bounds(prices, met);
+    List<CurvePoint> curve = new ArrayList<>();
+    curve.add(new CurvePoint(0, 0, keptShare, keptShare));
+    for (int number = 0; number < prices.length; number++) {
+      curve.add(new CurvePoint(number + 1, prices[number], met[number], bounds[number]));
     }
     return curve;
+  }
+
+  private double[] bounds(double[] prices, double[] met) {
+    double[] bounds = problem.shareBounds(coverPlan, searched, prices, met);
+    for (int number = 0; number < bounds.length; number++) {
+      boolean isWholePlan = number == bounds.length - 1 && !problem.goal().isFullCover();
+      double bound = isWholePlan ? shares.bound : Math.min(shares.bound, bounds[number]);
+      double leastBound = shares.unrefined.isPresent() ? 0 : met[number]; // but for rounding
+      bounds[number] = Math.max(leastBound, bound);
+    }
+    return bounds;
   }
 
   private void count(int[] counts, int camera) {

@@ -26,16 +26,22 @@ import org.hificamsim.runs.cells.ZoneArea;
  * it is in any view of a camera that turns.
  *
  * @param detections finds the detection that a zone names
+ * @param prices the cameras that can be bought
  */
-public record SitePlanner(Catalogue catalogue, Function<String, Detection> detections)
+public record SitePlanner(
+    Catalogue catalogue, Function<String, Detection> detections, PriceList prices)
     implements Planner {
-  /** The number of cells, and of mount points, along the longer side of the field. */
+  /** The number of mount points, and the least one of cells, along the field's longer side. */
   private static final int PARTS = 30;
+
+  private static final Sampling SAMPLING = new Sampling(PARTS, FieldCells.MAX);
 
   /** Degrees below the horizon, of cameras that are mounted by hand on sites with heights. */
   private static final double USUAL_TILT = 15;
 
   private static final long MAX_NANOSECONDS = 1_500_000_000;
+
+  private static final Candidates.Work ONE_PLACE = new Candidates.Work(1, () -> false, () -> {});
 
   @Override
   public List<Share> shares(Scenario site, Detection detection) {
@@ -50,9 +56,8 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
   }
 
   private Demand demand(Scenario site, Detection detection) {
-    FieldCells cells = FieldCells.of(site.field(), PARTS);
     Demand.Detections siteDetections = new Demand.Detections(detection, detections);
-    return Demand.of(site, cells, Optional.empty(), siteDetections, Optional.empty());
+    return Demand.of(site, SAMPLING, Optional.empty(), siteDetections, Optional.empty());
   }
 
   private static int[] counts(PointSight sight, Demand demand, List<CameraSpec> cameras) {
@@ -86,7 +91,7 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
         break;
       }
       Candidates.Options options = new Candidates.Options(List.of(point), kinds);
-      Candidates candidates = Candidates.of(options, CoverageReading.ANY, sight, 1, () -> {});
+      Candidates candidates = Candidates.of(options, CoverageReading.ANY, sight, ONE_PLACE);
       for (int i = 0; i < candidates.list().size(); i++) {
         double gain = instance.gain(counts, candidates.covered()[i]);
         if (gain > greatestGain + 1e-9) {
@@ -101,21 +106,21 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
     return moved.isPresent() ? onMount(moved.get(), best) : best.camera("suggested");
   }
 
-  /** Returns the kind of the moved camera, or those of the site; generic ones if it has none. */
-  private static List<CameraKind> kinds(Scenario site, Optional<CameraSpec> moved) {
+  /** Returns the kind of the moved camera, or those of the site; else all that can be bought. */
+  private List<CameraKind> kinds(Scenario site, Optional<CameraSpec> moved) {
     return moved.isEmpty() && site.everyCamera().findAny().isEmpty()
-        ? PriceList.generic().kinds()
+        ? prices.kinds()
         : CameraKind.of(site.name(), moved.isPresent() ? moved.stream() : site.everyCamera());
   }
 
   @Override
   public List<String> kinds() {
-    return PriceList.generic().names();
+    return prices.names();
   }
 
   @Override
   public CameraSpec mounted(Mount asked, Scenario site) {
-    CameraKind kind = PriceList.generic().kind(asked.kind());
+    CameraKind kind = prices.kind(asked.kind());
     double tilt = site.hasHeights() ? USUAL_TILT : 0;
     Point position = new Point(asked.x(), asked.y());
     Mounting mount = new Mounting(position, Mounting.newHeightOn(site), tilt, asked.heading());
@@ -128,7 +133,7 @@ public record SitePlanner(Catalogue catalogue, Function<String, Detection> detec
   public Plan plan(Scenario site, Detection detection, Request request, Watcher watcher) {
     List<Point> points = mountPoints(site);
     return new QuickPlan(catalogue, demand(site, detection), points, request)
-        .find(PriceList.generic().kinds(), watcher);
+        .find(prices.kinds(), watcher);
   }
 
   /** The mount points in random order: if the time is short, those tried lie all over the site. */

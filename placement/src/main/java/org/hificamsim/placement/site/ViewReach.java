@@ -42,7 +42,7 @@ public record ViewReach(double near, double far) {
       ZoneDemand zone = new ZoneDemand("axis", detection, 1, 0, SAMPLES);
       List<DemandPoint> points = IntStream.range(0, SAMPLES).mapToObj(this::point).toList();
       PointSight sight =
-          new PointSight(new Demand(empty, demand.cells(), List.of(zone), points), catalogue);
+          new PointSight(new Demand(empty, List.of(), List.of(zone), points), catalogue);
       int[] seen = sight.covered(List.of(camera), CoverageReading.FIXED)[0];
       return seen.length == 0
           ? new ViewReach(0, 0)

@@ -71,7 +71,7 @@ class EnumerationTest {
         (part, goal, start, bound, stop) -> {
           throw new AssertionError();
         };
-    Effort.Limits noLimits = new Effort.Limits(() -> false, () -> false, () -> false);
+    Effort.Limits noLimits = new Effort.Limits(() -> false, () -> false, () -> false, () -> false);
     Effort effort = new Effort(1, 5, Optional.of(unused), noLimits);
     CoverPlan plan = CoverSearch.solve(instance, new Goal(4), effort, (score, bound) -> {});
     assertTrue(plan.isProven() && plan.multiplierBound().value() > 1.03 * plan.score());

@@ -11,7 +11,6 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.runs.cells.FieldCells;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -45,7 +44,7 @@ class ViewReachTest {
     Demand demand =
         Demand.of(
             site,
-            FieldCells.of(site.field(), 10),
+            Sampling.equal(10),
             Optional.empty(),
             new Demand.Detections(asked, name -> asked),
             Optional.empty());

@@ -23,6 +23,7 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.RunFolder;
 import org.hificamsim.runs.output.StepRow;
 
 /** Makes the page of a recorded run from its folder. */
@@ -53,6 +54,7 @@ final class RunReport {
     if (HeatTable.TABLE.isIn(folder)) {
       data.set("heat", JSON.readTree(ReplayJson.of(report.heat())));
     }
+    data.set("zones", report.summary.path(RunFolder.ZONES));
     data.set("summary", report.figures());
     data.set("names", MetricNames.json());
     data.set("objective", JSON.valueToTree(report.objective()));
@@ -138,7 +140,7 @@ final class RunReport {
     ObjectNode figures = JSON.createObjectNode();
     ObjectNode settings = figures.putObject("settings");
     settings.setAll((ObjectNode) summary);
-    settings.remove(List.of("runs", "interval_95", "score_words", "score_unit"));
+    settings.remove(List.of("runs", RunFolder.ZONES, "interval_95", "score_words", "score_unit"));
     figures.put("repeat", replay.repeat());
     ObjectNode metrics = figures.putObject("metrics");
     for (Metric metric : Metric.ofRuns()) {

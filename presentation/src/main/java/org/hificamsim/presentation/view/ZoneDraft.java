@@ -2,6 +2,7 @@ package org.hificamsim.presentation.view;
 
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Ranges;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.spec.Zone;
 
@@ -18,6 +19,7 @@ record ZoneDraft(String name, String detection, int k, Double facing, Double max
   private static final int MAX_K = 100;
   private static final double FULL_TURN = 360;
   private static final double RIGHT_ANGLE = 90;
+  private static final double LEAST_DEPRESSION = 0.1;
 
   /**
    * Returns the zone between two opposite corners.
@@ -25,12 +27,12 @@ record ZoneDraft(String name, String detection, int k, Double facing, Double max
    * @throws InputException if it has no area, or asks for what makes no sense
    */
   Zone between(Point corner, Point opposite) {
-    check("k", k, 1, MAX_K);
+    Ranges.within("k", k, 1, MAX_K);
     if (facing != null) {
-      check("facing", facing, -FULL_TURN, FULL_TURN);
+      Ranges.within("facing", facing, -FULL_TURN, FULL_TURN);
     }
     if (maxDepression != null) {
-      check("max_depression", maxDepression, Double.MIN_VALUE, RIGHT_ANGLE);
+      Ranges.within("max_depression", maxDepression, LEAST_DEPRESSION, RIGHT_ANGLE);
     }
     if (corner.x() == opposite.x() || corner.y() == opposite.y()) {
       throw new InputException("the zone has no area, expected two opposite corners");
@@ -45,12 +47,5 @@ record ZoneDraft(String name, String detection, int k, Double facing, Double max
         facing,
         null,
         maxDepression);
-  }
-
-  private static void check(String name, double value, double least, double most) {
-    if (!(value >= least && value <= most)) {
-      throw InputException.of(
-          "%s is %s, expected a number from %s to %s", name, value, least, most);
-    }
   }
 }

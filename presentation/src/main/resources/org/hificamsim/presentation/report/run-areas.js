@@ -33,17 +33,24 @@ export function blindSpotCard(heat, spots, show) {
 }
 
 /**
- * The zones, what each demands, and how it was covered. The share by as many cameras as a zone
- * demands is bold.
+ * The zones, what each demands, and how much of that is met; with a heat map also how each zone was
+ * covered, `shares`.
+ *
+ * @param zones of the setup
+ * @param met by name of a zone, the share that is seen as the zone asks
+ * @param shares of a heat map, or nothing
  */
-export function zoneCard(shares, detection) {
-  const others = shares.some(({zone}) => zone.detection !== detection);
-  const cell = (share, bold) =>
-    el('td', {}, Number.isNaN(share) ? '–' : bold ? el('b', {}, percent(share)) : percent(share));
+export function zoneCard(zones, met, shares, detection) {
+  const cell = share => el('td', {}, Number.isNaN(share) ? '–' : percent(share));
   const card = table(
     'Zones',
-    ['zone', 'asks for', 'by one or more cameras', 'by two or more', 'never'],
-    shares.map(({zone, covered, twice, never}) =>
+    [
+      'zone',
+      'asks for',
+      'met',
+      ...(shares ? ['by one or more cameras', 'by two or more', 'never'] : []),
+    ],
+    zones.map((zone, i) =>
       row(
         zone.name,
         zone.name,
@@ -55,26 +62,20 @@ export function zoneCard(shares, detection) {
           tipped(spelled(zone.detection), zone.detection),
           zone.faces ? ', of faces' : null,
         ),
-        cell(covered, zone.k === 1 && !zone.faces),
-        cell(twice, zone.k === 2 && !zone.faces),
-        cell(never),
+        el('td', {}, el('b', {}, zone.name in met ? percent(met[zone.name]) : '–')),
+        ...(shares ? [shares[i].covered, shares[i].twice, shares[i].never].map(cell) : []),
       ),
     ),
   );
   card.className = 'card zones';
-  card.append(
-    el(
-      'p',
-      {class: 'note'},
-      'Shares of the zone’s area, in the mean of the steps',
-      others
-        ? `, all by the run’s ${spelled(detection)}: ` +
-            'place --verify has them by what each zone asks for.'
-        : '.',
-      shares.some(({zone}) => zone.faces)
-        ? ' From where faces are seen counts in zones_met, place --evaluate and view, not here.'
-        : '',
-    ),
-  );
+  card.append(el('p', {class: 'note'}, noteOn(zones, shares, detection)));
   return card;
 }
+
+const noteOn = (zones, shares, detection) =>
+  'Met: the share of the zone’s area that is seen as the zone asks, in the mean of the steps, as ' +
+  'place and view count it.' +
+  (shares
+    ? ` The others are by the run’s ${spelled(detection)} in the cells of the heat map` +
+      (zones.some(({faces}) => faces) ? ', from wherever cameras look.' : '.')
+    : '');

@@ -34,10 +34,15 @@ export async function runPage(root, data) {
     player.element.scrollIntoView({block: 'nearest'});
   };
   const blind = heat && blindSpotCard(heat, blindSpots(heat, setup.field), showSpot);
+  const met = Object.fromEntries((data.zones || []).map(zone => [zone.name, zone.met]));
   const zones =
-    heat &&
     setup.zones?.length &&
-    zoneCard(zoneShares(heat, setup.field, setup.zones), setup.detection);
+    zoneCard(
+      setup.zones,
+      met,
+      heat && zoneShares(heat, setup.field, setup.zones),
+      setup.detection,
+    );
   const {wholeRun, settings, made} = details(data);
   const tables = el('section', {class: 'details'}, wholeRun, settings, made);
   const readers = new Readers({

@@ -13,15 +13,17 @@ import org.hificamsim.core.visibility.Body;
 
 /**
  * The area of a zone, and the share of it that cameras see as the zone demands. All commands
- * measure zones in this way: on a raster of 0.1 m, or of {@value #MAX_CELLS} cells for a larger
- * zone. Cells whose centre is in an obstacle do not count; a cell that fewer than k cameras see
- * counts in part.
+ * measure zones in this way, on a raster of about {@value #CELLS} cells, whatever the size of the
+ * zone: wide cells would count up to half a row of cells along each edge of a small zone wrong. The
+ * cells of a zone up to 100 square metres are 0.1 m wide or a whole part of that, so that edges of
+ * obstacles at tenths of metres are edges of cells if the zone begins at tenths. Cells whose centre
+ * is in an obstacle do not count; a cell that fewer than k cameras see counts in part.
  */
 public final class ZoneArea {
-  /** The width of a raster's cell, metres. */
-  private static final double EDGE = 0.1;
-
-  private static final int MAX_CELLS = 10_000;
+  private static final int CELLS = 10_000;
+  private static final double TENTH = 0.1;
+  private static final double MIN_EDGE = 0.001;
+  private static final double ROUNDING = 1e-9;
 
   private final Zone zone;
   private final int[] freeCells;
@@ -73,12 +75,13 @@ public final class ZoneArea {
   }
 
   private static FieldCells raster(Field bounds) {
-    double edge = Math.max(EDGE, Math.sqrt(bounds.width() * bounds.height() / MAX_CELLS));
+    double exact = Math.max(MIN_EDGE, Math.sqrt(bounds.width() * bounds.height() / CELLS));
+    double edge = exact < TENTH ? TENTH / Math.ceil(TENTH / exact - ROUNDING) : exact;
     return new FieldCells(bounds, parts(bounds.width(), edge), parts(bounds.height(), edge));
   }
 
   private static int parts(double side, double edge) {
-    return Math.max(1, (int) Math.ceil(side / edge));
+    return Math.max(1, (int) Math.ceil(side / edge - ROUNDING));
   }
 
   /** Whether the zone has no free cell. */

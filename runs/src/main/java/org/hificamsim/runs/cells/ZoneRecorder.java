@@ -1,12 +1,15 @@
 package org.hificamsim.runs.cells;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.Zone;
 
 /**
  * Measures which share of a scenario's zones is seen as the zones demand, as the mean over the
@@ -23,9 +26,8 @@ public final class ZoneRecorder implements StepListener {
     zones =
         site.zones().stream()
             .filter(zone -> zone.weight() > 0)
-            .map(zone -> ZoneArea.of(site, zone, usual, detections))
-            .filter(area -> !area.isEmpty())
-            .map(WatchedZone::new)
+            .map(zone -> new WatchedZone(zone, ZoneArea.of(site, zone, usual, detections)))
+            .filter(zone -> !zone.area.isEmpty())
             .toList();
   }
 
@@ -50,13 +52,22 @@ public final class ZoneRecorder implements StepListener {
     return zones.stream().mapToDouble(WatchedZone::met).min().orElse(Double.NaN);
   }
 
+  /** By name of a zone, the share of it. */
+  public Map<String, Double> shares() {
+    Map<String, Double> shares = new LinkedHashMap<>();
+    zones.forEach(zone -> shares.put(zone.name, zone.met()));
+    return shares;
+  }
+
   /** A zone with the sum of its shares over the steps. */
   private static final class WatchedZone {
+    private final String name;
     private final ZoneArea area;
     private double sumOfShares;
     private long steps;
 
-    WatchedZone(ZoneArea area) {
+    WatchedZone(Zone zone, ZoneArea area) {
+      this.name = zone.name();
       this.area = area;
     }
 

@@ -6,6 +6,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
@@ -30,6 +31,9 @@ public final class RunFolder implements Closeable {
                   ResultFolder.REPLAY,
                   ResultFolder.REPORT))
           .toList();
+
+  /** The key in {@code summary.json} of the shares of zones that are seen as they ask. */
+  public static final String ZONES = "zones";
 
   /** Files that every run writes; whether they may be replaced is checked before the run. */
   private static final List<String> REQUIRED = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
@@ -109,6 +113,11 @@ public final class RunFolder implements Closeable {
         Estimate estimate = RunResult.mean(plan, results, metric);
         intervals.putArray(metric.label()).add(estimate.low()).add(estimate.high());
       }
+    }
+    Map<String, Double> zones = RunResult.zoneShares(results);
+    if (!zones.isEmpty()) {
+      ArrayNode shares = json.putArray(ZONES);
+      zones.forEach((name, met) -> shares.addObject().put("name", name).put("met", met));
     }
     ArrayNode runs = json.putArray("runs");
     for (RunResult result : results) {
