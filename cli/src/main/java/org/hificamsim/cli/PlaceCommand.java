@@ -68,12 +68,12 @@ final class PlaceCommand implements Callable<Integer> {
   private static final double SHARE_OF_LOOKING = 0.5;
 
   /** The share of the time after which the plan is found, without what costs less or is refined. */
-  private static final double SHARE_OF_PLAN = 0.8;
+  private static final double SHARE_OF_PLAN = 0.75;
 
-  private static final double SHARE_BEFORE_REFINEMENT = 0.7;
+  private static final double SHARE_BEFORE_REFINEMENT = 0.65;
 
   /** The share of the time after which the rest is for what is measured, drawn and written. */
-  private static final double SHARE_OF_ALL = 0.9;
+  private static final double SHARE_OF_ALL = 0.85;
 
   /**
    * The shares of the search's time after which an exact method begins, and uses all candidates.

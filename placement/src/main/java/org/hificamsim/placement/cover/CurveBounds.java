@@ -7,10 +7,14 @@ import java.util.stream.IntStream;
 /**
  * Bounds on the worth of plans, by their price. Each is a {@link LagrangianBound} of its own whose
  * budget is the price. It begins with multipliers between those of the next dearer plan and the
- * unit worths, which are good for low prices, and is improved by a few steps.
+ * unit worths, which are good for low prices, and is improved by subgradient steps.
  */
 public final class CurveBounds {
-  private static final int STEPS = 60;
+  /** The number of steps for all bounds together, and for each. */
+  private static final int STEPS = 1000;
+
+  private static final int MAX_STEPS = 300;
+  private static final int MIN_STEPS = 20;
 
   /** The parts of the next dearer plan's multipliers in those that a bound may begin with. */
   private static final List<Double> PARTS = List.of(0.0, 0.25, 0.5, 0.75, 1.0);
@@ -38,21 +42,22 @@ public final class CurveBounds {
   public double[] bounds(double[] prices, double[] worths) {
     double[] bounds = new double[prices.length];
     double dearer = Double.POSITIVE_INFINITY;
+    int steps = Math.max(MIN_STEPS, Math.min(MAX_STEPS, STEPS / Math.max(1, prices.length)));
     for (int plan = prices.length - 1; plan >= 0; plan--) {
-      dearer = Math.min(dearer, bound(new Goal(prices[plan]), worths[plan]));
+      dearer = Math.min(dearer, bound(new Goal(prices[plan]), worths[plan], steps));
       bounds[plan] = dearer;
     }
     return bounds;
   }
 
-  private double bound(Goal goal, double worth) {
+  private double bound(Goal goal, double worth, int steps) {
     LagrangianBound bound =
         PARTS.stream()
             .map(this::mixed)
             .map(start -> new LagrangianBound(instance, goal, start))
             .min(Comparator.comparingDouble(LagrangianBound::bound))
             .orElseThrow();
-    bound.improve(STEPS, worth, () -> false);
+    bound.improve(steps, worth, () -> false);
     multipliers = bound.bestMultipliers();
     return bound.bound();
   }

@@ -37,12 +37,7 @@ export async function runPage(root, data) {
   const met = Object.fromEntries((data.zones || []).map(zone => [zone.name, zone.met]));
   const zones =
     setup.zones?.length &&
-    zoneCard(
-      setup.zones,
-      met,
-      heat && zoneShares(heat, setup.field, setup.zones),
-      setup.detection,
-    );
+    zoneCard(setup.zones, met, heat && zoneShares(heat, setup.field, setup.zones), setup.detection);
   const {wholeRun, settings, made} = details(data);
   const tables = el('section', {class: 'details'}, wholeRun, settings, made);
   const readers = new Readers({
