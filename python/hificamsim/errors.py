@@ -78,5 +78,5 @@ def plain(value: Any, what: str) -> object:
     if hasattr(value, "item") and getattr(value, "shape", None) == ():
         value = value.item()
     if not isinstance(value, (str, int, float)) or (isinstance(value, float) and not math.isfinite(value)):
-        raise InputError(f"{what} is {shown(value)}, expected a number, a text, True or False")
+        raise InputError(f"{what} is {shown(value)}, expected a finite number, a text, True or False")
     return value

@@ -176,7 +176,7 @@ def test_settings_are_numbers_texts_or_booleans() -> None:
         assert taken == value
         assert type(taken) in (int, float, str, bool)
     for wrong in ([1], None, b"a", np.zeros(1), np.zeros((1, 1)), 1j):
-        with pytest.raises(hificamsim.InputError, match="^x is .*, expected a number, a text, True or False$"):
+        with pytest.raises(hificamsim.InputError, match="^x is .*, expected a finite number, a text, True or False$"):
             errors.plain(wrong, "x")
 
 

@@ -274,7 +274,7 @@ def test_a_closed_worker_leaves_no_file_open() -> None:
 
 
 def test_rejects_setting_that_is_not_finite() -> None:
-    with pytest.raises(hificamsim.InputError, match="threshold is nan, expected a number"):
+    with pytest.raises(hificamsim.InputError, match="threshold is nan, expected a finite number"):
         hificamsim.Worlds("corridor", threshold=float("nan"))
 
 
