@@ -452,9 +452,10 @@ def trained(*files):
     for method, trainings in found.items():
         tasks = list(next(iter(trainings.values())))
         scores = numpy.array([[of[task] for task in tasks] for of in trainings.values()])
-        columns[f"{method}, {len(scores)} seeds"] = intervals(scores, [task.removesuffix("-v1") for task in tasks])
+        begun = "" if method == "imitation" else "imitation, then "
+        columns[f"{begun}{method}, {len(scores)} seeds"] = intervals(scores, [task.removesuffix("-v1") for task in tasks])
     board = {line["policy"]: line for line in rows(DOCS / "tables", "benchmark.csv")}
-    others = [name for name in ("`cooperative`", "IPPO", "MAPPO", "`softmax`", "`epsilon-greedy`", "`sarsa`") if name in board]
+    others = [name for name in ("`cooperative` before ways", "`cooperative`", "IPPO", "MAPPO", "`softmax`", "`epsilon-greedy`", "`sarsa`") if name in board]
     names = ["IQM", *[column for column in board[others[0]] if column not in ("policy", "IQM")]]
     lines = [[name, *(of[name] for of in columns.values()), *(board[other][name] for other in others)] for name in names]
     put("trained", ["", *columns, *others], lines)
