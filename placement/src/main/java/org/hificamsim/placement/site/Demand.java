@@ -176,7 +176,8 @@ public record Demand(
 
   /**
    * By cell of a field, the number of the zone's point in whose cell its centre is; -1 if nothing
-   * is asked for there.
+   * is asked for there. If the cells are not the zone's own, a cell beside an obstacle whose point
+   * would be in the obstacle has the next point.
    */
   public int[] pointsByCell(ZoneDemand zone, FieldCells grid) {
     FieldCells own = cells(zone);
@@ -185,15 +186,34 @@ public record Demand(
     for (int number = zone.first(); number < zone.end(); number++) {
       points[own.at(this.points.get(number).x(), this.points.get(number).y())] = number;
     }
+    if (grid.equals(own)) {
+      return points;
+    }
     Zone place = place(zone);
     int[] pointsOfGrid = new int[grid.count()];
     Arrays.setAll(
         pointsOfGrid,
         cell ->
             place.contains(grid.x(cell), grid.y(cell))
-                ? points[own.at(grid.x(cell), grid.y(cell))]
+                ? pointNear(grid.x(cell), grid.y(cell), own, points)
                 : -1);
     return pointsOfGrid;
+  }
+
+  /** The point in a cell or, if it has none, the nearest one in the cells around it; else -1. */
+  private int pointNear(double x, double y, FieldCells cells, int[] pointsByCell) {
+    int nearest = pointsByCell[cells.at(x, y)];
+    double least = nearest < 0 ? Double.POSITIVE_INFINITY : 0;
+    for (int side = 0; side < 9 && least > 0; side++) {
+      int cell = cells.at(x + (side % 3 - 1) * cells.width(), y + (side / 3 - 1) * cells.height());
+      double distance =
+          cell < 0 ? Double.POSITIVE_INFINITY : Math.hypot(cells.x(cell) - x, cells.y(cell) - y);
+      if (distance < least && pointsByCell[cell] >= 0) {
+        nearest = pointsByCell[cell];
+        least = distance;
+      }
+    }
+    return nearest;
   }
 
   /** Returns the demand for the same points by another detection in all zones. */
