@@ -104,7 +104,8 @@ public record PlacementProblem(
           setting("candidates"));
     }
     return InputException.of(
-        "zone '%s' is seen from none of %s places: %s; expected other %s, lenses or demands",
+        "zone '%s' is seen from none of %s places: %s; expected other %s, such as the ceiling,"
+            + " lenses or demands",
         zone.name(),
         candidates.places(),
         reasonUnseen(zone, catalogue, threads),
