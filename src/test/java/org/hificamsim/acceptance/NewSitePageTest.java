@@ -3,6 +3,7 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -15,6 +16,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -114,6 +116,14 @@ class NewSitePageTest {
     drag(2, 2, 5, 5);
     browser.until("return hificamsim.fault.textContent.startsWith('k is 0.0, expected')");
     browser.forgetConsole(); // Chromium logs the answer 400
+  }
+
+  @Test
+  void fieldEndsWithPicture() throws IOException {
+    Path picture = folder.resolve("long.png");
+    ImageIO.write(new BufferedImage(400, 250, BufferedImage.TYPE_INT_RGB), "png", picture.toFile());
+    open(picture);
+    assertEquals(12.5, number(SETUP + "field.maxY"));
   }
 
   private void open(Path plan, Object... options) {
