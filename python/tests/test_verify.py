@@ -7,6 +7,7 @@ import hashlib
 import json
 import pathlib
 import subprocess
+from typing import Any
 
 import numpy as np
 import pytest
@@ -155,7 +156,7 @@ def network(file: pathlib.Path, repeats: int = 1, size: int = 1) -> pathlib.Path
     onnx = pytest.importorskip("onnx")
     from onnx import TensorProto, helper, numpy_helper
 
-    def value(name: str, shape: list[object]) -> object:
+    def value(name: str, shape: list[Any]) -> Any:
         return helper.make_tensor_value_info(name, TensorProto.FLOAT, shape)
 
     kept = {"last": np.array([9]), "axes": np.array([-1]), "count": np.array(repeats), "shape": np.array([size])}
@@ -205,9 +206,9 @@ def enter_network(file: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
 
 def test_network_is_verified_and_has_its_own_score(onnx_runtime: None, tmp_path: pathlib.Path) -> None:
     entry = enter_network(network(tmp_path / "views.onnx"), tmp_path)
-    scores = [json.loads((folder / "entry.json").read_text())["tasks"]["passage-v1"]["scores"]
-              for folder in (entry, enter(tmp_path, GREEDY, **BELIEF))]
-    assert scores[0] == scores[1], "the same views by the same numbers"
+    greedy = enter(tmp_path, GREEDY, **BELIEF)
+    told = [json.loads((folder / "entry.json").read_text())["tasks"]["passage-v1"] for folder in (entry, greedy)]
+    assert told[0]["scores"] == told[1]["scores"], "the same views by the same numbers"
     code, found = verify(entry)
     assert code == 0 and found["reproduced"]
 
