@@ -40,7 +40,10 @@ class ScipTest {
 
   private static Effort exact() {
     return new Effort(
-        1, 0, Optional.of(new Scip()), new Effort.Limits(() -> true, () -> false, () -> false));
+        1,
+        0,
+        Optional.of(new Scip()),
+        new Effort.Limits(() -> true, () -> false, () -> false, () -> false));
   }
 
   private static CoverPlan solve(CoverInstance instance, Goal goal) {
@@ -133,7 +136,7 @@ class ScipTest {
   void keepsItsPlanWhenStoppedAtOnce() {
     CoverInstance instance =
         SmallInstances.random(new SplittableRandom(3), 400, 300, false).coverable();
-    Effort.Limits noTime = new Effort.Limits(() -> true, () -> true, () -> true);
+    Effort.Limits noTime = new Effort.Limits(() -> true, () -> true, () -> true, () -> true);
     Effort stopped = new Effort(1, 0, Optional.of(new Scip()), noTime);
     CoverPlan plan = CoverSearch.solve(instance, Goal.FULL_COVER, stopped, (score, bound) -> {});
     int[] counts = instance.counts(plan.chosen());
