@@ -22,6 +22,7 @@ import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Choice;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.compare.PolicyScores;
@@ -103,8 +104,7 @@ final class CompareCommand implements Callable<Integer> {
           List<CaseResult> asked = results.subList(0, plans.size());
           ComparisonFiles.write(folder, asked, results);
           Choice.write(folder, asked);
-          style.write(
-              folder, asked.stream().map(result -> result.plan().policy()).distinct().toList());
+          style.write(folder, List.copyOf(Cases.byPolicy(asked).keySet()));
           ComparisonFigures.write(folder, results, width, style, batch.threads());
           AggregateFiles.write(folder, asked, compared, batch.threads());
           if (latex) {

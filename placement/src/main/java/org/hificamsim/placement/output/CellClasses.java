@@ -3,7 +3,6 @@ package org.hificamsim.placement.output;
 import java.awt.Color;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
@@ -80,6 +79,7 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
     Arrays.setAll(reached, cell -> 0 * reached[cell]); // cells without a point stay NaN
     List<Color> colors = new ArrayList<>(List.of(Palette.UNSEEN));
     List<String> labels = new ArrayList<>(List.of("none"));
+    int[] levelsOfPoints = new int[plan.demand().points().size()];
     for (String name : names) {
       Detection detection = Detection.of(catalogue.detections().create(name));
       colors.add(Palette.SEQUENCE.get(labels.size() - 1));
@@ -88,13 +88,14 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
       int[][] seen =
           new PointSight(plan.demand().with(detection), catalogue)
               .covered(plan.cameras(), plan.problem().request().reading());
-      BitSet seenPoints = new BitSet();
-      Arrays.stream(seen).flatMapToInt(Arrays::stream).forEach(seenPoints::set);
       int level = labels.size() - 1;
-      forEachPoint(
-          plan.demand(),
-          (cell, zone, point) -> reached[cell] = seenPoints.get(point) ? level : reached[cell]);
+      Arrays.stream(seen)
+          .flatMapToInt(Arrays::stream)
+          .forEach(point -> levelsOfPoints[point] = level);
     }
+    forEachPoint(
+        plan.demand(),
+        (cell, zone, point) -> reached[cell] = Math.max(reached[cell], levelsOfPoints[point]));
     return Optional.of(new CellClasses(coverage.cells, reached, colors, labels));
   }
 

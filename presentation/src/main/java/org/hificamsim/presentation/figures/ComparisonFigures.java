@@ -61,16 +61,13 @@ public final class ComparisonFigures {
                     scoreName(group) + "-" + name,
                     () -> KMinPanel.figure(title(group) + " over time, " + name, group, colors)));
     Optional<Yardstick> yardstick = Yardstick.of(cases);
+    List<CaseResult> measured =
+        yardstick.map(measure -> measured(cases, measure)).orElse(List.of());
     yardstick.ifPresent(
-        measure ->
-            figures.put(
-                "proportion",
-                () -> ProportionFigure.of(measured(cases, measure), colors, measure)));
+        measure -> figures.put("proportion", () -> ProportionFigure.of(measured, colors, measure)));
     figures.put("coverage", () -> coverage(cases, colors));
     if (yardstick.isPresent() && cases.stream().anyMatch(result -> !result.isOptimum())) {
-      figures.put(
-          "profile",
-          () -> ProfileFigure.of(measured(cases, yardstick.get()), colors, yardstick.get()));
+      figures.put("profile", () -> ProfileFigure.of(measured, colors, yardstick.get()));
     }
     return figures;
   }

@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
 import org.hificamsim.core.program.LimitedProgram;
+import org.hificamsim.core.program.PythonInterpreter;
 import org.hificamsim.core.program.Sandbox;
 
 /**
@@ -19,7 +20,6 @@ import org.hificamsim.core.program.Sandbox;
  * It is believed which views the policy chose, and nothing else: the score is computed here.
  */
 final class EpisodeProgram implements AutoCloseable {
-  private static final String PYTHON = "hificamsim.python";
   private static final int HEAP_SHARE = 4;
 
   private final Benchmark benchmark;
@@ -52,16 +52,11 @@ final class EpisodeProgram implements AutoCloseable {
     command.addAll(List.of("-XX:CompressedClassSpaceSize=64m", "-XX:ReservedCodeCacheSize=64m"));
     command.add("-XX:ErrorFile=/dev/null");
     command.add("-Djava.io.tmpdir=" + folder);
-    command.add("-D" + PYTHON + "=" + python());
+    // the process does not get this one's environment
+    command.add("-D" + PythonInterpreter.CALLER + "=" + PythonInterpreter.command());
     command.addAll(List.of("-cp", classPath(), EpisodeServer.class.getName()));
     command.add(benchmark.file().toAbsolutePath().toString());
     return command;
-  }
-
-  /** The interpreter of policies in Python; the process does not get this one's environment. */
-  private static String python() {
-    String caller = System.getProperty(PYTHON, "python3");
-    return System.getenv().getOrDefault("HIFICAMSIM_PYTHON", caller);
   }
 
   private static String classPath() {

@@ -10,11 +10,11 @@ import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.program.LimitedProgram;
+import org.hificamsim.core.program.PythonInterpreter;
 import org.hificamsim.core.program.Sandbox;
 
 /** A running program of Python that decides for cameras. */
 final class PolicyProgram implements AutoCloseable {
-  private static final String PYTHON = "HIFICAMSIM_PYTHON";
   private static final String SCRIPT = "decide.py";
   private static final String COPY = "policy.py";
   private static final String LIMITED = "out of its processor time or memory, expected less";
@@ -35,13 +35,14 @@ final class PolicyProgram implements AutoCloseable {
       try (InputStream script = PolicyProgram.class.getResourceAsStream(SCRIPT)) {
         Files.copy(script, folder.resolve(SCRIPT));
       }
-      String caller = System.getProperty("hificamsim.python", "python3");
-      String python = System.getenv().getOrDefault(PYTHON, caller);
+      String python = PythonInterpreter.command();
       program = new LimitedProgram(folder, List.of(python, "-I", SCRIPT, COPY), sandbox);
       send(header.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new InputException(
-          file + " cannot be run (" + e.getMessage() + "), expected python3, or " + PYTHON, e);
+          "%s cannot be run (%s), expected python3, or %s"
+              .formatted(file, e.getMessage(), PythonInterpreter.VARIABLE),
+          e);
     }
   }
 
