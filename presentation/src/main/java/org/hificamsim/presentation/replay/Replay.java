@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.data.JsonFault;
 import org.hificamsim.runs.output.ResultFolder;
 
 /**
@@ -28,12 +29,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     try {
       return ReplayJson.mapper().readValue(file.toFile(), Replay.class).checked(file);
     } catch (JsonProcessingException e) {
-      int line = e.getLocation() == null ? 1 : e.getLocation().getLineNr();
-      int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
-      throw InputException.of(
-              "%s:%s:%s: %s, expected what 'run' with %s writes",
-              file, line, column, e.getOriginalMessage(), setting("record"))
-          .because(e);
+      throw JsonFault.of(file, e, "what 'run' with " + setting("record") + " writes");
     }
   }
 

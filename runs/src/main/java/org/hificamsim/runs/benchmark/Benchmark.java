@@ -14,6 +14,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.data.JsonFault;
 import org.hificamsim.runs.RunPlan;
 
 /** The tasks of a file by their names, with their sites. */
@@ -44,7 +45,7 @@ public final class Benchmark {
                   file.toFile(), new TypeReference<LinkedHashMap<String, BenchmarkTask>>() {});
       return new Benchmark(file, catalogue, tasks);
     } catch (JsonProcessingException e) {
-      throw new InputException(file + ": " + e.getOriginalMessage() + ", expected tasks", e);
+      throw JsonFault.of(file, e, "tasks");
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -19,6 +19,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.data.JsonFault;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.RunProgress;
 import org.hificamsim.runs.output.JsonOutput;
@@ -242,12 +243,7 @@ public record BenchmarkEntry(
       }
       return MAPPER.readValue(path.toFile(), BenchmarkEntry.class);
     } catch (JsonProcessingException e) {
-      String problem =
-          e.getCause() instanceof InputException input
-              ? input.getMessage()
-              : e.getOriginalMessage();
-      String fault = problem.lines().findFirst().orElse("");
-      throw new InputException(path + ": " + fault + ", expected what 'benchmark run' writes", e);
+      throw JsonFault.of(path, e, "what 'benchmark run' writes");
     } catch (IOException e) {
       throw new InputException(path + " cannot be read, expected what 'benchmark run' writes", e);
     }
