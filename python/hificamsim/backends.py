@@ -15,13 +15,19 @@ import subprocess
 import sys
 import tempfile
 import threading
+import time
 import weakref
 from collections.abc import Callable, Iterator
 from types import FrameType
 from typing import IO, Any, Protocol
 
 from . import java
-from .errors import Closed, Error, InputError, InUse, JavaError, WorkerDied, line, shown
+from .errors import Closed, Error, InputError, InUse, JavaError, NoEpisode, WorkerDied, line, shown
+
+
+FAULTS: dict[bytes, type[Error]] = {b"i": InputError, b"n": NoEpisode}  # by the letter of a worker's reply
+JAVA_FAULTS: dict[str, type[Error]] = {"InputException": InputError, "EpisodeOverException": NoEpisode}
+LONGEST_WAIT = 5.0  # seconds, for calls that are under way when the process ends
 
 
 class Backend(Protocol):
@@ -72,9 +78,13 @@ class _Jvm:
 
     lock = threading.Lock()
     process: int | None = None
+    ends = False
+    calls: weakref.WeakSet[threading.Lock] = weakref.WeakSet()  # each held while a call is under way
+
+    fault: type[Exception] = Exception
 
     @classmethod
-    def start(cls) -> Any:
+    def start(cls) -> None:
         try:
             import jpype
         except ImportError as e:
@@ -83,6 +93,12 @@ class _Jvm:
             if cls.process is None:
                 cls._start(jpype)
             cls.check()
+
+    @staticmethod
+    def session() -> Any:
+        """The class of sessions."""
+        import jpype
+
         return jpype.JClass("org.hificamsim.python.Session")
 
     @classmethod
@@ -92,6 +108,8 @@ class _Jvm:
                 jpype.addClassPath(jar)
         else:
             cls._start_jvm(jpype)
+        atexit.register(cls._wait_for_calls)  # before JPype's own, which was registered before
+        cls.fault = jpype.JException
         cls.process = os.getpid()
         if hasattr(os, "register_at_fork"):
             _Fork.register()
@@ -101,6 +119,7 @@ class _Jvm:
         """Starts the JVM in a thread of its own, which detaches from it: the process waits at its end for the thread
         that started the JVM, and a user's thread may have ended by then without detaching.
         """
+        java.check_options()
         # -Xrs: all signals stay Python's; without it Java, or with interrupt=False JPype, takes INT and TERM
         options = ["-Xrs", *java.options()]
         library, class_path = java.library(), java.class_path()
@@ -118,6 +137,24 @@ class _Jvm:
         starter.join()
         if faults:
             raise JavaError(f"Java does not start: {line(str(faults[0]))}{java.given_options()}") from faults[0]
+
+    @classmethod
+    def _wait_for_calls(cls) -> None:
+        """At the end of the process only daemon threads are left. They return from Java now, and call it no more: a thread
+        that comes back from it later would find no Python.
+        """
+        if not cls.is_parents():
+            cls.ends = True
+            until = time.monotonic() + LONGEST_WAIT
+            for call in list(cls.calls):
+                call.acquire(timeout=max(0.0, until - time.monotonic()))
+
+    @classmethod
+    def hold_at_end(cls) -> None:
+        """Holds a daemon thread that would call Java while the process ends, until it has ended."""
+        if cls.ends and threading.current_thread() is not threading.main_thread():
+            while True:
+                time.sleep(LONGEST_WAIT)
 
     @classmethod
     def is_parents(cls) -> bool:
@@ -171,33 +208,43 @@ class _Fork:
 def _enter(busy: threading.Lock) -> None:
     """Lets one thread at a time into an environment; the simulator is not thread-safe."""
     if not busy.acquire(blocking=False):
+        _Jvm.hold_at_end()
         raise InUse("another thread is in a call of this environment, expected one environment for each thread")
+
+
+class _JavaCalls:
+    """The calls of one environment into the JVM, one at a time; their faults are those of this package."""
+
+    def __init__(self) -> None:
+        self._busy = threading.Lock()
+        _Jvm.calls.add(self._busy)
+
+    def __call__(self, method: Callable[..., Any], *arguments: Any) -> Any:
+        _enter(self._busy)
+        try:
+            _Jvm.hold_at_end()
+            return method(*arguments)
+        except _Jvm.fault as e:
+            message = _Jvm.session().message(e)
+            raise _translated(str(e.getClass().getName()), str(message), e) from None
+        finally:
+            self._busy.release()
 
 
 class JvmBackend:
     """Worlds in a JVM in this process; their memory is the JVM's own."""
 
     def __init__(self, settings: dict[str, Any]) -> None:
-        session_class = _Jvm.start()
-        import jpype
-
-        self._fault = jpype.JException
-        self._busy = threading.Lock()
-        self._session = self._call(session_class.open, json.dumps(settings))
-        self.description = json.loads(str(self._session.description()))
-        self.memory = memoryview(self._session.memory())
-        self._closer = weakref.finalize(self, self._session.close)
+        _Jvm.start()
+        self._call = _JavaCalls()
+        self._call(self._begin, json.dumps(settings))
+        self._closer = weakref.finalize(self, self._call, self._session.close)
         self._closer.atexit = False  # the JVM may be gone by then
 
-    def _call(self, method: Any, *arguments: Any) -> Any:
-        _enter(self._busy)
-        try:
-            return method(*arguments)
-        except self._fault as e:
-            message = _Jvm.start().message(e)
-            raise _translated(str(e.getClass().getName()), str(message), e) from None
-        finally:
-            self._busy.release()
+    def _begin(self, settings: str) -> None:
+        self._session = _Jvm.session().open(settings)
+        self.description = json.loads(str(self._session.description()))
+        self.memory = memoryview(self._session.memory())
 
     def _open(self) -> Any:
         _Jvm.check()
@@ -228,14 +275,15 @@ class JvmBackend:
 
     def close(self) -> None:
         """Ends the worlds. The JVM stays: it cannot be started twice in a process."""
-        if self._session is not None and _Jvm.process == os.getpid():
-            self._call(self._closer)
+        if self._session is not None and _Jvm.process == os.getpid() and not _Jvm.ends:
+            self._closer()
         self._session = None
 
 
 def _translated(kind: str, message: str, cause: BaseException) -> Exception:
-    if kind.endswith(".InputException"):
-        return InputError(line(message))
+    for name, fault in JAVA_FAULTS.items():
+        if kind.endswith("." + name):
+            return fault(line(message))
     trace = getattr(cause, "stacktrace", lambda: "")()
     return Error(f"{kind}: {message}\n{trace}")
 
@@ -297,7 +345,9 @@ class ProcessBackend:
         if kind == b"k":
             return answer
         text = answer.decode(errors="replace")
-        raise InputError(line(text)) if kind == b"i" else Error(text + "\n" + self._said())
+        if kind in FAULTS:
+            raise FAULTS[kind](line(text))
+        raise Error(text + "\n" + self._said())
 
     def _exchange(self, letter: bytes, message: bytes) -> tuple[bytes, bytes]:
         """An order and its answer; half of them leaves no way on."""

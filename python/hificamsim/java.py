@@ -10,10 +10,11 @@ import subprocess
 import sys
 from collections.abc import Iterator
 
-from .errors import JavaError
+from .errors import JavaError, line
 
 PACKAGE = pathlib.Path(__file__).resolve().parent
 NEEDED = 17
+COLLECTOR = re.compile(r"-XX:\+Use\w+GC")  # of garbage; Java takes one
 
 
 def class_path() -> list[str]:
@@ -64,10 +65,21 @@ def library() -> str:
 
 def options() -> list[str]:
     """Options for every JVM: HIFICAMSIM_OPTS has more."""
-    own = [f"-Dhificamsim.python={sys.executable}", "-XX:+UseSerialGC", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8"]
+    given = os.environ.get("HIFICAMSIM_OPTS", "").split()
+    own = [f"-Dhificamsim.python={sys.executable}", "-Djava.awt.headless=true", "-Dfile.encoding=UTF-8"]
+    if not any(COLLECTOR.fullmatch(option) for option in given):
+        own.append("-XX:+UseSerialGC")
     if _version(home()) >= 24:  # it warns of libraries with parts in C
         own += ["--enable-native-access=ALL-UNNAMED", "--sun-misc-unsafe-memory-access=allow"]
-    return own + os.environ.get("HIFICAMSIM_OPTS", "").split()
+    return own + given
+
+
+def check_options() -> None:
+    """Rejects options with which Java does not start: in this process they would end it without a word."""
+    if os.environ.get("HIFICAMSIM_OPTS"):
+        tried = subprocess.run([executable(), *options(), "-version"], capture_output=True, text=True, check=False)
+        if tried.returncode:
+            raise JavaError(f"Java does not start: {line(tried.stdout + tried.stderr)}{given_options()}")
 
 
 def given_options() -> str:

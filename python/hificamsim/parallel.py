@@ -12,7 +12,7 @@ from gymnasium.utils import seeding
 from pettingzoo import ParallelEnv
 
 from . import spaces
-from .errors import InputError, NoEpisode, shown
+from .errors import InputError, shown
 from .remade import Remade, State
 from .screen import Screen
 from .worlds import DETAILS, MEASURES, Array, rendered
@@ -95,9 +95,8 @@ class CameraEnv(Remade, ParallelEnv):  # type: ignore[misc]
         dict[str, Array], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]
     ]:
         """Every camera acts, and a step goes by."""
-        if not self.agents:
-            raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
         worlds = self.worlds
+        worlds.require_episode(bool(self.agents))
         told = spaces.told(self._listed(actions), self._counts, self._whose, worlds.least_action)
         worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()

@@ -12,7 +12,7 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
 from . import spaces
-from .errors import InputError, NoEpisode, shown, whole
+from .errors import InputError, shown, whole
 from .remade import Remade, State
 from .worlds import DETAILS, MEASURES, Array, rendered
 
@@ -118,8 +118,7 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
         """Every network goes on by a step."""
         worlds = self.worlds
-        if not self._begun:
-            raise NoEpisode("the environments have no episode yet: expected reset()")
+        worlds.require_episode(self._begun)
         told = spaces.told(actions, self._counts, self._whose, worlds.least_action)
         worlds.actions[...] = told.reshape(worlds.actions.shape)
         worlds.step()
@@ -211,7 +210,10 @@ class CameraVectorEnv(Remade, VectorEnv[Any, Any, Any]):
 
 
 class NetworkEnv(Remade, gymnasium.Env[Any, Any]):
-    """One network for one agent, which moves all cameras and is paid the mean of their rewards."""
+    """One network for one agent, which moves all cameras and is paid the mean of their rewards.
+
+    Infos are those of ``CameraVectorEnv``; with ``details=True`` ``seen``, ``added`` and ``sent`` are arrays (C,).
+    """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 10}
 
@@ -244,8 +246,7 @@ class NetworkEnv(Remade, gymnasium.Env[Any, Any]):
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """All cameras act, and a step goes by."""
         worlds = self.worlds
-        if not self._playing:
-            raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
+        worlds.require_episode(self._playing)
         told = spaces.told(action, self._counts, self._whose, worlds.least_action)
         worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()
@@ -268,8 +269,12 @@ class NetworkEnv(Remade, gymnasium.Env[Any, Any]):
         return f"camera {self.worlds.cameras[index[0] // self.worlds.actions.shape[2]]}"
 
     def _info(self) -> dict[str, Any]:
-        measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
-        return measured if self.worlds.kind == "rates" else {"action_mask": self.worlds.masks[0].copy(), **measured}
+        worlds = self.worlds
+        info: dict[str, Any] = {} if worlds.kind == "rates" else {"action_mask": worlds.masks[0].copy()}
+        info |= zip(MEASURES, worlds.measures[0].tolist())
+        if worlds.detailed:
+            info |= zip(DETAILS, worlds.details[0].T.copy())
+        return info
 
     def render(self) -> Any:
         """The last step as a picture, uint8 (height, width, 3)."""

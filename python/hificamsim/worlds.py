@@ -12,13 +12,15 @@ import numpy as np
 import numpy.typing as npt
 
 from .backends import open_backend
-from .errors import InputError, path, plain, shown, whole
+from .errors import Closed, InputError, NoEpisode, path, plain, shown, whole
 from .remade import Remade, State
 
 Array = npt.NDArray[Any]
 
 DETAILS = ("seen", "added", "sent")  # what ``details`` has, by name
 MEASURES = ("coverage", "k_min", "score")  # what ``measures`` has, by name
+
+WIDEST = 10_000  # pixels of a picture
 
 SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
 
@@ -116,19 +118,22 @@ class Worlds(Remade):
         task = str(scenario) if str(scenario) in tasks() else None
         self.file = scenario_file(scenario) if task is None else str(shipped() / "benchmark.json")
         self.num_envs = num_envs = whole(num_envs, "num_envs")
+        self._testing = testing
         self._refused_seeds = () if testing or task is None else TESTING
         self._check_seed(whole(settings.get("seed") or 0, "seed"), num_envs)
         if threads is None:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
         #: What was asked for, by name.
         self.settings = {key: plain(value, key) for key, value in settings.items() if value is not None}
-        if "worlds" in settings:
-            raise InputError("unknown setting 'worlds', expected num_envs")
+        for name, expected in (("worlds", "num_envs"), ("task", "a task's name as scenario")):
+            if name in settings:
+                raise InputError(f"unknown setting {name!r}, expected {expected}")
         own = {"scenario": self.file, "worlds": num_envs, "threads": whole(threads, "threads")}
         if task is not None:
             own["task"] = task
         self._backend = open_backend(backend, {**self.settings, **own})
         self._begun = False
+        self._closed = False
         said = self._backend.description
         self.name: str = said["scenario"]
         self.cameras: list[str] = said["cameras"]
@@ -210,6 +215,13 @@ class Worlds(Remade):
         self.reset(seed)
         self._begun = True
 
+    def require_episode(self, playing: bool) -> None:
+        """Rejects a step of an environment that has no episode."""
+        if self._closed:
+            raise Closed("the environment was closed, expected a new one")
+        if not playing:
+            raise NoEpisode("the environment has no episode, or its episode is over: expected reset()")
+
     def state(self) -> Array:
         """The state of every world, (B, S); a view."""
         self._backend.state()
@@ -230,7 +242,7 @@ class Worlds(Remade):
     def _identity(self) -> dict[str, Any]:
         """The settings that the worlds of a state must have."""
         asked = {name: value for name, value in self.settings.items() if name not in ("seed", "paints", "saves")}
-        return {"scenario": self.name, "num_envs": self.num_envs, **asked}
+        return {"scenario": self.name, "num_envs": self.num_envs, "testing": self._testing, **asked}
 
     def played(self) -> Array:
         """The actions of the first world's episode so far, int32 (steps, C, A)."""
@@ -244,8 +256,9 @@ class Worlds(Remade):
         return self._backend.seed()
 
     def picture(self, width: int = 800, world: int = 0) -> Array:
-        """A world as it is now, uint8 (height, width, 3)."""
-        data = self._backend.picture(whole(world, "world", 0, self.num_envs - 1), width)
+        """A world as it is now, uint8 (height, width, 3); ``width`` from 1 to 10,000."""
+        wide = whole(width, "width", 1, WIDEST)
+        data = self._backend.picture(whole(world, "world", 0, self.num_envs - 1), wide)
         wide, high = np.frombuffer(data, ">i4", 2)
         picture: Array = np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
         return picture
@@ -256,6 +269,7 @@ class Worlds(Remade):
         The arrays become copies, so that the shared memory is freed.
         """
         self._backend.close()
+        self._closed = True
         for name in self._arrays:
             setattr(self, name, getattr(self, name).copy())
 

@@ -52,6 +52,15 @@ def test_infos_have_details_of_each_camera(per: str) -> None:
         assert [told[camera]["seen"] for camera in env.agents] == infos["seen"].reshape(2, cameras)[0].tolist()
 
 
+def test_single_environment_has_details_of_its_cameras() -> None:
+    env = hificamsim.single_env("campus", details=True)
+    env.reset(seed=1)
+    info = env.step(env.action_space.sample() * 0)[-1]
+    for i, name in enumerate(("seen", "added", "sent")):
+        assert (info[name] == env.worlds.details[0, :, i]).all()
+    env.close()
+
+
 def test_infos_have_no_details_unless_asked() -> None:
     with contextlib.closing(hificamsim.parallel_env("campus", steps=30)) as env:
         _, infos = env.reset(seed=3)

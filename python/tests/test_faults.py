@@ -46,6 +46,9 @@ def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]
         ({"policies": "sarsa"}, "unknown setting 'policies', expected one of detection, threshold, "),
         ({"worlds": 8}, "unknown setting 'worlds', expected num_envs"),
         ({"backend": "cloud"}, "backend is 'cloud', expected 'jvm' or 'process'"),
+        ({"belief": "yes"}, "belief= is 'yes', expected True or False"),
+        ({"details": 2}, "details= is '2', expected True or False"),
+        ({"targets": 1.5}, "targets= is '1.5', expected a whole number"),
     ],
 )
 def test_reports_wrong_setting_in_one_line(settings: dict[str, object], line: str) -> None:

@@ -8,6 +8,7 @@ import dataclasses
 import os
 import pathlib
 import pickle
+import signal
 import threading
 from collections.abc import Callable
 from typing import Any
@@ -141,8 +142,17 @@ def test_a_step_needs_an_episode(make: str, backend: str) -> None:
         env.reset()
         played(env, 1, seed=1)
     env.close()
-    with pytest.raises(RuntimeError):
-        played(env, 1, seed=1)
+    with pytest.raises(hificamsim.Closed):
+        env.step("nonsense")
+
+
+def test_worlds_that_wait_for_a_reset_have_no_episode(backend: str) -> None:
+    with hificamsim.Worlds("corridor", steps=1, auto_reset=False, backend=backend) as worlds:
+        worlds.step()
+        with pytest.raises(hificamsim.NoEpisode, match="the episode of 1 steps is over, expected a reset"):
+            worlds.step()
+        worlds.reset()
+        worlds.step()
 
 
 def test_max_cycles_is_steps() -> None:
@@ -198,6 +208,12 @@ def test_rejects_testing_seeds_of_tasks() -> None:
         hificamsim.vector_env("bench/passage-v1", 2, seed=1_000_000)
     with hificamsim.Worlds("bench/passage-v1", 2, seed=1_000_000, testing=True) as checked:
         assert checked.episode_seed() == 1_000_000
+        state = checked.save()
+    with hificamsim.Worlds("bench/passage-v1", 2) as training:
+        with pytest.raises(hificamsim.InputError, match="the state is of testing=True, expected False"):
+            training.restore(state)
+    with pytest.raises(hificamsim.InputError, match="unknown setting 'task', expected a task's name as scenario"):
+        hificamsim.Worlds(f"{hificamsim.worlds.shipped()}/benchmark.json", task="passage-v1", seed=1_000_001)
     with hificamsim.Worlds("passage", seed=1_000_001) as scenario:
         assert scenario.episode_seed() == 1_000_001
 
@@ -247,18 +263,45 @@ def test_python_exits_when_the_first_environment_is_of_a_thread(ending: str) -> 
     assert done.stdout == "main is done\n"
 
 
-def test_options_that_java_does_not_know_are_named(backend: str) -> None:
+@pytest.mark.parametrize("call", ["first.step()", 'hificamsim.Worlds("corridor", 4)'])
+@pytest.mark.parametrize("ending", ["time.sleep(.5)", "os.kill(os.getpid(), signal.SIGINT), thread.join()"])
+def test_python_exits_while_a_daemon_thread_calls_java(call: str, ending: str) -> None:
+    done = python(
+        f"""
+        import os, signal, threading, time, hificamsim
+        first = hificamsim.Worlds("corridor", 4, backend="jvm")
+        def play():
+            while True: {call}
+        thread = threading.Thread(target=play, daemon=True)
+        thread.start()
+        {ending}
+        """
+    )
+    assert done.returncode in (0, -signal.SIGINT), done.stderr
+    assert "java" not in done.stderr.lower()
+
+
+@pytest.mark.parametrize("options", ["-Xnonsense", "-Xmx1k", "-XX:+UseNonsenseGC"])
+def test_options_that_java_does_not_know_are_named(options: str, backend: str) -> None:
     done = python(
         f"""
         import hificamsim
         try: hificamsim.parallel_env("corridor", backend={backend!r})
         except hificamsim.JavaError as fault: print(fault)
         """,
-        HIFICAMSIM_OPTS="-Xnonsense",
+        HIFICAMSIM_OPTS=options,
     )
     assert "Java does not start" in done.stdout, done.stderr
-    assert "(HIFICAMSIM_OPTS is '-Xnonsense')" in done.stdout
+    assert f"(HIFICAMSIM_OPTS is '{options}')" in done.stdout
     assert len(done.stdout.splitlines()) == 1
+
+
+def test_another_collector_of_garbage_takes_the_place_of_ours(backend: str) -> None:
+    done = python(
+        f"import hificamsim; hificamsim.parallel_env('corridor', backend={backend!r})",
+        HIFICAMSIM_OPTS="-XX:+UseParallelGC",
+    )
+    assert done.returncode == 0, done.stderr
 
 
 def test_a_closed_worker_leaves_no_file_open() -> None:

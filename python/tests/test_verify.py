@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import hashlib
 import json
+import os
 import pathlib
 import subprocess
 from typing import Any
@@ -239,3 +240,20 @@ except OSError as fault:
     assert fault.errno == errno.EROFS
 """
     assert (enter(tmp_path, text + GREEDY, **BELIEF) / "entry.json").exists()
+
+
+def test_file_sees_its_own_folder_and_what_lies_beside_it(tmp_path: pathlib.Path) -> None:
+    if subprocess.run(["unshare", "-Ur", "true"], check=False).returncode:
+        pytest.skip("this system has no namespaces for users")
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "weights.txt").write_text("1")
+    text = f"""
+import os
+for hidden in {[str(tmp_path / "elsewhere"), scenario_file("campus"), os.environ["HIFICAMSIM_JARS"], "/etc/passwd"]}:
+    assert not os.path.exists(hidden), hidden
+assert open({str(tmp_path / "mine" / "weights.txt")!r}).read() == "1"
+assert sorted(os.listdir(".")) == [".root", "decide.py", "errors", "policy.py"], os.listdir(".")
+assert len([name for name in os.listdir("/proc") if name.isdigit()]) == 1
+""" + GREEDY
+    assert (enter(tmp_path / "mine", text, "open", **BELIEF) / "entry.json").exists()

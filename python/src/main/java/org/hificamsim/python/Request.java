@@ -6,10 +6,15 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.PropertyNamingStrategies;
+import com.fasterxml.jackson.databind.cfg.CoercionAction;
+import com.fasterxml.jackson.databind.cfg.CoercionInputShape;
+import com.fasterxml.jackson.databind.exc.MismatchedInputException;
 import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.type.LogicalType;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -59,6 +64,15 @@ record Request(Settings asked, Environment own) {
   private static final ObjectMapper MAPPER =
       new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
 
+  static {
+    MAPPER
+        .coercionConfigFor(LogicalType.Integer)
+        .setCoercion(CoercionInputShape.Float, CoercionAction.Fail);
+    MAPPER
+        .coercionConfigFor(LogicalType.Boolean)
+        .setCoercion(CoercionInputShape.Integer, CoercionAction.Fail);
+  }
+
   /**
    * The settings that only environments have; null stands for the default.
    *
@@ -101,9 +115,9 @@ record Request(Settings asked, Environment own) {
   }
 
   static Request parse(String json) {
+    ObjectNode own = MAPPER.createObjectNode();
     try {
       Settings asked = Settings.NONE;
-      ObjectNode own = MAPPER.createObjectNode();
       for (Map.Entry<String, JsonNode> entry : MAPPER.readTree(json).properties()) {
         Optional<Setting> setting = Setting.named(entry.getKey());
         if (setting.isPresent() && SETTINGS.contains(setting.get())) {
@@ -120,9 +134,20 @@ record Request(Settings asked, Environment own) {
               Stream.concat(SETTINGS.stream().map(Setting::label), known(e))
                   .collect(Collectors.joining(", ")))
           .because(e);
+    } catch (MismatchedInputException e) {
+      throw mismatch(e, own);
     } catch (JsonProcessingException e) {
       throw new InputException("settings: " + e.getOriginalMessage(), e);
     }
+  }
+
+  private static InputException mismatch(MismatchedInputException fault, ObjectNode own) {
+    String name = fault.getPath().get(0).getFieldName();
+    boolean ofNumber = List.of(int.class, Integer.class).contains(fault.getTargetType());
+    return InputException.of(
+            "%s is '%s', expected %s",
+            setting(name), own.get(name).asText(), ofNumber ? "a whole number" : "True or False")
+        .because(fault);
   }
 
   private static Stream<String> known(UnrecognizedPropertyException fault) {

@@ -17,6 +17,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import org.hificamsim.core.InputException;
+import org.hificamsim.worlds.EpisodeOverException;
 
 /**
  * Serves a session over standard input and output, with a memory-mapped file shared with the
@@ -26,7 +27,8 @@ import org.hificamsim.core.InputException;
  * content. Requests: o opens worlds (settings as JSON), s steps, r resets (world or -1, 4 bytes;
  * seed, 8 bytes; 1 to use the seed, else 0), t writes states, n asks for the seed of the episode, p
  * for a picture (world and width, 4 bytes each), v saves, w restores (what v returned). Replies: k
- * for success, with the result; i for wrong input and e for any other failure, each with a message.
+ * for success, with the result; i for wrong input, n where an episode is over, and e for any other
+ * failure, each with a message.
  */
 public final class Server {
   private final DataInputStream in;
@@ -90,6 +92,8 @@ public final class Server {
       reply('k', answerTo((char) letter, ByteBuffer.wrap(message)));
     } catch (InputException e) {
       reply('i', bytes(Session.message(e)));
+    } catch (EpisodeOverException e) {
+      reply('n', bytes(e.getMessage()));
     } catch (RuntimeException | Error e) {
       e.printStackTrace();
       reply('e', bytes(e.toString()));

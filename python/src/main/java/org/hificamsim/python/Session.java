@@ -7,6 +7,7 @@ import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.worlds.EpisodeOverException;
 import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 
@@ -70,7 +71,8 @@ public final class Session implements AutoCloseable {
   /**
    * Steps all worlds.
    *
-   * @throws InputException if an action is invalid, or an episode is over
+   * @throws InputException if an action is invalid
+   * @throws EpisodeOverException if an episode is over that only a reset ends
    */
   public void step() {
     worlds.step();

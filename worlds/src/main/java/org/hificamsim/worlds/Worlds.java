@@ -103,7 +103,10 @@ public final class Worlds implements AutoCloseable {
     // Before the worlds, since the block of too many worlds cannot be allocated.
     memory = allocator.apply(block.bytes());
     worlds = new OneWorld[count];
-    Arrays.setAll(worlds, i -> i == 0 ? first : new OneWorld(settings, seed + i, first));
+    workers = Workers.of(Math.min(threads, count));
+    workers.run(
+        shared(
+            (i, worker) -> worlds[i] = i == 0 ? first : new OneWorld(settings, seed + i, first)));
     actions = block.slice(memory, "actions").asIntBuffer();
     observations = block.slice(memory, "observations").asFloatBuffer();
     finals = block.slice(memory, "finals").asFloatBuffer();
@@ -118,7 +121,6 @@ public final class Worlds implements AutoCloseable {
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
     maskOften = settings.actions() == ActionKind.STEPS || takesTime();
-    workers = Workers.of(Math.min(threads, count));
     observationsByWorker = new float[workers.count()][network.cameras() * settings.layout().size()];
     pairsByWorker = new SeenPairs[workers.count()];
     Arrays.setAll(pairsByWorker, worker -> new SeenPairs());
@@ -196,7 +198,8 @@ public final class Worlds implements AutoCloseable {
   /**
    * Carries out the actions in every world, and writes the results.
    *
-   * @throws InputException if an action is invalid, or an episode is over; no world is stepped then
+   * @throws InputException if an action is invalid; no world is stepped then
+   * @throws EpisodeOverException if an episode is over that only a reset ends
    */
   public void step() {
     checkActions();
@@ -267,8 +270,7 @@ public final class Worlds implements AutoCloseable {
     int numbersPerWorld = worlds[0].actions().length;
     for (int i = 0; i < worlds.length; i++) {
       if (settings.autoReset() == AutoReset.DISABLED && worlds[i].isOver()) {
-        throw InputException.of(
-            "the episode of %s steps is over, expected a reset", settings.steps());
+        throw new EpisodeOverException(settings.steps());
       }
       for (int at = 0; at < numbersPerWorld; at += choices.length) {
         checkActions(i, i * numbersPerWorld, at);

@@ -145,7 +145,7 @@ class WorldsTest {
     try (Played played = new Played(settings, 1, 1, 1)) {
       played.stepAll(0);
       played.stepAll(0);
-      String line = assertThrows(InputException.class, () -> played.stepAll(0)).getMessage();
+      String line = assertThrows(EpisodeOverException.class, () -> played.stepAll(0)).getMessage();
       assertEquals("the episode of 2 steps is over, expected a reset", line);
       played.worlds().reset(0, false);
       played.stepAll(0);
