@@ -49,6 +49,9 @@ start() {
     # It is mapped where it was made for: moving it to another address takes a tenth of a start.
     [ ! -f "$archive" ] || set -- "-XX:SharedArchiveFile=$archive" '-Xlog:cds*=off' -Xlog:class+path=off \
         -XX:+UnlockDiagnosticVMOptions -XX:ArchiveRelocationMode=0 "$@"
+    collector=-XX:+UseSerialGC
+    case ${HIFICAMSIM_OPTS:-} in *-XX:+Use*GC*) collector= ;; esac # Java takes one
+    # Without performance data no other process can read the arguments of this one in a file.
     # shellcheck disable=SC2086 # several options or none
-    exec "$home/bin/java" -XX:+UseSerialGC -XX:CompileThresholdScaling=3 $young $native "-Dhificamsim.root=$root" "-Dhificamsim.terminal=$terminal" "$@"
+    exec "$home/bin/java" $collector -XX:-UsePerfData -XX:CompileThresholdScaling=3 $young $native "-Dhificamsim.root=$root" "-Dhificamsim.terminal=$terminal" "$@"
 }

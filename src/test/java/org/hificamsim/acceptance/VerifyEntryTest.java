@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -19,6 +20,7 @@ import java.util.stream.Stream;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.file.Sha256;
+import org.hificamsim.core.program.Sandbox;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -65,8 +67,49 @@ class VerifyEntryTest {
         Cli.run("benchmark", "leaderboard", honest, better, "--verified", out, "--out", board);
     assertEquals(0, ranked.exit(), ranked.err());
     List<String> rows = Files.readAllLines(board.resolve("leaderboard.csv"));
-    assertTrue(rows.stream().anyMatch(row -> row.startsWith("tracker,tracker,fresh seeds,")));
+    String how = Sandbox.confines() ? "fresh seeds" : "unconfined";
+    assertTrue(rows.stream().anyMatch(row -> row.startsWith("tracker,tracker," + how + ",")));
     assertTrue(rows.stream().anyMatch(row -> row.contains("independent-greedy,actions,")));
+  }
+
+  @Test
+  void readsSecretFromInputWhereOptionHasNone() throws IOException {
+    Path told = folder.resolve("told");
+    Path asked = folder.resolve("asked");
+    verify(honest, told);
+    InputStream input = System.in;
+    try {
+      System.setIn(
+          new ByteArrayInputStream("not to be guessed\n".getBytes(StandardCharsets.UTF_8)));
+      assertEquals(0, Cli.run("benchmark", "verify", honest, "--out", asked, "--secret").exit());
+    } finally {
+      System.setIn(input);
+    }
+    assertEquals(-1, Files.mismatch(told.resolve("verified.json"), asked.resolve("verified.json")));
+  }
+
+  @Test
+  void boardSaysWherePolicyCouldReadFiles() throws IOException {
+    Path out = folder.resolve("unconfined");
+    verify(honest, out);
+    Path found = out.resolve("verified.json");
+    ObjectNode root = (ObjectNode) MAPPER.readTree(found.toFile());
+    MAPPER.writeValue(found.toFile(), root.put("confined", false));
+    Path board = folder.resolve("board-unconfined");
+    Cli.run("benchmark", "leaderboard", honest, "--verified", out, "--out", board);
+    String rows = Files.readString(board.resolve("leaderboard.csv"));
+    assertTrue(rows.contains("\ntracker,tracker,unconfined,"), rows);
+  }
+
+  @Test
+  void scoreThatIsNoNumberIsNamedWithItsPlace() throws IOException {
+    Path entry = copy(honest, root -> ((ArrayNode) task(root).get("scores")).set(0, "much"));
+    Cli cli = Cli.run("benchmark", "check", entry);
+    assertEquals(2, cli.exit());
+    assertTrue(
+        cli.err()
+            .matches("(?s).*entry.json:1:\\d+: tasks.passage-v1.scores\\[0] is not a number.*"),
+        cli.err());
   }
 
   @Test

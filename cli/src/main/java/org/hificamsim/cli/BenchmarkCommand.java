@@ -22,6 +22,7 @@ import org.hificamsim.runs.benchmark.EntryCheck;
 import org.hificamsim.runs.benchmark.EntryVerifier;
 import org.hificamsim.runs.benchmark.EpisodeLimits;
 import org.hificamsim.runs.benchmark.Leaderboard;
+import org.hificamsim.runs.benchmark.Verdict;
 import org.hificamsim.runs.benchmark.Verification;
 import org.hificamsim.tracks.mate.MateArena;
 import org.hificamsim.tracks.mate.MateEpisode;
@@ -103,7 +104,14 @@ final class BenchmarkCommand {
       })
   int verify(
       @Parameters(paramLabel = "DIR", description = "Folder of 'benchmark run'.") Path path,
-      @Option(names = "--secret", required = true, paramLabel = "TEXT") String secret,
+      @Option(
+              names = "--secret",
+              required = true,
+              paramLabel = "TEXT",
+              arity = "0..1",
+              interactive = true,
+              prompt = "secret: ")
+          String secret,
       @Option(names = "--episodes", paramLabel = "N") int episodes,
       @Option(names = "--seconds", paramLabel = "S") int seconds,
       @Option(names = "--memory", paramLabel = "MB") int memory,
@@ -127,6 +135,11 @@ final class BenchmarkCommand {
       verification.tasks().forEach((task, finding) -> screen.say("%-14s %s", task, finding.text()));
       screen.say("%-14s %s", "all", verification.all().text());
       screen.say("%s", verification.holds() ? "verified" : "NOT verified");
+      if (!verification.confined()) {
+        screen.note(
+            "this system has no namespaces for users: the policy could read files and see"
+                + " processes");
+      }
       screen.out().println("files: " + out);
       return verification.holds() ? 0 : 1;
     }
@@ -144,16 +157,16 @@ final class BenchmarkCommand {
     EntryCheck check = new EntryCheck(benchmark, threads.count());
     List<Verification> verifications =
         verified == null ? List.of() : verified.stream().map(Verification::read).toList();
-    Map<BenchmarkEntry, Boolean> held = new HashMap<>();
+    Map<BenchmarkEntry, Verdict> verdicts = new HashMap<>();
     List<BenchmarkEntry> entries = new ArrayList<>();
     for (Path folder : folders) {
       BenchmarkEntry entry = check.check(folder);
       entries.add(entry);
       verifications.stream()
           .filter(verification -> verification.isOf(folder))
-          .forEach(verification -> held.merge(entry, verification.holds(), Boolean::logicalAnd));
+          .forEach(verification -> verdicts.merge(entry, verification.verdict(), Verdict::worse));
     }
-    Leaderboard board = new Leaderboard(benchmark, entries, held);
+    Leaderboard board = new Leaderboard(benchmark, entries, verdicts);
     try (OutputFolder folder = screen.folder(out)) {
       board.write(folder);
       folder.write("leaderboard.html", LeaderboardReport.page(board).html());

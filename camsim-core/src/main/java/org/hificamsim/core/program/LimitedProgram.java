@@ -35,8 +35,13 @@ public final class LimitedProgram implements AutoCloseable {
    * @throws IOException when the system cannot start it
    */
   public LimitedProgram(Path folder, List<String> command, Sandbox sandbox) throws IOException {
+    this(folder, command, sandbox, Sandbox.confines());
+  }
+
+  LimitedProgram(Path folder, List<String> command, Sandbox sandbox, boolean confined)
+      throws IOException {
     this.folder = folder;
-    process = sandbox.start(command, folder, folder.resolve(ERRORS));
+    process = sandbox.start(command, folder, folder.resolve(ERRORS), confined);
     out = new DataOutputStream(process.getOutputStream());
     in = new DataInputStream(process.getInputStream());
   }
@@ -49,6 +54,16 @@ public final class LimitedProgram implements AutoCloseable {
   /** What the program writes. */
   public DataInputStream in() {
     return in;
+  }
+
+  /** Waits for the end of the program, and returns its exit code; 1 if interrupted. */
+  int exit() {
+    try {
+      return process.waitFor();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return 1;
+    }
   }
 
   /**

@@ -1,18 +1,51 @@
 package org.hificamsim.core.program;
 
-/** The Python that runs a user's files. */
-public final class PythonInterpreter {
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * The Python that runs a user's files.
+ *
+ * @param executable its file
+ * @param folders of its library and packages
+ */
+public record PythonInterpreter(Path executable, List<Path> folders) {
   /** The environment variable that names another one. */
   public static final String VARIABLE = "HIFICAMSIM_PYTHON";
 
   /** The system property with the one that called Java, if it was one. */
   public static final String CALLER = "hificamsim.python";
 
-  private PythonInterpreter() {}
+  private static final String SCRIPT =
+      """
+      import os, sys
+      print(sys.executable)
+      for folder in [sys.prefix, sys.base_prefix, *filter(os.path.isdir, sys.path)]:
+          print(folder, os.path.realpath(folder), sep="\\n")
+      """;
 
-  /** Its file, or its name on the path: what the user names, the caller, or {@code python3}. */
-  public static String command() {
+  /**
+   * Asks the interpreter that the user names, the caller, or {@code python3}.
+   *
+   * @throws IOException when it cannot be run
+   */
+  public static PythonInterpreter find() throws IOException {
     String caller = System.getProperty(CALLER, "python3");
-    return System.getenv().getOrDefault(VARIABLE, caller);
+    String command = System.getenv().getOrDefault(VARIABLE, caller);
+    Process process = new ProcessBuilder(command, "-I", "-c", SCRIPT).start();
+    process.getOutputStream().close();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    List<Path> found = said.lines().filter(line -> !line.isBlank()).map(Path::of).toList();
+    if (found.isEmpty()) {
+      throw new IOException(command + " says nothing");
+    }
+    return new PythonInterpreter(
+        found.get(0), found.stream().skip(1).distinct().filter(path -> isBelowRoot(path)).toList());
+  }
+
+  private static boolean isBelowRoot(Path path) {
+    return path.getNameCount() > 0;
   }
 }

@@ -2,34 +2,65 @@ package org.hificamsim.core.program;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.Io;
 
 /**
- * Limits what a program may do: its processor time and memory, and, where Linux's namespaces are
- * available, it has no network, sees no other process, and writes to its own folder alone. It can
- * read files.
+ * Limits what a program may do: its processor time and memory, and, where the system {@link
+ * #confines} programs, it has no network, sees no other process, writes to its own folder alone,
+ * and reads nothing but that folder, the system's programs and libraries, and what it is given.
  *
  * @param seconds of processor time
  * @param megabytes of memory
+ * @param readable files and folders that the program may read
  */
-public record Sandbox(long seconds, int megabytes) {
+public record Sandbox(long seconds, int megabytes, List<Path> readable) {
   /** The program that makes namespaces, as its own messages begin. */
   static final String PROGRAM = "unshare";
 
   private static final String SCRIPT =
       new String(Io.resource(Sandbox.class, "sandbox.sh"), StandardCharsets.UTF_8);
 
+  /** Whether this system confines programs: Linux does where users may make namespaces. */
+  public static boolean confines() {
+    return Confinement.AVAILABLE;
+  }
+
+  /** Found out once, with a program that does nothing. */
+  private static final class Confinement {
+    private static final boolean AVAILABLE = isAvailable();
+
+    private static boolean isAvailable() {
+      Sandbox sandbox = new Sandbox(10, 1_000, List.of());
+      try (LimitedProgram nothing = new LimitedProgram(folder(), List.of("true"), sandbox, true)) {
+        return nothing.exit() == 0;
+      } catch (IOException e) {
+        return false;
+      }
+    }
+
+    private static Path folder() throws IOException {
+      return Files.createTempDirectory("confined");
+    }
+  }
+
+  /** The same limits for a program that may read more. */
+  public Sandbox reading(List<Path> more) {
+    return new Sandbox(
+        seconds, megabytes, Stream.concat(readable.stream(), more.stream()).toList());
+  }
+
   /** Starts a program in a folder, with nothing of this process's environment. */
-  Process start(List<String> program, Path folder, Path errors) throws IOException {
-    List<String> command = new ArrayList<>(List.of("sh", "-c", SCRIPT, "sh"));
-    command.add(Long.toString(seconds));
-    command.add(Long.toString(1024L * megabytes));
-    command.addAll(program);
+  Process start(List<String> program, Path folder, Path errors, boolean confined)
+      throws IOException {
     ProcessBuilder builder =
-        new ProcessBuilder(command).directory(folder.toFile()).redirectError(errors.toFile());
+        new ProcessBuilder(command(program, confined))
+            .directory(folder.toFile())
+            .redirectError(errors.toFile());
     String path = builder.environment().getOrDefault("PATH", "/usr/bin:/bin");
     builder.environment().clear();
     builder.environment().put("PATH", path);
@@ -38,5 +69,17 @@ public record Sandbox(long seconds, int megabytes) {
     builder.environment().put("OPENBLAS_NUM_THREADS", "1");
     builder.environment().put("MALLOC_ARENA_MAX", "2"); // each takes 64 MB of addresses
     return builder.start();
+  }
+
+  private List<String> command(List<String> program, boolean confined) {
+    List<String> command = new ArrayList<>(List.of("sh", "-c", SCRIPT, "sh"));
+    command.add(confined ? "confined" : "limited");
+    command.add(Long.toString(seconds));
+    command.add(Long.toString(1024L * megabytes));
+    command.add(Integer.toString(readable.size()));
+    // a folder before what is in it
+    readable.stream().map(Path::toAbsolutePath).sorted().map(Path::toString).forEach(command::add);
+    command.addAll(program);
+    return command;
   }
 }

@@ -10,6 +10,7 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.file.Io;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.core.program.Sandbox;
 import org.hificamsim.runs.benchmark.Verification.Finding;
 import org.hificamsim.runs.compare.RunProgress;
 
@@ -54,17 +55,18 @@ public final class EntryVerifier {
    */
   public Verification verify(BenchmarkEntry entry, Path path, RunProgress progress) {
     Path file = BenchmarkEntry.file(path);
-    EnteredPolicy policy = new EnteredPolicy(benchmark, file.toAbsolutePath().getParent(), entry);
+    Path folder = file.toAbsolutePath().getParent();
+    EnteredPolicy policy = new EnteredPolicy(benchmark, folder, entry);
     List<String> tasks = List.copyOf(entry.tasks().keySet());
     List<List<Double>> scores =
-        Parallel.map(tasks, threads, task -> scores(task, policy.of(task), progress));
+        Parallel.map(
+            tasks, threads, task -> scores(folder, trials(task, policy.of(task)), progress));
     return verification(entry, Io.get(() -> Sha256.of(file)), scores);
   }
 
-  private List<Double> scores(String task, String policy, RunProgress progress) {
-    List<Trial> trials = trials(task, policy);
+  private List<Double> scores(Path folder, List<Trial> trials, RunProgress progress) {
     List<Double> scores = new ArrayList<>();
-    try (EpisodeProgram program = new EpisodeProgram(benchmark, limits, trials.size())) {
+    try (EpisodeProgram program = new EpisodeProgram(benchmark, limits, trials.size(), folder)) {
       for (Trial trial : trials) {
         scores.add(program.play(trial).score());
         progress.advance();
@@ -99,7 +101,11 @@ public final class EntryVerifier {
     double fresh = findings.values().stream().mapToDouble(Finding::fresh).average().orElse(0);
     boolean reproduced = findings.values().stream().allMatch(Finding::reproduced);
     return new Verification(
-        hash, seeds.hash(), findings, finding(Claim.mean(claims), fresh, ALPHA, reproduced));
+        hash,
+        seeds.hash(),
+        Sandbox.confines(),
+        findings,
+        finding(Claim.mean(claims), fresh, ALPHA, reproduced));
   }
 
   private static Finding finding(Claim claim, double fresh, double alpha, boolean reproduced) {

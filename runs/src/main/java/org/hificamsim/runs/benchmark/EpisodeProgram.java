@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.NamedSetting;
@@ -21,6 +22,7 @@ import org.hificamsim.core.program.Sandbox;
  */
 final class EpisodeProgram implements AutoCloseable {
   private static final int HEAP_SHARE = 4;
+  private static final Path JAVA = Path.of(System.getProperty("java.home"));
 
   private final Benchmark benchmark;
   private final EpisodeLimits limits;
@@ -30,39 +32,57 @@ final class EpisodeProgram implements AutoCloseable {
    * Starts the process.
    *
    * @param episodes that it will play at most
+   * @param entry the folder of the entry
    */
-  EpisodeProgram(Benchmark benchmark, EpisodeLimits limits, int episodes) {
+  EpisodeProgram(Benchmark benchmark, EpisodeLimits limits, int episodes, Path entry) {
     this.benchmark = benchmark;
     this.limits = limits;
     long seconds = (long) episodes * limits.seconds();
     try {
       Path folder = Files.createTempDirectory("episodes");
+      List<Path> readable =
+          new ArrayList<>(List.of(JAVA, benchmark.file().toAbsolutePath().getParent(), entry));
+      readable.addAll(classPath());
+      Optional<PythonInterpreter> python = python();
+      python.ifPresent(found -> readable.addAll(found.folders()));
       program =
-          new LimitedProgram(folder, command(folder), new Sandbox(seconds, limits.megabytes()));
+          new LimitedProgram(
+              folder, command(folder, python), new Sandbox(seconds, limits.megabytes(), readable));
     } catch (IOException e) {
       throw new InputException("Java cannot be run (" + e.getMessage() + "), expected it", e);
     }
   }
 
-  private List<String> command(Path folder) {
-    List<String> command =
-        new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin/java").toString()));
+  /** The interpreter of Python files; policies of other kinds do without. */
+  private static Optional<PythonInterpreter> python() {
+    try {
+      return Optional.of(PythonInterpreter.find());
+    } catch (IOException e) {
+      return Optional.empty();
+    }
+  }
+
+  private List<String> command(Path folder, Optional<PythonInterpreter> python) {
+    List<String> command = new ArrayList<>(List.of(JAVA.resolve("bin/java").toString()));
     command.add("-Xmx" + limits.megabytes() / HEAP_SHARE + "m");
     command.addAll(List.of("-XX:+UseSerialGC", "-XX:-UsePerfData", "-XX:-CreateCoredumpOnCrash"));
     command.addAll(List.of("-XX:CompressedClassSpaceSize=64m", "-XX:ReservedCodeCacheSize=64m"));
     command.add("-XX:ErrorFile=/dev/null");
     command.add("-Djava.io.tmpdir=" + folder);
     // the process does not get this one's environment
-    command.add("-D" + PythonInterpreter.CALLER + "=" + PythonInterpreter.command());
-    command.addAll(List.of("-cp", classPath(), EpisodeServer.class.getName()));
+    python.ifPresent(
+        found -> command.add("-D" + PythonInterpreter.CALLER + "=" + found.executable()));
+    String jars =
+        classPath().stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+    command.addAll(List.of("-cp", jars, EpisodeServer.class.getName()));
     command.add(benchmark.file().toAbsolutePath().toString());
     return command;
   }
 
-  private static String classPath() {
+  private static List<Path> classPath() {
     return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
-        .map(entry -> Path.of(entry).toAbsolutePath().toString())
-        .collect(Collectors.joining(File.pathSeparator));
+        .map(entry -> Path.of(entry).toAbsolutePath())
+        .toList();
   }
 
   /**

@@ -34,7 +34,11 @@ public final class Leaderboard {
       Table.<Figure>of("leaderboard.csv")
           .texts("name", "of the entry", figure -> figure.entry.name())
           .texts("policy", "the policy with its options", figure -> figure.entry.policy())
-          .texts("verified", "actions, fresh seeds, or not held on them", Figure::verified)
+          .texts(
+              "verified",
+              "actions, fresh seeds, unconfined (fresh seeds, but the policy could read files), or"
+                  + " not held",
+              Figure::verified)
           .texts("task", "the task; empty for all", Figure::task)
           .texts("statistic", "mean, or one of all tasks", Figure::statistic)
           .estimates("value", "", "share", "normalised", Figure::value);
@@ -42,17 +46,17 @@ public final class Leaderboard {
   private final Benchmark benchmark;
   private final List<BenchmarkEntry> entries;
 
-  /** By entry: whether its scores held on fresh seeds; others had only their actions replayed. */
-  private final Map<BenchmarkEntry, Boolean> verified;
+  /** By entry, what fresh seeds said; others had only their actions replayed. */
+  private final Map<BenchmarkEntry, Verdict> verified;
 
   /**
    * Ranks the entries.
    *
-   * @param verified by entry, whether its scores held on fresh seeds
+   * @param verified by entry, what fresh seeds said of it
    * @throws InputException when names of entries look alike
    */
   public Leaderboard(
-      Benchmark benchmark, List<BenchmarkEntry> entries, Map<BenchmarkEntry, Boolean> verified) {
+      Benchmark benchmark, List<BenchmarkEntry> entries, Map<BenchmarkEntry, Verdict> verified) {
     this.benchmark = benchmark;
     this.verified = Map.copyOf(verified);
     requireDistinctNames(entries);
@@ -81,12 +85,12 @@ public final class Leaderboard {
 
   /** Whether an entry scored more in testing than its policy does on fresh seeds. */
   private boolean failed(BenchmarkEntry entry) {
-    return !verified.getOrDefault(entry, true);
+    return verified.get(entry) == Verdict.NOT_HELD;
   }
 
   private String verification(BenchmarkEntry entry) {
-    Boolean held = verified.get(entry);
-    return held == null ? "actions" : held ? "fresh seeds" : "not held";
+    Verdict verdict = verified.get(entry);
+    return verdict == null ? "actions" : verdict.label();
   }
 
   private boolean isBound(BenchmarkEntry entry) {

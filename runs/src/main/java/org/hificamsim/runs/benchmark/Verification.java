@@ -18,12 +18,14 @@ import org.hificamsim.runs.output.JsonOutput;
  *
  * @param entryHash the SHA-256 of the entry's file
  * @param secretHash the SHA-256 of the secret from which seeds were drawn
+ * @param confined whether the system kept the policy from files and other processes
  * @param tasks by name, what was found
  * @param all the same over all tasks
  */
 public record Verification(
     @JsonProperty("entry") String entryHash,
     @JsonProperty("secret") String secretHash,
+    boolean confined,
     Map<String, Finding> tasks,
     Finding all) {
   /** The file in a folder of 'benchmark verify'. */
@@ -71,6 +73,14 @@ public record Verification(
   /** Whether the entry's scores hold, in each task and over all. */
   public boolean holds() {
     return all.holds() && tasks.values().stream().allMatch(Finding::holds);
+  }
+
+  /** What the board says of the entry. */
+  public Verdict verdict() {
+    if (!holds()) {
+      return Verdict.NOT_HELD;
+    }
+    return confined ? Verdict.HELD : Verdict.UNCONFINED;
   }
 
   /** Whether this is of an entry, given its folder or file. */

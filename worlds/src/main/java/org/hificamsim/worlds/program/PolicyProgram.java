@@ -7,6 +7,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.program.LimitedProgram;
@@ -35,8 +36,9 @@ final class PolicyProgram implements AutoCloseable {
       try (InputStream script = PolicyProgram.class.getResourceAsStream(SCRIPT)) {
         Files.copy(script, folder.resolve(SCRIPT));
       }
-      String python = PythonInterpreter.command();
-      program = new LimitedProgram(folder, List.of(python, "-I", SCRIPT, COPY), sandbox);
+      PythonInterpreter python = PythonInterpreter.find();
+      List<String> command = List.of(python.executable().toString(), "-I", SCRIPT, COPY);
+      program = new LimitedProgram(folder, command, sandbox.reading(readable(python)));
       send(header.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new InputException(
@@ -44,6 +46,13 @@ final class PolicyProgram implements AutoCloseable {
               .formatted(file, e.getMessage(), PythonInterpreter.VARIABLE),
           e);
     }
+  }
+
+  /** Its interpreter, and what lies beside the file, such as weights. */
+  private List<Path> readable(PythonInterpreter python) {
+    List<Path> readable = new ArrayList<>(python.folders());
+    readable.add(file.toAbsolutePath().getParent());
+    return readable;
   }
 
   /** Sends what cameras know, and receives their actions. */
