@@ -191,7 +191,7 @@ class BenchmarkEntryTest {
                 new Broken("something is missing", json(root -> task(root).remove("seeds")))),
             Map.entry(
                 "something else",
-                new Broken("Unrecognized field", json(root -> root.put("more", 1)))),
+                new Broken("unknown property more", json(root -> root.put("more", 1)))),
             Map.entry(
                 "no JSON",
                 new Broken(

@@ -22,8 +22,8 @@ import org.hificamsim.runs.benchmark.EntryCheck;
 import org.hificamsim.runs.benchmark.EntryVerifier;
 import org.hificamsim.runs.benchmark.EpisodeLimits;
 import org.hificamsim.runs.benchmark.Leaderboard;
-import org.hificamsim.runs.benchmark.Verdict;
 import org.hificamsim.runs.benchmark.Verification;
+import org.hificamsim.runs.benchmark.VerificationOutcome;
 import org.hificamsim.tracks.mate.MateArena;
 import org.hificamsim.tracks.mate.MateEpisode;
 import picocli.CommandLine.Command;
@@ -157,16 +157,18 @@ final class BenchmarkCommand {
     EntryCheck check = new EntryCheck(benchmark, threads.count());
     List<Verification> verifications =
         verified == null ? List.of() : verified.stream().map(Verification::read).toList();
-    Map<BenchmarkEntry, Verdict> verdicts = new HashMap<>();
+    Map<BenchmarkEntry, VerificationOutcome> outcomes = new HashMap<>();
     List<BenchmarkEntry> entries = new ArrayList<>();
     for (Path folder : folders) {
       BenchmarkEntry entry = check.check(folder);
       entries.add(entry);
       verifications.stream()
           .filter(verification -> verification.isOf(folder))
-          .forEach(verification -> verdicts.merge(entry, verification.verdict(), Verdict::worse));
+          .forEach(
+              verification ->
+                  outcomes.merge(entry, verification.outcome(), VerificationOutcome::worse));
     }
-    Leaderboard board = new Leaderboard(benchmark, entries, verdicts);
+    Leaderboard board = new Leaderboard(benchmark, entries, outcomes);
     try (OutputFolder folder = screen.folder(out)) {
       board.write(folder);
       folder.write("leaderboard.html", LeaderboardReport.page(board).html());

@@ -39,7 +39,7 @@ public final class JsonFault {
     if (fault instanceof MismatchedInputException mismatch) {
       return path(mismatch) + " is not " + kind(mismatch.getTargetType());
     }
-    return "no valid JSON";
+    return "no valid JSON (" + fault.getOriginalMessage().split("[:\n]", 2)[0] + ")";
   }
 
   /** The properties that lead to the value, such as {@code tasks.campus-v1.scores[0]}. */

@@ -33,7 +33,7 @@ class JsonFaultTest {
         "{\"parts\": [1]} | 1:11: parts is not an object",
         "{\"other\": 1} | 1:13: unknown property other",
         "{\"name\": \"bad\"} | 1:15: the name is 'bad'",
-        "{\"numbers\": [NaN]} | 1:17: no valid JSON",
+        "{\"numbers\": [NaN]} | 1:17: no valid JSON (Non-standard token 'NaN')",
         "[] | 1:1: the file is not an object",
       })
   void namesPropertyAndPlace(String text, String fault) {

@@ -47,7 +47,7 @@ public final class Leaderboard {
   private final List<BenchmarkEntry> entries;
 
   /** By entry, what fresh seeds said; others had only their actions replayed. */
-  private final Map<BenchmarkEntry, Verdict> verified;
+  private final Map<BenchmarkEntry, VerificationOutcome> verified;
 
   /**
    * Ranks the entries.
@@ -56,7 +56,9 @@ public final class Leaderboard {
    * @throws InputException when names of entries look alike
    */
   public Leaderboard(
-      Benchmark benchmark, List<BenchmarkEntry> entries, Map<BenchmarkEntry, Verdict> verified) {
+      Benchmark benchmark,
+      List<BenchmarkEntry> entries,
+      Map<BenchmarkEntry, VerificationOutcome> verified) {
     this.benchmark = benchmark;
     this.verified = Map.copyOf(verified);
     requireDistinctNames(entries);
@@ -85,12 +87,12 @@ public final class Leaderboard {
 
   /** Whether an entry scored more in testing than its policy does on fresh seeds. */
   private boolean failed(BenchmarkEntry entry) {
-    return verified.get(entry) == Verdict.NOT_HELD;
+    return verified.get(entry) == VerificationOutcome.NOT_HELD;
   }
 
   private String verification(BenchmarkEntry entry) {
-    Verdict verdict = verified.get(entry);
-    return verdict == null ? "actions" : verdict.label();
+    VerificationOutcome outcome = verified.get(entry);
+    return outcome == null ? "actions" : outcome.label();
   }
 
   private boolean isBound(BenchmarkEntry entry) {

@@ -76,11 +76,11 @@ public record Verification(
   }
 
   /** What the board says of the entry. */
-  public Verdict verdict() {
+  public VerificationOutcome outcome() {
     if (!holds()) {
-      return Verdict.NOT_HELD;
+      return VerificationOutcome.NOT_HELD;
     }
-    return confined ? Verdict.HELD : Verdict.UNCONFINED;
+    return confined ? VerificationOutcome.HELD : VerificationOutcome.UNCONFINED;
   }
 
   /** Whether this is of an entry, given its folder or file. */

@@ -1,7 +1,7 @@
 package org.hificamsim.runs.benchmark;
 
 /** What was found of an entry's scores on fresh seeds, the worst first. */
-public enum Verdict {
+public enum VerificationOutcome {
   /** The policy scores less, or other than the entry says in testing. */
   NOT_HELD("not held"),
   /** The scores hold, on a system that did not keep the policy from reading files. */
@@ -11,7 +11,7 @@ public enum Verdict {
 
   private final String label;
 
-  Verdict(String label) {
+  VerificationOutcome(String label) {
     this.label = label;
   }
 
@@ -21,7 +21,7 @@ public enum Verdict {
   }
 
   /** The worse of two. */
-  public static Verdict worse(Verdict one, Verdict other) {
+  public static VerificationOutcome worse(VerificationOutcome one, VerificationOutcome other) {
     return one.compareTo(other) <= 0 ? one : other;
   }
 }
