@@ -1,6 +1,7 @@
 package org.hificamsim.placement.site;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -9,6 +10,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Field;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
@@ -24,6 +26,7 @@ final class MountObstacles {
 
   private final List<Obstacle> list;
   private final Obstacles cutAtHeight;
+  private final List<Geometry> shapes;
   private final IndexedFacetDistance surfaces;
 
   MountObstacles(Scenario site) {
@@ -33,11 +36,12 @@ final class MountObstacles {
             .filter(obstacle -> height.isEmpty() || isAt(obstacle, height.getAsDouble()))
             .toList();
     cutAtHeight = new Obstacles(list.stream().map(Obstacle::flat).toList());
-    Stream<Geometry> shapes =
-        Stream.concat(Stream.of(border(site.field())), list.stream().map(MountObstacles::shape));
+    shapes = list.stream().map(MountObstacles::shape).toList();
     surfaces =
         new IndexedFacetDistance(
-            GEOMETRY.createGeometryCollection(shapes.toArray(Geometry[]::new)));
+            GEOMETRY.createGeometryCollection(
+                Stream.concat(Stream.of(border(site.field())), shapes.stream())
+                    .toArray(Geometry[]::new)));
   }
 
   private static boolean isAt(Obstacle obstacle, double height) {
@@ -71,6 +75,11 @@ final class MountObstacles {
 
   private static Coordinate coordinate(Point point) {
     return new Coordinate(point.x(), point.y());
+  }
+
+  /** The building whose walls these are, if all zones are inside one. */
+  Optional<Enclosure> enclosure(List<Zone> zones) {
+    return Enclosure.of(shapes, zones);
   }
 
   /** The obstacles, in the order of the site. */

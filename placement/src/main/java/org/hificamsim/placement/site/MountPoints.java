@@ -5,6 +5,7 @@ import static org.hificamsim.core.NamedSetting.setting;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -19,7 +20,7 @@ import org.hificamsim.data.CsvRow;
  * The points where cameras can be mounted: along both sides of walls, around polygons and pillars,
  * along the border of the field, on the ceiling, or at listed points. On a site with heights, only
  * obstacles count that are there at the height of its cameras. No camera hangs in a door or another
- * narrow gap.
+ * narrow gap. Where all zones are inside a building, no camera hangs outside or on the border.
  */
 public final class MountPoints {
   /** The usual distance of a camera from what it is mounted on, metres. */
@@ -47,12 +48,14 @@ public final class MountPoints {
   private final Field field;
   private final MountObstacles obstacles;
   private final Rules rules;
+  private final Optional<Enclosure> building;
   private final Set<Point> points = new LinkedHashSet<>();
 
-  private MountPoints(Scenario site, Rules rules) {
-    this.field = site.field();
-    this.obstacles = new MountObstacles(site);
+  private MountPoints(Scenario site, Rules rules, List<Zone> zones) {
+    field = site.field();
+    obstacles = new MountObstacles(site);
     this.rules = rules;
+    building = obstacles.enclosure(zones);
   }
 
   /**
@@ -61,15 +64,12 @@ public final class MountPoints {
    * @throws InputException if there is no such point
    */
   public static List<Point> of(Scenario site, Rules rules) {
-    MountPoints mounts = new MountPoints(site, rules);
+    MountPoints mounts = new MountPoints(site, rules, site.zones());
     double spacing = rules.spacing;
     Field field = mounts.field;
-    mounts.addAround(
-        List.of(
-            new Point(field.minX(), field.minY()),
-            new Point(field.maxX(), field.minY()),
-            new Point(field.maxX(), field.maxY()),
-            new Point(field.minX(), field.maxY())));
+    if (mounts.building.isEmpty()) {
+      mounts.addAround(corners(field));
+    }
     for (Obstacle obstacle : mounts.obstacles.list()) {
       if (obstacle instanceof Obstacle.Wall wall) {
         mounts.addAlong(
@@ -92,6 +92,14 @@ public final class MountPoints {
             + " names, or obstacles as high as the cameras");
   }
 
+  private static List<Point> corners(Field field) {
+    return List.of(
+        new Point(field.minX(), field.minY()),
+        new Point(field.maxX(), field.minY()),
+        new Point(field.maxX(), field.maxY()),
+        new Point(field.minX(), field.maxY()));
+  }
+
   /**
    * Reads the points from a table with the columns x and y, metres.
    *
@@ -99,7 +107,7 @@ public final class MountPoints {
    *     column
    */
   public static List<Point> read(Path file, Scenario site, List<Zone> forbidden) {
-    MountPoints mounts = new MountPoints(site, new Rules(1, 0, false, forbidden));
+    MountPoints mounts = new MountPoints(site, new Rules(1, 0, false, forbidden), List.of());
     for (CsvRow row :
         CsvReader.open(file, "a table of x and y").readAll(List.of("x", "y")).rows()) {
       double x = row.number("x", -MAX_COORDINATE, MAX_COORDINATE, "a number");
@@ -192,6 +200,7 @@ public final class MountPoints {
     boolean allowed =
         field.contains(x, y)
             && obstacles.isFree(point, rules.clearance)
+            && building.filter(walls -> !walls.contains(point)).isEmpty()
             && rules.forbidden.stream().noneMatch(zone -> zone.contains(x, y));
     return allowed && points.add(point);
   }

@@ -33,6 +33,10 @@ class MountPointsTest {
   @TempDir private Path folder;
 
   private Scenario site(String attributes, String obstacles) throws IOException {
+    return site(attributes, obstacles, "");
+  }
+
+  private Scenario site(String attributes, String obstacles, String zones) throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("site.xml"),
@@ -40,12 +44,13 @@ class MountPointsTest {
 <root>
   <simulation min_x="0" max_x="20" min_y="0" max_y="20" order="coverage" %s>
     <obstacles>%s</obstacles>
+    <zones>%s</zones>
     <cameras><camera name="A" x="19.9" y="19.9" heading="0" viewing_angle="60" range="9"/></cameras>
     <objects><object x="19.7" y="19.7" heading="0" speed="1" features="1"/></objects>
   </simulation>
 </root>
 """
-                .formatted(attributes, obstacles));
+                .formatted(attributes, obstacles, zones));
     return ScenarioReader.read(file, movement -> true, warning -> {});
   }
 
@@ -93,6 +98,29 @@ class MountPointsTest {
     List<Point> points = points(site("", walls), false);
     assertFalse(anyIn(points, 8, 9.8, 8 + width, 10.2));
     assertTrue(anyIn(points, 4, 9, 7, 9.8));
+  }
+
+  /** A building of 16 x 16 m in a field of 20 x 20 m, with an entrance in the south. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 2.4, 5})
+  void leavesEntranceAndOutsideOfBuildingFree(double width) throws IOException {
+    String walls =
+        Texts.format(
+            "<wall x1=\"2\" y1=\"2\" x2=\"8\" y2=\"2\"/>"
+                + "<wall x1=\"%s\" y1=\"2\" x2=\"18\" y2=\"2\"/>"
+                + "<wall x1=\"18\" y1=\"2\" x2=\"18\" y2=\"18\"/>"
+                + "<wall x1=\"18\" y1=\"18\" x2=\"2\" y2=\"18\"/>"
+                + "<wall x1=\"2\" y1=\"18\" x2=\"2\" y2=\"2\"/>",
+            8 + width);
+    List<Point> inside =
+        points(site("", walls, "<zone name=\"hall\" points=\"4,4 16,16\"/>"), false);
+    assertFalse(inside.stream().anyMatch(point -> point.y() < 2 || point.y() > 18));
+    assertFalse(inside.stream().anyMatch(point -> point.x() < 2 || point.x() > 18));
+    assertFalse(anyIn(inside, 8, 1.5, 8 + width, 2.2));
+    assertTrue(anyIn(inside, 5, 2, 8, 3) && anyIn(inside, 17, 5, 18, 15));
+    List<Point> outside =
+        points(site("", walls, "<zone name=\"yard\" points=\"4,0 16,1.5\"/>"), false);
+    assertTrue(anyIn(outside, 0, 0, 20, 1));
   }
 
   @Test
