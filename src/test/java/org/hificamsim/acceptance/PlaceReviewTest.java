@@ -64,6 +64,18 @@ class PlaceReviewTest extends RoomsTest {
   }
 
   @Test
+  void documentNamesFacesAndCommandAsTheyWereAskedFor() throws IOException {
+    Path site = site("", DOOR.replace("/>", " facing=\"-90\"/>"));
+    Path plan = folder.resolve("faces");
+    Cli placed =
+        Cli.run("place", site, "--cameras", 1, "--title", "client=City Museum", "--out", plan);
+    assertEquals(0, placed.exit(), placed.err());
+    String page = Files.readString(plan.resolve("index.html"));
+    assertTrue(page.contains("; faces that look to 270°, within 30°"));
+    assertTrue(page.contains("--title 'client=City Museum'"), page);
+  }
+
+  @Test
   void keptCamerasKeepTheirPrice() throws IOException {
     Path plan = folder.resolve("plan");
     place(site("", DOOR), "--cover --out " + plan);
@@ -72,6 +84,7 @@ class PlaceReviewTest extends RoomsTest {
     Cli kept = place(plan.resolve("plan.xml"), "--cover --keep all --out " + again);
     assertEquals(0, kept.exit(), kept.err());
     assertTrue(kept.out().contains("price 0.00:"), "of new cameras: " + kept.out());
+    assertTrue(kept.out().matches("(?s).* of them kept \\(in all [1-9].*"), kept.out());
     assertTrue(kept.out().contains("no plan costs less than 0.00"), kept.out());
     assertEquals(cameras, Files.readAllLines(again.resolve("cameras.csv")));
     Path wrong = folder.resolve("wrong.xml");

@@ -131,6 +131,37 @@ class ZoneClaimTest {
     }
   }
 
+  /**
+   * A camera at 3 m whose picture ends 48.0 degrees below the horizon: it sees the crown of a
+   * person of 1.75 m from 1.13 m on, the chin (at 1.517 m) from 1.34 m on.
+   */
+  @ParameterizedTest
+  @CsvSource({"'', 75", "'facing=\"180\" facing_tolerance=\"89\"', 33"})
+  void faceIsInThePictureFromTheChinOn(String faces, double share) throws IOException {
+    Path site =
+        Files.writeString(
+            folder.resolve("chin.xml"),
+            """
+<root>
+  <simulation min_x="0" max_x="20" min_y="0" max_y="12" order="coverage" mount_height="3"
+      detection="oodpcvs-2025:level=characterise" steps="1">
+    <zones><zone name="strip" points="9.9,1 10.1,1.5" %s/></zones>
+    <cameras>
+      <optics name="o" law="pinhole" pixels="1920" hfov="60" aspect="1.7777778"/>
+      <camera name="A" x="10" y="0" heading="0" tilt="30" optics="o"/>
+    </cameras>
+    <objects>
+      <object features="1" x="17" y="3" heading="0" speed="1" width="0.5" height="1.75"/>
+    </objects>
+  </simulation>
+</root>
+"""
+                .formatted(faces));
+    Cli cli = Cli.run("place", "--evaluate", site);
+    assertEquals(0, cli.exit(), cli.err());
+    assertEquals(share, ZoneRaster.claims(cli.out()).get("strip"), 1.5, cli.out());
+  }
+
   @Test
   void planOpensWithItsFloorplan() throws IOException {
     Path picture = Files.createDirectories(folder.resolve("pictures")).resolve("floor.png");

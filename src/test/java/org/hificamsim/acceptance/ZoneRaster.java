@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepPhase;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -82,7 +83,8 @@ final class ZoneRaster {
 
   /** The number of people whom enough cameras detect; others count in part. */
   private static double met(Scenario planned, Zone asked, List<Point> places) {
-    TargetSpec person = UsualTarget.of(planned);
+    TargetSpec usual = UsualTarget.of(planned);
+    TargetSpec person = asked.facing() == null ? usual : usual.with(TargetSpec.SEEN, Seen.FACE);
     List<TargetSpec> people = new ArrayList<>();
     for (Point place : places) {
       people.add(Demand.targetAt(place.x(), place.y(), people.size(), person));

@@ -6,12 +6,21 @@ public enum Seen {
   FEET,
   /** The highest point. */
   HEAD,
+  /** The head, from the chin to the highest point. */
+  FACE,
   /** Everything from the ground to the highest point. */
   WHOLE;
 
+  /** The height of a head: people are seven and a half heads tall. */
+  private static final double HEAD_SHARE = 1 / 7.5;
+
   /** The lowest height to be seen of a target with this height, metres. */
   public double low(double height) {
-    return this == HEAD ? height : 0;
+    return switch (this) {
+      case HEAD -> height;
+      case FACE -> height - HEAD_SHARE * height;
+      case FEET, WHOLE -> 0;
+    };
   }
 
   /** The greatest height to be seen of a target with this height, metres. */

@@ -69,7 +69,7 @@ step: how long a step takes, s, above 0; it says how far a camera moves in one. 
 of targets are in metres a step whatever it is (ours)
 occlusion: `targets`: a target hides those behind it, as a disc of its width. `none`: \
 obstacles alone hide (ours)
-seen: what of a target has to be [seen](world.md#heights): `feet`, `head` or `whole` (ours) \
+seen: what of a target has to be [seen](world.md#heights): `feet`, `head`, `face` or `whole` (ours) \
 | the detection model's: `head` to recognise, else `whole`
 foreshortening: `cosine`: what is seen from above [looks shorter](world.md#heights) (ours)
 channel: [what becomes of messages between cameras](channel.md), as \

@@ -112,9 +112,13 @@ final class PlanDrawing implements Paintable {
     for (Setup.Floor picture : floor) {
       BufferedImage image = FloorPictures.image(picture);
       Rectangle2D place = onPaper(picture.area()).getBounds2D();
-      AffineTransform fit = AffineTransform.getTranslateInstance(place.getX(), place.getY());
-      fit.scale(place.getWidth() / image.getWidth(), place.getHeight() / image.getHeight());
-      pale.drawImage(image, fit, null);
+      // whole pixels: a scale in SVG has two decimals, by which a large picture lies beside its
+      // place
+      int left = (int) Math.round(place.getMinX());
+      int top = (int) Math.round(place.getMinY());
+      int width = (int) Math.round(place.getMaxX()) - left;
+      int height = (int) Math.round(place.getMaxY()) - top;
+      pale.drawImage(image, left, top, width, height, null);
     }
     pale.dispose();
   }

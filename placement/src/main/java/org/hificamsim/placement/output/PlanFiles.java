@@ -61,7 +61,7 @@ public final class PlanFiles {
   /** Adds the files to a folder. */
   public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
       throws IOException {
-    String command = "./hificamsim " + String.join(" ", content.command);
+    String command = ResultFolder.command(content.command);
     CameraSectors sectors = new CameraSectors(plan, catalogue);
     PlanSheet.Content sheet = new PlanSheet.Content(content.floor, content.title, command);
     content.progress.accept("bounds the curve of coverage");

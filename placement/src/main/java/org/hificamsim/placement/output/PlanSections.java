@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.hifi.density.DensityDetections;
 import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.Demand;
@@ -69,7 +70,7 @@ final class PlanSections {
                 zone ->
                     List.of(
                         zone.name(),
-                        DensityDetections.levelName(zone.detection().name()),
+                        demanded(zone),
                         Integer.toString(zone.k()),
                         Integer.toString(zone.count()),
                         percent(plan.cover().claimedShare(zone)),
@@ -77,7 +78,40 @@ final class PlanSections {
                         percent(unseenShare(zone, counts))))
             .toList();
     return new Section(
-        "Zones", List.of("zone", "asks for", "k", "cells", "met", "met by k", "unseen"), rows);
+        "Zones",
+        List.of(
+            "zone",
+            "asks for",
+            "k",
+            "cells",
+            demand.isForArea() ? "met, of the area" : "met",
+            "cells met by k",
+            "cells unseen"),
+        rows);
+  }
+
+  /** The level that a zone asks for, and what it says of faces. */
+  private String demanded(ZoneDemand demanded) {
+    String level = DensityDetections.levelName(demanded.detection().name());
+    return demand.site().zones().stream()
+        .filter(zone -> zone.name().equals(demanded.name()))
+        .findFirst()
+        .map(zone -> level + ofFaces(zone))
+        .orElse(level);
+  }
+
+  private static String ofFaces(Zone zone) {
+    String facing =
+        zone.facing() == null
+            ? ""
+            : Texts.format(
+                "; faces that look to %.0f°, within %.0f°",
+                (zone.facing() + 360) % 360, zone.tolerance());
+    String depression =
+        zone.maxDepression() == null
+            ? ""
+            : Texts.format("; seen from at most %.0f° above", zone.maxDepression());
+    return facing + depression;
   }
 
   private static double unseenShare(ZoneDemand zone, int[] counts) {
@@ -97,7 +131,7 @@ final class PlanSections {
               Texts.format("%.2f", camera.x()),
               Texts.format("%.2f", camera.y()),
               height(camera),
-              Texts.format("%.1f", camera.heading()),
+              Texts.format("%.1f", (camera.heading() + 360) % 360),
               Texts.format("%.1f", camera.tilt()),
               camera.optics().map(OpticsSpec::name).orElse("own"),
               kept ? "stays" : money(camera.price()),
@@ -117,7 +151,7 @@ final class PlanSections {
             "lens",
             "price, " + currency,
             "cells",
-            "met without it",
+            "cells met without it",
             "most goes blind in"),
         rows);
   }

@@ -43,9 +43,10 @@ public final class PointSight {
     this.catalogue = catalogue;
     this.usual = UsualTarget.of(demand.site());
     for (Demand.ZoneDemand zone : demand.zones()) {
+      TargetSpec target = targetIn(demand.place(zone));
       List<TargetSpec> targets = new ArrayList<>();
       for (Demand.DemandPoint point : demand.pointsOf(zone)) {
-        targets.add(Demand.targetAt(point.x(), point.y(), targets.size(), usual));
+        targets.add(Demand.targetAt(point.x(), point.y(), targets.size(), target));
       }
       scenarios.add(
           demand
@@ -56,6 +57,14 @@ public final class PointSight {
               .with(Scenario.CHANNEL, ChannelModel.PERFECT)
               .without(Scenario.VISION_GRAPH));
     }
+  }
+
+  /** The usual target, of which cameras must see what the zone asks for. */
+  private TargetSpec targetIn(Zone zone) {
+    return zone.seen()
+        .filter(seen -> demand.site().hasHeights())
+        .map(seen -> usual.with(TargetSpec.SEEN, seen))
+        .orElse(usual);
   }
 
   /** What is to be seen. */

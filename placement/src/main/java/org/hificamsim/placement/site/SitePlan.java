@@ -83,7 +83,10 @@ public record SitePlan(
               + gapFact(1 - found / shares.bound));
     }
     if (coverPlan.isProven()) {
-      facts.add("proven: no plan of these candidates is better");
+      facts.add(
+          problem.isCutShort()
+              ? "proven for the places that cameras looked from: no plan of these is better"
+              : "proven: no plan of these candidates is better");
     }
     if (problem.isCutShort()) {
       facts.add(
@@ -91,16 +94,19 @@ public record SitePlan(
               "in this time cameras looked from %d of %d places, all over the site",
               problem.candidates().places(), problem.request().options().points().size()));
     }
-    facts.add(
-        Texts.format(
-            "the site's own cameras (%d) meet %.2f %%",
-            demand().site().cameras().size(), 100 * shares.ofSite));
+    int before = demand().site().cameras().size();
+    if (before > 0) {
+      facts.add(
+          Texts.format(
+              "%s of the scenario as it was: %.2f %% is met",
+              Texts.counted(before, "camera"), 100 * shares.ofSite));
+    }
     return facts;
   }
 
   private String keptFact() {
     int kept = problem.kept().size();
-    return kept == 0 ? "" : Texts.format(", %d of them kept", kept);
+    return kept == 0 ? "" : Texts.format(", %d of them kept (in all %.2f)", kept, cover.price());
   }
 
   /** How far the plan is from its bound; nothing if it reaches it. */

@@ -13,6 +13,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.Extent;
 import org.hificamsim.core.scenario.spec.Foreshortening;
 import org.hificamsim.core.scenario.spec.TargetSpec;
+import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.core.visibility.Body;
 import org.hificamsim.core.world.World;
 
@@ -49,16 +50,19 @@ public final class UsualTarget {
   }
 
   /**
-   * Returns what a detection must see of the target: by the target's rule, else the scenario's,
-   * else the detection model's.
+   * Returns what a detection must see of the target in a zone: by the zone's rule, else the
+   * target's, the scenario's or the detection model's.
    */
-  static Body body(Scenario scenario, Detection detection) {
+  static Body body(Scenario scenario, Zone zone, Detection detection) {
     TargetSpec target = of(scenario);
     if (!scenario.hasHeights()) {
       return Body.flat(size(target, detection.model()));
     }
     Seen seen =
-        target.seen().or(() -> scenario.find(Scenario.SEEN)).orElse(detection.model().seen());
+        zone.seen()
+            .or(target::seen)
+            .or(() -> scenario.find(Scenario.SEEN))
+            .orElse(detection.model().seen());
     boolean foreshortened = scenario.get(Scenario.FORESHORTENING) == Foreshortening.COSINE;
     double height = target.height();
     double size = size(target, detection.model());

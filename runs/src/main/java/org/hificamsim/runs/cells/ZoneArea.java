@@ -48,7 +48,7 @@ public final class ZoneArea {
             .filter(cell -> zone.contains(raster.x(cell), raster.y(cell)))
             .filter(cell -> obstacles.containing(raster.x(cell), raster.y(cell)).isEmpty())
             .toArray();
-    Body body = UsualTarget.body(site, detection);
+    Body body = UsualTarget.body(site, zone, detection);
     double head = UsualTarget.of(site).height();
     views =
         new ViewCells(

@@ -35,7 +35,7 @@ final class BlindViewHint {
     List<String> blind = new ArrayList<>();
     for (int camera = 0; camera < cameras.count(); camera++) {
       List<String> views = blindViews(cameras, camera, Visibility.of(detection), bodies);
-      if (!views.isEmpty()) {
+      if (!bodies.isEmpty() && !views.isEmpty()) {
         blind.add("'%s' at %s".formatted(cameras.name(camera), Reach.listed(views)));
       }
     }

@@ -13,6 +13,8 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 
@@ -69,13 +71,20 @@ public record ResultFolder(Path path) {
 
   /** The command line that made the folder, quoted for a shell. */
   public String command() throws IOException {
-    List<String> words = new ArrayList<>(List.of("./hificamsim"));
-    for (JsonNode word : json(MANIFEST).path("command")) {
-      String text = word.asText();
-      boolean needsNoQuotes = text.matches("[\\w./:=,@+-]+");
-      words.add(needsNoQuotes ? text : "'" + text.replace("'", "'\\''") + "'");
-    }
-    return String.join(" ", words);
+    List<String> words = new ArrayList<>();
+    json(MANIFEST).path("command").forEach(word -> words.add(word.asText()));
+    return command(words);
+  }
+
+  /** A command line of these words, quoted for a shell. */
+  public static String command(List<String> words) {
+    return Stream.concat(Stream.of("./hificamsim"), words.stream().map(ResultFolder::quoted))
+        .collect(Collectors.joining(" "));
+  }
+
+  private static String quoted(String word) {
+    boolean needsNoQuotes = word.matches("[\\w./:=,@+-]+");
+    return needsNoQuotes ? word : "'" + word.replace("'", "'\\''") + "'";
   }
 
   /**

@@ -42,21 +42,21 @@ public final class TargetSpec extends Spec<TargetSpec> {
               TargetSpec.class,
               TargetSpec::new,
               """
-              A target that is there from the start.
-              features: a number that identifies it; unique
-              move: its movement: `epics.movement.` and `Straight`, `Waypoints`, `Brownian`, \
-              `DirectedBrownian`; `Scripted` or `RandomWaypoint` (ours), or the name of a \
-              movement of your own
-              x, y: start, m; outside the field is a warning
-              heading: where it goes: see `headings` above
-              speed: metres a step
-              size: edge of its bounding box, m, above 0 (ours)
-              width, height: in place of `size`, both, m, above 0 (ours): its size is the root of \
-              their product, and its width is what hides others
-              seen: what of it has to be [seen](world.md#heights): `feet`, `head`, `whole` (ours) \
-              | the scenario's
-              mean, std: mean and standard deviation of a Brownian step, in x and y, m
-              """)
+A target that is there from the start.
+features: a number that identifies it; unique
+move: its movement: `epics.movement.` and `Straight`, `Waypoints`, `Brownian`, \
+`DirectedBrownian`; `Scripted` or `RandomWaypoint` (ours), or the name of a \
+movement of your own
+x, y: start, m; outside the field is a warning
+heading: where it goes: see `headings` above
+speed: metres a step
+size: edge of its bounding box, m, above 0 (ours)
+width, height: in place of `size`, both, m, above 0 (ours): its size is the root of \
+their product, and its width is what hides others
+seen: what of it has to be [seen](world.md#heights): `feet`, `head`, `face`, `whole` (ours) \
+| the scenario's
+mean, std: mean and standard deviation of a Brownian step, in x and y, m
+""")
           .holds("(waypoint, waypoint+)?");
 
   public static final Property<TargetSpec, Double> FEATURES =

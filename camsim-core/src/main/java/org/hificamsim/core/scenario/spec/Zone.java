@@ -3,7 +3,9 @@ package org.hificamsim.core.scenario.spec;
 import java.awt.geom.Line2D;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Seen;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
@@ -162,6 +164,11 @@ in a world with heights | any
         name, shape, points, required, cameras, weight, facing, facingTolerance, maxDepression);
   }
 
+  /** The part of a target that cameras must see; empty where the zone leaves it to others. */
+  public Optional<Seen> seen() {
+    return asksForFaces() ? Optional.of(Seen.FACE) : Optional.empty();
+  }
+
   /** Whether it matters from where cameras see a target. */
   public boolean asksForFaces() {
     return facing != null || maxDepression != null;
@@ -185,9 +192,13 @@ in a world with heights | any
     if (facing == null) {
       return true;
     }
-    double tolerance = facingTolerance == null ? USUAL_TOLERANCE : facingTolerance;
     double heading = Math.toDegrees(Math.atan2(east, north));
-    return Math.abs(Math.IEEEremainder(heading - facing, 360)) <= tolerance;
+    return Math.abs(Math.IEEEremainder(heading - facing, 360)) <= tolerance();
+  }
+
+  /** The most degrees from where faces look to the camera. */
+  public double tolerance() {
+    return facingTolerance == null ? USUAL_TOLERANCE : facingTolerance;
   }
 
   /** Whether a point of the field is in the zone or on its border. */
