@@ -32,6 +32,31 @@ class PlaceReviewTest extends RoomsTest {
   }
 
   @Test
+  void editedPlanHasDocumentsOfItsOwn() throws IOException {
+    Path plan = folder.resolve("plan");
+    place(site(WALL, DOOR), "--cameras 2 --out " + plan);
+    Path edited = folder.resolve("edited.xml");
+    Files.writeString(
+        edited,
+        Files.readString(plan.resolve("plan.xml")).replaceAll("<camera name=\"P2\".*\n", ""));
+    Path out = folder.resolve("documents");
+    Cli evaluated =
+        Cli.run("place", "--evaluate", edited, "--title", "client=Museum", "--out", out);
+    assertEquals(0, evaluated.exit(), evaluated.err());
+    String page = Files.readString(out.resolve("index.html"));
+    assertTrue(page.contains("1 camera, price ") && page.contains("[\"client\",\"Museum\"]"));
+    assertFalse(page.contains("proven") || page.contains("no plan"), page);
+    assertEquals(2, Files.readAllLines(out.resolve("order.csv")).size(), "one product");
+    assertEquals(2, Files.readAllLines(out.resolve("cameras.csv")).size(), "one camera");
+    for (String file : List.of("plan.pdf", "plan.svg", "levels.svg", "plan.dxf", "plan.xml")) {
+      assertTrue(Files.size(out.resolve(file)) > 500, file);
+    }
+    Cli compared = Cli.run("place", "--compare", plan, edited, "--out", out);
+    assertEquals(2, compared.exit());
+    assertTrue(compared.err().contains("--out writes the documents of one plan"), compared.err());
+  }
+
+  @Test
   void comparesEditedPlanWithPlan() throws IOException {
     Path plan = folder.resolve("plan");
     place(site(WALL, DOOR), "--cameras 2 --out " + plan);

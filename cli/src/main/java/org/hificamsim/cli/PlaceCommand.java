@@ -31,8 +31,11 @@ import org.hificamsim.placement.cover.Goal;
 import org.hificamsim.placement.cover.InstanceFile;
 import org.hificamsim.placement.output.PlanCheck;
 import org.hificamsim.placement.output.PlanFiles;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.Candidates;
+import org.hificamsim.placement.site.CoverageReading;
 import org.hificamsim.placement.site.Demand;
+import org.hificamsim.placement.site.EvaluatedPlan;
 import org.hificamsim.placement.site.PlacementProblem;
 import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.placement.site.PointSight;
@@ -166,12 +169,8 @@ final class PlaceCommand implements Callable<Integer> {
         problem.solve(
             effort(interrupt), new SearchProgress(this::note, !goal.isFullCover()), refinement);
     try (OutputFolder output = screen.folder(folder)) {
-      PlanFiles.write(
-          output,
-          plan,
-          Catalogue.load(),
-          new PlanFiles.Content(floor, files.title(catalogueCurrency), screen.words(), this::note));
-      copyFloorplan(plan, output);
+      PlanFiles.write(output, plan, Catalogue.load(), content(floor, catalogueCurrency));
+      copyFloorplan(file, plan, output);
       files.write(output, plan);
       if (form.isPresent()) {
         try (Writer writer = output.open("instance.txt")) {
@@ -186,11 +185,12 @@ final class PlaceCommand implements Callable<Integer> {
   }
 
   /** Copies the picture of the site beside the plan, which names it. */
-  private void copyFloorplan(SitePlan plan, OutputFolder folder) throws IOException {
+  private static void copyFloorplan(Path scenario, CameraPlan plan, OutputFolder folder)
+      throws IOException {
     Optional<Floorplan> original = plan.demand().site().floorplan();
     if (original.isPresent()) {
       String name = plan.scenario().floorplan().orElseThrow().file();
-      folder.copy(name, file.resolveSibling(original.get().file()));
+      folder.copy(name, scenario.resolveSibling(original.get().file()));
     }
   }
 
@@ -271,29 +271,55 @@ final class PlaceCommand implements Callable<Integer> {
     return demanded;
   }
 
-  private int review(List<Path> plans) {
+  private int review(List<Path> plans) throws IOException {
     if (file != null || goals() > 0 || instance.isPresent()) {
       throw new InputException(
           "--evaluate and --compare measure plans as they are, expected no site, instance or goal"
               + " besides");
     }
+    if (plans.size() > 1 && out.isPresent()) {
+      throw new InputException("--out writes the documents of one plan, expected --evaluate");
+    }
     Catalogue catalogue = Catalogue.load();
     List<PlanReview> reviews =
-        plans.stream().map(plan -> new PlanReview(plan, cover(plan, catalogue))).toList();
+        plans.stream().map(plan -> new PlanReview(plan, evaluated(plan, catalogue))).toList();
     if (reviews.size() == 1) {
       reviews.get(0).print(screen);
+      if (out.isPresent()) {
+        writeDocuments(reviews.get(0), out.get(), catalogue);
+      }
     } else {
       PlanReview.compare(screen, reviews.get(0), reviews.get(1));
     }
     return 0;
   }
 
-  private PlanCover cover(Path plan, Catalogue catalogue) {
+  private void writeDocuments(PlanReview review, Path folder, Catalogue catalogue)
+      throws IOException {
+    EvaluatedPlan plan = review.plan();
+    List<Setup.Floor> floor = FloorPictures.of(review.file(), plan.demand().site());
+    try (OutputFolder output = screen.folder(folder)) {
+      PlanFiles.writeDocuments(
+          output, plan, List.of(), catalogue, content(floor, PriceList.USUAL_CURRENCY));
+      copyFloorplan(review.file(), plan, output);
+      ManifestFile.write(output, screen.words(), started, 0);
+      ResultFolder.commit(output, List.of());
+    }
+    screen.out().println(folder + "/index.html, plan.pdf");
+  }
+
+  private PlanFiles.Content content(List<Setup.Floor> floor, String currency) {
+    return new PlanFiles.Content(floor, files.title(currency), screen.words(), this::note);
+  }
+
+  private EvaluatedPlan evaluated(Path plan, Catalogue catalogue) {
     Demand demanded = demand(plan, catalogue);
     PointSight sight = new PointSight(demanded, catalogue);
     try (Progress measuring = screen.progress("measures", " zones", demanded.zones().size())) {
-      return PlanCover.of(
-          demanded, sight, demanded.site().cameras(), demand.reading(), measuring::advance);
+      CoverageReading reading = demand.reading();
+      return new EvaluatedPlan(
+          PlanCover.of(demanded, sight, demanded.site().cameras(), reading, measuring::advance),
+          reading);
     }
   }
 

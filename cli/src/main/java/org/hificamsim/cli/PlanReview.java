@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.placement.site.BlindSpot;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
+import org.hificamsim.placement.site.EvaluatedPlan;
 import org.hificamsim.placement.site.PlanCover;
 import org.hificamsim.runs.output.TextTable;
 
@@ -22,7 +23,7 @@ import org.hificamsim.runs.output.TextTable;
  *
  * @param file its scenario
  */
-record PlanReview(Path file, PlanCover cover) {
+record PlanReview(Path file, EvaluatedPlan plan) {
   private static final String NONE = "-";
 
   /** The number of blind spots and of failures that are printed. */
@@ -30,9 +31,8 @@ record PlanReview(Path file, PlanCover cover) {
 
   /** Prints what the plan meets, zone by zone, what it costs, and what if a camera fails. */
   void print(Screen screen) {
-    screen.say(
-        "%s: %s, price %s: %.2f %% of the demand is met",
-        file, Texts.counted(cover.cameras().size(), "camera"), price(), 100 * cover.claimedShare());
+    PlanCover cover = plan.cover();
+    screen.say("%s: %s", file, plan.facts().get(0));
     printZones(screen, cover);
     double[] shares = cover.sharesWithout();
     byShare(shares).stream()
@@ -62,14 +62,6 @@ record PlanReview(Path file, PlanCover cover) {
         "%.2f %% by %s, k = %d", 100 * cover.claimedShare(zone), zone.detection().name(), zone.k());
   }
 
-  private String price() {
-    long unknown = cover.cameras().stream().filter(camera -> camera.price() == 0).count();
-    String known = Texts.format("%.2f", cover.price());
-    return unknown == 0
-        ? known
-        : known + " (" + Texts.counted(unknown, "camera") + " without a price)";
-  }
-
   /** The numbers of cameras, those without which least is met first. */
   private static List<Integer> byShare(double[] shares) {
     return IntStream.range(0, shares.length)
@@ -79,34 +71,34 @@ record PlanReview(Path file, PlanCover cover) {
   }
 
   private String worstFailure() {
-    double[] shares = cover.sharesWithout();
+    double[] shares = plan.cover().sharesWithout();
     return byShare(shares).stream()
         .findFirst()
         .map(
             camera ->
                 Texts.format(
                     "%.2f %% of the samples, without %s",
-                    100 * shares[camera], cover.cameras().get(camera).name()))
+                    100 * shares[camera], plan.cameras().get(camera).name()))
         .orElse(NONE);
   }
 
   /** Prints two plans side by side. */
   static void compare(Screen screen, PlanReview first, PlanReview second) {
     TextTable table = new TextTable(3, List.of("", first.file + "", second.file + ""));
-    row(table, "cameras", first, second, plan -> "" + plan.cover.cameras().size());
-    row(table, "price", first, second, PlanReview::price);
+    row(table, "cameras", first, second, review -> "" + review.plan.cameras().size());
+    row(table, "price", first, second, review -> review.plan.priceText());
     row(
         table,
         "demand met",
         first,
         second,
-        plan -> Texts.format("%.2f %%", 100 * plan.cover.claimedShare()));
+        review -> Texts.format("%.2f %%", 100 * review.plan.cover().claimedShare()));
     for (String zone : zones(first, second)) {
-      row(table, "zone " + zone, first, second, plan -> plan.met(zone));
+      row(table, "zone " + zone, first, second, review -> review.met(zone));
     }
     row(table, "after the worst failure", first, second, PlanReview::worstFailure);
     for (String camera : differingCameras(first, second)) {
-      row(table, "camera " + camera, first, second, plan -> plan.camera(camera));
+      row(table, "camera " + camera, first, second, review -> review.camera(camera));
     }
     table.print(screen.out());
   }
@@ -123,22 +115,22 @@ record PlanReview(Path file, PlanCover cover) {
   private static Set<String> zones(PlanReview first, PlanReview second) {
     Set<String> names = new LinkedHashSet<>();
     List.of(first, second)
-        .forEach(plan -> plan.cover.demand().zones().forEach(zone -> names.add(zone.name())));
+        .forEach(review -> review.plan.demand().zones().forEach(zone -> names.add(zone.name())));
     return names;
   }
 
   private String met(String zone) {
-    return cover.demand().zones().stream()
+    return plan.demand().zones().stream()
         .filter(demanded -> demanded.name().equals(zone))
         .findFirst()
-        .map(demanded -> met(cover, demanded))
+        .map(demanded -> met(plan.cover(), demanded))
         .orElse(NONE);
   }
 
   private static List<String> differingCameras(PlanReview first, PlanReview second) {
     Set<String> names = new LinkedHashSet<>();
     List.of(first, second)
-        .forEach(plan -> plan.cover.cameras().forEach(camera -> names.add(camera.name())));
+        .forEach(review -> review.plan.cameras().forEach(camera -> names.add(camera.name())));
     List<String> differing = new ArrayList<>(names);
     differing.removeIf(name -> first.camera(name).equals(second.camera(name)));
     return differing;
@@ -146,7 +138,7 @@ record PlanReview(Path file, PlanCover cover) {
 
   private String camera(String name) {
     Optional<CameraSpec> camera =
-        cover.cameras().stream().filter(spec -> spec.name().equals(name)).findFirst();
+        plan.cameras().stream().filter(spec -> spec.name().equals(name)).findFirst();
     return camera.map(PlanReview::describe).orElse(NONE);
   }
 

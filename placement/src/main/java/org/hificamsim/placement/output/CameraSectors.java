@@ -12,7 +12,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
-import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.ViewReach;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Setup;
@@ -27,7 +27,7 @@ final class CameraSectors {
   private final List<ViewReach> reaches = new ArrayList<>();
   private final Cameras cameras;
 
-  CameraSectors(SitePlan plan, Catalogue catalogue) {
+  CameraSectors(CameraPlan plan, Catalogue catalogue) {
     World world = new World(plan.scenario(), catalogue.movements(), 0);
     this.cameras = world.cameras();
     Map<Detection, Setup> setups = new HashMap<>();
@@ -48,7 +48,7 @@ final class CameraSectors {
   }
 
   /** The detection of the zone in which a camera covers most points. */
-  private static Detection detection(SitePlan plan, int camera) {
+  private static Detection detection(CameraPlan plan, int camera) {
     int[] counts = new int[plan.demand().zones().size()];
     int most = 0;
     for (int point : plan.cover().covered()[camera]) {

@@ -8,10 +8,10 @@ import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.hifi.density.DensityDetections;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
 import org.hificamsim.placement.site.PointSight;
-import org.hificamsim.placement.site.SitePlan;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.runs.cells.FieldCells;
 
@@ -27,7 +27,7 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
    * How cells are seen: by no camera, by fewer than one of their zones asks for, or as all their
    * zones ask.
    */
-  static CellClasses coverage(SitePlan plan) {
+  static CellClasses coverage(CameraPlan plan) {
     FieldCells cells = plan.demand().finestCells();
     double[] classes = new double[cells.count()];
     Arrays.fill(classes, Double.NaN);
@@ -67,7 +67,7 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
    * The highest level of a standard that is reached in each cell; empty if zones ask for no level,
    * or for levels of two standards.
    */
-  static Optional<CellClasses> levels(SitePlan plan, Catalogue catalogue) {
+  static Optional<CellClasses> levels(CameraPlan plan, Catalogue catalogue) {
     List<String> asked =
         plan.demand().zones().stream().map(zone -> zone.detection().name()).toList();
     List<String> names = levelNames(plan);
@@ -87,7 +87,7 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
       labels.add(DensityDetections.levelName(name) + suffix);
       int[][] seen =
           new PointSight(plan.demand().with(detection), catalogue)
-              .covered(plan.cameras(), plan.problem().request().reading());
+              .covered(plan.cameras(), plan.reading());
       int level = labels.size() - 1;
       Arrays.stream(seen)
           .flatMapToInt(Arrays::stream)
@@ -100,11 +100,11 @@ record CellClasses(FieldCells cells, double[] values, List<Color> colors, List<S
   }
 
   /** Whether zones ask for levels of more than one standard. */
-  static boolean asksForTwoStandards(SitePlan plan) {
+  static boolean asksForTwoStandards(CameraPlan plan) {
     return levelNames(plan).size() > Palette.SEQUENCE.size();
   }
 
-  private static List<String> levelNames(SitePlan plan) {
+  private static List<String> levelNames(CameraPlan plan) {
     return plan.demand().zones().stream()
         .flatMap(zone -> DensityDetections.levels(zone.detection().name()).stream())
         .distinct()

@@ -17,7 +17,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.Zone;
-import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Paintable;
 import org.hificamsim.presentation.plot.Palette;
@@ -53,7 +53,7 @@ final class PlanDrawing implements Paintable {
    * @param floor pictures below the plan
    */
   PlanDrawing(
-      SitePlan plan,
+      CameraPlan plan,
       CellClasses classes,
       List<CameraSectors.Sector> sectors,
       List<Setup.Floor> floor) {

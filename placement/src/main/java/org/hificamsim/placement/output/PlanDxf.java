@@ -17,7 +17,7 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.core.scenario.spec.Field;
 import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.Zone;
-import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.CameraPlan;
 
 /**
  * Writes a plan as DXF in metres, in the coordinates of the site: cameras as blocks with
@@ -41,7 +41,7 @@ final class PlanDxf {
   private static final double SYMBOL = 0.2; // metres, the radius of a camera's symbol
 
   /** The attributes of a camera's block, by tag; only the name is shown. */
-  private static final Map<String, BiFunction<SitePlan, CameraSpec, String>> ATTRIBUTES =
+  private static final Map<String, BiFunction<CameraPlan, CameraSpec, String>> ATTRIBUTES =
       new LinkedHashMap<>();
 
   static {
@@ -54,19 +54,19 @@ final class PlanDxf {
     ATTRIBUTES.put("PRICE", (plan, camera) -> number(camera.price()));
   }
 
-  private final SitePlan plan;
+  private final CameraPlan plan;
   private final Scenario site;
   private final CameraSectors sectors;
   private final DxfWriter dxf;
 
-  private PlanDxf(SitePlan plan, CameraSectors sectors, Writer out) {
+  private PlanDxf(CameraPlan plan, CameraSectors sectors, Writer out) {
     this.plan = plan;
     this.site = plan.scenario();
     this.sectors = sectors;
     this.dxf = new DxfWriter(out);
   }
 
-  static void write(Writer out, SitePlan plan, CameraSectors sectors) throws IOException {
+  static void write(Writer out, CameraPlan plan, CameraSectors sectors) throws IOException {
     new PlanDxf(plan, sectors, out).write();
   }
 

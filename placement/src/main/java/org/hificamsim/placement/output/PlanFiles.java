@@ -18,6 +18,7 @@ import org.hificamsim.core.scenario.spec.CameraSpec;
 import org.hificamsim.placement.cover.CoverPlan;
 import org.hificamsim.placement.output.PlanTables.CameraRow;
 import org.hificamsim.placement.output.PlanTables.PointRow;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.Candidates.Candidate;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.DemandPoint;
@@ -54,34 +55,19 @@ public final class PlanFiles {
       List<Setup.Floor> floor, TitleBlock title, List<String> command, Consumer<String> progress) {}
 
   /** Returns the reason why a picture is missing; empty if all are drawn. */
-  public static Optional<String> omission(SitePlan plan) {
+  public static Optional<String> omission(CameraPlan plan) {
     return PlanSheet.omission(plan);
   }
 
-  /** Adds the files to a folder. */
+  /** Adds the files of a plan that was searched for to a folder. */
   public static void write(OutputFolder folder, SitePlan plan, Catalogue catalogue, Content content)
       throws IOException {
-    String command = ResultFolder.command(content.command);
-    CameraSectors sectors = new CameraSectors(plan, catalogue);
-    PlanSheet.Content sheet = new PlanSheet.Content(content.floor, content.title, command);
     content.progress.accept("bounds the curve of coverage");
     List<CurvePoint> curve = plan.curve();
-    content.progress.accept("draws the plan");
-    new PlanSheet(plan, catalogue, sectors, curve, sheet).write(folder);
-    content.progress.accept("writes its tables");
-    PlanTables.ORDER.write(folder, PlanOrder.of(plan, content.title.currency()).stream());
-    try (Writer dxf = folder.open(DXF)) {
-      PlanDxf.write(dxf, plan, sectors);
-    }
-    folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
+    writeDocuments(folder, plan, curve, catalogue, content);
     JsonOutput.write(folder, ResultFolder.SUMMARY, summary(plan));
     int[] counts = plan.cover().counts();
     Demand demand = plan.demand();
-    double[] sharesWithout = plan.cover().sharesWithout();
-    PlanTables.CAMERAS.write(
-        folder,
-        IntStream.range(0, plan.cameras().size())
-            .mapToObj(i -> cameraRow(plan, i, sharesWithout[i])));
     double[] multipliers = plan.coverPlan().multiplierBound().multipliers();
     PlanTables.POINTS.write(
         folder,
@@ -95,12 +81,42 @@ public final class PlanFiles {
     PlanTables.CURVE.write(folder, curve.stream());
   }
 
+  /**
+   * Adds what people read of a plan, and its scenario, to a folder.
+   *
+   * @param curve of coverage; no points where no plan was searched for
+   */
+  public static void writeDocuments(
+      OutputFolder folder,
+      CameraPlan plan,
+      List<CurvePoint> curve,
+      Catalogue catalogue,
+      Content content)
+      throws IOException {
+    content.progress.accept("draws the plan");
+    String command = ResultFolder.command(content.command);
+    CameraSectors sectors = new CameraSectors(plan, catalogue);
+    PlanSheet.Content sheet = new PlanSheet.Content(content.floor, content.title, command);
+    new PlanSheet(plan, catalogue, sectors, curve, sheet).write(folder);
+    content.progress.accept("writes its tables");
+    PlanTables.ORDER.write(folder, PlanOrder.of(plan, content.title.currency()).stream());
+    try (Writer dxf = folder.open(DXF)) {
+      PlanDxf.write(dxf, plan, sectors);
+    }
+    folder.write(SCENARIO, ScenarioWriter.write(plan.scenario()));
+    double[] sharesWithout = plan.cover().sharesWithout();
+    PlanTables.CAMERAS.write(
+        folder,
+        IntStream.range(0, plan.cameras().size())
+            .mapToObj(i -> cameraRow(plan, i, sharesWithout[i])));
+  }
+
   /** Adds {@link #CANDIDATES}, which is large. */
   public static void writeCandidates(OutputFolder folder, SitePlan plan) throws IOException {
     folder.write(CANDIDATES, ScenarioWriter.write(plan.candidateScenario()));
   }
 
-  private static CameraRow cameraRow(SitePlan plan, int number, double shareWithout) {
+  private static CameraRow cameraRow(CameraPlan plan, int number, double shareWithout) {
     CameraSpec camera = plan.cameras().get(number);
     int coveredPoints = plan.cover().covered()[number].length;
     return new CameraRow(camera, plan.height(camera), coveredPoints, shareWithout);

@@ -1,14 +1,14 @@
 package org.hificamsim.placement.output;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.hificamsim.placement.site.CameraKind;
-import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.CameraPlan;
 
-/** The products to order for a plan: the kinds of its new cameras. */
+/** The products to order for a plan. */
 final class PlanOrder {
   private PlanOrder() {}
 
@@ -25,14 +25,22 @@ final class PlanOrder {
   }
 
   /** The products to order, by name. */
-  static List<Product> of(SitePlan plan, String currency) {
-    Map<String, List<CameraKind>> kinds =
-        plan.newKinds().stream()
-            .collect(Collectors.groupingBy(CameraKind::name, TreeMap::new, Collectors.toList()));
+  static List<Product> of(CameraPlan plan, String currency) {
+    Map<CameraPlan.Product, Long> quantities =
+        plan.products().stream()
+            .collect(
+                Collectors.groupingBy(
+                    product -> product,
+                    () ->
+                        new TreeMap<>(
+                            Comparator.comparing(CameraPlan.Product::name)
+                                .thenComparing(CameraPlan.Product::price)),
+                    Collectors.counting()));
     List<Product> products = new ArrayList<>();
-    kinds.forEach(
-        (name, same) ->
-            products.add(new Product(name, same.size(), same.get(0).price(), currency)));
+    quantities.forEach(
+        (product, quantity) ->
+            products.add(
+                new Product(product.name(), quantity.intValue(), product.price(), currency)));
     return products;
   }
 }

@@ -12,9 +12,9 @@ import org.hificamsim.core.scenario.spec.OpticsSpec;
 import org.hificamsim.core.scenario.spec.Zone;
 import org.hificamsim.hifi.density.DensityDetections;
 import org.hificamsim.placement.site.BlindSpot;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.Demand;
 import org.hificamsim.placement.site.Demand.ZoneDemand;
-import org.hificamsim.placement.site.SitePlan;
 
 /** The tables of a plan's page and document, in words for people. */
 final class PlanSections {
@@ -23,12 +23,12 @@ final class PlanSections {
   /** A table with its title. */
   record Section(String title, List<String> columns, List<List<String>> rows) {}
 
-  private final SitePlan plan;
+  private final CameraPlan plan;
   private final Demand demand;
   private final int[] counts;
   private final String currency;
 
-  PlanSections(SitePlan plan, String currency) {
+  PlanSections(CameraPlan plan, String currency) {
     this.plan = plan;
     this.demand = plan.demand();
     this.counts = plan.cover().counts();
@@ -123,7 +123,7 @@ final class PlanSections {
     List<List<String>> rows = new ArrayList<>();
     for (int i = 0; i < plan.cameras().size(); i++) {
       CameraSpec camera = plan.cameras().get(i);
-      boolean kept = i < plan.problem().kept().size();
+      boolean kept = i < plan.keptCameras();
       int[] countsWithout = plan.cover().countsWithout(i);
       rows.add(
           List.of(

@@ -14,7 +14,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.placement.output.PlanSections.Section;
-import org.hificamsim.placement.site.SitePlan;
+import org.hificamsim.placement.site.CameraPlan;
 import org.hificamsim.placement.site.SitePlan.CurvePoint;
 import org.hificamsim.presentation.plot.A4Pages;
 import org.hificamsim.presentation.plot.Curve;
@@ -51,15 +51,18 @@ final class PlanSheet {
    */
   record Content(List<Setup.Floor> floor, TitleBlock title, String command) {}
 
-  private final SitePlan plan;
+  private final CameraPlan plan;
   private final Content content;
   private final PlanDrawing floor;
   private final Optional<PlanDrawing> detectionLevels;
-  private final Figure curve;
+  private final Optional<Figure> curve;
   private final List<Section> sections;
 
+  /**
+   * @param points of the curve of coverage; none where no plan was searched for
+   */
   PlanSheet(
-      SitePlan plan,
+      CameraPlan plan,
       Catalogue catalogue,
       CameraSectors sectors,
       List<CurvePoint> points,
@@ -70,7 +73,7 @@ final class PlanSheet {
     this.detectionLevels =
         CellClasses.levels(plan, catalogue)
             .map(classes -> new PlanDrawing(plan, classes, List.of(), content.floor));
-    this.curve = curve(points);
+    this.curve = points.isEmpty() ? Optional.empty() : Optional.of(curve(points));
     this.sections = new PlanSections(plan, content.title.currency()).sections();
   }
 
@@ -79,7 +82,7 @@ final class PlanSheet {
   }
 
   /** The reason why a picture is missing; empty if all are drawn. */
-  static Optional<String> omission(SitePlan plan) {
+  static Optional<String> omission(CameraPlan plan) {
     return CellClasses.asksForTwoStandards(plan) ? Optional.of(TWO_STANDARDS) : Optional.empty();
   }
 
@@ -127,7 +130,8 @@ final class PlanSheet {
     if (detectionLevels.isPresent()) {
       pages.picture("Levels reached", detectionLevels.get(), LEVELS_HEIGHT);
     }
-    pages.picture("Coverage over the number of cameras", curve, CURVE_HEIGHT);
+    curve.ifPresent(
+        figure -> pages.picture("Coverage over the number of cameras", figure, CURVE_HEIGHT));
     return pages.pages();
   }
 
@@ -152,7 +156,8 @@ final class PlanSheet {
     ObjectNode data = new ObjectMapper().createObjectNode();
     data.put("title", title()).put("command", content.command);
     data.put("version", ManifestFile.version());
-    data.put("floor", image(floor)).put("curve", image(curve));
+    data.put("floor", image(floor));
+    data.put("curve", curve.isPresent() ? image(curve.get()) : null);
     data.put("levels", detectionLevels.isPresent() ? image(detectionLevels.get()) : null);
     facts().forEach(data.putArray("facts")::add);
     ArrayNode block = data.putArray("block");

@@ -20,7 +20,8 @@ public record PriceList(List<CameraKind> kinds, String currency) {
   /** The name of the list of all kinds that the scenario has, each at the price of 1. */
   public static final String SITE = "site";
 
-  static final String USUAL_CURRENCY = "EUR";
+  /** The currency of lists that name none. */
+  public static final String USUAL_CURRENCY = "EUR";
 
   /**
    * Returns the list with a name, or reads it from a file.

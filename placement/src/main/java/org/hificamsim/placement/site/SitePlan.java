@@ -1,6 +1,5 @@
 package org.hificamsim.placement.site;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -9,7 +8,6 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.Texts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.spec.CameraSpec;
-import org.hificamsim.core.scenario.spec.Floorplan;
 import org.hificamsim.core.scenario.spec.ScenarioEvent;
 import org.hificamsim.core.scenario.spec.TargetSpec;
 import org.hificamsim.placement.cover.CoverInstance;
@@ -31,7 +29,8 @@ public record SitePlan(
     CoverInstance searched,
     PlanCover cover,
     CoverPlan coverPlan,
-    Shares shares) {
+    Shares shares)
+    implements CameraPlan {
   /** A smaller gap is 0 as it is shown. */
   private static final double LEAST_SHOWN_GAP = 0.00005;
 
@@ -44,16 +43,27 @@ public record SitePlan(
    */
   public record Shares(Optional<Double> unrefined, double bound, double ofSite) {}
 
-  public Demand demand() {
-    return problem.demand();
+  @Override
+  public CoverageReading reading() {
+    return problem.request().reading();
   }
 
-  /** The cameras that stay, then the new ones, as elements of a scenario. */
-  public List<CameraSpec> cameras() {
-    return cover.cameras();
+  @Override
+  public int keptCameras() {
+    return problem.kept().size();
   }
 
-  /** The quality of the plan in lines for people, the shares that are met first. */
+  /** The kinds of the new cameras, at their prices; refining a plan changes none of them. */
+  @Override
+  public List<Product> products() {
+    return Arrays.stream(coverPlan.chosen())
+        .mapToObj(problem.candidates().list()::get)
+        .map(Candidate::kind)
+        .map(kind -> new Product(kind.name(), kind.price()))
+        .toList();
+  }
+
+  @Override
   public List<String> facts() {
     List<String> facts = new ArrayList<>();
     facts.add(
@@ -70,7 +80,7 @@ public record SitePlan(
                   + " met",
               100 * cover.share()));
     }
-    facts.add(problem.request().reading().words() + refinementFact());
+    facts.add(reading().words() + refinementFact());
     if (problem.goal().isFullCover()) {
       facts.add(
           Texts.format("no plan costs less than %.2f", coverPlan.bound())
@@ -124,23 +134,6 @@ public record SitePlan(
         100 * before, 100 * (cover.share() - before));
   }
 
-  /** The price of all new cameras. */
-  public double price() {
-    return newCameras().stream().mapToDouble(CameraSpec::price).sum();
-  }
-
-  /** The kinds of the new cameras; refining a plan changes none of them. */
-  public List<CameraKind> newKinds() {
-    return Arrays.stream(coverPlan.chosen())
-        .mapToObj(problem.candidates().list()::get)
-        .map(Candidate::kind)
-        .toList();
-  }
-
-  private List<CameraSpec> newCameras() {
-    return cameras().subList(problem.kept().size(), cameras().size());
-  }
-
   /**
    * A point of the curve of coverage.
    *
@@ -153,7 +146,7 @@ public record SitePlan(
 
   /** The share of the demand over the number of new cameras; those that add most come first. */
   public List<CurvePoint> curve() {
-    int kept = problem.kept().size();
+    int kept = keptCameras();
     int[] counts = problem.keptCounts().clone();
     List<Integer> rest = new ArrayList<>(IntStream.range(kept, cameras().size()).boxed().toList());
     double[] prices = new double[rest.size()];
@@ -203,7 +196,8 @@ public record SitePlan(
     return problem.instance().worth(countsWith);
   }
 
-  /** Returns the site with these cameras, and without the events of its old ones. */
+  /** The site with these cameras, and without the events of its old ones. */
+  @Override
   public Scenario scenario() {
     Scenario site = demand().site();
     List<ScenarioEvent> targetEvents =
@@ -213,27 +207,11 @@ public record SitePlan(
                     event instanceof ScenarioEvent.AddTarget
                         || event instanceof ScenarioEvent.RemoveTarget)
             .toList();
-    return floorplanInFolder(site)
+    return CameraPlan.withFloorplanInFolder(site)
         .with(Scenario.CAMERAS, cameras())
         .with(Scenario.EVENTS, targetEvents)
         .without(Scenario.VISION_GRAPH)
         .with(Scenario.NAME, site.name() + "-plan");
-  }
-
-  /** Returns the site with its floor plan in the folder of the plan. */
-  private static Scenario floorplanInFolder(Scenario site) {
-    return site.floorplan()
-        .map(floor -> site.withFloorplan(new Floorplan(fileName(floor), floor.area())))
-        .orElse(site);
-  }
-
-  private static String fileName(Floorplan floor) {
-    return Path.of(floor.file()).getFileName().toString();
-  }
-
-  /** The height at which a camera hangs, metres; NaN if the site has none. */
-  public double height(CameraSpec camera) {
-    return camera.z().orElse(demand().site().mountHeight().orElse(Double.NaN));
   }
 
   /** Returns the site with all candidates as cameras, named by their kinds, and one target. */

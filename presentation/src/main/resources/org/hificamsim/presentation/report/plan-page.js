@@ -65,15 +65,17 @@ export async function planPage(root, data) {
       ),
     );
   }
-  root.append(
-    card(
-      'Coverage over the number of cameras',
-      picture(
-        data.curve,
-        'The share that is met by the first cameras, and the most that any plan can meet',
+  if (data.curve) {
+    root.append(
+      card(
+        'Coverage over the number of cameras',
+        picture(
+          data.curve,
+          'The share that is met by the first cameras, and the most that any plan can meet',
+        ),
       ),
-    ),
-  );
+    );
+  }
   root.append(madeWith(data));
   root.dataset.ready = '';
 }

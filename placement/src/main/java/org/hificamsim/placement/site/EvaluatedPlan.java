@@ -1,0 +1,51 @@
+package org.hificamsim.placement.site;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.Texts;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.spec.OpticsSpec;
+
+/** The cameras of a scenario as they are, however they were planned. */
+public record EvaluatedPlan(PlanCover cover, CoverageReading reading) implements CameraPlan {
+  @Override
+  public int keptCameras() {
+    return 0;
+  }
+
+  @Override
+  public List<Product> products() {
+    return cameras().stream()
+        .map(
+            camera ->
+                new Product(
+                    camera.optics().map(OpticsSpec::name).orElse(camera.name()), camera.price()))
+        .toList();
+  }
+
+  @Override
+  public List<String> facts() {
+    List<String> facts = new ArrayList<>();
+    facts.add(
+        Texts.format(
+            "%s, price %s: %.2f %% of the demand is met",
+            Texts.counted(cameras().size(), "camera"), priceText(), 100 * cover.claimedShare()));
+    facts.add(reading.words());
+    facts.add("the cameras are measured as they are; no better ones were looked for");
+    return facts;
+  }
+
+  /** The price of all cameras, with the number of those whose price is not known. */
+  public String priceText() {
+    long unknown = cameras().stream().filter(camera -> camera.price() == 0).count();
+    String known = Texts.format("%.2f", price());
+    return unknown == 0
+        ? known
+        : known + " (" + Texts.counted(unknown, "camera") + " without a price)";
+  }
+
+  @Override
+  public Scenario scenario() {
+    return CameraPlan.withFloorplanInFolder(demand().site());
+  }
+}
