@@ -31,7 +31,8 @@ public final class DrawnSite {
   public DrawnSite(SiteSettings settings, Field drawn, List<List<Point>> walkable) {
     this.settings = settings;
     this.obstacles = new Obstacles(settings.walls());
-    this.field = field(drawn, settings.margin().orElse(0));
+    double margin = settings.margin().orElse(0);
+    this.field = settings.walls().isEmpty() ? widened(drawn, margin) : rounded(drawn, margin);
     for (List<Point> border : walkable) {
       String name = "inside" + (walkable.size() == 1 ? "" : "-" + (zones.size() + 1));
       zones.add(Zone.of(name, Zone.Shape.POLYGON, border));
@@ -41,8 +42,17 @@ public final class DrawnSite {
             field, obstacles, way(true), settings.cameras(), SiteQuestion.PIXELS_PER_METRE);
   }
 
-  /** Rounds a field with a margin outwards to metres. */
-  private static Field field(Field drawn, double margin) {
+  /** The field of a picture ends where the picture does. */
+  private static Field widened(Field picture, double margin) {
+    return new Field(
+        picture.minX() - margin,
+        picture.maxX() + margin,
+        picture.minY() - margin,
+        picture.maxY() + margin);
+  }
+
+  /** Rounds the field of a drawing outwards to metres, so that walls at its end are inside. */
+  private static Field rounded(Field drawn, double margin) {
     double minX = Math.floor(drawn.minX() - margin);
     double minY = Math.floor(drawn.minY() - margin);
     return new Field(
