@@ -97,7 +97,8 @@ class SiteCommandTest {
   void fieldOfPictureEndsWithIt() throws IOException {
     Path picture = folder.resolve("odd.png");
     ImageIO.write(new BufferedImage(83, 61, BufferedImage.TYPE_INT_RGB), "png", picture.toFile());
-    assertMade(site(picture, "--scale=0.1"), "odd", "field: 8.3 x 6.1 m; walls and solids: 0");
+    Cli made = site(picture, "--scale=0.1", "--people", 2);
+    assertMade(made, "odd", "field: 8.3 x 6.1 m; walls and solids: 0");
   }
 
   @Test

@@ -32,13 +32,19 @@ public record PictureFrame(PlanScale scale, double x, double y) {
         ImageReader reader = readers.next();
         reader.setInput(in);
         double metres = metresPerPixel(picture, reader.getWidth(0));
-        return new Field(x, x + reader.getWidth(0) * metres, y, y + reader.getHeight(0) * metres);
+        double right = rounded(x + reader.getWidth(0) * metres);
+        return new Field(x, right, y, rounded(y + reader.getHeight(0) * metres));
       }
     } catch (IOException e) {
       throw TextLines.unreadable(picture.toString(), 1, e);
     }
     throw new Place(picture.toString(), 1, 1)
         .error("the file is not a picture, expected a PNG or JPEG");
+  }
+
+  /** A coordinate in millimetres, as people write it, metres. */
+  private static double rounded(double metres) {
+    return Math.rint(1000 * metres) / 1000;
   }
 
   private double metresPerPixel(Path picture, int pixels) {
