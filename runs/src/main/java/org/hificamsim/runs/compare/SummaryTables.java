@@ -137,7 +137,7 @@ public final class SummaryTables {
     List<Figure> figures = shown(all);
     try (Writer out = folder.open(LATEX)) {
       out.write("% \\usepackage{booktabs}\n");
-      out.write(table(byScenario(all), figures, false).latex(ofCases + scores, "tab:hificamsim"));
+      out.write(table(all, figures, false).latex(ofCases + scores, "tab:hificamsim"));
       if (yardstick.isPresent()) {
         String ofAggregates =
             "All scenarios together, proportions of "
@@ -173,7 +173,7 @@ public final class SummaryTables {
     List<String> header = new ArrayList<>(List.of("scenario", "detection", "policy"));
     figures.forEach(figure -> header.add(figure.title));
     TextTable table = new TextTable(3, header);
-    for (CaseResult result : cases) {
+    for (CaseResult result : byScore(cases)) {
       List<String> row = new ArrayList<>();
       row.add(result.plan().scenario().name());
       row.add(result.plan().detection().name());
@@ -200,8 +200,15 @@ public final class SummaryTables {
             : result.mean(figure.metric).text(figure.format));
   }
 
-  /** The cases ordered by scenario, so that the optima do not all come last. */
-  private static List<CaseResult> byScenario(List<CaseResult> cases) {
-    return Cases.byScenario(cases).values().stream().flatMap(List::stream).toList();
+  /** The cases of each scenario and detection together, those with the highest score first. */
+  private static List<CaseResult> byScore(List<CaseResult> cases) {
+    return Cases.byScenario(cases).values().stream()
+        .flatMap(own -> Cases.byDetection(own).values().stream())
+        .flatMap(group -> group.stream().sorted(comparingDouble(SummaryTables::lostScore)))
+        .toList();
+  }
+
+  private static double lostScore(CaseResult result) {
+    return -result.mean(Metric.MEAN_SCORE).mean();
   }
 }
