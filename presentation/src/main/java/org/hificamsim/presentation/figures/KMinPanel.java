@@ -28,7 +28,14 @@ import org.knowm.xchart.XYChart;
 public final class KMinPanel extends XyPanel {
   private static final int RAW_POINTS = 250;
   private static final int WIDTH = 470;
+
+  /** Of one in three next to each other, so that pages show their texts as large as others. */
+  private static final int NARROW_WIDTH = 340;
+
   private static final int HEIGHT = 300;
+
+  /** Beyond 1, so that marks at 1 are whole. */
+  private static final double END_OF_SHARES = 1.04;
 
   private final int steps;
 
@@ -47,7 +54,13 @@ public final class KMinPanel extends XyPanel {
     detections.forEach(
         (name, group) -> panels.add(of(colors.name(name), group, colors::of, ceiling)));
     return new Figure(
-        title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
+        title,
+        note(cases),
+        colors.legend(),
+        panels,
+        Math.min(3, panels.size()),
+        panels.size() < 3 ? WIDTH : NARROW_WIDTH,
+        HEIGHT);
   }
 
   /** Returns a panel of cases. */
@@ -61,18 +74,21 @@ public final class KMinPanel extends XyPanel {
     return panel;
   }
 
-  /** The end of a y axis that contains all cases. */
+  /** The end of a y axis that contains all cases; that of shares ends at 1. */
   public static double ceilingOf(List<CaseResult> cases) {
-    return ceiling(cases.stream().map(CaseResult::meanScore).toList());
+    double ceiling = ceiling(cases.stream().map(CaseResult::meanScore).toList());
+    return cases.get(0).plan().objective().isShare() ? Math.min(END_OF_SHARES, ceiling) : ceiling;
   }
 
   /** The note of a figure of such panels. */
   public static String note(List<CaseResult> cases) {
     int runs = cases.get(0).runs().size();
-    return note(cases.get(0).plan().steps())
+    RunPlan plan = cases.get(0).plan();
+    return note(plan.steps())
         + (runs > 1
             ? " (" + runs + " seeds); bands: 95% intervals of that mean" + bandsOf(cases) + "."
-            : ".");
+            : ".")
+        + (plan.objective().hasOwnFigure() ? " Score: " + plan.objective().words() + "." : "");
   }
 
   private static String bandsOf(List<CaseResult> cases) {
@@ -84,7 +100,7 @@ public final class KMinPanel extends XyPanel {
     if (!objective.hasOwnFigure()) {
       return "k_min (cameras)";
     }
-    return objective.isShare() ? "share of " + objective.words() : objective.words();
+    return objective.isShare() ? "score (share)" : "score (" + objective.unit() + ")";
   }
 
   static String note(int steps) {
