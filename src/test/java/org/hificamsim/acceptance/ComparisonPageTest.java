@@ -9,9 +9,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,6 +27,13 @@ import org.openqa.selenium.support.ui.Select;
 /** The page of a comparison in a browser. */
 class ComparisonPageTest {
   private static final String ROWS = "section.card:first-of-type tbody tr";
+
+  private static final String CORNER_OF_FIRST_PICTURE =
+      """
+const context = document.createElement('canvas').getContext('2d');
+context.drawImage(document.querySelector('.pictures img'), 0, 0);
+return context.getImageData(2, 2, 1, 1).data.join();
+""";
 
   @TempDir static Path folder;
   private static Browser browser;
@@ -211,6 +222,63 @@ class ComparisonPageTest {
     assertEquals(7, browser.findAll(".lines .u-legend .u-series").size());
     assertEquals(List.of(address()), browser.requests());
     browser.assertQuietConsole();
+  }
+
+  @Test
+  void picturesKeepColoursOfPoliciesOnDarkPages() {
+    browser.dark(true);
+    try {
+      open();
+      browser.until("return [...document.images].every(i => i.complete && i.naturalWidth > 100)");
+      assertEquals("none", browser.find(".pictures img").getCssValue("filter"));
+      assertEquals("26,34,43,255", browser.run(CORNER_OF_FIRST_PICTURE));
+    } finally {
+      browser.dark(false);
+    }
+  }
+
+  @Test
+  void showsSharesAsPercentages() {
+    Path shares = folder.resolve("shares");
+    Cli cli =
+        Cli.run(
+            "compare",
+            Cli.scenario("ring-random"),
+            "--objective",
+            "covered:k=1",
+            "--detections",
+            "camsim-range,hifi:orb-lin",
+            "--policies",
+            "zoom-out,zoom-in",
+            "--steps",
+            20,
+            "--repeat",
+            2,
+            "--out",
+            shares);
+    assertEquals(0, cli.exit(), cli.err());
+    browser.open(shares.resolve("report.html").toUri().toString());
+    for (String column : List.of("predicted", "predicted_low", "achieved", "achieved_high")) {
+      String text = browser.text("td[data-column=" + column + "]");
+      assertTrue(text.endsWith(" %"), column + " is " + text);
+    }
+    assertRowsByScore(cli.out());
+  }
+
+  /** Within a detection, of one scenario. */
+  private static void assertRowsByScore(String table) {
+    Map<String, Double> lastScores = new HashMap<>();
+    Pattern row = Pattern.compile("(?m)^ring-random +(\\S+) +\\S+ +([0-9.]+) %");
+    row.matcher(table)
+        .results()
+        .forEach(
+            found -> {
+              double score = Double.parseDouble(found.group(2));
+              double last =
+                  Objects.requireNonNullElse(lastScores.put(found.group(1), score), 100.0);
+              assertTrue(score <= last, table);
+            });
+    assertEquals(2, lastScores.size(), table);
   }
 
   @Test

@@ -44,7 +44,9 @@ function bestScore(cases, rows, {settings, tables}) {
   const plan = settings.find(({scenario}) => scenario === best.scenario);
   const number = score => scoreNumber(Number(score), {share: plan.score_unit === 'share'});
   const interval =
-    best.low !== best.high ? ` (95 % interval ${number(best.low)} to ${number(best.high)})` : '';
+    number(best.low) === number(best.high)
+      ? ''
+      : ` (95 % interval ${number(best.low)} to ${number(best.high)})`;
   const winners = cases.filter(({mean}) => mean === best.mean);
   const names = winners.length > MOST_WINNERS ? `${winners.length} policies` : listed(winners);
   const verb = winners.length > 1 ? 'tie as' : 'is';

@@ -23,7 +23,7 @@ export async function comparisonPage(root, data) {
   const pictures = data.pictures.length && (await pictureCard(data.pictures));
   const rest = [
     data.results &&
-      foldedCard(`All runs (${data.results.count})`, () => fileTable(data.results, data.names)),
+      foldedCard(`All runs (${data.results.count})`, () => fileTable(data.results, data)),
     data.settings && settingsCard(data.settings),
     madeWith(data),
   ];
@@ -46,7 +46,7 @@ export async function comparisonPage(root, data) {
   root.dataset.ready = '';
 }
 
-const tableCard = (table, {names}) => card(titleOf(table.name), fileTable(table, names));
+const tableCard = (table, data) => card(titleOf(table.name), fileTable(table, data));
 
 /** The order of the policies by rung as heat maps; the tables that these show are folded. */
 function ladderCards(data) {
@@ -55,7 +55,7 @@ function ladderCards(data) {
     ladderMaps(...maps),
     ...data.tables.map(table =>
       maps.includes(table)
-        ? foldedCard(titleOf(table.name), () => fileTable(table, data.names))
+        ? foldedCard(titleOf(table.name), () => fileTable(table, data))
         : tableCard(table, data),
     ),
   ];

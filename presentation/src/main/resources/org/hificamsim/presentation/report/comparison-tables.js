@@ -42,9 +42,27 @@ const OVER_TIME = /^(k_min|score)-(.+)\.svg$/;
 const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other|rung|judge|chosen)$/;
 const SEVERAL = ' | '; // between policies that tie
 const SHARE = /^share(_|$)/;
+const SCORE = /^(predicted|achieved)(_|$)/;
 const WHOLE = /^seeds_needed$/;
 const FRACTION = /^-?\d+\.\d+(E-\d+)?$/;
 const LEVEL = 0.05;
+
+/** Paper, ink and grid of pictures, and their colours on dark pages; policies keep theirs. */
+const DARK_COLOURS = [
+  ['white', '#1a222b'],
+  ['rgb(34,34,34)', '#e8edf2'],
+  ['rgb(85,85,85)', '#b4bfca'],
+  ['rgb(119,119,119)', '#8b98a5'],
+  ['rgb(227,227,227)', '#34404c'],
+];
+const DARK_RULES = ['fill', 'stroke']
+  .flatMap(part =>
+    DARK_COLOURS.map(
+      ([light, dark]) => `[style*="${part}:${light}"] { ${part}: ${dark} !important; }`,
+    ),
+  )
+  .join(' ');
+const DARK_STYLE = `<style>@media (prefers-color-scheme: dark) { ${DARK_RULES} }</style>`;
 const WIDE_PICTURE = 800; // points; too small to be read next to another picture
 
 /** The title of a table or picture by the name of its file. */
@@ -53,13 +71,20 @@ export const titleOf = name =>
   OVER_TIME.exec(name)?.[2].replace(/^/, 'Each policy’s score over time in ') ??
   name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 
-/** A table as its file has it, without rows of no run; `names` has the titles of metrics. */
-export function fileTable(table, names = {}) {
+/**
+ * A table as its file has it, without rows of no run; `names` has the titles of metrics, and
+ * `settings` says which scenarios have shares as scores.
+ */
+export function fileTable(table, {names = {}, settings = []}) {
+  const shares = (settings ?? []).filter(plan => plan.score_unit === 'share');
+  const isShare = (column, {scenario}) =>
+    SHARE.test(column) || (SCORE.test(column) && shares.some(plan => plan.scenario === scenario));
   const columns = table.columns.map(name => ({
     name,
     label: LABELS[name] ?? names[name]?.title ?? words(name),
     title: name,
-    show: text => cellText(name, text, names),
+    show: (text, row) =>
+      isShare(name, row) && text !== '' ? percent(Number(text)) : cellText(name, text, names),
   }));
   return el(
     'div',
@@ -73,7 +98,6 @@ export function fileTable(table, names = {}) {
 const hasRuns = ({runs, scenarios}) => runs !== '0' && scenarios !== '0';
 
 function cellText(column, text, names) {
-  if (SHARE.test(column) && text !== '') return percent(Number(text));
   if (SPELLED.test(column)) return text.split(SEVERAL).map(spelled).join(' or ');
   if (WHOLE.test(column) && text !== '') return decimals(Number(text), 0);
   if (FRACTION.test(text)) return tableNumber(Number(text));
@@ -107,7 +131,10 @@ export async function pictureCard(pictures) {
 
 async function picture({name, data}) {
   if (!data) return el('p', {class: 'note'}, `${name} is left out, so that this file stays small.`);
-  const image = new Blob([await inflate(data)], {type: 'image/svg+xml'});
+  const drawn = new TextDecoder().decode(await inflate(data));
+  const image = new Blob([drawn.replace(/<\/svg\s*>\s*$/, `${DARK_STYLE}</svg>`)], {
+    type: 'image/svg+xml',
+  });
   return el(
     'figure',
     {tabindex: 0}, // scrolls where the window is narrow

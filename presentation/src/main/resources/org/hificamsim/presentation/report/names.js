@@ -1,7 +1,7 @@
 // The words that people read for names in files; tooltips have the names themselves. SpokenNames
 // writes WORDS.
 import {el} from './dom.js';
-import {decimals, percent, significant} from './numbers.js';
+import {decimals, decimalsOf, percent, significant} from './numbers.js';
 
 /** The user's own words for policies and detections. */
 let labels = {};
@@ -36,13 +36,13 @@ function fitted(family, text) {
   return `${detector.toUpperCase()} ${WORDS.laws[law] ?? law}${chapter}${origin}`;
 }
 
-/** A number with its unit: shares as percentages. */
-export const withUnit = (value, unit = '') =>
-  !Number.isFinite(value)
-    ? '–'
-    : isShare(unit)
-      ? `${decimals(100 * value, 2)} %`
-      : decimals(value, 4);
+/** A number with its unit: shares as percentages, with the digits that its interval gives it. */
+export function withUnit(value, unit = '', {low, high} = {}) {
+  if (!Number.isFinite(value)) return '–';
+  return isShare(unit)
+    ? `${decimals(100 * value, decimalsOf(100 * low, 100 * high, 2))} %`
+    : decimals(value, decimalsOf(low, high, 4));
+}
 
 export const isShare = unit => /^share\b/.test(unit);
 

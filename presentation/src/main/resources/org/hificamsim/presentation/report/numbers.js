@@ -5,6 +5,10 @@ export function decimals(number, most = 2) {
   return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
 }
 
+/** The decimals at which the half of an interval has two digits; at most `most`. */
+export const decimalsOf = (low, high, most) =>
+  high > low ? Math.max(0, Math.min(most, 1 - Math.floor(Math.log10((high - low) / 2)))) : most;
+
 /** A number with so many significant digits at most; three suit a threshold. */
 export const significant = (number, digits = 3) => String(Number(number.toPrecision(digits)));
 

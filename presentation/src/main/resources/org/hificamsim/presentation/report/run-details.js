@@ -2,34 +2,29 @@
 import {el} from './dom.js';
 import {settingText, spelled, tipped, unitAfterPercent, withUnit, words} from './names.js';
 
+const LEADING = ['score', 'mean_score']; // the last first
+
 /** Returns the elements `wholeRun`, `settings` and `made`. */
 export function details({summary, names, objective, command, version}) {
   const repeated = summary.repeat > 1;
   const metrics = Object.entries(summary.metrics).sort(
-    ([a], [b]) => (b === 'score') - (a === 'score'),
+    ([a], [b]) => LEADING.indexOf(b) - LEADING.indexOf(a),
   );
   names.score.unit = scoreUnit(objective);
   names.mean_score.unit = scoreUnit(objective)
     .replace(/ ?x steps/, '')
     .replace('shares', 'share');
-  const rows = metrics.map(([name, {mean, low, high}]) =>
-    row(
+  const rows = metrics.map(([name, {mean, low, high}]) => {
+    const text = value => withUnit(value, names[name].unit, {low, high});
+    return row(
       name,
       names[name].title,
       `${name}: ${names[name].meaning}`,
-      el('td', {data: {name: `summary-${name}`}}, withUnit(mean, names[name].unit)),
-      repeated
-        ? el(
-            'td',
-            {},
-            low === high
-              ? ''
-              : `${withUnit(low, names[name].unit)} to ${withUnit(high, names[name].unit)}`,
-          )
-        : null,
+      el('td', {data: {name: `summary-${name}`}}, text(mean)),
+      repeated ? el('td', {}, low === high ? '' : `${text(low)} to ${text(high)}`) : null,
       el('td', {class: 'unit'}, unitAfterPercent(names[name].unit)),
-    ),
-  );
+    );
+  });
   const settings = Object.entries(summary.settings).flatMap(([name, value]) =>
     name === 'optics'
       ? value.map(opticsRow)
