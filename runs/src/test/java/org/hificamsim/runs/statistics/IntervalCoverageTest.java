@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.apache.commons.math3.distribution.AbstractRealDistribution;
 import org.apache.commons.math3.distribution.BetaDistribution;
 import org.apache.commons.math3.distribution.BinomialDistribution;
+import org.apache.commons.math3.distribution.ExponentialDistribution;
 import org.apache.commons.math3.distribution.NormalDistribution;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.Ratio;
@@ -26,6 +27,9 @@ class IntervalCoverageTest {
   private static final double LEAST = 0.93;
   private static final double LEAST_OF_FEW_SKEWED_SCORES = 0.90;
   private static final double MOST = 0.97;
+
+  /** Of a share in 8000 simulations, one standard error. */
+  private static final double SIMULATION_ERROR = 0.002;
 
   private final SplittableRandom random = new SplittableRandom(95);
 
@@ -69,11 +73,18 @@ class IntervalCoverageTest {
   }
 
   @ParameterizedTest
+  @CsvSource({"10", "20", "30"})
+  void coversMeanOfVerySkewedScores(int seeds) {
+    Scores scores = new Scores(new ExponentialDistribution(1), Double.MAX_VALUE);
+    assertHolds(8000, LEAST, scores.mean(), () -> Estimate.mean(scores.draw(seeds)));
+  }
+
+  @ParameterizedTest
   @CsvSource({"10", "30"})
   void coversInterquartileMeanAsOftenAsStated(int seeds) {
     Scores scores = new Scores(new BetaDistribution(8, 2));
     double truth = Aggregate.interquartileMean(Strata.of(List.of(scores.quantiles)));
-    assertHolds(800, 0.92, truth, () -> Aggregate.IQM.of(Strata.of(List.of(scores.draw(seeds)))));
+    assertHolds(2000, LEAST, truth, () -> Aggregate.IQM.of(Strata.of(List.of(scores.draw(seeds)))));
   }
 
   @ParameterizedTest
@@ -128,7 +139,7 @@ class IntervalCoverageTest {
     Scores low = new Scores(new BetaDistribution(2, 8));
     assertHolds(
         4000,
-        0.92,
+        seeds < 10 ? 0.92 : LEAST,
         (high.mean() + low.mean()) / 2,
         () -> {
           Strata strata = Strata.of(List.of(high.draw(seeds), low.draw(seeds)));
@@ -157,11 +168,11 @@ class IntervalCoverageTest {
   }
 
   @Test
-  void tenSeedsMoveIntervalTowardsScatter() {
+  void tenSeedsLengthenIntervalTowardsScatter() {
     double[] values = {0.1, 0.1, 0.1, 0.1, 0.2, 0.2, 0.2, 0.2, 0.2, 0.9};
     Estimate mean = Estimate.mean(values);
-    assertTrue(mean.high() - mean.mean() > 2 * (mean.mean() - mean.low()));
-    assertTrue(mean.low() > 0.1 && mean.low() < mean.mean());
+    assertEquals(0.116843, mean.low(), 1e-6); // Hall's polynomial, solved by SciPy's brentq
+    assertEquals(0.531202, mean.high(), 1e-6); // 1.75 times as long as Student's
     Estimate few = Estimate.mean(Arrays.copyOfRange(values, 1, 10));
     assertEquals(few.mean() - few.low(), few.high() - few.mean(), 1e-12);
   }
@@ -184,7 +195,9 @@ class IntervalCoverageTest {
   }
 
   private static void assertWithin(double least, double share) {
-    assertTrue(share >= least && share <= MOST, "the interval holds the truth in " + share);
+    assertTrue(
+        share >= least && share <= MOST + SIMULATION_ERROR,
+        "the interval holds the truth in " + share);
   }
 
   private static double share(int trials, double truth, Supplier<Estimate> interval) {
