@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -15,6 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.hificamsim.core.program.PythonInterpreter;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -116,6 +118,29 @@ class CompareCommandTest {
     first.destroyForcibly().waitFor();
     assertEquals(2, second.exit(), second.err());
     assertTrue(second.err().contains("is in use by another run"), second.err());
+  }
+
+  /** Each camera chooses its last view, as zoom-out does. */
+  @Test
+  void policyOfPythonFileIsRowAsAnyOther() throws Exception {
+    String python = PythonInterpreter.find().executable().toString();
+    Process numpy = new ProcessBuilder(python, "-c", "import numpy").start();
+    assumeTrue(numpy.waitFor() == 0, "'" + python + "' has no numpy");
+    Path policy =
+        Files.writeString(
+            folder.resolve("widest.py"),
+            "def policy(observations, masks):\n    return [len(mask) - 1 for mask in masks]\n");
+    Object[] words = words(folder.resolve("out"), 10, 2);
+    words[Arrays.asList(words).indexOf("--policies") + 1] = "zoom-out,python:" + policy;
+    Cli compare = Cli.run(words);
+    assertEquals(0, compare.exit(), compare.err());
+    List<String> rows = Files.readAllLines(folder.resolve("out/results.csv"));
+    List<String> widest = rows.stream().filter(row -> row.contains("widest.py")).toList();
+    List<String> zoomOut = rows.stream().filter(row -> row.contains(",zoom-out,")).toList();
+    assertEquals(8, widest.size(), "scenarios, detections and seeds");
+    for (int i = 0; i < widest.size(); i++) {
+      assertEquals(zoomOut.get(i), widest.get(i).replace("python:" + policy, "zoom-out"));
+    }
   }
 
   @Test
