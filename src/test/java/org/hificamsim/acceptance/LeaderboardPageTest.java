@@ -24,6 +24,7 @@ class LeaderboardPageTest {
     assertEquals(1, browser.findAll(".bars .score").size());
     assertFalse(browser.findAll(".bars .none").isEmpty());
     browser.find("summary").click();
+    browser.until("return document.querySelector('.sortable th button') !== null");
     List<String> heads =
         browser.findAll(".sortable th button").stream().map(WebElement::getText).toList();
     assertEquals(3, heads.size(), heads.toString());
