@@ -8,7 +8,7 @@ import {rowsOf, sortable} from './table.js';
 
 const TITLES = {
   'choices.csv': 'What each detection model’s choice of policy achieves',
-  'aggregate.csv': 'All scenarios together',
+  'aggregate.csv': 'Aggregates over all runs',
   'improvement.csv': 'Probability that one policy beats another',
   'pairs.csv': 'Differences between policies, paired by seed',
   'rungs.csv': 'What is lost where each rung chooses the policy',
@@ -17,7 +17,7 @@ const TITLES = {
   'coverage.svg': 'How many cameras cover the targets, by policy',
   'proportion.svg': 'The score of each policy as a share of the yardstick',
   'profile.svg': 'How many runs reach which share of the yardstick',
-  'cost.svg': 'All scenarios, and what a step costs',
+  'cost.svg': 'The score over all runs, and what a step costs',
 };
 
 /** The labels of a ladder's columns, whose scores are those of each scenario's objective. */

@@ -140,7 +140,7 @@ public final class SummaryTables {
       out.write(table(all, figures, false).latex(ofCases + scores, "tab:hificamsim"));
       if (yardstick.isPresent()) {
         String ofAggregates =
-            "All scenarios together, proportions of "
+            "Aggregates over all runs, proportions of "
                 + yardstick.get().noun()
                 + ": interquartile mean and optimality gap with 95% intervals.";
         TextTable aggregates = aggregates(PolicyScores.of(asked));
