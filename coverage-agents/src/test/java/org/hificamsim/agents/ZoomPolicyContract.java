@@ -34,7 +34,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
   public Stream<DynamicTest> tests() {
     return Stream.of(
         dynamicTest("hasTheSameNameInEveryInstance", this::hasTheSameNameInEveryInstance),
-        dynamicTest("choosesLevelsThatTheCameraHas", this::choosesLevelsThatTheCameraHas),
+        dynamicTest("choosesViewsThatTheCameraHas", this::choosesViewsThatTheCameraHas),
         dynamicTest("choosesViewsThatTurningCamerasHave", this::choosesViewsThatTurningCamerasHave),
         dynamicTest(
             "toleratesCamerasAndTargetsThatComeAndGo",
@@ -54,7 +54,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     assertEquals(policies.get().name(), policies.get().name());
   }
 
-  private void choosesLevelsThatTheCameraHas() {
+  private void choosesViewsThatTheCameraHas() {
     for (int world = 0; world < 20; world++) {
       run(GeometricNetwork.random(MIXED, world), world, 50, false);
     }
@@ -107,7 +107,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     for (int step = 0; step < STEPS; step++) {
       other.step(otherPolicy);
       network.step(policy);
-      assertArrayEquals(alone[step], network.currentLevels(), "step " + step);
+      assertArrayEquals(alone[step], network.currentViews(), "step " + step);
       network.scatter();
       other.scatter();
     }
@@ -181,7 +181,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     ZoomPolicy policy = network.begin(policies.get(), 11);
     for (int step = 0; step < STEPS; step++) {
       network.step(policy);
-      assertArrayEquals(unseen[step], network.currentLevels(), "step " + step);
+      assertArrayEquals(unseen[step], network.currentViews(), "step " + step);
       for (int camera = 0; camera < network.cameras(); camera++) {
         checkEstimates(network, policy, camera);
       }
@@ -206,13 +206,13 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     policy.begin(network, new SplittableRandom(seed));
     int[][] history = new int[steps][];
     for (int step = 0; step < steps; step++) {
-      int[] before = network.currentLevels();
+      int[] before = network.currentViews();
       network.decide(policy);
-      check(network, before);
+      checkViews(network, before);
       network.observe();
       policy.learn(network);
       network.nextStep();
-      history[step] = network.currentLevels();
+      history[step] = network.currentViews();
       network.scatter();
       if (disturbed) {
         network.disturb();
@@ -221,7 +221,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     return history;
   }
 
-  private static void check(GeometricNetwork network, int[] before) {
+  private static void checkViews(GeometricNetwork network, int[] before) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       int view = network.view(camera);
       assertTrue(

@@ -50,7 +50,8 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   public final void learn(NetworkView network) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        reward(means[camera], pulls[camera], network.view(camera), utility.of(network, camera));
+        reward(
+            means[camera], pulls[camera], network.view(camera), utility.compute(network, camera));
       }
     }
   }

@@ -8,8 +8,8 @@ import org.hificamsim.core.registry.Options;
 
 /**
  * The UCB1 bandit (Auer, Cesa-Bianchi and Fischer 2002): each camera uses every view once, and then
- * the one with the greatest upper confidence bound {@code mean + c sqrt(ln n / n_level)}, where n
- * is the number of its decisions so far.
+ * the one with the greatest upper confidence bound {@code mean + c sqrt(ln n / n_view)}, where n is
+ * the number of its decisions so far.
  *
  * <p>Rewards are the number of detected targets divided by the number of all targets of the
  * scenario, so that they are in [0, 1] as the bound assumes.

@@ -7,8 +7,9 @@ import org.hificamsim.core.registry.Options;
 
 /**
  * Takes the best view, but explores with probability epsilon, independently for each camera. At a
- * camera's decisions n = 0, 1, ... epsilon is {@code max(least, first * decay^n)}, or {@code first}
- * if this is below {@code least}. The defaults keep it at the 0.1 of thesis 7.4.3 and 7.4.4.
+ * camera's decisions n = 0, 1, ... epsilon is {@code max(minEpsilon, firstEpsilon * decay^n)}, or
+ * {@code firstEpsilon} if this is below {@code minEpsilon}. The defaults keep it at the 0.1 of
+ * thesis 7.4.3 and 7.4.4.
  */
 public final class EpsilonGreedyChoice {
   /** The views from which exploring draws uniformly; the thesis leaves this open. */
@@ -20,19 +21,19 @@ public final class EpsilonGreedyChoice {
     ANY
   }
 
-  private final double first;
+  private final double firstEpsilon;
   private final double decay;
-  private final double least;
-  private final Exploration exploration;
+  private final double minEpsilon;
+  private final Exploration explored;
   private SplittableRandom[] randoms = {};
   private double[] epsilon = {};
 
   /** Reads the options {@code epsilon}, its decay, and {@code explore}. */
   public EpsilonGreedyChoice(Options options) {
-    first = options.number("epsilon", 0.1, 0, 1, "probability of exploring, at first");
+    firstEpsilon = options.number("epsilon", 0.1, 0, 1, "probability of exploring, at first");
     decay = options.number("epsilon-decay", 1, 0, 1, "factor on epsilon after each decision");
-    least = options.number("epsilon-min", 0, 0, 1, "epsilon does not decay below this");
-    exploration =
+    minEpsilon = options.number("epsilon-min", 0, 0, 1, "epsilon does not decay below this");
+    explored =
         options.choice(
             "explore", Exploration.OTHER, "exploring draws a view other than the best, or any");
   }
@@ -41,7 +42,7 @@ public final class EpsilonGreedyChoice {
   public void begin(NetworkView network, SplittableRandom random) {
     randoms = AbstractDistributedZoomPolicy.split(network, random);
     epsilon = new double[network.cameras()];
-    Arrays.fill(epsilon, first);
+    Arrays.fill(epsilon, firstEpsilon);
   }
 
   /**
@@ -52,12 +53,12 @@ public final class EpsilonGreedyChoice {
    */
   public int choose(int camera, int views, int best) {
     double probability = epsilon[camera];
-    epsilon[camera] = Math.min(probability, Math.max(least, probability * decay));
+    epsilon[camera] = Math.min(probability, Math.max(minEpsilon, probability * decay));
     return randoms[camera].nextDouble() < probability ? explore(camera, views, best) : best;
   }
 
   private int explore(int camera, int views, int best) {
-    if (exploration == Exploration.ANY) {
+    if (explored == Exploration.ANY) {
       return randoms[camera].nextInt(views);
     }
     if (views == 1) {

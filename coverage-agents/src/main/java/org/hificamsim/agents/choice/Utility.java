@@ -5,9 +5,9 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The utility of an observation for a camera: the number of targets that it detects (U_i of Eq
- * 7.3), or its difference reward (Wolpert and Tumer, 2002), which is what the score would lose
- * without it.
+ * Computes the utility of an observation for a camera: the number of targets that it detects (U_i
+ * of Eq 7.3), or its difference reward (Wolpert and Tumer, 2002), which is what the score would
+ * lose without it.
  *
  * <p>For the difference, a camera needs to know how many cameras detect each of its targets, from
  * its neighbours' reports. For {@code covered:k} the difference is the number of its targets that
@@ -26,11 +26,11 @@ public final class Utility {
   }
 
   private final Objective objective;
-  private final boolean counts;
+  private final boolean isCount;
 
   public Utility(Reading reading, Objective objective) {
     this.objective = objective;
-    this.counts =
+    this.isCount =
         reading == Reading.COUNT || (reading == Reading.OBJECTIVE && objective.rewardsCount());
   }
 
@@ -44,14 +44,14 @@ public final class Utility {
   }
 
   /** Whether the utility is the number of detected targets. */
-  public boolean counts() {
-    return counts;
+  public boolean isCount() {
+    return isCount;
   }
 
   /** Returns a camera's utility in the present observation; 0 while it is offline. */
-  public double of(NetworkView network, int camera) {
+  public double compute(NetworkView network, int camera) {
     int detected = network.detected(camera);
-    return counts || detected == 0 ? detected : difference(network, camera);
+    return isCount || detected == 0 ? detected : difference(network, camera);
   }
 
   private double difference(NetworkView network, int camera) {

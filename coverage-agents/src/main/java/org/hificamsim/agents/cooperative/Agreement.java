@@ -4,8 +4,8 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * How cameras agree, in each step, which of them chooses which view. They begin with plans in which
- * every camera keeps to its last choice ({@link Mind#beginPlan}), until they hear of a new one.
+ * A protocol by which cameras agree, in each step, which of them chooses which view. Plans begin
+ * with the last choice of every camera ({@link Mind#beginPlan}); new choices replace them.
  */
 interface Agreement {
   /** The rules by name. */

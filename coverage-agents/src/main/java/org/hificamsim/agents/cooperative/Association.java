@@ -11,12 +11,12 @@ import java.util.Arrays;
  */
 final class Association {
   /**
-   * How far a target may be from where it should be, in mean step lengths for each step passed; a
-   * step counts as the side of a cell at least.
+   * The greatest distance of a sighting from the predicted position of its track, in mean step
+   * lengths for each step since the last sighting; a step length counts as at least a cell's side.
    */
   private static final double REACH = 3;
 
-  /** The cost of a sighting at the limit of a track's reach, and of all beyond. */
+  /** The cost of a sighting at the limit of a track's reach or beyond. */
   private static final double TOO_FAR = 1;
 
   private final double cellSide;

@@ -7,9 +7,9 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Where targets are believed to be, according to the reports that have arrived: tracks of those
- * that were seen lately, and a search map of those that no camera sees. How many targets there are
- * is not known.
+ * Where targets are believed to be, according to the reports that have arrived: tracks of targets
+ * that were seen lately, and a search map of targets that no camera sees. The number of targets is
+ * unknown.
  *
  * <p>In each step call {@link #begin}, then {@link #receive} for each report, then {@link #end}.
  */
@@ -40,7 +40,7 @@ final class Belief {
     learnedSight = new LearnedSight(learnsSight, site.grid(), network.cameras());
     int[] views = IntStream.range(0, network.cameras()).map(network::views).toArray();
     learnedValues = new LearnedValues(parameters, worth, views);
-    // How many targets there are is not known: at first, as many as cameras are expected.
+    // The number of targets is unknown: at first we expect as many as there are cameras.
     searchMap = new SearchMap(parameters, site.grid(), site.free(), network.cameras());
     viewChances = new double[IntStream.of(views).max().orElse(0)];
   }
@@ -98,7 +98,7 @@ final class Belief {
   private void compareWithTracks(NetworkView network, SightingReport report) {
     int camera = report.camera();
     long stepsAgo = network.step() - report.step();
-    placeAsOf(network, stepsAgo);
+    updateHiding(network, stepsAgo);
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.track(i);
       double x = tracks.x(track, stepsAgo);
@@ -119,7 +119,7 @@ final class Belief {
     learnedValues.learn(camera, report.view());
   }
 
-  private void placeAsOf(NetworkView network, long stepsAgo) {
+  private void updateHiding(NetworkView network, long stepsAgo) {
     hiding.clear(network.hidingWidth(), stepsAgo * tracks.meanStepLength());
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.track(i);
@@ -145,7 +145,7 @@ final class Belief {
     }
   }
 
-  /** Does the same as {@link Site#chances}, corrected by what was learned of the camera's sight. */
+  /** Computes {@link Site#chances}, corrected by what was learned of the camera's sight. */
   boolean chances(
       NetworkView network, int camera, double x, double y, double size, double[] chances) {
     boolean visible = site.chances(network, camera, x, y, size, chances);
@@ -169,7 +169,7 @@ final class Belief {
     return learnedValues;
   }
 
-  /** Passes on to a listener what is believed. */
+  /** Reports all tracks, and the unseen targets expected in each cell, to a listener. */
   void report(long now, BeliefListener listener) {
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.track(i);

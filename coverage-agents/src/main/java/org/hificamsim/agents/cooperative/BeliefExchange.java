@@ -5,7 +5,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
-/** Cameras that report to each other what they see, and keep their belief up to date. */
+/** Lets cameras report to each other what they see, and keeps their beliefs up to date. */
 final class BeliefExchange {
   private final SeenPairs pairs = new SeenPairs();
   private final SightingReport[] reports;
@@ -13,7 +13,7 @@ final class BeliefExchange {
 
   /**
    * @param map the obstacles that the cameras know
-   * @param individual whether each camera has a mind of its own even over a perfect channel
+   * @param individual whether each camera has its own mind even over a perfect channel
    */
   BeliefExchange(Parameters parameters, NetworkView network, Obstacles map, boolean individual) {
     reports = new SightingReport[network.cameras()];

@@ -12,10 +12,10 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.ScenarioReader;
 
 /**
- * Cameras that send each other what they see, believe where targets are and where they go, and
- * divide the targets among them. A camera knows what it sees and receives, where all cameras stand,
- * how long moves take, and the map of the site. It does not know where the targets are that no
- * camera sees, nor how many targets there are.
+ * A policy of cameras that report to each other what they see, estimate where targets are and where
+ * they go, and divide the targets among themselves. A camera knows what it sees and receives, where
+ * all cameras stand, how long moves take, and the map of the site. It does not know where the
+ * targets are that no camera sees, nor how many targets there are.
  *
  * <p>In each step, cameras send reports ({@link SightingReport}), update what they believe ({@link
  * Belief}), look ahead ({@link Plan}), and agree on their views ({@link Agreement}). All of this is
@@ -42,7 +42,7 @@ public final class CooperativeZoomPolicy implements TrackingZoomPolicy {
   }
 
   /**
-   * @param individual whether each camera has a mind of its own even over a perfect channel
+   * @param individual whether each camera has its own mind even over a perfect channel
    */
   CooperativeZoomPolicy(Options options, boolean individual) {
     this.individual = individual;

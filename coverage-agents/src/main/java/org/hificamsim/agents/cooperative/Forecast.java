@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Where known targets are going to be, step by step up to the horizon. Each pair of a target and a
- * step has a slot: {@code i * horizon + step} for the i-th known target, which is not the number of
- * its track ({@link Plan#targetAndStep}).
+ * The predicted positions of known targets, step by step up to the horizon. Each pair of a target
+ * and a step has a slot: {@code i * horizon + step} for the i-th known target, which is not the
+ * number of its track ({@link Plan#targetAndStep}).
  */
 final class Forecast {
   private final int horizon;
@@ -34,7 +34,7 @@ final class Forecast {
   /**
    * Predicts all slots from where targets are believed to be now.
    *
-   * @param hidingWidth of targets that hide each other, metres; 0 if they hide nothing
+   * @param hidingWidth width of targets that hide each other, metres; 0 if they hide nothing
    */
   void update(TargetTracks tracks, double hidingWidth) {
     for (int step = 0; step < horizon; step++) {
@@ -55,7 +55,7 @@ final class Forecast {
   /**
    * Sets where the target of a slot is going to be in its step; to be called slot after slot.
    *
-   * @param weight of the target, before the discount of the step
+   * @param weight how much the target counts, before the discount of the step
    */
   void set(int slot, double x, double y, double size, double weight) {
     xs[slot] = x;

@@ -5,9 +5,9 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * How targets hide each other from cameras in one step, by where they are believed to be. A target
- * hides what lies behind its disc, as with {@code occlusion="targets"}. Since places are uncertain,
- * the edge of the disc is blurred. Where targets hide nothing, all of them are visible.
+ * Computes how targets hide each other from cameras in one step, from their estimated positions. A
+ * target hides what lies behind its disc, as with {@code occlusion="targets"}. Since positions are
+ * uncertain, the edge of the disc is blurred.
  */
 final class Hiding {
   /** The blur of a disc's edge, as a part of its radius. */
@@ -26,16 +26,16 @@ final class Hiding {
   /**
    * Removes all targets.
    *
-   * @param width of targets, metres; 0 if they hide nothing
-   * @param blurred how far targets move in the steps between the sightings and this step, metres
+   * @param width width of targets, metres; 0 if they hide nothing
+   * @param movedDistance how far targets move between their sightings and this step, metres
    */
-  void clear(double width, double blurred) {
+  void clear(double width, double movedDistance) {
     radius = width / 2;
-    blur = BLUR * radius + BLUR_OF_STEP * blurred;
+    blur = BLUR * radius + BLUR_OF_STEP * movedDistance;
     count = 0;
   }
 
-  /** Adds the next target: where it is believed to be, and with which probability. */
+  /** Adds the next target: its estimated position, and the probability that it is there. */
   void add(double x, double y, double weight) {
     if (radius == 0) {
       return;
@@ -74,7 +74,9 @@ final class Hiding {
     return visible;
   }
 
-  /** The part of a line of sight after which it is low enough to meet targets; 0 if flat. */
+  /**
+   * The part of a line of sight after which it is low enough to meet targets; 0 in a flat world.
+   */
   private static double startOfHiding(NetworkView network, int camera, double size) {
     double z = network.zoom(camera, 0).vertical().z();
     Body body = network.body(size);

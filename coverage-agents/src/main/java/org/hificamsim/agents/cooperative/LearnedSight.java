@@ -1,10 +1,10 @@
 package org.hificamsim.agents.cooperative;
 
 /**
- * How much a camera really sees in each cell, as a share of what its map and its detection model
- * promise: the mean of a bandit whose arms are the cells. The share falls when a camera does not
- * see a target that should be in its view, because a wall is not on the map, or the detection model
- * promises too much.
+ * Learns how much a camera really sees in each cell, as a share of what its map and its detection
+ * model promise: the mean of a bandit whose arms are the cells. The share falls when a camera does
+ * not see a target that should be in its view, because a wall is not on the map, or the detection
+ * model promises too much.
  */
 final class LearnedSight {
   /** The number of targets, seen as promised, that the model's promise counts as. */
@@ -28,7 +28,7 @@ final class LearnedSight {
   /**
    * Learns whether a camera saw a target in its view.
    *
-   * @param chance that the camera sees it, by the model
+   * @param chance the model's chance that the camera sees the target
    */
   void learn(int camera, double x, double y, double chance, boolean isSeen) {
     if (learns) {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.agents.cooperative.Parameters.Learn;
 
 /**
- * What each view of a camera has been worth in a step beyond what the model promises, in the units
+ * Learns what each view of a camera is worth in a step beyond what the model promises, in the units
  * of the objective: values that a bandit, or SARSA without states, learns from the model's errors
  * (residual reinforcement learning: Johannink and others, 2019). A view behind a wall that is not
  * on the map gets a negative value.
@@ -19,9 +19,9 @@ final class LearnedValues {
   /** By camera and view; empty if nothing is learned. */
   private final double[][] values;
 
-  private final int[][] looks;
+  private final int[][] lookCounts;
 
-  /** By camera, what it added in this step less what the model promised. */
+  /** By camera, the worth that it added in this step, less what the model promised. */
   private final double[] errors;
 
   private final int[] lastViews;
@@ -35,10 +35,10 @@ final class LearnedValues {
     learn = parameters.learn();
     discount = parameters.discount();
     values = new double[learns() ? views.length : 0][];
-    looks = new int[values.length][];
+    lookCounts = new int[values.length][];
     for (int camera = 0; camera < values.length; camera++) {
       values[camera] = new double[views[camera]];
-      looks[camera] = new int[views[camera]];
+      lookCounts[camera] = new int[views[camera]];
     }
     errors = new double[values.length];
     lastErrors = new double[values.length];
@@ -54,7 +54,7 @@ final class LearnedValues {
   /**
    * Compares with the model whether a camera saw a target.
    *
-   * @param chance that the camera sees the target, by the model
+   * @param chance the model's chance that the camera sees the target
    * @param weight probability that the target is there
    * @param others number of other cameras that see the target
    */
@@ -71,7 +71,7 @@ final class LearnedValues {
     double[] viewValues = values[camera];
     int lastView = lastViews[camera];
     if (learn == Learn.BANDIT) {
-      viewValues[view] += (errors[camera] - viewValues[view]) / ++looks[camera][view];
+      viewValues[view] += (errors[camera] - viewValues[view]) / ++lookCounts[camera][view];
     } else if (lastView != Plan.NONE) {
       double target = lastErrors[camera] + discount * viewValues[view];
       viewValues[lastView] += SARSA_RATE * (target - viewValues[lastView]);
@@ -82,7 +82,7 @@ final class LearnedValues {
   }
 
   /**
-   * What a view is worth beyond what the model promises.
+   * Returns the learned worth of a view beyond what the model promises.
    *
    * @param stepWeight sum of the weights of the steps in which the camera has the view
    */

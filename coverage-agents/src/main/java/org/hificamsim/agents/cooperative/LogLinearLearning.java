@@ -52,12 +52,12 @@ final class LogLinearLearning implements Agreement {
     for (int view = 0; view < views; view++) {
       sum += Math.exp((gains[view] - gains[best]) / noise);
     }
-    double rest = random.nextDouble() * sum;
+    double remainder = random.nextDouble() * sum;
     int view = -1;
     do {
       view++;
-      rest -= Math.exp((gains[view] - gains[best]) / noise);
-    } while (rest > 0 && view + 1 < views);
+      remainder -= Math.exp((gains[view] - gains[best]) / noise);
+    } while (remainder > 0 && view + 1 < views);
     return view;
   }
 }

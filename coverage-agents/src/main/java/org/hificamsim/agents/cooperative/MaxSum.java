@@ -31,7 +31,7 @@ final class MaxSum implements Agreement {
   /**
    * The last messages, by camera and by number of target and step: the best total without the
    * detection subtracted from the best total with it, which is the camera's loss with its sign
-   * changed. Who reads a message asks first whether the sender's last one arrived.
+   * changed. Before reading a message, a receiver checks whether the sender's last one arrived.
    */
   private final double[][] messages;
 

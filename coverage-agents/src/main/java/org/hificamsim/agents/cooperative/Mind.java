@@ -7,8 +7,8 @@ import java.util.List;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What a camera believes and plans, and the last choice of each other camera that it received. Over
- * a perfect channel all cameras share one mind.
+ * A camera's belief and plan, and the last choice that it received from each other camera. Over a
+ * perfect channel all cameras share one mind.
  */
 final class Mind {
   private static final long NEVER = -1;
@@ -20,14 +20,14 @@ final class Mind {
   private final Plan plan;
   private final List<SightingReport> inbox = new ArrayList<>();
   private final int[][] lastWays;
-  private final int[] rest;
+  private final int[] continuedWay;
   private final long[] lastChoiceSteps;
 
   Mind(Parameters parameters, Worth worth, Site site, NetworkView network) {
     belief = new Belief(parameters, worth, site, network);
     plan = new Plan(parameters, worth, network.cameras());
     lastWays = new int[network.cameras()][parameters.horizon()];
-    rest = new int[parameters.horizon()];
+    continuedWay = new int[parameters.horizon()];
     lastChoiceSteps = new long[network.cameras()];
     Arrays.fill(lastChoiceSteps, NEVER);
   }
@@ -54,7 +54,7 @@ final class Mind {
     }
   }
 
-  /** Whether a camera chose this very way in a step, as far as it is known. */
+  /** Whether a camera is known to have chosen this way in a step. */
   boolean knowsChoice(int camera, int[] way, long step) {
     return lastChoiceSteps[camera] == step && Arrays.equals(lastWays[camera], way);
   }
@@ -80,8 +80,8 @@ final class Mind {
     for (int camera = 0; camera < lastWays.length; camera++) {
       if (network.online(camera) && lastChoiceSteps[camera] != NEVER) {
         long age = network.step() - lastChoiceSteps[camera];
-        Ways.after(lastWays[camera], age, network.views(camera), rest);
-        plan.choose(camera, rest);
+        Ways.after(lastWays[camera], age, network.views(camera), continuedWay);
+        plan.choose(camera, continuedWay);
       }
     }
   }

@@ -38,23 +38,24 @@ record Parameters(
     boolean identified) {
   private static final int MAX_HORIZON = 1000;
   private static final int MAX_CELLS = 1_000_000;
-  private static final double MAX = 1e9;
+  private static final double MAX_NUMBER = 1e9;
 
   /** Reads the parameters from the options of the policy. */
   static Parameters from(Options options) {
     return new Parameters(
         options.integer("horizon", 6, 1, MAX_HORIZON, "steps that views are compared by"),
         options.number("discount", 0.9, 0, 1, "weight of a step, compared with the one before"),
-        options.number("search", 0.4, 0, MAX, "weight of targets that nobody sees"),
+        options.number("search", 0.4, 0, MAX_NUMBER, "weight of targets that nobody sees"),
         options.integer("rounds", 2, 1, MAX_HORIZON, "how often cameras choose in turn at most"),
         options.number("lead", 0.1, 0, 1, "worth of a target with one camera less than it needs"),
         options.number("further", 0.2, 0, 1, "worth of one more camera where the least k counts"),
-        options.number("hold", 0.02, 0, MAX, "share by which another view must be worth more"),
+        options.number(
+            "hold", 0.02, 0, MAX_NUMBER, "share by which another view must be worth more"),
         options.number("decay", 0.97, 0, 1, "weight of a target that was seen a step ago"),
-        options.integer("memory", 30, 0, (int) MAX, "steps until a target is forgotten"),
+        options.integer("memory", 30, 0, (int) MAX_NUMBER, "steps until a target is forgotten"),
         options.integer("cells", 2000, 1, MAX_CELLS, "cells of the search map, about"),
         options.number("relax", 0.15, 0, 1, "how fast the search map goes to the learned one"),
-        options.number("prior", 50, 1e-6, MAX, "looks that the mean occupancy counts as"),
+        options.number("prior", 50, 1e-6, MAX_NUMBER, "looks that the mean occupancy counts as"),
         options.choice(
             "learn",
             Learn.SIGHT,

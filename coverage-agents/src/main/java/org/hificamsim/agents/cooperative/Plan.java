@@ -22,7 +22,7 @@ final class Plan {
   private final PlannedCoverage coverage;
   private final ViewForecast[] viewForecasts;
 
-  /** By camera; as in {@link Ways}. */
+  /** By camera, its way as in {@link Ways}. */
   private final int[][] plannedWays;
 
   /** By camera, whether a way is planned. */
@@ -74,7 +74,7 @@ final class Plan {
     }
   }
 
-  /** The view that is planned for a camera, or {@link #NONE}. */
+  /** The view that a camera is going to choose first, or {@link #NONE}. */
   int view(int camera) {
     return planned[camera] ? Ways.goal(plannedWays[camera]) : NONE;
   }
@@ -93,7 +93,7 @@ final class Plan {
   void choose(int camera, int[] way) {
     withdraw(camera);
     viewForecasts[camera].addTo(coverage, way);
-    look(camera, way, false);
+    updateUnseenTargets(camera, way, false);
     System.arraycopy(way, 0, plannedWays[camera], 0, way.length);
     planned[camera] = true;
     searchedCamera = NONE;
@@ -106,16 +106,14 @@ final class Plan {
   void withdraw(int camera) {
     if (planned[camera]) {
       viewForecasts[camera].removeFrom(coverage, plannedWays[camera]);
-      look(camera, plannedWays[camera], true);
+      updateUnseenTargets(camera, plannedWays[camera], true);
       planned[camera] = false;
       searchedCamera = NONE;
     }
   }
 
-  /**
-   * Changes what is left of the unseen targets in the cells that a way looks at, or restores it.
-   */
-  private void look(int camera, int[] way, boolean restores) {
+  /** Reduces the unseen targets in the cells that a way looks at, or restores them. */
+  private void updateUnseenTargets(int camera, int[] way, boolean restores) {
     for (int step = 0; step < way.length; step++) {
       if (Ways.isFirstLook(way, step)) {
         int[] cells = cellSight.cells(camera, way[step]);
@@ -186,7 +184,7 @@ final class Plan {
   }
 
   /** Fills in which known and unseen targets each view of a camera promises. */
-  void look(int camera, ViewOutlook outlook) {
+  void fillOutlook(int camera, ViewOutlook outlook) {
     boolean wasPlanned = planned[camera];
     withdraw(camera);
     viewForecasts[camera].addTo(outlook, forecast, coverage);
@@ -197,8 +195,8 @@ final class Plan {
     restore(camera, wasPlanned);
   }
 
-  /** The number of steps up to the horizon, where later ones count less. */
-  double steps() {
+  /** The number of steps up to the horizon; later steps count less, by their discount. */
+  double discountedSteps() {
     return forecast.sumOfDiscountsFrom(0);
   }
 
@@ -250,11 +248,11 @@ final class Plan {
    */
   int best(NetworkView network, int camera, double[] viewGains) {
     int present = network.view(camera);
-    int best = greatest(network, camera, viewGains);
+    int best = mostGainingView(network, camera, viewGains);
     return viewGains[best] > (1 + parameters.hold()) * viewGains[present] ? best : present;
   }
 
-  private int greatest(NetworkView network, int camera, double[] viewGains) {
+  private int mostGainingView(NetworkView network, int camera, double[] viewGains) {
     ViewForecast viewForecast = viewForecasts[camera];
     int best = network.view(camera);
     for (int view = 0; view < network.views(camera); view++) {

@@ -3,8 +3,8 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 
 /**
- * How many cameras are going to detect the target of each slot of a forecast, if all do as planned:
- * the chances that it is at least 1, 2, ... cameras (a Poisson binomial distribution).
+ * The number of cameras that will detect the target of each slot of a forecast if all follow their
+ * plans: the chances of at least 1, 2, ... cameras (a Poisson binomial distribution).
  */
 final class PlannedCoverage {
   /** A greater chance counts as 1, because removing it again would lose precision. */

@@ -3,19 +3,18 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 
 /**
- * How many targets that no camera sees are expected in each cell of a grid. This number spreads to
- * neighbouring cells, falls where cameras look, takes up targets that were lost, and relaxes
- * towards a learned occupancy: the average number of targets seen per look at the cell and its
- * neighbours.
+ * The number of unseen targets expected in each cell of a grid. It spreads to neighbouring cells,
+ * falls where cameras look, takes up targets that were lost, and relaxes towards a learned
+ * occupancy: the average number of targets seen per look at the cell and its neighbours.
  *
  * <p>All arrays are by cell. In each step call {@link #look}, {@link #countSighting} and {@link
- * #absorb} for all that happens, then {@link #step}.
+ * #absorb} for all events, then {@link #step}.
  */
 final class SearchMap {
   /** The number of steps from one estimate of the occupancy to the next. */
   private static final int STEPS_PER_ESTIMATE = 10;
 
-  /** The part of the occupancy that counts as unseen, however many targets are known. */
+  /** The least part of the occupancy that counts as unseen, however many targets are known. */
   private static final double MIN_UNSEEN_SHARE = 0.1;
 
   /** The part of a cell's targets that a certain look finds. */
@@ -80,7 +79,7 @@ final class SearchMap {
     return 1 - FOUND_SHARE * chance;
   }
 
-  /** Takes in that a camera looks at cells, with these chances to detect a target in them. */
+  /** Records that a camera looks at cells, with its chances to detect a target in each. */
   void look(int[] cells, float[] chances, LearnedSight learned, int camera) {
     for (int i = 0; i < cells.length; i++) {
       missChances[cells[i]] *= 1 - chances[i] * learned.share(camera, cells[i]);

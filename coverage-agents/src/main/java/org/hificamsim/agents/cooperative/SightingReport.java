@@ -17,7 +17,7 @@ final class SightingReport {
   private int count;
   private int[] targets = {};
 
-  /** The truth, which nobody decides by: the numbers of the targets that were seen. */
+  /** The true numbers of the seen targets, only to count identity switches. */
   private int[] trueTargets = {};
 
   private double[] xs = {};
@@ -130,7 +130,7 @@ final class SightingReport {
     return targets[i];
   }
 
-  /** The number of the target that the i-th sighting is of, to count mistakes alone. */
+  /** The true number of the i-th target, only to count identity switches. */
   int trueTarget(int i) {
     return trueTargets[i];
   }

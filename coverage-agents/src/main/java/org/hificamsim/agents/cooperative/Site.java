@@ -8,8 +8,8 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Body;
 
 /**
- * What all cameras know of the site: its cells, and what can be seen from where according to their
- * map. Sight is exact for the obstacles on the map, which may differ from the real ones.
+ * The cameras' knowledge of the site: its cells, and what each camera can see according to the map.
+ * Sight is exact for the obstacles on the map, which may differ from the real ones.
  */
 final class Site {
   /** Cells are searched for targets of about a person's size, metres. */
@@ -47,7 +47,7 @@ final class Site {
     revision = network.revision();
     boolean anyMoved = false;
     for (int camera = 0; camera < visibleRegions.length; camera++) {
-      if (!travelTimes[camera].areOf(network, camera)) {
+      if (!travelTimes[camera].matches(network, camera)) {
         travelTimes[camera] = TravelTimes.of(network, camera);
       }
       double x = network.cameraX(camera);
@@ -62,10 +62,7 @@ final class Site {
     }
   }
 
-  /**
-   * Does the same as {@link NetworkView#chancesAt}, for the transmittance of the obstacles on the
-   * map.
-   */
+  /** Computes {@link NetworkView#chancesAt} with the transmittance of the obstacles on the map. */
   boolean chances(
       NetworkView network, int camera, double x, double y, double size, double[] chances) {
     double z = network.zoom(camera, 0).vertical().z();

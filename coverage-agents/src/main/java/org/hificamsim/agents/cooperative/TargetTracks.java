@@ -8,7 +8,7 @@ import org.hificamsim.core.obstacle.Obstacles;
  * moves. While no camera sees a target, it is assumed to go on as before, up to the next obstacle.
  */
 final class TargetTracks {
-  /** A target that is there with a lower probability is forgotten. */
+  /** A target is forgotten when the probability that it is there falls below this. */
   private static final double MIN_WEIGHT = 0.05;
 
   /** The size of a target whose size is unknown, metres. */
@@ -25,7 +25,7 @@ final class TargetTracks {
 
     private double y;
 
-    /** Its movement in a step, by its last two sightings, in metres. */
+    /** The target's movement in a step, by its last two sightings, in metres. */
     private double stepX;
 
     private double stepY;
@@ -225,7 +225,7 @@ final class TargetTracks {
     return tracks[number].weight;
   }
 
-  /** Tells a track from an earlier one with the same number. */
+  /** A number that distinguishes the track from earlier ones with the same track number. */
   long birth(int number) {
     return tracks[number].birth;
   }

@@ -10,8 +10,8 @@ import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The cameras of a network with what each of them believes, and their messages. Over a perfect
- * channel all believe the same, and share one {@link Mind}.
+ * The cameras of a network, their minds and their messages. Over a perfect channel all cameras
+ * believe the same, and share one {@link Mind}.
  */
 final class Team {
   private final boolean shared;
@@ -39,7 +39,7 @@ final class Team {
   private long bits;
 
   /**
-   * @param individual whether each camera has a mind of its own
+   * @param individual whether each camera has its own mind
    */
   Team(Parameters parameters, Site site, NetworkView network, boolean individual) {
     this.site = site;
@@ -137,7 +137,7 @@ final class Team {
   }
 
   /**
-   * Lets a camera choose a view, and tell the others its way unless they know it already.
+   * Lets a camera choose a view, and send the others its way unless they know it already.
    *
    * @return whether the camera did not choose this view in this step before
    */
@@ -145,9 +145,9 @@ final class Team {
     boolean changed = chosenViews[camera] != view;
     chosenViews[camera] = view;
     int[] way = plan(camera).wayTo(network, camera, view);
-    boolean told = mind(camera).knowsChoice(camera, way, network.step());
+    boolean known = mind(camera).knowsChoice(camera, way, network.step());
     mind(camera).learnChoice(camera, way, network.step(), network.step());
-    if (!told) {
+    if (!known) {
       sendChoice(network, camera, way);
     }
     return changed;

@@ -19,7 +19,7 @@ public final class ViewOutlook {
 
   ViewOutlook() {}
 
-  /** Begins anew. */
+  /** Clears the outlook. */
   void begin(int newViews) {
     views = newViews;
     if (delays.length < views) {
@@ -39,22 +39,22 @@ public final class ViewOutlook {
   void read(NetworkView network, int camera, Plan plan) {
     begin(network.views(camera));
     double[] planned = plan.gains(network, camera);
-    plan.look(camera, this);
+    plan.fillOutlook(camera, this);
     for (int view = 0; view < views; view++) {
-      gains[view] = planned[view] / plan.steps();
+      gains[view] = planned[view] / plan.discountedSteps();
       delays[view] = network.stepsTo(camera, view);
-      targets[view] /= plan.steps();
-      covered[view] /= plan.steps();
-      known[view] /= plan.steps();
+      targets[view] /= plan.discountedSteps();
+      covered[view] /= plan.discountedSteps();
+      known[view] /= plan.discountedSteps();
     }
   }
 
   /**
    * Adds a known target in a step to those of a view.
    *
-   * @param detections expected
+   * @param detections expected number of detections
    * @param others the chance that another camera detects it
-   * @param added by a detection to what others cover
+   * @param added worth of a detection beyond what others cover
    */
   void addKnown(int view, double detections, double others, double added) {
     targets[view] += detections;
@@ -97,8 +97,8 @@ public final class ViewOutlook {
   }
 
   /**
-   * What the best way adds in a step that sets out for a view now, by known and unseen targets, if
-   * the other cameras go on with their last choices.
+   * The worth, per step, of the best way that sets out for a view now: what it adds by known and
+   * unseen targets if the other cameras keep to their last choices.
    */
   public double gain(int view) {
     return gains[view];

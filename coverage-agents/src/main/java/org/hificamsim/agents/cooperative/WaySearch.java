@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.hificamsim.agents.ways.TravelTimes;
 
 /**
- * The best ways of a camera through its views up to the horizon, by dynamic programming over steps
- * and views (Bellman 1957): what a view is worth from a step on is its reward in that step and what
- * the best way on is worth, where a move costs the steps in which the camera is blind.
+ * Finds the best ways of a camera through its views up to the horizon, by dynamic programming over
+ * steps and views (Bellman 1957): the worth of a view from a step on is its reward in that step
+ * plus the worth of the best continuation. During a move the camera is blind and earns nothing.
  */
 final class WaySearch {
   private static final double TIE = 1e-9;
@@ -37,7 +37,7 @@ final class WaySearch {
   /**
    * Begins a search.
    *
-   * @param cameraTimes between the camera's views
+   * @param cameraTimes travel times between the camera's views
    * @return the rewards, all 0, to be filled in by step and view
    */
   double[] begin(TravelTimes cameraTimes) {
@@ -77,18 +77,18 @@ final class WaySearch {
     for (int i = 1; i < views; i++) {
       int view = order[i];
       double value = values[first + view];
-      int place = i;
-      while (place > 0 && values[first + order[place - 1]] < value) {
-        order[place] = order[place - 1];
-        place--;
+      int index = i;
+      while (index > 0 && values[first + order[index - 1]] < value) {
+        order[index] = order[index - 1];
+        index--;
       }
-      order[place] = view;
+      order[index] = view;
     }
   }
 
   /**
-   * Chooses the view after this one. A view is never worth more if it is reached later, so that the
-   * search ends at the first view that is not worth enough if it is reached at once.
+   * Chooses the view after this one. A view is never worth more if it is reached later, so the
+   * search ends at the first view that would not be worth enough even if it were reached at once.
    */
   private void solve(int step, int view) {
     int state = step * views + view;

@@ -26,15 +26,15 @@ final class Ways {
   }
 
   /**
-   * Fills in the rest of a way some steps later; at its end the camera stays.
+   * Fills in how a way continues some steps later; at its end the camera stays.
    *
    * @param views number of views that the camera has now
    */
-  static void after(int[] way, long steps, int views, int[] rest) {
-    for (int step = 0; step < rest.length; step++) {
+  static void after(int[] way, long steps, int views, int[] continuedWay) {
+    for (int step = 0; step < continuedWay.length; step++) {
       long before = step + steps;
       int view = before < way.length ? way[(int) before] : goal(way, way.length - 1);
-      rest[step] = view >= 0 ? Math.min(view, views - 1) : Math.max(view, ~(views - 1));
+      continuedWay[step] = view >= 0 ? Math.min(view, views - 1) : Math.max(view, ~(views - 1));
     }
   }
 }

@@ -22,10 +22,10 @@ final class Worth {
    * @param further worth of a camera as a part of that of the one before, if the least k counts
    */
   Worth(Objective objective, double lead, double further) {
-    added = objective.isLeast() ? falling(further) : shares(objective, lead);
+    added = objective.isLeast() ? decreasing(further) : shares(objective, lead);
   }
 
-  private static double[] falling(double further) {
+  private static double[] decreasing(double further) {
     double[] added = new double[MAX_COUNTED];
     Arrays.setAll(added, k -> Math.pow(further, k));
     return added;

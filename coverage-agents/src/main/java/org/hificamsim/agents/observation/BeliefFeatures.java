@@ -9,8 +9,7 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * The numbers of an observation that say what each view of a camera promises, by the belief that
- * the cameras share. A row of the same numbers for each view; the rows of views that a camera does
- * not have are 0.
+ * the cameras share: a row for each view, with zeros for views that a camera does not have.
  */
 final class BeliefFeatures {
   private static final String COUNT = ", n / (n + 1) of n ";
@@ -32,7 +31,7 @@ final class BeliefFeatures {
   private final int views;
 
   /**
-   * @param views of an observation
+   * @param views number of views in an observation
    */
   BeliefFeatures(NetworkView network, int views) {
     this.views = views;
@@ -47,7 +46,7 @@ final class BeliefFeatures {
    * Updates the belief, and writes what the views of all cameras promise.
    *
    * @param first index of the first camera's first number
-   * @param size of the observation of a camera
+   * @param size length of a camera's observation
    */
   void write(NetworkView network, float[] out, int first, int size) {
     belief.update(network);

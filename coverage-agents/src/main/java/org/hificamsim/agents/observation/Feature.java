@@ -5,7 +5,7 @@ package org.hificamsim.agents.observation;
  *
  * @param low the least possible value
  * @param high the greatest possible value
- * @param meaning of the number, with its unit
+ * @param meaning what the number says, with its unit
  */
 public record Feature(String name, float low, float high, String meaning) {
   /** Returns a feature from 0 to 1. */
@@ -19,7 +19,7 @@ public record Feature(String name, float low, float high, String meaning) {
   }
 
   /** Returns the feature of a numbered neighbour, target or view. */
-  Feature of(String owner, int number) {
+  Feature numbered(String owner, int number) {
     return new Feature(owner + number + "_" + name, low, high, meaning);
   }
 }

@@ -73,12 +73,12 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
     this(targets, neighbours, heights, 0);
   }
 
-  /** Returns the layout with what the views of a network's cameras promise. */
+  /** Returns the layout that also says what the views of a network's cameras promise. */
   public ObservationLayout withBelief(NetworkView network) {
     return withViews(IntStream.range(0, network.cameras()).map(network::views).max().orElse(0));
   }
 
-  /** Returns the layout with what this number of views promise. */
+  /** Returns the layout that also says what this number of views promises. */
   public ObservationLayout withViews(int newViews) {
     return new ObservationLayout(targets, neighbours, heights, newViews);
   }
@@ -89,7 +89,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
     }
   }
 
-  /** Returns the index of a number of the camera itself. */
+  /** Returns the index of one of the numbers that describe the camera itself. */
   static int at(String name) {
     return IntStream.range(0, OWN.size())
         .filter(i -> OWN.get(i).name().equals(name))
@@ -97,12 +97,12 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
         .orElseThrow();
   }
 
-  /** The number of numbers of an observation. */
+  /** The length of an observation. */
   public int size() {
     return firstView() + views * viewSize();
   }
 
-  /** The number of numbers of the camera itself, which come first. */
+  /** How many numbers describe the camera itself; they come first. */
   public int ownSize() {
     return OWN.size() + (heights ? OWN_HEIGHTS.size() : 0);
   }
@@ -117,7 +117,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
     return firstTarget() + targets * TARGET.size();
   }
 
-  /** The number of numbers of a view. */
+  /** How many numbers describe a view. */
   public static int viewSize() {
     return BeliefFeatures.VIEW.size();
   }
@@ -138,7 +138,7 @@ public record ObservationLayout(int targets, int neighbours, boolean heights, in
       List<Feature> features, String owner, int owners, List<Feature> numbers) {
     for (int owned = 0; owned < owners; owned++) {
       int number = owned;
-      numbers.forEach(feature -> features.add(feature.of(owner, number)));
+      numbers.forEach(feature -> features.add(feature.numbered(owner, number)));
     }
   }
 }

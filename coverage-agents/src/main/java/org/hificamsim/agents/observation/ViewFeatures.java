@@ -183,7 +183,7 @@ final class ViewFeatures {
    * as its last number there.
    *
    * @param out the observations of all cameras
-   * @param index of the number among the camera's own ones
+   * @param index index of the number in the camera's observation
    */
   void copyToNeighbours(float[] out, int index) {
     for (int link = 0; link < copyTo.length; link++) {

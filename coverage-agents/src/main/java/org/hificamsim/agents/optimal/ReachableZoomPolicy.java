@@ -13,9 +13,9 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * What these cameras could have scored, with the time that their moves take, if everything had been
- * known in advance: it plays a plan of all ways ({@link WaySolver}), and bounds what any policy
- * could have scored. Where no move takes time it is {@link OptimalZoomPolicy}.
+ * The best that the cameras could have scored, given how long their moves take, if everything had
+ * been known in advance. It plays a plan of all ways ({@link WaySolver}), and bounds what any
+ * policy could have scored. If no move takes time, it plays as {@link OptimalZoomPolicy}.
  */
 public final class ReachableZoomPolicy implements HindsightZoomPolicy, BoundedZoomPolicy {
   private static final int DEFAULT_ITERATIONS = 150;

@@ -11,7 +11,7 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * What each camera would have detected in each of its views over a whole run.
+ * Collects what each camera would detect in each of its views over a whole run.
  *
  * <p>A moment is a target that is present in a step and counts for the objective. The moments of a
  * step have consecutive numbers. Each view of a camera has the set of moments that it detects.
@@ -23,13 +23,13 @@ final class RunDetections {
   /** By camera, the steps in which it is online. */
   private final List<BitSet> online = new ArrayList<>();
 
-  /** By target, its moment in the step that is added. */
-  private int[] momentOf = {};
+  /** The moment of each target in the step that is added. */
+  private int[] momentByTarget = {};
 
   private boolean[] coverable = {};
   private long[] masks = {};
 
-  /** By step, the number after that of its last moment. */
+  /** By step, the end of its moments, exclusive. */
   private int[] ends = new int[16];
 
   private int steps;
@@ -58,8 +58,8 @@ final class RunDetections {
 
   /** Gives each target that counts in this step the number of its moment. */
   private void numberMoments(OracleView network) {
-    if (momentOf.length < network.targets()) {
-      momentOf = new int[network.targets()];
+    if (momentByTarget.length < network.targets()) {
+      momentByTarget = new int[network.targets()];
       coverable = new boolean[network.targets()];
     }
     boolean allCount = !objective.countsCoverableOnly();
@@ -67,7 +67,7 @@ final class RunDetections {
       network.markCoverable(coverable);
     }
     for (int target = 0; target < network.targets(); target++) {
-      momentOf[target] = moments;
+      momentByTarget[target] = moments;
       moments += network.present(target) && (allCount || coverable[target]) ? 1 : 0;
     }
   }
@@ -81,7 +81,7 @@ final class RunDetections {
     for (int i = 0; i < views.length * words; i++) {
       for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
         int target = i % words * Long.SIZE + Long.numberOfTrailingZeros(bits);
-        views[i / words].set(momentOf[target]);
+        views[i / words].set(momentByTarget[target]);
       }
     }
   }
@@ -110,7 +110,7 @@ final class RunDetections {
     return online;
   }
 
-  /** By step, the number after that of its last moment. */
+  /** By step, the end of its moments, exclusive. */
   int[] ends() {
     return Arrays.copyOf(ends, steps);
   }

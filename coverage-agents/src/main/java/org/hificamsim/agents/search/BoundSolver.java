@@ -12,7 +12,7 @@ public final class BoundSolver extends Solver {
   private static final int LOCAL_PASSES = 4;
   private static final int PRICE_ROUNDS = 200;
 
-  /** Gaps that are not whole numbers are rounded up to multiples of one over this. */
+  /** Gaps that are not whole numbers are rounded up to multiples of 1 / GAP_FRACTIONS. */
   private static final double GAP_FRACTIONS = 0x1p20;
 
   private final Objective objective;
@@ -25,9 +25,9 @@ public final class BoundSolver extends Solver {
   private long bound;
 
   /**
-   * @param objective whose score is bounded; of {@code lexicographic} this is the least k of the
-   *     targets that can be covered, not its finer order
-   * @param problem what each call of {@link #solve} reads
+   * @param objective the objective whose score is bounded; {@code lexicographic} is bounded only by
+   *     the least k of the targets that can be covered
+   * @param problem the problem, which each call of {@link #solve} reads
    */
   public BoundSolver(Objective objective, CoverageProblem problem) {
     this.objective = objective.countsCoverableOnly() ? Objective.kMin() : objective;

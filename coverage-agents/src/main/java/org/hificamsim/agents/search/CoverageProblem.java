@@ -21,7 +21,9 @@ public final class CoverageProblem {
   private int cameras;
   private int sets;
 
-  /** Creates a problem without cameras, with space for so many cameras, sets and targets. */
+  /**
+   * Creates a problem without cameras, with space for these numbers of cameras, sets and targets.
+   */
   public CoverageProblem(int maxCameras, int maxSets, int maxTargets) {
     firstSet = new int[maxCameras + 1];
     cameraOf = new int[maxSets];
@@ -137,7 +139,8 @@ public final class CoverageProblem {
 
   /** Returns a set of the camera that includes all its others, or -1 when there is none. */
   int largestSet(int camera) {
-    int largest = firstSet(camera); // if one includes all others, this loop ends with it
+    // If one set includes all others, this loop ends with it.
+    int largest = firstSet(camera);
     for (int set = largest + 1; set < endSet(camera); set++) {
       largest = includes(set, largest) ? set : largest;
     }

@@ -54,7 +54,7 @@ final class Prices {
     return lowestBound;
   }
 
-  /** No choice among the remaining sets has a greater sum of worths, by the present set prices. */
+  /** An upper bound of the sum of worths of any choice among the remaining sets. */
   long bound(TargetWorth worth) {
     long bound = 0;
     for (int target = 0; target < problem.targets(); target++) {
@@ -126,7 +126,7 @@ final class Prices {
     tuned = true;
   }
 
-  /** One more than the sum, which may be 0. */
+  /** The sum plus 1, because the sum may be 0. */
   private double sumOfPrices() {
     double sum = 1;
     for (int target = 0; target < problem.targets(); target++) {
@@ -168,7 +168,7 @@ final class Prices {
     return sum;
   }
 
-  /** Lowers the price of a target that is offered more often than it demands; or raises it. */
+  /** Lowers the prices of targets that are offered more often than demanded; raises the others. */
   private void changePrices(TargetWorth worth, int round) {
     double greatestDifference = 1;
     for (int target = 0; target < problem.targets(); target++) {

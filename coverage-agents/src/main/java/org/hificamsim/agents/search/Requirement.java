@@ -44,7 +44,7 @@ final class Requirement {
 
   /** The sum of worths at which the least k is {@code least}, for a worth cut off there. */
   long sumForLeast(int least, TargetWorth cutWorth) {
-    return cutWorth.of(least) * countedTargets();
+    return cutWorth.value(least) * countedTargets();
   }
 
   private int countedTargets() {
@@ -94,7 +94,7 @@ final class Requirement {
   private long sum(int[] coverage) {
     long total = 0;
     for (int target = 0; target < problem.targets(); target++) {
-      total += worth.of(coverage[target]);
+      total += worth.value(coverage[target]);
     }
     return total;
   }

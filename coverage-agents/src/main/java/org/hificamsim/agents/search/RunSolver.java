@@ -40,8 +40,8 @@ public final class RunSolver extends Solver implements BranchAndBound.Tree {
   private double bestScore = -1;
 
   /**
-   * @param problem whose targets are those of all steps that count, step after step
-   * @param ends the number after that of the last target, by step
+   * @param problem the problem, whose targets are those of all steps that count, step after step
+   * @param ends by step, the end of its targets, exclusive
    * @param maxNodes the number of partial configurations after which the proof is given up
    */
   public RunSolver(Objective objective, CoverageProblem problem, int[] ends, long maxNodes) {

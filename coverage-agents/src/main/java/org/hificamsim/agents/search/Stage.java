@@ -144,7 +144,7 @@ final class Stage {
   /** Whether the target's worth still depends on what is chosen. */
   boolean isOpen(int target) {
     TargetWorth worth = requirement.worth();
-    return worth.of(remaining.maxCoverage(target)) > worth.of(remaining.minCoverage(target));
+    return worth.value(remaining.maxCoverage(target)) > worth.value(remaining.minCoverage(target));
   }
 
   /**
@@ -155,7 +155,7 @@ final class Stage {
     return range.camerasNeeded(target, surplus());
   }
 
-  /** No value that the remaining sets can reach is greater than this, as range and prices show. */
+  /** An upper bound of the value that the remaining sets can reach, by range and prices. */
   long bound() {
     return requirement.byLeast() ? leastBound() : sumBound();
   }

@@ -41,7 +41,7 @@ public final class StepSolver extends Solver {
   private final int[] countedCoverage;
 
   /**
-   * @param problem what each call of {@link #solve} reads
+   * @param problem the problem, which each call of {@link #solve} reads
    * @param maxNodes the number of search nodes after which a call gives up the proof; the search
    *     among equally good configurations has a limit of its own
    */

@@ -14,7 +14,8 @@ final class StepTree implements BranchAndBound.Tree {
   private final Stage[] stages;
 
   /**
-   * By depth, the {@link RemainingSets#mark} before its decision; first, that of the whole search.
+   * By depth, the {@link RemainingSets#mark} before its decision; the first one is that of the
+   * whole search.
    */
   private final int[] marks;
 
@@ -101,14 +102,14 @@ final class StepTree implements BranchAndBound.Tree {
   /**
    * Lets stages remove sets until none removes any more.
    *
-   * @param ofStages the number of stages, from the first one on
+   * @param narrowedStages the number of stages, from the first one on
    * @return whether all requirements are still in reach
    */
-  boolean narrow(int ofStages) {
+  boolean narrow(int narrowedStages) {
     int before;
     do {
       before = remaining.mark();
-      for (int stage = 0; stage < ofStages; stage++) {
+      for (int stage = 0; stage < narrowedStages; stage++) {
         if (!stages[stage].narrowByRange()) {
           return false;
         }
@@ -134,7 +135,7 @@ final class StepTree implements BranchAndBound.Tree {
     return met;
   }
 
-  /** Keeps a configuration, when any choice of the remaining sets would do: that of most gain. */
+  /** When any choice of the remaining sets will do, keeps the one with the greatest gain. */
   private void keep() {
     result.clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {

@@ -32,8 +32,8 @@ final class SumRange {
     for (int target = 0; target < problem.targets(); target++) {
       int minCoverage = remaining.minCoverage(target);
       int maxCoverage = remaining.maxCoverage(target);
-      min += worth.of(minCoverage);
-      max += worth.of(maxCoverage);
+      min += worth.value(minCoverage);
+      max += worth.value(maxCoverage);
       lastCameraWorth[target] = maxCoverage > minCoverage ? worth.gain(maxCoverage - 1) : 0;
     }
   }
@@ -91,8 +91,8 @@ final class SumRange {
    */
   int camerasNeeded(int target, long surplus) {
     int k = remaining.maxCoverage(target);
-    long leastWorth = worth.of(k) - surplus;
-    while (k > remaining.minCoverage(target) && worth.of(k - 1) >= leastWorth) {
+    long leastWorth = worth.value(k) - surplus;
+    while (k > remaining.minCoverage(target) && worth.value(k - 1) >= leastWorth) {
       k--;
     }
     return k - remaining.minCoverage(target);

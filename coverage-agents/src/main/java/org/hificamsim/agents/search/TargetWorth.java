@@ -53,7 +53,7 @@ final class TargetWorth {
   }
 
   /** The worth of a target that k cameras cover. */
-  long of(int k) {
+  long value(int k) {
     return values[Math.min(k, saturation)];
   }
 
@@ -76,7 +76,7 @@ final class TargetWorth {
 
   /** The greatest profit, worth less price, of a target that buys {@code min} to {@code max}. */
   long profit(int min, int max, long price) {
-    long profit = of(min) - price * min;
+    long profit = value(min) - price * min;
     for (int k = min + 1; k <= max && k <= saturation; k++) {
       profit = Math.max(profit, values[k] - price * k);
     }

@@ -1,8 +1,8 @@
 package org.hificamsim.agents.temporal;
 
 /**
- * How to read Eq 7.5: the reward of an action, given the camera's utility before and after it. The
- * utility is the number of targets detected, or a share of another objective ({@link
+ * The readings of Eq 7.5, the reward of an action, given the camera's utility before and after it.
+ * The utility is the number of targets detected, or a share of another objective ({@link
  * org.hificamsim.agents.choice.Utility}).
  *
  * <p>As printed, the reward is lambda times the count U_i(O_i), where lambda is 1, 0 or -1 as the

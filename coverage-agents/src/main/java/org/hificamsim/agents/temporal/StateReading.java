@@ -1,8 +1,8 @@
 package org.hificamsim.agents.temporal;
 
 /**
- * What a learning camera takes as its state; thesis 7.4.4 says only that it is the percept. A state
- * is a number from 0: of the percept alone, or of the percept together with the present view.
+ * The state of a learning camera; thesis 7.4.4 says only that it is the percept. A state is a
+ * number from 0, of the percept alone or of the percept together with the present view.
  */
 public enum StateReading {
   /** The present view and the number of targets detected with it. */

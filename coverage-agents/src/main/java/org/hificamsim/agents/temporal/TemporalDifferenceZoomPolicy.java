@@ -29,7 +29,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   private final boolean onPolicy;
   private final StateReading states;
   private final RewardReading rewards;
-  private final Utility.Reading reading;
+  private final Utility.Reading utilityReading;
   private final double alpha;
   private final double gamma;
   private final double lambda;
@@ -73,7 +73,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     rewards =
         options.choice(
             "reward", RewardReading.COUNT_CHANGE, "Eq 7.5 as: count-change, sign, literal");
-    reading = Utility.from(options);
+    utilityReading = Utility.from(options);
     alpha = options.number("alpha", 0.1, 0, 1, "learning rate");
     gamma = options.number("gamma", 0.9, 0, 1, "discount factor");
     lambda = options.number("lambda", 1, 0, MAX_PARAMETER, "factor on every reward");
@@ -125,7 +125,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
     lastState = new int[network.cameras()];
     lastAction = new int[network.cameras()];
     lastUtility = new double[network.cameras()];
-    utility = new Utility(reading, network.objective());
+    utility = new Utility(utilityReading, network.objective());
     utilities = new double[network.cameras()];
     Arrays.fill(lastState, NONE);
     earlierRewards = new double[network.cameras()];
@@ -154,9 +154,9 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
    */
   @Override
   public final void learn(NetworkView network) {
-    if (!utility.counts()) {
+    if (!utility.isCount()) {
       for (int camera = 0; camera < network.cameras(); camera++) {
-        utilities[camera] = utility.of(network, camera);
+        utilities[camera] = utility.compute(network, camera);
       }
     }
   }
@@ -187,7 +187,7 @@ public class TemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy 
   }
 
   private double newUtility(NetworkView network, int camera) {
-    return utility.counts() ? network.detected(camera) : utilities[camera];
+    return utility.isCount() ? network.detected(camera) : utilities[camera];
   }
 
   /**

@@ -19,8 +19,8 @@ final class Inquiries {
    * A query, or the answer to it.
    *
    * @param askedAt the step of the query
-   * @param state of the camera that asks, which follows from its view and percept
-   * @param vote of an answer; {@link #NO_VOTE} of a query
+   * @param state state of the asking camera, which follows from its view and percept
+   * @param vote the vote of an answer; {@link #NO_VOTE} in a query
    */
   private record Letter(boolean query, long askedAt, int state, int view, int percept, int vote) {}
 
@@ -71,7 +71,7 @@ final class Inquiries {
   }
 
   /**
-   * Sends the queries of all cameras that decide in this step, and receives all that arrives.
+   * Sends the queries of all cameras that decide in this step, and receives queries and answers.
    *
    * @param percepts by camera
    */

@@ -95,11 +95,11 @@ final class ViewTranslation {
   private final int[] kinds;
   private final boolean oneKind;
 
-  /** By kind, other kind, and view. */
+  /** By kind, other kind, and view: the nearest view of the other kind. */
   private final int[][][] tables;
 
   /**
-   * @param q from which neighbours answer
+   * @param q action values from which neighbours answer
    */
   ViewTranslation(NetworkView network, ActionValues q) {
     this.q = q;
@@ -123,7 +123,7 @@ final class ViewTranslation {
    * Returns the answer of a neighbour to a query: its own best view in the nearest of its states,
    * translated to a view of the camera that asks.
    *
-   * @param state of the camera that asks, which follows from its view and percept
+   * @param state state of the asking camera, which follows from its view and percept
    */
   int answer(int camera, int neighbour, int state, int view, int percept) {
     if (oneKind || kinds[camera] == kinds[neighbour]) {

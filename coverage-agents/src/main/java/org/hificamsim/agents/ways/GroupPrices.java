@@ -14,10 +14,12 @@ abstract class GroupPrices {
   final WayProblem problem;
   final PricedCameras priced;
 
-  /** By moment: its price, kept from call to call, and the best one of a call. */
+  /** By moment: its price, kept from call to call. */
   final double[] targetPrices;
 
+  /** By moment: the prices with the lowest bound in this call. */
   private final double[] bestTargetPrices;
+
   final int[] coverage;
 
   final int[] cameras;
@@ -25,7 +27,10 @@ abstract class GroupPrices {
   private final int[] best;
   final double[] cameraProfit;
   final int[] moments;
-  final double[] mark;
+
+  /** By moment: how many more cameras the target demands than are offered. */
+  final double[] shortage;
+
   final boolean[] seen;
 
   StepWorth worth;
@@ -41,7 +46,7 @@ abstract class GroupPrices {
     Arrays.fill(targetPrices, Double.NaN);
     bestTargetPrices = new double[problem.momentCount()];
     coverage = new int[problem.momentCount()];
-    mark = new double[problem.momentCount()];
+    shortage = new double[problem.momentCount()];
     seen = new boolean[problem.momentCount()];
     cameras = new int[problem.cameras()];
     chosen = new int[problem.cameras()];
@@ -53,8 +58,8 @@ abstract class GroupPrices {
   /**
    * Solves the problem of a group.
    *
-   * @param group its number
-   * @param used receives the set that each camera of the group detects best
+   * @param group the number of the group
+   * @param used receives the best set of each camera of the group
    * @return an upper bound of the value; the value itself if the search ends within the nodes
    */
   double solve(int group, StepWorth newWorth, double[] newPrices, long nodes, int[] used) {
@@ -65,7 +70,7 @@ abstract class GroupPrices {
     Arrays.fill(best, 0, cameraCount, WayProblem.NOTHING);
     double bound = tune();
     if (bound > bestValue + TOLERANCE) {
-      bound = Math.min(bound, close(bound, nodes));
+      bound = Math.min(bound, closeGap(bound, nodes));
     }
     for (int i = 0; i < cameraCount; i++) {
       used[cameras[i]] = best[i];
@@ -139,15 +144,15 @@ abstract class GroupPrices {
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
       bound += worth.profit(0, priced.maxCoverage(moment), targetPrices[moment]);
-      mark[moment] =
+      shortage[moment] =
           worth.demand(0, priced.maxCoverage(moment), targetPrices[moment]) - coverage[moment];
     }
     return bound;
   }
 
   /**
-   * Returns the set with which a camera of the group makes the greatest profit, and notes this;
-   * nothing if there is no profit.
+   * Returns the set with which a camera of the group makes the greatest profit, and stores the
+   * profit; {@link WayProblem#NOTHING} if there is no profit.
    */
   final int mostProfitable(int camera, double[] pricesByMoment) {
     double greatest = 0;
@@ -173,11 +178,11 @@ abstract class GroupPrices {
     return profit;
   }
 
-  /** The sum of the squares of what the targets lack. */
+  /** The sum of the squares of all shortages. */
   final double squaredNorm() {
     double norm = 0;
     for (int i = 0; i < momentCount; i++) {
-      norm += mark[moments[i]] * mark[moments[i]];
+      norm += shortage[moments[i]] * shortage[moments[i]];
     }
     return norm;
   }
@@ -186,7 +191,7 @@ abstract class GroupPrices {
     double norm = squaredNorm();
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
-      double change = norm == 0 ? 0 : surplus * mark[moment] / norm;
+      double change = norm == 0 ? 0 : surplus * shortage[moment] / norm;
       double most = worth.slope(0, priced.maxCoverage(moment));
       targetPrices[moment] = Math.min(most, Math.max(0, targetPrices[moment] + change));
     }
@@ -245,7 +250,7 @@ abstract class GroupPrices {
   final void keep() {
     double value = 0;
     for (int i = 0; i < momentCount; i++) {
-      value += worth.of(coverage[moments[i]]);
+      value += worth.value(coverage[moments[i]]);
     }
     for (int i = 0; i < cameraCount; i++) {
       value -= prices[chosen[i]];
@@ -257,9 +262,9 @@ abstract class GroupPrices {
   }
 
   /**
-   * Looks for the value within the bound.
+   * Searches for the greatest value below the bound.
    *
    * @return a bound of the value; the value itself if the search ends within the nodes
    */
-  abstract double close(double bound, long nodes);
+  abstract double closeGap(double bound, long nodes);
 }

@@ -4,17 +4,17 @@ import java.util.Arrays;
 import org.hificamsim.agents.search.BranchAndBound;
 
 /**
- * Finds what a group of cameras detects best in a step: the worth of its targets less the prices of
- * the sets. At each node the prices of targets are tuned until they show that nothing better
- * follows; the sum of the cameras' greatest gains is a second bound, and orders the search.
+ * Finds the best sets of a group of cameras in a step: the greatest worth of its targets less the
+ * prices of the sets. At each node the prices of targets are tuned until they show that nothing
+ * better follows; the sum of the cameras' greatest gains is a second bound, and orders the search.
  */
 final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   private static final int NODE_ROUNDS = 4;
   private static final int MAX_K = 3;
   private static final int UNKNOWN = -1;
 
-  /** By moment: the cameras that are still to decide and may detect it. */
-  private final int[] rest;
+  /** By moment: the number of cameras that are still to decide and may detect it. */
+  private final int[] undecidedCameras;
 
   private final boolean[] decided;
   private final int[] deciding;
@@ -35,7 +35,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
 
   GroupTree(WayProblem problem, PricedCameras priced) {
     super(problem, priced);
-    rest = new int[problem.momentCount()];
+    undecidedCameras = new int[problem.momentCount()];
     decided = new boolean[problem.cameras()];
     deciding = new int[problem.cameras() + 1];
     children = new int[problem.cameras() + 1][priced.maxSets() + 1];
@@ -49,11 +49,11 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   }
 
   @Override
-  double close(double bound, long nodes) {
+  double closeGap(double bound, long nodes) {
     removeCheapSets(offer());
     clearCoverage();
     for (int i = 0; i < momentCount; i++) {
-      rest[moments[i]] = 0;
+      undecidedCameras[moments[i]] = 0;
     }
     for (int i = 0; i < cameraCount; i++) {
       decided[i] = false;
@@ -81,7 +81,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
   private void countRest(int camera, int change) {
     for (int index = 0; index < priced.setCount(camera); index++) {
       for (int moment : problem.moments(priced.set(camera, index))) {
-        rest[moment] += seen[moment] ? 0 : change;
+        undecidedCameras[moment] += seen[moment] ? 0 : change;
         seen[moment] = true;
       }
     }
@@ -119,9 +119,9 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
       double price = nodePrice(moment);
-      int demand = worth.demand(coverage[moment], rest[moment], price);
-      bound += worth.of(coverage[moment] + demand) - price * demand;
-      mark[moment] = demand;
+      int demand = worth.demand(coverage[moment], undecidedCameras[moment], price);
+      bound += worth.value(coverage[moment] + demand) - price * demand;
+      shortage[moment] = demand;
       gain[moment] = price;
     }
     for (int i = 0; i < cameraCount; i++) {
@@ -132,16 +132,16 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
     return bound;
   }
 
-  /** The price of a target that some cameras detect already is one of its own. */
+  /** Returns a target's price, which depends on how many cameras already detect it. */
   private double nodePrice(int moment) {
-    double most = worth.slope(coverage[moment], rest[moment]);
+    double most = worth.slope(coverage[moment], undecidedCameras[moment]);
     int k = Math.min(coverage[moment], nodePrices.length - 1);
     return k == 0 ? Math.min(most, targetPrices[moment]) : Math.min(most, nodePrices[k][moment]);
   }
 
   private double offer(int camera) {
     for (int moment : problem.moments(mostProfitable(camera, gain))) {
-      mark[moment]--;
+      shortage[moment]--;
     }
     return cameraProfit[camera];
   }
@@ -150,7 +150,7 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
     double norm = squaredNorm();
     for (int i = 0; i < momentCount && norm > 0; i++) {
       int moment = moments[i];
-      double price = Math.max(0, gain[moment] + surplus * mark[moment] / norm);
+      double price = Math.max(0, gain[moment] + surplus * shortage[moment] / norm);
       int k = Math.min(coverage[moment], nodePrices.length - 1);
       (k == 0 ? targetPrices : nodePrices[k])[moment] = price;
     }
@@ -161,8 +161,8 @@ final class GroupTree extends GroupPrices implements BranchAndBound.Tree {
     double bound = -paid;
     for (int i = 0; i < momentCount; i++) {
       int moment = moments[i];
-      bound += worth.of(coverage[moment]);
-      gain[moment] = worth.slope(coverage[moment], rest[moment]);
+      bound += worth.value(coverage[moment]);
+      gain[moment] = worth.slope(coverage[moment], undecidedCameras[moment]);
     }
     double greatest = 0;
     int camera = UNKNOWN;

@@ -61,13 +61,13 @@ final class PricedCameras {
 
   private void join(int camera, int set, int start) {
     for (int moment : problem.moments(set)) {
-      int place = moment - start;
-      maxCoverage[moment] += lastCamera[place] == camera ? 0 : 1;
-      lastCamera[place] = camera;
-      if (cameraOf[place] < 0) {
-        cameraOf[place] = camera;
+      int index = moment - start;
+      maxCoverage[moment] += lastCamera[index] == camera ? 0 : 1;
+      lastCamera[index] = camera;
+      if (cameraOf[index] < 0) {
+        cameraOf[index] = camera;
       } else {
-        leader[group(camera)] = group(cameraOf[place]);
+        leader[group(camera)] = group(cameraOf[index]);
       }
     }
   }

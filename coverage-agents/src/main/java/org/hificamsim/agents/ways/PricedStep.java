@@ -3,8 +3,8 @@ package org.hificamsim.agents.ways;
 import java.util.Arrays;
 
 /**
- * The best that cameras detect in a step if each set has a price: the score of the step less the
- * prices. Where the score is the least k of the targets, each least k from 1 on is a sum of its
+ * Finds the best sets of all cameras in a step if each set has a price: the score of the step less
+ * the prices. Where the score is the least k of the targets, each least k from 1 on is a sum of its
  * own: a camera that is missing costs more than that k is worth.
  */
 final class PricedStep {

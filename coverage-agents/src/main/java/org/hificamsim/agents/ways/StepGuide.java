@@ -3,12 +3,12 @@ package org.hificamsim.agents.ways;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * What a further camera's set is worth in a step: the change of the score, and a share of the way
- * to the next change, so that cameras meet where only several of them gain anything.
+ * The worth of a further camera's set in a step: the change of the score, and a share of the
+ * progress towards the next change, so that cameras join where only several of them gain anything.
  */
 final class StepGuide {
   private static final double FALL = 0.25;
-  private static final int LEVELS = 16;
+  private static final int MAX_COUNTED = 16;
 
   private final WayProblem problem;
   private final boolean byLeast;
@@ -23,7 +23,7 @@ final class StepGuide {
     byLeast = objective.isLeast();
     isShare = objective.isShare();
     score = byLeast ? null : worth(objective, problem.cameras());
-    progress = byLeast ? falling() : progress(score);
+    progress = byLeast ? decreasing() : progress(score);
     added = new int[problem.momentCount()];
   }
 
@@ -41,10 +41,10 @@ final class StepGuide {
     return new StepWorth(values);
   }
 
-  private static StepWorth falling() {
-    double[] values = new double[LEVELS];
+  private static StepWorth decreasing() {
+    double[] values = new double[MAX_COUNTED];
     double gain = 1;
-    for (int k = 1; k < LEVELS; k++) {
+    for (int k = 1; k < MAX_COUNTED; k++) {
       values[k] = values[k - 1] + gain;
       gain *= FALL;
     }
@@ -54,7 +54,7 @@ final class StepGuide {
   private static StepWorth progress(StepWorth score) {
     double[] values = new double[score.values().length];
     for (int k = 1; k < values.length; k++) {
-      values[k] = score.of(values.length) * k / (values.length - 1);
+      values[k] = score.value(values.length) * k / (values.length - 1);
     }
     return new StepWorth(values);
   }

@@ -5,12 +5,12 @@ package org.hificamsim.agents.ways;
  * never falls.
  */
 record StepWorth(double[] values) {
-  double of(int k) {
+  double value(int k) {
     return values[Math.min(k, values.length - 1)];
   }
 
   double gain(int k) {
-    return of(k + 1) - of(k);
+    return value(k + 1) - value(k);
   }
 
   /** The greatest gain of one camera among the first {@code max}. */
@@ -35,13 +35,13 @@ record StepWorth(double[] values) {
   int demand(int k, int more, double price) {
     int demand = 0;
     for (int add = 1; add <= more && k + add < values.length; add++) {
-      demand = values[k + add] - price * add > of(k + demand) - price * demand ? add : demand;
+      demand = values[k + add] - price * add > value(k + demand) - price * demand ? add : demand;
     }
     return demand;
   }
 
   double profit(int k, int more, double price) {
     int demand = demand(k, more, price);
-    return of(k + demand) - price * demand;
+    return value(k + demand) - price * demand;
   }
 }

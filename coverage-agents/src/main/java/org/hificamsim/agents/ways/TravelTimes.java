@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.NetworkView;
  * How long a camera is on its way between any two of its views.
  *
  * @param home the view in which it starts
- * @param views how many it has
+ * @param views number of views
  * @param blindSteps by {@code from * views + to}: the steps in which it sees nothing
  */
 public record TravelTimes(int home, int views, int[] blindSteps) {
@@ -19,8 +19,8 @@ public record TravelTimes(int home, int views, int[] blindSteps) {
     return new TravelTimes(network.view(camera), views, blindSteps);
   }
 
-  /** Whether these are still the times of a camera. */
-  public boolean areOf(NetworkView network, int camera) {
+  /** Whether these are still the travel times of a camera. */
+  public boolean matches(NetworkView network, int camera) {
     boolean same = network.views(camera) == views;
     for (int pair = 0; same && pair < blindSteps.length; pair++) {
       same = network.stepsBetween(camera, pair / views, pair % views) == blindSteps[pair];

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /**
- * Plans by turns: each camera in turn takes its best way given those of the others, until nobody
+ * Plans in turns: each camera in turn takes its best way given the ways of the others, until none
  * gains. Progress towards a gain counts less from pass to pass.
  */
 final class TurnPlanner {
@@ -12,7 +12,7 @@ final class TurnPlanner {
   private static final int MAX_PASSES = 6;
 
   private final WayProblem problem;
-  private final DearestWay search;
+  private final MostRewardingWay search;
   private final StepGuide guide;
   private final double[] rewards;
   private final CameraWays trial;
@@ -22,7 +22,7 @@ final class TurnPlanner {
 
   TurnPlanner(WayProblem problem) {
     this.problem = problem;
-    search = new DearestWay(problem);
+    search = new MostRewardingWay(problem);
     guide = new StepGuide(problem);
     rewards = new double[problem.sets()];
     trial = new CameraWays(problem);

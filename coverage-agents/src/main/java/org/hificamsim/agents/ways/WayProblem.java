@@ -9,8 +9,8 @@ import java.util.Map;
 import org.hificamsim.core.metrics.Objective;
 
 /**
- * What cameras that take time for their moves can see in a run: for each camera and step the
- * different sets of targets that its views detect, and how long it is on its way between views.
+ * The possible detections of a run in which moves take time: for each camera and step the different
+ * sets of targets that its views detect, and how long it is on its way between views.
  *
  * <p>A moment is a target in a step; moments are numbered step after step. Sets are numbered from
  * 1, step after step and camera after camera; {@link #NOTHING} is the empty set of all of them.
@@ -26,7 +26,7 @@ public final class WayProblem {
   private final List<TravelTimes> times;
   private final List<int[]> onlineSteps = new ArrayList<>();
 
-  /** By camera, and by step and view. */
+  /** By camera, then by step and view: the set that is detected. */
   private final int[][] setOf;
 
   /** By step and camera, the number of its first set. */
@@ -36,9 +36,9 @@ public final class WayProblem {
   private final List<int[]> moments = new ArrayList<>(List.of(EMPTY));
 
   /**
-   * @param ends by step, the number after that of its last moment
+   * @param ends by step, the end of its moments, exclusive
    * @param times by camera
-   * @param online by camera, the steps in which it is
+   * @param online by camera, the steps in which it is online
    * @param detected by camera and view, the moments that it detects
    */
   public WayProblem(
@@ -67,7 +67,7 @@ public final class WayProblem {
     for (int view = 0; view < views.length; view++) {
       BitSet seen = views[view].get(start(step), ends[step]);
       if (!seen.isEmpty()) {
-        int set = numbers.computeIfAbsent(seen, unseen -> add(step, unseen));
+        int set = numbers.computeIfAbsent(seen, newSet -> add(step, newSet));
         setOf[camera][step * views.length + view] = set;
       }
     }
@@ -95,7 +95,7 @@ public final class WayProblem {
     return step == 0 ? 0 : ends[step - 1];
   }
 
-  /** The number after that of the last moment of a step. */
+  /** One more than the number of the last moment of a step. */
   int end(int step) {
     return ends[step];
   }
@@ -129,7 +129,7 @@ public final class WayProblem {
     return firstSet[step * times.size() + camera];
   }
 
-  /** The number after that of the last set of a camera in a step. */
+  /** One more than the number of the last set of a camera in a step. */
   int endSet(int step, int camera) {
     return firstSet[step * times.size() + camera + 1];
   }
@@ -162,11 +162,11 @@ public final class WayProblem {
     int[] cameras = new int[momentCount()];
     int[] last = new int[momentCount()];
     Arrays.fill(last, -1);
-    for (int place = 0; place + 1 < firstSet.length; place++) {
-      for (int set = firstSet[place]; set < firstSet[place + 1]; set++) {
+    for (int slot = 0; slot + 1 < firstSet.length; slot++) {
+      for (int set = firstSet[slot]; set < firstSet[slot + 1]; set++) {
         for (int moment : moments.get(set)) {
-          cameras[moment] += last[moment] == place ? 0 : 1;
-          last[moment] = place;
+          cameras[moment] += last[moment] == slot ? 0 : 1;
+          last[moment] = slot;
         }
       }
     }

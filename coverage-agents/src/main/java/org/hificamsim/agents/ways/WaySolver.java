@@ -7,9 +7,9 @@ import java.util.Arrays;
  * policy exceeds.
  *
  * <p>The bound is a Lagrangian decomposition. Cameras pay a price for each set that they use in a
- * step, and earn it on their ways: the best of each step less its prices, and the dearest way of
- * each camera, add up to a bound at any prices. Subgradients with Polyak's step lower it. Prices of
- * 0 give the sum of the steps' optima, so that the bound never exceeds that.
+ * step, and earn it on their ways: the best of each step less its prices, and the most rewarding
+ * way of each camera, add up to a bound at any prices. Subgradients with Polyak's step lower it.
+ * Prices of 0 give the sum of the steps' optima, so that the bound never exceeds that.
  */
 public final class WaySolver {
   private static final long STEP_NODES = 6_000;
@@ -25,8 +25,8 @@ public final class WaySolver {
   private final WayProblem problem;
   private final TurnPlanner planner;
   private final PricedStep pricedStep;
-  private final DearestWay search;
-  private final CameraWays dearest;
+  private final MostRewardingWay search;
+  private final CameraWays rewardingWays;
   private final double[] prices;
   private final double[] bestPrices;
   private final double[] direction;
@@ -38,17 +38,17 @@ public final class WaySolver {
     this.problem = problem;
     planner = new TurnPlanner(problem);
     pricedStep = new PricedStep(problem, STEP_NODES);
-    search = new DearestWay(problem);
-    dearest = new CameraWays(problem);
+    search = new MostRewardingWay(problem);
+    rewardingWays = new CameraWays(problem);
     prices = new double[problem.sets()];
     bestPrices = new double[problem.sets()];
     direction = new double[problem.sets()];
   }
 
   /**
-   * Searches until the plan is proven to be the best, or for so many iterations.
+   * Searches until the plan is proven to be the best, or the iterations are used up.
    *
-   * @param maxIterations of the bound, 0 or more
+   * @param maxIterations greatest number of iterations, 0 or more
    */
   public void solve(int maxIterations) {
     for (int seed = 0; seed < ORDERS; seed++) {
@@ -70,14 +70,14 @@ public final class WaySolver {
         pace *= SLOWDOWN;
       }
       if (iterations % PLAN_INTERVAL == 0) {
-        planner.planFrom(dearest, iterations, 1);
+        planner.planFrom(rewardingWays, iterations, 1);
       }
       changePrices(pace * (value - score()));
       iterations++;
     }
   }
 
-  /** A bound by prices, without a search: anyone can compute it again. */
+  /** Computes the bound of given prices, so that it can be checked without a search. */
   public double boundBy(double[] setPrices) {
     return bound(setPrices, new double[setPrices.length]);
   }
@@ -94,8 +94,8 @@ public final class WaySolver {
       }
     }
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      sum += search.search(camera, setPrices, dearest);
-      for (int set : dearest.seen(camera)) {
+      sum += search.search(camera, setPrices, rewardingWays);
+      for (int set : rewardingWays.seen(camera)) {
         change[set] -= 1;
       }
     }
@@ -128,8 +128,8 @@ public final class WaySolver {
 
   /** The bound on the score of any policy whose moves take time. */
   public double bound() {
-    boolean whole = !problem.objective().isShare();
-    double floor = whole ? Math.floor(bound) : bound;
+    boolean isWhole = !problem.objective().isShare();
+    double floor = isWhole ? Math.floor(bound) : bound;
     return Math.max(floor, score());
   }
 

@@ -14,7 +14,7 @@ class EpsilonGreedyZoomPolicyTest {
   private final ToyNetwork network = new ToyNetwork(3, 4);
 
   @Test
-  void startsAtThePreferredLevel() {
+  void startsAtThePreferredView() {
     network.step(network.begin(greedy(0, Ties.WIDEST), 1));
     assertEquals(3, network.view(0));
     network.step(network.begin(greedy(0, Ties.NARROWEST), 1));
@@ -22,7 +22,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void keepsADetectingLevelWithoutExploring() {
+  void keepsADetectingViewWithoutExploring() {
     network.see(0, 3, 0).see(0, 1, 0, 1, 2);
     EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
     for (int step = 0; step < 100; step++) {
@@ -32,7 +32,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void findsTheBestLevelByExploring() {
+  void findsTheBestViewByExploring() {
     network.see(0, 3, 0).see(0, 1, 0, 1, 2).see(0, 2, 1, 2);
     EpsilonGreedyZoomPolicy policy = network.begin(greedy(0.1, Ties.WIDEST), 1);
     int atBest = 0;
@@ -44,7 +44,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void averagesAllRewardsOfALevel() {
+  void averagesAllRewardsOfAView() {
     EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     for (int targets = 0; targets <= 3; targets++) {
       network.see(0, 3, java.util.stream.IntStream.range(0, targets).toArray());
@@ -57,7 +57,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   @Test
-  void reportsAverageAndUseOfEachLevel() {
+  void reportsAverageAndUseOfEachView() {
     network.see(0, 3, 0, 1);
     EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
     network.step(policy);

@@ -12,7 +12,7 @@ class SoftmaxZoomPolicyTest {
       new ToyNetwork(4, 4).see(0, 0, 0).see(0, 1, 0, 1, 2).see(0, 3, 0, 1);
 
   @Test
-  void drawsLevelsInProportionToTheirWeights() {
+  void drawsViewsInProportionToTheirWeights() {
     double temperature = 1.5;
     SoftmaxZoomPolicy policy =
         network.begin(
@@ -32,14 +32,14 @@ class SoftmaxZoomPolicyTest {
   }
 
   @Test
-  void tinyTemperatureTakesOnlyTheBestLevel() {
+  void tinyTemperatureTakesOnlyTheBestView() {
     SoftmaxZoomPolicy policy =
         network.begin(new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=1e-6")), 1);
     assertEquals(1_000, afterLearning(policy, 1_000)[1]);
   }
 
   @Test
-  void hugeTemperatureDrawsAllLevelsEqually() {
+  void hugeTemperatureDrawsAllViewsEquallyOften() {
     SoftmaxZoomPolicy policy =
         network.begin(new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=1e6")), 1);
     for (int times : afterLearning(policy, 40_000)) {
@@ -50,7 +50,7 @@ class SoftmaxZoomPolicyTest {
   /** Uses each view once, so that averages are exact, and then counts the views that are drawn. */
   private int[] afterLearning(SoftmaxZoomPolicy policy, int steps) {
     for (int view = 0; view < 4; view++) {
-      network.setLevel(0, view);
+      network.setView(0, view);
       network.observe();
       policy.learn(network);
     }

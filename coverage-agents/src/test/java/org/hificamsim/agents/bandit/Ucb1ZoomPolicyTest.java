@@ -12,7 +12,7 @@ class Ucb1ZoomPolicyTest {
   private final ToyNetwork network = new ToyNetwork(4, 3).see(0, 0, 0).see(0, 1, 0, 1, 2);
 
   @Test
-  void usesEveryLevelOnceFirst() {
+  void usesEveryViewOnceFirst() {
     Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(Options.parse("ucb1", "c=1")), 1);
     int[] order = new int[3];
     for (int step = 0; step < 3; step++) {

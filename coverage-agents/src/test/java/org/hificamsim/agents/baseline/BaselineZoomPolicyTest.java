@@ -30,9 +30,9 @@ class BaselineZoomPolicyTest {
         levelsAfter(new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST)));
   }
 
-  /** In view 0 all targets are detected by luck; view 1 detects more on average. */
+  /** In view 0 all targets happen to be detected; in view 1 more are expected. */
   @Test
-  void greedyUsesChancesAndNotTheLuck() {
+  void greedyUsesChancesAndNotLuck() {
     double[][] chances = {{0.4, 0.4}, {0.9, 0.1}, {0.2, 0.2}};
     ToyNetwork byChance =
         new ToyNetwork(2, 3) {
@@ -49,7 +49,7 @@ class BaselineZoomPolicyTest {
     byChance.see(0, 0, 0, 1);
     ZoomPolicy greedy = byChance.begin(new IndependentGreedyZoomPolicy(Options.none("greedy")), 1);
     byChance.decide(greedy);
-    assertArrayEquals(new int[] {1}, byChance.currentLevels());
+    assertArrayEquals(new int[] {1}, byChance.currentViews());
   }
 
   @Test
@@ -109,6 +109,6 @@ class BaselineZoomPolicyTest {
 
   private int[] levelsAfter(ZoomPolicy policy) {
     network.step(network.begin(policy, 1));
-    return network.currentLevels();
+    return network.currentViews();
   }
 }

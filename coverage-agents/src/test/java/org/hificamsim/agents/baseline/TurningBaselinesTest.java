@@ -28,7 +28,7 @@ class TurningBaselinesTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   @Test
-  void zoomingLooksAhead() {
+  void zoomOutAndZoomInLookAhead() {
     assertViews("zoom-out", LENS, "5 5 5");
     assertViews("zoom-in", LENS, "4 4 4");
   }
@@ -64,7 +64,7 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void listWithoutKeyGivesLevels() {
+  void numbersWithoutKeyAreLevels() {
     InputException error =
         assertThrows(InputException.class, () -> registry.create("fixed:2,levels=1"));
     assertEquals(
@@ -116,7 +116,7 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void trackerKeepsAMarginToTheBorderOfItsPicture() {
+  void trackerKeepsAMarginToTheEdgeOfItsPicture() {
     assertViews("tracker", LENS, "5 5", at(9, 10));
     assertViews("tracker:margin=0.05", LENS, "4 4", at(9, 10));
     assertViews("tracker", LENS, "5 5", at(0, 14));
@@ -140,7 +140,7 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void trackerFollowsATargetThatWalksAllAlongItsPans() {
+  void trackerFollowsATargetAcrossAllPanAngles() {
     Simulation run =
         run("tracker", LENS, "<object features='1' x='-2' y='5' heading='90' speed='1'/>");
     for (int step = 0; step < 12; step++) {
@@ -151,7 +151,7 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void trackerSearchesWhereItSeesNothing() {
+  void trackerSearchesWhileItSeesNothing() {
     assertViews("tracker", LENS, "5 7 9 7 5");
     assertViews("tracker", LENS, "5 7 9 8 8", at(62, 10));
   }
@@ -162,20 +162,20 @@ class TurningBaselinesTest {
     assertViews("tracker", LENS + wall, "5 7 9 7", at(0, 10));
   }
 
-  /** It walks to the right behind a wall that begins right of the camera. */
+  /** The target walks to the right, behind a wall that begins right of the camera. */
   @Test
-  void trackerWidensWhenItHasLostItsTarget() {
+  void trackerWidensWhenItLosesItsTarget() {
     String wall = "<wall x1='0.6' y1='5' x2='19' y2='5'/>";
     String target = "<object features='1' x='0' y='10' heading='90' speed='1'/>";
     assertViews("tracker", LENS + wall, "4 4 5 7 9", target);
   }
 
   @Test
-  void trackerTurnsBackToWhatItSeesOnItsWay() {
+  void trackerTurnsBackToATargetSeenDuringAMove() {
     String lens = SLOW.replace("speed='15'", "speed='2'").replace("/>", " moving='sees'/>");
     Simulation run =
         run("tracker", lens, "<object features='1' x='9' y='9.5' heading='270' speed='3'/>");
-    assertEquals("5 7 7 4", joined(views(run, 4)), "from 43 degrees to 32, 18 and 0");
+    assertEquals("5 7 7 4", joined(views(run, 4)), "at 43, 32, 18 and 0 degrees");
   }
 
   @Test
@@ -199,21 +199,21 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void greedyChoosesAmongWhatItReachesUnlessToldOtherwise() {
+  void greedyChoosesAmongReachedViewsByDefault() {
     assertViews("greedy", LENS, "5 5", at(-5, 10), at(75, 10), at(80, 10));
     assertViews("greedy:among=all", LENS, "9 9", at(-5, 10), at(75, 10), at(80, 10));
   }
 
   @Test
-  void greedySetsOutForTargetsBeyondWhatItReaches() {
+  void greedyMovesTowardsTargetsBeyondTheReachedViews() {
     assertSeeing("greedy", SLOW, "-1 -1 -1 9 9", at(75, 10));
   }
 
-  /** {@code from} degrees off the camera's heading, to the right. */
-  private static String at(double from, double distance) {
-    double angle = Math.toRadians(from);
+  /** Returns a target at an angle to the right of the camera's heading, degrees. */
+  private static String at(double angleDegrees, double distance) {
+    double angle = Math.toRadians(angleDegrees);
     return "<object features='"
-        + (1000 + from + distance)
+        + (1000 + angleDegrees + distance)
         + "' x='"
         + distance * Math.sin(angle)
         + "' y='"

@@ -15,17 +15,17 @@ class EpsilonGreedyChoiceTest {
   private static final int DRAWS = 100_000;
 
   @Test
-  void exploringOthersDrawsThemEqually() {
+  void exploringOtherViewsDrawsThemEquallyOften() {
     assertShares("other", 0.025, 0.9);
   }
 
   @Test
-  void exploringAnyIncludesTheBestLevel() {
+  void exploringAnyViewIncludesTheBest() {
     assertShares("any", 0.02, 0.92);
   }
 
   @Test
-  void takesTheOnlyLevel() {
+  void takesTheOnlyView() {
     for (String exploration : List.of("other", "any")) {
       EpsilonGreedyChoice choice = choice("epsilon=1,explore=" + exploration);
       choice.begin(new ToyNetwork(0, 1), new SplittableRandom(1));
@@ -75,7 +75,7 @@ class EpsilonGreedyChoiceTest {
   }
 
   @Test
-  void tiesPreferTheGivenLevel() {
+  void tiesGoToTheWidestOrNarrowestView() {
     double[] values = {9, 1, 3, 3, 2};
     assertEquals(2, Ties.WIDEST.best(values, 1, 4));
     assertEquals(1, Ties.NARROWEST.best(values, 1, 4));

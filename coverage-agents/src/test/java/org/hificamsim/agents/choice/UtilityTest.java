@@ -38,10 +38,10 @@ class UtilityTest {
     "sum:cap=3, difference, 3",
     "lexicographic, objective, 1.8333333333333333"
   })
-  void isTheCountOrTheObjectivesShare(String objective, String utility, double expected) {
+  void isTheCountOrTheShareOfTheObjective(String objective, String utility, double expected) {
     ToyNetwork network = network(objective);
     Reading reading = Utility.from(Options.parse("policy", "utility=" + utility));
-    assertEquals(expected, new Utility(reading, network.objective()).of(network, 0), 1e-15);
+    assertEquals(expected, new Utility(reading, network.objective()).compute(network, 0), 1e-15);
   }
 
   @ParameterizedTest
@@ -54,18 +54,18 @@ class UtilityTest {
         network.see(camera, 0, random.ints(0, 5).limit(random.nextInt(5)).distinct().toArray());
       }
       network.observe();
-      double utility = new Utility(Reading.OBJECTIVE, network.objective()).of(network, 2);
+      double utility = new Utility(Reading.OBJECTIVE, network.objective()).compute(network, 2);
       double targets = text.startsWith("covered") ? 5 : 1;
       double score = network.score();
       network.switchCamera(2, false);
       network.observe();
       assertEquals(score - network.score(), utility / targets, 1e-12);
-      assertEquals(0, new Utility(Reading.OBJECTIVE, network.objective()).of(network, 2));
+      assertEquals(0, new Utility(Reading.OBJECTIVE, network.objective()).compute(network, 2));
     }
   }
 
   @Test
-  void learnerIsRewardedWithItsShare() {
+  void learnerIsRewardedByDifferenceUnlessToldToCount() {
     ToyNetwork network = network("covered:k=1");
     TemporalDifferenceZoomPolicy counting =
         begin(network, "reward=literal,utility=count,state=none");
@@ -82,7 +82,9 @@ class UtilityTest {
       network.switchCamera(1, step == 0);
     }
     network.step(sharing);
-    assertFalse(sharing.q().value(0, 0, 0) == 0, "three of its own, one, and three again");
+    assertFalse(
+        sharing.q().value(0, 0, 0) == 0,
+        "three targets that only this camera detects, then fewer, then three again");
   }
 
   private static TemporalDifferenceZoomPolicy begin(ToyNetwork network, String options) {
@@ -93,6 +95,7 @@ class UtilityTest {
   void allocatesNothing() {
     ToyNetwork network = network("covered:k=2");
     Utility utility = new Utility(Reading.OBJECTIVE, network.objective());
-    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> utility.of(network, 0))));
+    assertEquals(
+        0, AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> utility.compute(network, 0))));
   }
 }

@@ -86,7 +86,7 @@ class CooperativeZoomPolicyTest {
   }
 
   @Test
-  void doesAsWellWhenReportsDoNotIdentifyTargets() {
+  void coversAboutAsMuchWhenReportsDoNotIdentifyTargets() {
     double identified = covered("identity=known");
     double unidentified = covered("identity=none");
     assertTrue(identified > 100, identified + " steps covered of 4 targets in 200 steps");
@@ -129,7 +129,7 @@ class CooperativeZoomPolicyTest {
     assertTrue(error.getMessage().contains("identity"), error.getMessage());
   }
 
-  /** A wall that is not on its map hides a target from one of two cameras. */
+  /** A wall that is not on the map hides a target from one of two cameras. */
   @Test
   void learnsThatItSeesLessThanTheMapPromises() {
     LearnedSight learnedSight = new LearnedSight(true, new Grid(0, 0, 1, 10, 10), 2);
@@ -150,7 +150,7 @@ class CooperativeZoomPolicyTest {
   }
 
   @Test
-  void countsAReportAndAChoiceOfEachCamera() {
+  void countsReportsAndChoicesAsMessages() {
     CooperativeZoomPolicy policy = policy("agree=none", false);
     RealWorld.run(SITE, policy, 1).run(10);
     assertEquals(3 * 10, policy.messages());

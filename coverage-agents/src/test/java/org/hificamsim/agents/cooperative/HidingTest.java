@@ -28,13 +28,13 @@ class HidingTest {
   }
 
   @Test
-  void targetBesideTheLineHidesNothing() {
+  void targetOffTheLineOfSightHidesNothing() {
     place(0.5, 5, 1, 1);
     assertEquals(1, visible(0));
   }
 
   @Test
-  void uncertainTargetHidesByItsWeight() {
+  void uncertainTargetHidesInProportionToItsWeight() {
     place(0.5, 5, 0, 0.3);
     assertEquals(0.7, visible(0), 1e-12);
   }

@@ -59,7 +59,7 @@ class IdentitySwitchesTest {
   }
 
   @Test
-  void trackThatWasForgottenIsAnotherOne() {
+  void targetSeenAfterItsTrackWasForgottenSwitches() {
     see(0, 0, 5);
     tracks.forget(9, new SearchMap(PARAMETERS, new Grid(0, 0, 1, 9, 9), new boolean[81], 1));
     assertEquals(1, see(9, 0, 5));

@@ -29,7 +29,7 @@ class PlannedCoverageTest {
   }
 
   @Test
-  void firstOfTwoNeededCamerasAddsAPart() {
+  void firstOfTwoNeededCamerasAddsAPartOfTheWorth() {
     PlannedCoverage coverage = coverage("covered:k=2");
     assertEquals(0.2, coverage.added(0), 1e-12);
     coverage.add(0, 1);
@@ -63,11 +63,11 @@ class PlannedCoverageTest {
       }
       double last = chances[4] > 0.98 ? 1 : chances[4];
       coverage.remove(0, last);
-      assertEquals(overOutcomes(worth, chances, 4), coverage.added(0), 0.05);
+      assertEquals(expectedOverOutcomes(worth, chances, 4), coverage.added(0), 0.05);
     }
   }
 
-  private static double overOutcomes(Worth worth, double[] chances, int cameras) {
+  private static double expectedOverOutcomes(Worth worth, double[] chances, int cameras) {
     double sum = 0;
     for (int outcome = 0; outcome < 1 << cameras; outcome++) {
       double chance = 1;

@@ -33,10 +33,11 @@ class WaySearchTest {
   }
 
   private int[] moveTimes() {
-    int[] places = random.ints(VIEWS, 0, 4).toArray();
+    int[] positions = random.ints(VIEWS, 0, 4).toArray();
     int[] times = new int[VIEWS * VIEWS];
     Arrays.setAll(
-        times, pair -> Math.max(0, Math.abs(places[pair / VIEWS] - places[pair % VIEWS]) - 1));
+        times,
+        pair -> Math.max(0, Math.abs(positions[pair / VIEWS] - positions[pair % VIEWS]) - 1));
     return times;
   }
 
@@ -61,7 +62,7 @@ class WaySearchTest {
   }
 
   @Test
-  void staysWhereNothingElseIsWorthMore() {
+  void staysWhenNoOtherViewIsWorthMore() {
     search.begin(new TravelTimes(0, VIEWS, new int[VIEWS * VIEWS]));
     search.solve();
     assertArrayEquals(new int[] {~2, 2, 2, 2}, search.way(1, 2));

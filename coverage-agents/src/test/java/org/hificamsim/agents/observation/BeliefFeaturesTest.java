@@ -43,13 +43,13 @@ class BeliefFeaturesTest {
   }
 
   @Test
-  void keepsNumbersWithinTheirBoundsAndAllOthersAsTheyAre() {
-    Playing playing = new Playing(new RandomZoomPolicy());
-    RealWorld.run(cameras() + TARGETS, playing, 3).run(300);
+  void beliefStaysWithinBoundsAndChangesNoOtherNumbers() {
+    ObservedPolicy observed = new ObservedPolicy(new RandomZoomPolicy());
+    RealWorld.run(cameras() + TARGETS, observed, 3).run(300);
     List<Feature> features = LAYOUT.features();
     assertEquals(LAYOUT.size(), features.size());
     for (int step = 0; step < 300; step++) {
-      float[] numbers = playing.observations.get(step);
+      float[] numbers = observed.observations.get(step);
       for (int i = 0; i < numbers.length; i++) {
         Feature feature = features.get(i % features.size());
         assertTrue(numbers[i] >= feature.low() && numbers[i] <= feature.high(), feature.name());
@@ -57,7 +57,7 @@ class BeliefFeaturesTest {
       for (int camera = 0; camera < 2; camera++) {
         assertArrayEquals(
             Arrays.copyOfRange(
-                playing.plain.get(step), camera * WITHOUT.size(), (camera + 1) * WITHOUT.size()),
+                observed.plain.get(step), camera * WITHOUT.size(), (camera + 1) * WITHOUT.size()),
             Arrays.copyOfRange(
                 numbers, camera * LAYOUT.size(), camera * LAYOUT.size() + WITHOUT.size()));
       }
@@ -66,24 +66,24 @@ class BeliefFeaturesTest {
 
   @Test
   void describesEachViewAndPadsTheRest() {
-    Playing playing = new Playing(new RandomZoomPolicy());
-    RealWorld.run(cameras() + TARGETS, playing, 3).run(50);
+    ObservedPolicy observed = new ObservedPolicy(new RandomZoomPolicy());
+    RealWorld.run(cameras() + TARGETS, observed, 3).run(50);
     for (int step = 1; step < 50; step++) {
       for (int camera = 0; camera < 2; camera++) {
         double chosen = 0;
         double greatest = 0;
         for (int view = 0; view < 4; view++) {
-          assertEquals(1, playing.of(step, camera, view, "exists"));
-          chosen += playing.of(step, camera, view, "chosen");
-          greatest = Math.max(greatest, playing.of(step, camera, view, "gain_share"));
+          assertEquals(1, observed.number(step, camera, view, "exists"));
+          chosen += observed.number(step, camera, view, "chosen");
+          greatest = Math.max(greatest, observed.number(step, camera, view, "gain_share"));
           assertTrue(
-              playing.of(step, camera, view, "known")
-                  <= playing.of(step, camera, view, "targets") + 1e-6);
+              observed.number(step, camera, view, "known")
+                  <= observed.number(step, camera, view, "targets") + 1e-6);
         }
         assertEquals(1, chosen);
         assertEquals(1, greatest);
         for (Feature feature : BeliefFeatures.VIEW) {
-          assertEquals(0, playing.of(step, camera, 4, feature.name()));
+          assertEquals(0, observed.number(step, camera, 4, feature.name()));
         }
       }
     }
@@ -95,38 +95,38 @@ class BeliefFeaturesTest {
   @Test
   void greatestGainOfLoneCameraIsChoiceOfCooperative() {
     ZoomPolicy cooperative = new CooperativeZoomPolicy(Options.none("cooperative"));
-    Playing playing = new Playing(cooperative);
-    RealWorld.run(OPTICS + camera("a", -6, 0) + TARGETS, playing, 3).run(300);
+    ObservedPolicy observed = new ObservedPolicy(cooperative);
+    RealWorld.run(OPTICS + camera("a", -6, 0) + TARGETS, observed, 3).run(300);
     int changes = 0;
     for (int step = 0; step < 300; step++) {
-      int present = playing.present.get(step)[0];
+      int present = observed.present.get(step)[0];
       int best = present;
       for (int view = 0; view < 4; view++) {
-        best = playing.gain(step, view) > playing.gain(step, best) ? view : best;
+        best = observed.gain(step, view) > observed.gain(step, best) ? view : best;
       }
-      boolean moves = playing.gain(step, best) > 1.02 * playing.gain(step, present);
-      assertEquals(moves ? best : present, playing.chosen.get(step)[0], "step " + step);
+      boolean moves = observed.gain(step, best) > 1.02 * observed.gain(step, present);
+      assertEquals(moves ? best : present, observed.chosen.get(step)[0], "step " + step);
       changes += moves ? 1 : 0;
     }
     assertTrue(changes > 10, changes + " changes");
   }
 
   @Test
-  void countsLessWhatTheOtherCameraCovers() {
+  void targetCoveredByAnotherCameraIsWorthLess() {
     String twins = OPTICS + camera("a", 0, 0) + camera("b", 0, 0);
     String target = "<object features='1' x='0' y='5' heading='0' speed='0' size='1'/>";
-    Playing alone = new Playing(RealWorld.always(2));
+    ObservedPolicy alone = new ObservedPolicy(RealWorld.always(2));
     RealWorld.run(OPTICS + camera("a", 0, 0) + target, alone, 1).run(20);
-    Playing both = new Playing(RealWorld.always(2, 2));
+    ObservedPolicy both = new ObservedPolicy(RealWorld.always(2, 2));
     RealWorld.run(twins + target, both, 1).run(20);
-    assertEquals(alone.of(19, 0, 2, "targets"), both.of(19, 0, 2, "targets"), 1e-6);
-    assertEquals(0, alone.of(19, 0, 2, "covered"));
-    assertEquals(1, both.of(19, 0, 2, "covered"), 1e-6);
-    assertTrue(both.of(19, 0, 2, "known") < alone.of(19, 0, 2, "known"));
+    assertEquals(alone.number(19, 0, 2, "targets"), both.number(19, 0, 2, "targets"), 1e-6);
+    assertEquals(0, alone.number(19, 0, 2, "covered"));
+    assertEquals(1, both.number(19, 0, 2, "covered"), 1e-6);
+    assertTrue(both.number(19, 0, 2, "known") < alone.number(19, 0, 2, "known"));
   }
 
-  /** Keeps what a policy's cameras observe, and what they choose. */
-  private static final class Playing implements ZoomPolicy {
+  /** Records what a policy's cameras observe, and what they choose. */
+  private static final class ObservedPolicy implements ZoomPolicy {
     private final ZoomPolicy policy;
     private final List<float[]> observations = new ArrayList<>();
     private final List<float[]> plain = new ArrayList<>();
@@ -135,11 +135,11 @@ class BeliefFeaturesTest {
     private CameraObserver observer;
     private CameraObserver plainObserver;
 
-    Playing(ZoomPolicy policy) {
+    ObservedPolicy(ZoomPolicy policy) {
       this.policy = policy;
     }
 
-    double of(int step, int camera, int view, String name) {
+    double number(int step, int camera, int view, String name) {
       List<String> names = BeliefFeatures.VIEW.stream().map(Feature::name).toList();
       int at = camera * LAYOUT.size() + LAYOUT.firstView() + view * names.size();
       return observations.get(step)[at + names.indexOf(name)];
@@ -147,7 +147,7 @@ class BeliefFeaturesTest {
 
     /** The gain of a view of the first camera, in targets. */
     double gain(int step, int view) {
-      double share = of(step, 0, view, "gain");
+      double share = number(step, 0, view, "gain");
       return share / (1 - share);
     }
 

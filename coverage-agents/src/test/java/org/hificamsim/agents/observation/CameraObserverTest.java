@@ -46,46 +46,46 @@ class CameraObserverTest {
   @Test
   void observesOwnPositionAndHeading() {
     Observed observed = observe(RealWorld.always(1, 1), 1);
-    assertEquals(1, observed.of("online"));
-    assertEquals(-1, observed.of("x"));
-    assertEquals(-0.375, observed.of("y"));
-    assertEquals(0, observed.of("mounted_x"));
-    assertEquals(1, observed.of("mounted_y"));
-    assertEquals(1, observed.of("zoom"), "the widest");
-    assertEquals(1 / 6.0, observed.of("angle"), 1e-7);
-    assertEquals(1, observed.of("neighbour0_dx"));
-    assertEquals(0.375, observed.of("neighbour0_dy"), 1e-7);
+    assertEquals(1, observed.number("online"));
+    assertEquals(-1, observed.number("x"));
+    assertEquals(-0.375, observed.number("y"));
+    assertEquals(0, observed.number("mounted_x"));
+    assertEquals(1, observed.number("mounted_y"));
+    assertEquals(1, observed.number("zoom"), "the widest");
+    assertEquals(1 / 6.0, observed.number("angle"), 1e-7);
+    assertEquals(1, observed.number("neighbour0_dx"));
+    assertEquals(0.375, observed.number("neighbour0_dy"), 1e-7);
   }
 
   @Test
   void observesNearestTargetsFirst() {
     Observed observed = observe(RealWorld.always(1, 1), 1);
-    assertEquals(0.2, observed.of("target0_ahead"), 1e-6);
-    assertEquals(0.1, observed.of("target0_right"), 1e-6);
-    assertEquals(0.5, observed.of("target1_ahead"), 1e-6);
-    assertEquals(0, observed.of("target1_right"), 1e-6);
-    assertEquals(0.5 / 5 / Math.toRadians(60), observed.of("target1_size"), 1e-6);
-    assertEquals(1, observed.of("target1_confidence"));
-    assertEquals(0.5, observed.of("target1_coverage"), "one camera of two, in the step before");
-    assertEquals(0.75, observed.of("detected"), "three of four, in the step before");
+    assertEquals(0.2, observed.number("target0_ahead"), 1e-6);
+    assertEquals(0.1, observed.number("target0_right"), 1e-6);
+    assertEquals(0.5, observed.number("target1_ahead"), 1e-6);
+    assertEquals(0, observed.number("target1_right"), 1e-6);
+    assertEquals(0.5 / 5 / Math.toRadians(60), observed.number("target1_size"), 1e-6);
+    assertEquals(1, observed.number("target1_confidence"));
+    assertEquals(0.5, observed.number("target1_coverage"), "one camera of two, in the step before");
+    assertEquals(0.75, observed.number("detected"), "three of four, in the step before");
   }
 
   @Test
   void numbersOfUnseenTargetsAreZero() {
     Observed observed = observe(RealWorld.always(3, 1), 4);
-    assertEquals(0.5, observed.of("pan"), "turned to the right, where nothing is");
-    assertEquals(0, observed.of("target0_seen"));
-    assertEquals(0, observed.of("target0_ahead"));
+    assertEquals(0.5, observed.number("pan"), "turned to the right, where nothing is");
+    assertEquals(0, observed.number("target0_seen"));
+    assertEquals(0, observed.number("target0_ahead"));
   }
 
   @Test
   void movingCameraObservesItsGoalAndDuration() {
     Observed observed = observe(RealWorld.always(3, 1), 2);
-    assertEquals(1, observed.of("moving"));
-    assertEquals(1, observed.of("blind"));
-    assertEquals(0.5, observed.of("goal_pan"));
-    assertEquals(2 / 3.0, observed.of("way"), 1e-6);
-    assertEquals(0, observed.of("target0_seen"));
+    assertEquals(1, observed.number("moving"));
+    assertEquals(1, observed.number("blind"));
+    assertEquals(0.5, observed.number("goal_pan"));
+    assertEquals(2 / 3.0, observed.number("way"), 1e-6);
+    assertEquals(0, observed.number("target0_seen"));
   }
 
   @Test
@@ -100,11 +100,11 @@ class CameraObserverTest {
         new WatchingPolicy(RealWorld.always(widestAtSecondTilt, 1), withHeights);
     RealWorld.run(cameras + TARGETS, watching, 1).run(5);
     Observed observed = new Observed(watching.observations.get(1), withHeights);
-    assertEquals(0.4, observed.of("height"), 1e-6, "4 m of 10");
-    assertEquals(0.6, observed.of("goal_tilt"), 1e-6, "54 degrees of 90");
-    assertEquals(0, observed.of("tilt"), "while it moves");
-    assertEquals(0.6, new Observed(watching.observations.get(4), withHeights).of("tilt"), 1e-6);
-    assertEquals(1, observed.of("neighbour0_dx"), "neighbours follow");
+    assertEquals(0.4, observed.number("height"), 1e-6, "4 m of 10");
+    assertEquals(0.6, observed.number("goal_tilt"), 1e-6, "54 degrees of 90");
+    assertEquals(0, observed.number("tilt"), "while it moves");
+    assertEquals(0.6, new Observed(watching.observations.get(4), withHeights).number("tilt"), 1e-6);
+    assertEquals(1, observed.number("neighbour0_dx"), "neighbours follow");
     assertEquals(withHeights.size(), LAYOUT.size() + 3);
   }
 
@@ -164,9 +164,9 @@ class CameraObserverTest {
     return new Observed(watching.observations.get(steps), LAYOUT);
   }
 
-  /** What the first camera observed. */
+  /** The observation of the first camera. */
   private record Observed(float[] numbers, ObservationLayout layout) {
-    double of(String name) {
+    double number(String name) {
       List<String> names = layout.features().stream().map(Feature::name).toList();
       return numbers[names.indexOf(name)];
     }

@@ -31,8 +31,8 @@ class CrowdObservationTest {
         .formatted(name, x, y);
   }
 
-  private static String cameras(double xOfTheLast) {
-    return OPTICS + camera("a", -8, 0) + camera("b", 8, 6) + camera("c", xOfTheLast, 0);
+  private static String cameras(double lastCameraX) {
+    return OPTICS + camera("a", -8, 0) + camera("b", 8, 6) + camera("c", lastCameraX, 0);
   }
 
   /** Targets in pairs on both sides of the first camera's axis. */

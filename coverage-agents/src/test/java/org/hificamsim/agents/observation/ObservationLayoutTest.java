@@ -24,7 +24,7 @@ class ObservationLayoutTest {
     "0, -1, observed neighbours is -1",
     "0, 1001, observed neighbours is 1001",
   })
-  void rejectsOtherNumbers(int targets, int neighbours, String message) {
+  void rejectsNumbersOutOfRange(int targets, int neighbours, String message) {
     InputException error =
         assertThrows(InputException.class, () -> new ObservationLayout(targets, neighbours, false));
     assertEquals(message + ", expected 0 to 1000", error.getMessage());

@@ -8,10 +8,10 @@ final class BestConfiguration {
 
   /** Returns the best k_min over all views from lowest to highest of each camera. */
   static int kMin(ToyNetwork network, int[] lowest, int[] highest) {
-    int[] before = network.currentLevels();
+    int[] before = network.currentViews();
     int best = kMin(network, lowest, highest, 0);
     for (int camera = 0; camera < before.length; camera++) {
-      network.setLevel(camera, before[camera]);
+      network.setView(camera, before[camera]);
     }
     network.observe();
     return best;
@@ -24,7 +24,7 @@ final class BestConfiguration {
     }
     int best = 0;
     for (int view = lowest[camera]; view <= highest[camera]; view++) {
-      network.setLevel(camera, view);
+      network.setView(camera, view);
       best = Math.max(best, kMin(network, lowest, highest, camera + 1));
     }
     return best;

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Test;
 
 class BestFixedZoomPolicyTest {
-  private static final int LEVELS = 3;
+  private static final int VIEWS = 3;
 
   private Objective objective = Objective.kMin();
 
@@ -69,13 +69,13 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void camerasJumpAndNothingIsProvenWithoutNodes() {
+  void letsCamerasJumpAndProvesNothingWithoutNodes() {
     BestFixedZoomPolicy policy =
         (BestFixedZoomPolicy)
             CoveragePolicies.register(new Registry<ZoomPolicy>("policy"))
                 .create("best-fixed:nodes=0");
     assertTrue(policy.jumps());
-    ToyNetwork network = new ToyNetwork(3, LEVELS, LEVELS);
+    ToyNetwork network = new ToyNetwork(3, VIEWS, VIEWS);
     network.see(0, 0, 0);
     network.see(0, 1, 1);
     network.see(1, 0, 1);
@@ -88,7 +88,7 @@ class BestFixedZoomPolicyTest {
 
   @Test
   void findsGainsOfTwoCamerasWithoutNodes() {
-    ToyNetwork network = new ToyNetwork(5, LEVELS, LEVELS);
+    ToyNetwork network = new ToyNetwork(5, VIEWS, VIEWS);
     network.see(0, 0, 0);
     network.see(0, 1, 1);
     network.see(0, 2, 2);
@@ -101,8 +101,8 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void takesTheNarrowestOfEquallyGoodLevels() {
-    ToyNetwork network = new ToyNetwork(1, LEVELS, LEVELS);
+  void takesTheNarrowestOfEquallyGoodViews() {
+    ToyNetwork network = new ToyNetwork(1, VIEWS, VIEWS);
     network.see(0, 1, 0);
     network.see(0, 2, 0);
     RunDetections run = new RunDetections();
@@ -111,11 +111,11 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
-  void keepsItsLevels() {
+  void keepsItsViews() {
     BestFixedZoomPolicy policy =
         (BestFixedZoomPolicy)
             CoveragePolicies.register(new Registry<ZoomPolicy>("policy")).create("best-fixed");
-    ToyNetwork network = new ToyNetwork(2, LEVELS);
+    ToyNetwork network = new ToyNetwork(2, VIEWS);
     network.see(0, 1, 0, 1);
     network.see(0, 2, 1);
     policy.rehearse(network);
@@ -132,11 +132,11 @@ class BestFixedZoomPolicyTest {
       SplittableRandom random, int cameras, int targets, int steps, double density) {
     RunDetections run = new RunDetections();
     int[] sizes = new int[cameras];
-    Arrays.fill(sizes, LEVELS);
+    Arrays.fill(sizes, VIEWS);
     for (int step = 0; step < steps; step++) {
       ToyNetwork network = new ToyNetwork(targets, sizes);
       for (int camera = 0; camera < cameras; camera++) {
-        for (int view = 0; view < LEVELS; view++) {
+        for (int view = 0; view < VIEWS; view++) {
           network.see(
               camera,
               view,
@@ -175,7 +175,7 @@ class BestFixedZoomPolicyTest {
 
   private static boolean next(int[] views) {
     for (int camera = 0; camera < views.length; camera++) {
-      views[camera] = (views[camera] + 1) % LEVELS;
+      views[camera] = (views[camera] + 1) % VIEWS;
       if (views[camera] != 0) {
         return true;
       }

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests upper bounds under objectives other than k_min. */
 class ObjectivesTest {
-  private static final int LEVELS = 3;
+  private static final int VIEWS = 3;
 
   @ParameterizedTest
   @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"})
@@ -24,14 +24,14 @@ class ObjectivesTest {
     SplittableRandom random = new SplittableRandom(7);
     for (int trial = 0; trial < 400; trial++) {
       ToyNetwork network = random(random).scoredBy(Objective.parse(text));
-      assertReaches(network, new OptimalZoomPolicy(1_000_000), LEVELS);
+      assertReaches(network, new OptimalZoomPolicy(1_000_000), VIEWS);
       assertReaches(network, new OneHopZoomPolicy(Options.none("one-hop")), 1);
     }
   }
 
   private static void assertReaches(ToyNetwork network, ProvingZoomPolicy policy, int hop) {
     network.begin(policy, 1);
-    double best = best(network, network.currentLevels(), hop, 0);
+    double best = best(network, network.currentViews(), hop, 0);
     network.decide(policy);
     network.observe();
     assertEquals(best, network.score());
@@ -39,30 +39,30 @@ class ObjectivesTest {
     assertEquals(0, policy.gap());
   }
 
-  /** Returns the best score of all levels that differ from the present ones by a number at most. */
+  /** Returns the best score of all views at most {@code hop} away from the present ones. */
   private static double best(ToyNetwork network, int[] before, int hop, int camera) {
     if (camera == before.length) {
       network.observe();
       return network.score();
     }
     double best = 0;
-    for (int level = 0; level < LEVELS; level++) {
-      if (Math.abs(level - before[camera]) <= hop) {
-        network.setLevel(camera, level);
+    for (int view = 0; view < VIEWS; view++) {
+      if (Math.abs(view - before[camera]) <= hop) {
+        network.setView(camera, view);
         best = Math.max(best, best(network, before, hop, camera + 1));
       }
     }
-    network.setLevel(camera, before[camera]);
+    network.setView(camera, before[camera]);
     return best;
   }
 
   private static ToyNetwork random(SplittableRandom random) {
     int targets = 1 + random.nextInt(5);
-    ToyNetwork network = new ToyNetwork(targets, LEVELS, LEVELS, LEVELS, LEVELS);
+    ToyNetwork network = new ToyNetwork(targets, VIEWS, VIEWS, VIEWS, VIEWS);
     for (int camera = 0; camera < network.cameras(); camera++) {
-      for (int level = 0; level < LEVELS; level++) {
+      for (int view = 0; view < VIEWS; view++) {
         network.see(
-            camera, level, random.ints(0, targets).limit(random.nextInt(4)).distinct().toArray());
+            camera, view, random.ints(0, targets).limit(random.nextInt(4)).distinct().toArray());
       }
     }
     network.switchCamera(random.nextInt(4), random.nextBoolean());
@@ -72,7 +72,7 @@ class ObjectivesTest {
 
   @Test
   void optimalExpectedRejectsOtherObjectives() {
-    ToyNetwork network = new ToyNetwork(1, LEVELS).scoredBy(Objective.parse("covered"));
+    ToyNetwork network = new ToyNetwork(1, VIEWS).scoredBy(Objective.parse("covered"));
     InputException error =
         assertThrows(
             InputException.class,

@@ -29,11 +29,11 @@ class OneHopZoomPolicyTest {
   }
 
   @Test
-  void prefersWiderLevelsWithoutGain() {
+  void prefersWiderViewsWithoutGain() {
     ToyNetwork network = new ToyNetwork(1, 4, 4);
-    network.setLevel(0, 1);
+    network.setView(0, 1);
     network.decide(network.begin(new OneHopZoomPolicy(Options.none("one-hop")), 1));
-    assertArrayEquals(new int[] {2, 3}, network.currentLevels());
+    assertArrayEquals(new int[] {2, 3}, network.currentViews());
   }
 
   /** Users' commands contain these names. */
@@ -49,16 +49,16 @@ class OneHopZoomPolicyTest {
   @Test
   void mostTargetsKeepsDetectionsWithoutGain() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
-    network.setLevel(0, 1);
+    network.setView(0, 1);
     Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
     network.decide(network.begin(oneHop(preference), 1));
     assertEquals(1, network.view(0));
   }
 
   @Test
-  void keepsLevelsWithoutTargets() {
+  void keepsViewsWithoutTargets() {
     ToyNetwork network = new ToyNetwork(1, 4);
-    network.setLevel(0, 1);
+    network.setView(0, 1);
     network.showTarget(0, false);
     network.decide(network.begin(new OneHopZoomPolicy(Options.none("one-hop")), 1));
     assertEquals(1, network.view(0));
@@ -71,7 +71,7 @@ class OneHopZoomPolicyTest {
   private static void compare(GeometricNetwork network, Preference preference) {
     OneHopZoomPolicy policy = network.begin(oneHop(preference), 1);
     for (int step = 0; step < 4; step++) {
-      int[] before = network.currentLevels();
+      int[] before = network.currentViews();
       int[] lowest = new int[before.length];
       int[] highest = new int[before.length];
       for (int camera = 0; camera < before.length; camera++) {

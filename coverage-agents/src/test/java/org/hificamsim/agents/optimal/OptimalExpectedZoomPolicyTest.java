@@ -13,7 +13,7 @@ import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
-/** Compares with all configurations. */
+/** Compares the policy with the best of all configurations. */
 class OptimalExpectedZoomPolicyTest {
   /** Random chances: some are 0 or 1, some views are equal, and some are better for all targets. */
   private static final class RandomChances extends ToyNetwork {
@@ -87,7 +87,7 @@ class OptimalExpectedZoomPolicyTest {
             new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=100000")), 1);
     network.decide(policy);
     double best = network.best(new int[cameras], 0);
-    assertEquals(best, network.leastCoverage(network.currentLevels()), 1e-8);
+    assertEquals(best, network.leastCoverage(network.currentViews()), 1e-8);
     assertEquals(0, policy.unprovenSteps());
     assertEquals(0, policy.gap());
   }
@@ -99,7 +99,7 @@ class OptimalExpectedZoomPolicyTest {
         network.begin(
             new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=0")), 1);
     network.decide(policy);
-    double reached = network.leastCoverage(network.currentLevels());
+    double reached = network.leastCoverage(network.currentViews());
     double best = network.best(new int[6], 0);
     assertTrue(reached + policy.gap() >= best - 1e-8, reached + " + " + policy.gap());
     assertTrue(policy.unprovenSteps() == 1 || reached >= best - 1e-8);
@@ -114,24 +114,24 @@ class OptimalExpectedZoomPolicyTest {
           network.begin(
               new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=0")), 1));
       double best = network.best(new int[6], 0);
-      lost += 1 - network.leastCoverage(network.currentLevels()) / best;
+      lost += 1 - network.leastCoverage(network.currentViews()) / best;
     }
     assertTrue(lost / 200 < 0.01, "lost " + lost / 200);
   }
 
   @Test
-  void keepsLevelsWithoutTargets() {
+  void keepsViewsWithoutTargets() {
     RandomChances network = network(3, 1, new SplittableRandom(3));
     network.showTarget(0, false);
-    int[] before = network.currentLevels();
+    int[] before = network.currentViews();
     network.decide(
         network.begin(
             new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=10")), 1));
-    assertArrayEquals(before, network.currentLevels());
+    assertArrayEquals(before, network.currentViews());
   }
 
   @Test
-  void reachesTheBestKMinByAThreshold() {
+  void reachesTheBestKMinWithAThreshold() {
     ToyNetwork network = new ToyNetwork(2, 2, 2, 1).see(0, 0, 0).see(0, 1, 1).see(1, 0, 1);
     network.see(1, 1, 0).see(2, 0, 0, 1);
     network.decide(

@@ -35,21 +35,21 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void findsTheOptimumWithASingleLevel() {
+  void findsTheOptimumWithASingleView() {
     compare(new GeometricNetwork.Kind(4, 1, 2, 1, true, false, 10, 16), 50);
   }
 
   @Test
-  void keepsNarrowestDominatingLevelWithoutFurtherQueries() {
+  void keepsNarrowestDominatingViewWithoutFurtherQueries() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
-    int[] views = network.currentLevels();
+    int[] views = network.currentViews();
     long queries = network.globalQueries();
     for (int step = 0; step < 100; step++) {
       network.scatter();
       network.decide(policy);
-      assertArrayEquals(views, network.currentLevels());
+      assertArrayEquals(views, network.currentViews());
     }
     assertEquals(queries, network.globalQueries());
     for (int camera = 0; camera < views.length; camera++) {
@@ -72,34 +72,34 @@ class OptimalZoomPolicyTest {
   }
 
   @Test
-  void keepsLevelsWithoutTargets() {
+  void keepsViewsWithoutTargets() {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.showTarget(0, false);
     network.decide(policy);
-    assertArrayEquals(new int[] {2, 2}, network.currentLevels());
+    assertArrayEquals(new int[] {2, 2}, network.currentViews());
     network.showTarget(0, true);
     network.decide(policy);
-    assertArrayEquals(new int[] {0, 1}, network.currentLevels());
+    assertArrayEquals(new int[] {0, 1}, network.currentViews());
   }
 
   @Test
-  void keepsLevelsOfDominatedCamerasWithoutTargets() {
+  void keepsViewsOfDominatedCamerasWithoutTargets() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
-    int[] views = network.currentLevels();
+    int[] views = network.currentViews();
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     for (int target = 0; target < network.targets(); target++) {
       network.showTarget(target, false);
     }
     network.decide(policy);
-    assertArrayEquals(views, network.currentLevels());
+    assertArrayEquals(views, network.currentViews());
     network.showTarget(0, true);
     network.decide(policy);
-    assertFalse(Arrays.equals(views, network.currentLevels()));
+    assertFalse(Arrays.equals(views, network.currentViews()));
   }
 
   @Test
-  void prefersMostDetectionsThenNarrowestLevel() {
+  void prefersMostDetectionsThenNarrowestView() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 0, 1).see(0, 1, 0, 1).see(0, 2, 0, 1);
     network.decide(network.begin(new OptimalZoomPolicy(1_000_000), 1));
     assertEquals(1, network.view(0));
@@ -110,7 +110,7 @@ class OptimalZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
     network.switchCamera(0, false);
     network.decide(network.begin(new OptimalZoomPolicy(1_000_000), 1));
-    assertArrayEquals(new int[] {2, 1}, network.currentLevels());
+    assertArrayEquals(new int[] {2, 1}, network.currentViews());
   }
 
   private static void compare(GeometricNetwork.Kind kind, int worlds) {

@@ -62,13 +62,13 @@ class TargetWorthTest {
         for (int max = k; max <= CAMERAS; max++) {
           long profit =
               IntStream.rangeClosed(k, max)
-                  .mapToLong(bought -> worth.of(bought) - price * bought)
+                  .mapToLong(bought -> worth.value(bought) - price * bought)
                   .max()
                   .orElseThrow();
           assertEquals(profit, worth.profit(k, max, price));
         }
         int demand = worth.demand(k, price);
-        assertEquals(worth.profit(0, k, price), worth.of(demand) - price * demand);
+        assertEquals(worth.profit(0, k, price), worth.value(demand) - price * demand);
         assertEquals(demand == 0, worth.profit(0, k, price) == 0, "buys none without profit");
       }
     }
@@ -80,8 +80,8 @@ class TargetWorthTest {
     for (int k = 0; k <= CAMERAS; k++) {
       for (int max = k; max <= CAMERAS; max++) {
         long slope = worth.slope(k, max);
-        assertEquals(worth.of(k) - slope * k, worth.profit(k, max, slope));
-        boolean gains = worth.profit(k, max, slope - 1) > worth.of(k) - (slope - 1) * k;
+        assertEquals(worth.value(k) - slope * k, worth.profit(k, max, slope));
+        boolean gains = worth.profit(k, max, slope - 1) > worth.value(k) - (slope - 1) * k;
         assertEquals(slope > 0, slope > 0 && gains);
       }
     }
@@ -91,7 +91,7 @@ class TargetWorthTest {
     return String.join(
         " ",
         LongStream.rangeClosed(0, maxCameras)
-            .mapToObj(k -> Long.toString(worth.of((int) k) / UNIT))
+            .mapToObj(k -> Long.toString(worth.value((int) k) / UNIT))
             .toList());
   }
 }

@@ -21,10 +21,10 @@ import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
-  /** With so many cameras, views and targets, tables do not have all states at the beginning. */
+  /** With this many cameras, views and targets, tables do not have all states at first. */
   private static final int CAMERAS = 200;
 
-  private static final int LEVELS = 5;
+  private static final int VIEWS = 5;
   private static final int TARGETS = 4_000;
 
   @Property(tries = 200)
@@ -49,10 +49,10 @@ class ActionValuesTest {
     Map<Integer, double[]> expected = new HashMap<>();
     for (int i = 0; i < 2_000; i++) {
       int percept = random.nextInt(1 + random.nextInt(1 + random.nextInt(TARGETS)));
-      int state = values.state(7, random.nextInt(LEVELS), percept % reading.percepts(TARGETS));
+      int state = values.state(7, random.nextInt(VIEWS), percept % reading.percepts(TARGETS));
       double[] row = expected.computeIfAbsent(state, newState -> new double[] {-1, -1, -1, -1, -1});
       assertRow(values, state, row, ties);
-      int action = random.nextInt(LEVELS);
+      int action = random.nextInt(VIEWS);
       row[action] = random.nextInt(-3, 2);
       values.set(7, state, action, row[action]);
       assertRow(values, state, row, ties);
@@ -63,10 +63,10 @@ class ActionValuesTest {
   @Test
   void tableCoversDetectionsOfAllTargets() {
     ActionValues values = new ActionValues(bigNetwork(), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
-    int last = values.state(0, LEVELS - 1, TARGETS);
-    values.set(0, last, LEVELS - 1, 3);
-    assertEquals(3, values.value(0, last, LEVELS - 1));
-    assertEquals(0, values.value(0, last - 1, LEVELS - 1));
+    int last = values.state(0, VIEWS - 1, TARGETS);
+    values.set(0, last, VIEWS - 1, 3);
+    assertEquals(3, values.value(0, last, VIEWS - 1));
+    assertEquals(0, values.value(0, last - 1, VIEWS - 1));
   }
 
   @Test
@@ -76,7 +76,7 @@ class ActionValuesTest {
     values.set(0, state, 2, 3);
     assertEquals(0, values.value(1, state, 2));
     assertEquals(2, values.best(0, state));
-    assertEquals(LEVELS - 1, values.best(1, state));
+    assertEquals(VIEWS - 1, values.best(1, state));
   }
 
   @Test
@@ -85,7 +85,7 @@ class ActionValuesTest {
       ActionValues values = new ActionValues(bigNetwork(), StateReading.COUNT, ties, 2);
       for (int detected = 0; detected < 10; detected++) {
         assertEquals(2, values.value(0, detected, 0));
-        assertEquals(ties.best(LEVELS), values.best(0, detected));
+        assertEquals(ties.best(VIEWS), values.best(0, detected));
       }
     }
   }
@@ -95,7 +95,7 @@ class ActionValuesTest {
     for (StateReading reading : StateReading.values()) {
       ActionValues values = new ActionValues(bigNetwork(), reading, Ties.WIDEST, 0);
       for (int percept = 0; percept <= 40 && percept < reading.percepts(TARGETS); percept++) {
-        for (int view = 0; view < LEVELS; view++) {
+        for (int view = 0; view < VIEWS; view++) {
           int state = values.state(0, view, percept);
           values.set(0, state, 1, 3);
           assertEquals(1, values.best(0, state));
@@ -155,15 +155,15 @@ class ActionValuesTest {
   }
 
   private static void assertRow(ActionValues values, int state, double[] row, Ties ties) {
-    assertEquals(ties.best(row, 0, LEVELS), values.best(7, state), "state " + state);
-    for (int action = 0; action < LEVELS; action++) {
+    assertEquals(ties.best(row, 0, VIEWS), values.best(7, state), "state " + state);
+    for (int action = 0; action < VIEWS; action++) {
       assertEquals(row[action], values.value(7, state, action), "state " + state);
     }
   }
 
   private static ToyNetwork bigNetwork() {
     int[] views = new int[CAMERAS];
-    Arrays.fill(views, LEVELS);
+    Arrays.fill(views, VIEWS);
     return new ToyNetwork(TARGETS, views);
   }
 }

@@ -53,7 +53,7 @@ class MovingLearnersTest {
   }
 
   @Test
-  void banditsMeanIncludesStepsOfMoves() {
+  void meanOfBanditIncludesStepsOfMoves() {
     ZoomPolicy policy =
         network.begin(registry.create("epsilon-greedy:epsilon=0,ties=narrowest"), 1);
     for (int step = 0; step < 4; step++) {

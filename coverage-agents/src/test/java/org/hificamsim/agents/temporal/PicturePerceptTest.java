@@ -65,7 +65,7 @@ class PicturePerceptTest {
   }
 
   @Test
-  void ignoresTargetsOutsideAndHidden() {
+  void ignoresTargetsOutOfViewOrHidden() {
     String wall = "<wall x1='-1' y1='2' x2='1' y2='2'/>";
     assertPicture(0b001, false, at(31, 3) + at(0, 10.1) + at(-20, 3));
     assertPicture(0b100, false, wall + at(0, 3) + at(28, 6));
@@ -105,10 +105,10 @@ class PicturePerceptTest {
   }
 
   /** Returns a target at an angle to the right of the camera's heading, degrees. */
-  private static String at(double from, double distance) {
-    double angle = Math.toRadians(from);
+  private static String at(double angleDegrees, double distance) {
+    double angle = Math.toRadians(angleDegrees);
     return "<object features='"
-        + (1000 + from + distance)
+        + (1000 + angleDegrees + distance)
         + "' x='"
         + distance * Math.sin(angle)
         + "' y='"

@@ -40,7 +40,7 @@ class TemporalDifferenceZoomPolicyTest {
   void firstDecisionTeachesNothing() {
     for (String name : BOTH) {
       TemporalDifferenceZoomPolicy policy = startPolicy(name + ":alpha=1,ties=narrowest");
-      network.setLevel(0, 0);
+      network.setView(0, 0);
       network.observe();
       network.step(policy);
       for (int state = 0; state < 6; state++) {
@@ -82,7 +82,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
-  void sarsaAndQLearningLearnTheBestLevel() {
+  void sarsaAndQLearningLearnTheBestView() {
     for (String name : BOTH) {
       start();
       TemporalDifferenceZoomPolicy policy = startPolicy(name);
@@ -199,7 +199,7 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   private void start() {
-    network.setLevel(0, 1);
+    network.setView(0, 1);
     network.observe();
   }
 

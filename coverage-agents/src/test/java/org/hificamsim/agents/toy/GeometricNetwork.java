@@ -10,7 +10,8 @@ public final class GeometricNetwork extends ToyNetwork {
   /**
    * The parameters of random worlds.
    *
-   * @param views number of views of each camera; if negative, a random number up to its amount
+   * @param views number of views of each camera; if negative, a random number up to its absolute
+   *     value
    * @param sizes number of different sizes of targets
    * @param nested whether rings begin at distance 0, so that wider views include narrower ones
    * @param sectors whether cameras have an angle of view, and do not look all round
@@ -37,7 +38,7 @@ public final class GeometricNetwork extends ToyNetwork {
   private final SplittableRandom random;
   private final PlacedCamera[] placedCameras;
 
-  /** By camera, view and size of the target. */
+  /** By camera, view and size of the target: the distances at which the camera detects it. */
   private final Ring[][][] rings;
 
   private final Position[] positions;

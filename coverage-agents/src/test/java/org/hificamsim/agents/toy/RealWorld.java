@@ -30,7 +30,8 @@ public final class RealWorld {
   }
 
   /**
-   * @param parts the elements of the simulation; the field is 40 m x 40 m about the origin
+   * @param parts the elements of the simulation element; the field is 40 m x 40 m, centred on the
+   *     origin
    */
   public static Simulation run(String parts, DetectionModel model, ZoomPolicy policy, long seed) {
     World world = new World(scenario(parts), Movements.registry(), seed);

@@ -14,8 +14,8 @@ import org.hificamsim.core.visibility.Body;
 
 /**
  * A small network for tests whose detections the test sets, or a subclass computes; it applies
- * policies as the engine does and counts their use of global knowledge. What a camera sees itself
- * is none.
+ * policies as the engine does and counts their use of global knowledge, which does not include what
+ * a camera sees itself.
  */
 public class ToyNetwork implements OracleView {
   private static final Body FLAT = Body.flat(1);
@@ -30,7 +30,7 @@ public class ToyNetwork implements OracleView {
   private final int[] coverage;
   private Objective objective = Objective.kMin();
   private final ZoomLevel[][] zoomLevels;
-  private final int[] left;
+  private final int[] moveStepsLeft;
   private int pans = 1;
   private int moveTime;
   private int revision;
@@ -43,7 +43,7 @@ public class ToyNetwork implements OracleView {
     this.views = views.clone();
     view = Arrays.stream(views).map(count -> count - 1).toArray();
     chosen = new int[views.length];
-    left = new int[views.length];
+    moveStepsLeft = new int[views.length];
     zoomLevels = new ZoomLevel[views.length][];
     makeLevels();
     detected = new int[views.length];
@@ -59,10 +59,10 @@ public class ToyNetwork implements OracleView {
   }
 
   /** Makes a camera detect exactly these targets in a view. */
-  public final ToyNetwork see(int camera, int atLevel, int... seen) {
-    Arrays.fill(detects[camera][atLevel], false);
+  public final ToyNetwork see(int camera, int atView, int... seen) {
+    Arrays.fill(detects[camera][atView], false);
     for (int target : seen) {
-      detects[camera][atLevel][target] = true;
+      detects[camera][atView][target] = true;
     }
     return this;
   }
@@ -81,8 +81,8 @@ public class ToyNetwork implements OracleView {
     return coverage.score();
   }
 
-  protected final void see(int camera, int atLevel, int target, boolean seen) {
-    detects[camera][atLevel][target] = seen;
+  protected final void see(int camera, int atView, int target, boolean seen) {
+    detects[camera][atView][target] = seen;
   }
 
   /**
@@ -143,7 +143,8 @@ public class ToyNetwork implements OracleView {
     policy.decide(this, chosen);
     for (int camera = 0; camera < view.length; camera++) {
       if (online[camera]) {
-        left[camera] = view[camera] == chosen[camera] ? Math.max(0, left[camera] - 1) : moveTime;
+        moveStepsLeft[camera] =
+            view[camera] == chosen[camera] ? Math.max(0, moveStepsLeft[camera] - 1) : moveTime;
         view[camera] = chosen[camera];
       }
     }
@@ -166,7 +167,7 @@ public class ToyNetwork implements OracleView {
   private boolean seesNow(int camera, int target) {
     return online[camera]
         && present[target]
-        && left[camera] == 0
+        && moveStepsLeft[camera] == 0
         && detects[camera][view[camera]][target];
   }
 
@@ -184,11 +185,11 @@ public class ToyNetwork implements OracleView {
     return globalQueries;
   }
 
-  public final int[] currentLevels() {
+  public final int[] currentViews() {
     return view.clone();
   }
 
-  public final void setLevel(int camera, int to) {
+  public final void setView(int camera, int to) {
     view[camera] = to;
   }
 
@@ -266,7 +267,7 @@ public class ToyNetwork implements OracleView {
 
   @Override
   public final int seeing(int camera) {
-    return left[camera] > 0 ? -1 : view[camera];
+    return moveStepsLeft[camera] > 0 ? -1 : view[camera];
   }
 
   @Override
@@ -291,8 +292,8 @@ public class ToyNetwork implements OracleView {
   }
 
   @Override
-  public ZoomLevel zoom(int camera, int atLevel) {
-    return zoomLevels[camera][atLevel % zooms(camera)];
+  public ZoomLevel zoom(int camera, int atView) {
+    return zoomLevels[camera][atView % zooms(camera)];
   }
 
   @Override
@@ -366,7 +367,7 @@ public class ToyNetwork implements OracleView {
     return new Field(x.getMin(), x.getMax(), y.getMin(), y.getMax());
   }
 
-  /** One for all: a step allocates nothing. */
+  /** The same body for all targets, so that a step allocates nothing. */
   @Override
   public final Body body(double size) {
     return FLAT;
@@ -378,15 +379,15 @@ public class ToyNetwork implements OracleView {
   }
 
   @Override
-  public final boolean detects(int camera, int atLevel, int target) {
+  public final boolean detects(int camera, int atView, int target) {
     globalQueries++;
-    return detects[camera][atLevel][target];
+    return detects[camera][atView][target];
   }
 
   @Override
-  public final boolean dominates(int camera, int atLevel, int other) {
+  public final boolean dominates(int camera, int atView, int other) {
     globalQueries++;
-    return provenSuperset(camera, atLevel, other);
+    return provenSuperset(camera, atView, other);
   }
 
   protected double x(int target) {
@@ -397,7 +398,7 @@ public class ToyNetwork implements OracleView {
     return 0;
   }
 
-  protected boolean provenSuperset(int camera, int atLevel, int other) {
-    return atLevel == other;
+  protected boolean provenSuperset(int camera, int atView, int other) {
+    return atView == other;
   }
 }

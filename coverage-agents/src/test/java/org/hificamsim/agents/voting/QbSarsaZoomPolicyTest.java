@@ -22,7 +22,7 @@ class QbSarsaZoomPolicyTest {
     prefer(policy, 1, 2, 1);
     prefer(policy, 2, 2, 1);
     network.decide(policy);
-    assertArrayEquals(new int[] {1, 1, 1}, network.currentLevels());
+    assertArrayEquals(new int[] {1, 1, 1}, network.currentViews());
   }
 
   @Test
@@ -32,7 +32,7 @@ class QbSarsaZoomPolicyTest {
     prefer(policy, 0, 2, 0);
     prefer(policy, 1, 2, 1);
     network.decide(policy);
-    assertArrayEquals(new int[] {0, 1}, network.currentLevels());
+    assertArrayEquals(new int[] {0, 1}, network.currentViews());
   }
 
   @Test
@@ -42,7 +42,7 @@ class QbSarsaZoomPolicyTest {
     prefer(policy, 0, 2, 0);
     prefer(policy, 1, 2, 1);
     network.decide(policy);
-    assertArrayEquals(new int[] {1, 0}, network.currentLevels());
+    assertArrayEquals(new int[] {1, 0}, network.currentViews());
   }
 
   @Test
@@ -94,11 +94,11 @@ class QbSarsaZoomPolicyTest {
   void equalsSarsaWithoutNeighbours() {
     ToyNetwork alone = learned("qb-sarsa:k=0");
     ToyNetwork sarsa = learned("sarsa");
-    assertArrayEquals(sarsa.currentLevels(), alone.currentLevels());
+    assertArrayEquals(sarsa.currentViews(), alone.currentViews());
   }
 
   @Test
-  void learnsTheBestLevel() {
+  void learnsTheBestView() {
     ToyNetwork network = world();
     ZoomPolicy policy = start(network, "qb-sarsa");
     int atBest = 0;

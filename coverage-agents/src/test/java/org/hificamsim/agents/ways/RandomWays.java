@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.core.metrics.Objective;
 
-/** Random problems of ways, small enough to try all. */
+/** A random problem of ways, small enough to try all of them. */
 final class RandomWays {
   private static final int STEPS = 4;
   private static final int VIEWS = 3;
@@ -71,7 +71,7 @@ final class RandomWays {
     }
     double best = 0;
     for (int code = 0; code < Math.pow(VIEWS, STEPS); code++) {
-      int[] seen = drive(camera, code);
+      int[] seen = follow(camera, code);
       count(seen, 1, coverage);
       best = Math.max(best, best(camera + 1, coverage));
       count(seen, -1, coverage);
@@ -79,8 +79,8 @@ final class RandomWays {
     return best;
   }
 
-  /** Drives a camera to the goals of a code; a goal that changes on the way is not followed. */
-  private int[] drive(int camera, int code) {
+  /** Sends a camera to the goals of a code; a goal that changes during a move is ignored. */
+  private int[] follow(int camera, int code) {
     int[] goals = new int[STEPS];
     for (int step = 0; step < STEPS; step++) {
       goals[step] = code % VIEWS;
@@ -129,12 +129,12 @@ final class RandomWays {
 
   /** The sum over the steps of the best score if cameras jump. */
   double bestOfJumps() {
-    List<TravelTimes> none =
+    List<TravelTimes> instantTimes =
         times.stream()
             .map(time -> new TravelTimes(time.home(), VIEWS, new int[VIEWS * VIEWS]))
             .toList();
     double sum = 0;
-    WayProblem jumping = new WayProblem(problem.objective(), ends, none, online, detected);
+    WayProblem jumping = new WayProblem(problem.objective(), ends, instantTimes, online, detected);
     for (int step = 0; step < STEPS; step++) {
       sum += bestOfStep(jumping, step, 0, new int[problem.momentCount()]);
     }

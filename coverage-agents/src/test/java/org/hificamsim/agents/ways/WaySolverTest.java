@@ -52,7 +52,7 @@ class WaySolverTest {
   }
 
   @Test
-  void mostSmallProblemsAreClosed() {
+  void closesTheGapOfMostSmallProblems() {
     int closed = 0;
     for (int number = 0; number < 100; number++) {
       RandomWays ways = ways(number);

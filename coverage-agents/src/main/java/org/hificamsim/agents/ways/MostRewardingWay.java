@@ -7,7 +7,7 @@ import java.util.Arrays;
  * programming over the steps in which it is online and the views in which it has arrived. Of equal
  * ways it takes one that stays where it is.
  */
-final class DearestWay {
+final class MostRewardingWay {
   private static final int START = -1;
 
   private final WayProblem problem;
@@ -22,7 +22,7 @@ final class DearestWay {
   private TravelTimes times;
   private int[] steps;
 
-  DearestWay(WayProblem problem) {
+  MostRewardingWay(WayProblem problem) {
     this.problem = problem;
   }
 
